@@ -19,9 +19,9 @@ from rich.table import Table
 
 from engine import law
 from engine.cams.certificate import certify
-from engine.cams.course import Course, course_of_motion
 from engine.cams.interpolation import lines, quintics, spline
 from engine.cams.points import equal
+from engine.cams.profile import CamProfile, profile_of_motion
 from engine.cams.segments import segmented
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
@@ -33,28 +33,28 @@ from workbook.controllers.target import Handed
 from workbook.reports.plot import Line, plot
 
 PICTURE = Path(__file__).parents[1] / "docs" / "cam-tables.svg"
-RISE = course_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))
-TURN = course_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0), Phase(law("dwell"), 0.0, 280.0)]))
+RISE = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))
+TURN = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0), Phase(law("dwell"), 0.0, 280.0)]))
 INTERVALS = (8, 16, 20, 24, 40, 80, 160, 400, 800, 1000, 2000, 4000)
 FLOOR = 1e-12  # what is less is drawn there
 AXES, POINTS = 24, 1000
 WHOLE, AUTO = 3.0, 2.0  # s, the most that exporting them may take, and finding the fewest points of one axis
 
 
-def clamped(of: Course, x: Array) -> Course:
+def clamped(of: CamProfile, x: Array) -> CamProfile:
     return spline(x, of.at(x).y, (0.0, 0.0))
 
 
-def clamped_real(of: Course, x: Array) -> Course:
+def clamped_real(of: CamProfile, x: Array) -> CamProfile:
     return spline(x, of.at(x).y.astype(np.float32).astype(np.float64), (0.0, 0.0))
 
 
-def quintic(of: Course, x: Array) -> Course:
+def quintic(of: CamProfile, x: Array) -> CamProfile:
     at = of.at(x)
     return quintics(x, at.y, at.y1, at.y2)
 
 
-RULES: dict[str, Callable[[Course, Array], Course]] = {
+RULES: dict[str, Callable[[CamProfile, Array], CamProfile]] = {
     "straight lines": lambda of, x: lines(x, of.at(x).y),
     "cubic spline, REAL": clamped_real,
     "cubic spline, LREAL": clamped,
@@ -63,7 +63,7 @@ RULES: dict[str, Callable[[Course, Array], Course]] = {
 }
 
 
-def share(of: Course, rebuilt: Course) -> float:
+def share(of: CamProfile, rebuilt: CamProfile) -> float:
     """The largest error of acceleration, of its peak."""
     return certify(of, rebuilt).deviations[2].share
 
@@ -91,8 +91,8 @@ def spent(task: Callable[[], object]) -> float:
 
 def export(axis: CamAxis) -> None:
     one = target("codesys")
-    made = certified(one, tabulated(one, axis, POINTS), axis.course)
-    certified(one, reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table), axis.course)
+    made = certified(one, tabulated(one, axis, POINTS), axis.profile)
+    certified(one, reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table), axis.profile)
 
 
 def costs() -> Table:

@@ -1,6 +1,6 @@
 """The reference for machine motion: laws, motions, timing diagrams and drives in SI units, angles in rad."""
 
-from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, reflected_inertia
+from engine.drive import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, reflected_inertia
 from engine.laws import CATALOGUE, Law, Piece, PieceLaw, law
 from engine.motion import Motion, Phase, motionlaw
 from engine.timing import Axis, Movement, shaft_speed

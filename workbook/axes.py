@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from engine.cams.course import Course
+from engine.cams.profile import CamProfile
 from engine.timing import Switch
 
 
 @dataclass(frozen=True)
 class CamAxis:
-    """An axis over a cycle of its master: its course and the units of both.
+    """An axis over a cycle of its master: its profile and the units of both.
 
     ``repeats`` says whether the cycle follows upon itself: it comes back, or a feed goes on from where it is. ``shaft``
     gives the angle of the motor's shaft, where it has a drive; it raises ValueError for what the mechanism cannot do.
     """
 
     name: str
-    course: Course
+    profile: CamProfile
     x_unit: str
     y_unit: str
     repeats: bool = True

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.bernstein import DEGREE, enclosing, largest
-from engine.cams.course import SAME, Course
+from engine.cams.profile import SAME, CamProfile
 from engine.laws.base import Array
 
 ORDERS = 4
@@ -55,7 +55,7 @@ class Certificate:
     closure: tuple[float, ...]
 
 
-def certify(meant: Course, rebuilt: Course) -> Certificate:
+def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
     """Compare a rebuilt motion with the one meant, over the cycle of the latter.
 
     Between two neighbouring breaks of either both are polynomials and sines. Their difference is enclosed by the
@@ -79,7 +79,7 @@ def certify(meant: Course, rebuilt: Course) -> Certificate:
 
 
 @lru_cache(maxsize=64)
-def peaks(of: Course) -> tuple[float, ...]:
+def peaks(of: CamProfile) -> tuple[float, ...]:
     """Return the reach of a motion, and the largest sizes of y', y'' and y'''."""
     low, high = intervals(of, of)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
@@ -94,7 +94,7 @@ def _reach(rows: Array) -> float:
     return max(0.0, largest(rows - low).value + largest(high - rows).value - (high - low))
 
 
-def intervals(meant: Course, rebuilt: Course) -> tuple[Array, Array]:
+def intervals(meant: CamProfile, rebuilt: CamProfile) -> tuple[Array, Array]:
     """Return begins and ends of the intervals of the cycle of ``meant`` in which both are one polynomial and sines."""
     begin, end = float(meant.edges[0]), float(meant.edges[-1])
     inner = rebuilt.edges[(rebuilt.edges > begin) & (rebuilt.edges < end)]
@@ -110,15 +110,15 @@ def intervals(meant: Course, rebuilt: Course) -> tuple[Array, Array]:
     return low, np.append(low[1:], end)
 
 
-def fastest(of: Course) -> Array:
+def fastest(of: CamProfile) -> Array:
     """Return the largest ω of the sines of each stretch."""
     if not of.sines.size:
         return np.zeros(len(of.origins))
     return np.asarray(np.abs(np.where(of.sines[:, :, 0] != 0.0, of.sines[:, :, 1], 0.0)).max(axis=1))
 
 
-def local(of: Course, middle: Array, half: Array) -> Array:
-    """Return a course between ends that are ``half`` from ``middle`` as powers of t from −1 to 1, a column each."""
+def local(of: CamProfile, middle: Array, half: Array) -> Array:
+    """Return a profile between ends that are ``half`` from ``middle`` as powers of t from −1 to 1, a column each."""
     powers = of.taylor(middle, of.index(middle), DEGREE + 1)
     return np.asarray(powers * half ** np.arange(DEGREE + 1)[:, None])
 

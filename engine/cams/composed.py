@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.course import Course
 from engine.cams.interpolation import quintics
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 
 NEAR, NEAR_ACCELERATION = 1e-9, 1e-5
@@ -29,7 +29,7 @@ class Seen(NamedTuple):
 Outer = Callable[[Array], Seen]
 
 
-def composed(of: Course, outer: Outer) -> Course:
+def composed(of: CamProfile, outer: Outer) -> CamProfile:
     """Return f(y(x)) over the same cycle; its jumps of acceleration are those of y, where a stretch ends.
 
     With (f∘y)' = f' y' and (f∘y)'' = f'' y'² + f' y'' at both ends of each interval; one whose middle is off is halved.
@@ -38,7 +38,7 @@ def composed(of: Course, outer: Outer) -> Course:
     value, _, curvature = through(of, outer, samples, of.index(samples))
     most = NEAR * float(np.ptp(value)), NEAR_ACCELERATION * float(np.abs(curvature).max())
     made = [stretch(of, outer, k, most) for k in range(len(of.origins))]
-    return Course(
+    return CamProfile(
         np.append(np.concatenate([one.edges[:-1] for one in made]), of.edges[-1]),
         np.concatenate([one.origins for one in made]),
         np.concatenate([one.c for one in made]),
@@ -46,7 +46,7 @@ def composed(of: Course, outer: Outer) -> Course:
     )
 
 
-def stretch(of: Course, outer: Outer, k: int, most: tuple[float, float]) -> Course:
+def stretch(of: CamProfile, outer: Outer, k: int, most: tuple[float, float]) -> CamProfile:
     """Return the polynomials of one stretch of y."""
     x = np.linspace(of.edges[k], of.edges[k + 1], FIRST + 1)
     least = NARROWEST * of.total
@@ -62,7 +62,7 @@ def stretch(of: Course, outer: Outer, k: int, most: tuple[float, float]) -> Cour
         x = np.sort(np.concatenate([x, halved]))
 
 
-def through(of: Course, outer: Outer, x: Array, k: NDArray[np.intp]) -> tuple[Array, Array, Array]:
+def through(of: CamProfile, outer: Outer, x: Array, k: NDArray[np.intp]) -> tuple[Array, Array, Array]:
     """Return f(y(x)) and its first two derivatives, of y in stretches k."""
     y, v, half = of.taylor(x, k, 3)
     value, first, second = outer(y)

@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.course import Course, turned
 from engine.cams.given import AT_SPEED, LONGER, Points, may_be, moves_at, part, seam
 from engine.cams.joined import RATES, grown, joined
+from engine.cams.profile import CamProfile, turned
 from engine.cams.splined import dense, rate_of, splined
 from engine.laws import Law, PieceLaw, law
 from engine.laws.ends import EndedLaw
@@ -121,7 +121,7 @@ def _one_way(of: Points, begin: int, end: int) -> list[tuple[int, int]]:
     return list(pairwise([begin, *turns, end]))
 
 
-def identified(of: Points, rebuilt: Course, turns: bool = False, share: float = THINNED) -> Read:
+def identified(of: Points, rebuilt: CamProfile, turns: bool = False, share: float = THINNED) -> Read:
     """Return the movements of a table with the first law of the registry that each keeps to, in order.
 
     What does not move from rest to rest is told as phases that meet at speed. What keeps to no law is a spline through
@@ -139,7 +139,7 @@ def identified(of: Points, rebuilt: Course, turns: bool = False, share: float = 
     return Read(phases(of._replace(begins=begins, ends=ends, seam=across), rebuilt))
 
 
-def phases(of: Points, rebuilt: Course) -> list[Found]:
+def phases(of: Points, rebuilt: CamProfile) -> list[Found]:
     """Return the phases of each movement of a table."""
     laws = [entry.example() for entry in CATALOGUE if entry.rises and entry.law is not PieceLaw]
     found: list[Found] = []
@@ -156,7 +156,7 @@ def phases(of: Points, rebuilt: Course) -> list[Found]:
 
 
 def _laid(
-    of: Points, rebuilt: Course, span: tuple[int, int], edges: Sequence[tuple[int, int]],
+    of: Points, rebuilt: CamProfile, span: tuple[int, int], edges: Sequence[tuple[int, int]],
     resting: Sequence[Found | None],
 ) -> list[Found]:  # fmt: skip
     """Return the phases of a movement some of whose ways from rest to rest keep to no law."""
@@ -172,7 +172,7 @@ def _laid(
     return [Found(law("PO5"), *fit, _residual(law("PO5"), whole, fit), fits=False, known=False)]
 
 
-def _thinned(of: Points, rebuilt: Course) -> list[Found]:
+def _thinned(of: Points, rebuilt: CamProfile) -> list[Found]:
     """Return splines from rest to rest through few points; none where it does not rest, or too many are needed."""
     rate = rate_of(rebuilt)
     slow = AT_SPEED * float(np.abs(np.diff(of.y) / np.diff(of.x)).max())

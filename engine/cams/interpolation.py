@@ -1,4 +1,4 @@
-"""How controllers go between the points of a table: each rule makes a course of it."""
+"""How controllers go between the points of a table: each rule makes a profile of it."""
 
 from __future__ import annotations
 
@@ -9,29 +9,29 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.course import Course
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 
 Ends = Literal["natural", "not-a-knot", "periodic"]
 
 
-def _course(x: Array, *c: Array) -> Course:
-    return Course(x, x[:-1], np.column_stack(c), np.zeros((len(x) - 1, 0, 3)))
+def _course(x: Array, *c: Array) -> CamProfile:
+    return CamProfile(x, x[:-1], np.column_stack(c), np.zeros((len(x) - 1, 0, 3)))
 
 
-def lines(x: Array, y: Array) -> Course:
+def lines(x: Array, y: Array) -> CamProfile:
     """Return straight lines from point to point."""
     return _course(x, y[:-1], np.diff(y) / np.diff(x))
 
 
-def hermite(x: Array, y: Array, v: Array) -> Course:
+def hermite(x: Array, y: Array, v: Array) -> CamProfile:
     """Return the cubic of each interval that has y and y' at both its ends."""
     h = np.diff(x)
     m = np.diff(y) / h
     return _course(x, y[:-1], v[:-1], (3.0 * m - 2.0 * v[:-1] - v[1:]) / h, (v[:-1] + v[1:] - 2.0 * m) / h**2)
 
 
-def parabolas(x: Array, y: Array) -> Course:
+def parabolas(x: Array, y: Array) -> CamProfile:
     """Return cubics whose slope at a point is that of the parabola through it and its neighbours, at an
     end through three.
 
@@ -46,7 +46,7 @@ def parabolas(x: Array, y: Array) -> Course:
     return hermite(x, y, np.concatenate([[2.0 * m[0] - inner[0]], inner, [2.0 * m[-1] - inner[-1]]]))
 
 
-def quintics(x: Array, y: Array, v: Array, a: Array) -> Course:
+def quintics(x: Array, y: Array, v: Array, a: Array) -> CamProfile:
     """Return the polynomial of degree 5 of each interval that has y, y' and y'' at both its ends."""
     h = np.diff(x)
     d = np.diff(y) - (v[:-1] + 0.5 * a[:-1] * h) * h
@@ -58,7 +58,7 @@ def quintics(x: Array, y: Array, v: Array, a: Array) -> Course:
     )  # fmt: skip
 
 
-def spline(x: Array, y: Array, ends: Ends | tuple[float, float]) -> Course:
+def spline(x: Array, y: Array, ends: Ends | tuple[float, float]) -> CamProfile:
     """Return the cubic spline through the points: y, y' and y'' are continuous.
 
     ``ends`` are the slopes of a clamped spline; or natural (y'' = 0), not-a-knot (y''' continuous at the last points
@@ -80,7 +80,7 @@ def spline(x: Array, y: Array, ends: Ends | tuple[float, float]) -> Course:
     return hermite(x, y, fixed + one * first + other * last)
 
 
-def _conditions(of: Course, ends: Ends) -> tuple[float, float]:
+def _conditions(of: CamProfile, ends: Ends) -> tuple[float, float]:
     """Return what must be 0 at both ends."""
     (_, v0, a0, j0), c1 = of.c[0], of.c[-1]
     h = float(of.edges[-1] - of.edges[-2])
@@ -120,7 +120,7 @@ def _slopes(widths: bytes, chords: bytes) -> tuple[Array, Array, Array]:
     return np.array(rows[0]), np.array(rows[1]), np.array(rows[2])
 
 
-def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArray[np.bool_]) -> Course:
+def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArray[np.bool_]) -> CamProfile:
     """Return lines where ``straight`` says so, one for each interval, and clamped splines between them.
 
     A spline beside a line takes the line's slope; at the ends of the table those of ``ends``.

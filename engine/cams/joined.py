@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.cams.course import Course
 from engine.cams.given import LONGER, SEAM, Points, fastest, may_be, part, precision, rate_at
+from engine.cams.profile import CamProfile
 from engine.cams.splined import dense, rate_of, splined
 from engine.laws import Law, law
 from engine.laws.base import Array
@@ -54,7 +54,7 @@ class Ended(NamedTuple):
         return 1.0 if isinstance(self.law, EndedLaw) and not self.law.ends.at_rest else self.lift
 
 
-def joined(of: Points, rebuilt: Course, near: float) -> tuple[list[Ended], bool]:
+def joined(of: Points, rebuilt: CamProfile, near: float) -> tuple[list[Ended], bool]:
     """Return the phases of a movement between rests, or from a table's begin or to its end, that meet at speed.
 
     The other is whether each is a line or a law as it is meant.
@@ -138,7 +138,7 @@ def line(of: Points, begin: int, end: int) -> Ended:
     return Ended(law("LIN"), float(of.x[begin]), float(of.x[end]), float(of.y[begin]), lift, 0.0)
 
 
-def beside(of: Points, rebuilt: Course, runs: Sequence[tuple[int, int]], k: int) -> Side:
+def beside(of: Points, rebuilt: CamProfile, runs: Sequence[tuple[int, int]], k: int) -> Side:
     """Return what a curved phase meets at a point: a line, a rest, or at an end of the table what it has there."""
     for begin, end in runs:
         if k in (begin, end):
@@ -161,7 +161,7 @@ def line_across(of: Points, runs: Sequence[tuple[int, int]], k: int) -> float:
     return np.inf
 
 
-def rates(of: Points, rebuilt: Course, k: int) -> Side:
+def rates(of: Points, rebuilt: CamProfile, k: int) -> Side:
     """Return y, y' and y'' at a point: the table's own, or those of what rebuilds it."""
     place = of.x[k : k + 1]
     last = k == len(of.x) - 1
@@ -260,13 +260,13 @@ def rates_agree(one: Ended, of: Points) -> bool:
     return True
 
 
-def splines(of: Points, rebuilt: Course, sides: tuple[Side, Side], near: float) -> list[Ended]:
+def splines(of: Points, rebuilt: CamProfile, sides: tuple[Side, Side], near: float) -> list[Ended]:
     """Return splines that keep to the points as far as these are thinned; none where too many would be needed."""
     slopes = sides[0].v, sides[1].v
     return [Ended(*one) for one in splined(dense(of, rebuilt), slopes, rate_of(rebuilt), max(of.thinned, near))]
 
 
-def run(of: Points, rebuilt: Course, sides: tuple[Side, Side], most: float) -> list[Ended]:
+def run(of: Points, rebuilt: CamProfile, sides: tuple[Side, Side], most: float) -> list[Ended]:
     """Return polynomials of degree 5 from point to point, at most :data:`MOST`."""
     quintic = next(one for one in ending() if one.code == "PO5")
     found: list[Ended] = []

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from engine.cams.bernstein import DEGREE, enclosing
 from engine.cams.certificate import derived, intervals, local, peaks
-from engine.cams.course import Course
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 
 STEPS = 60  # of halving
@@ -20,12 +20,14 @@ BEFORE = 1e-5
 """of the cycle: so far before a jump of y' or y'' stands a point of its own"""
 
 
-def equal(of: Course, n: int) -> Array:
+def equal(of: CamProfile, n: int) -> Array:
     """Return n places at equal steps over the cycle."""
     return np.linspace(float(of.edges[0]), float(of.edges[-1]), n)
 
 
-def spread(of: Course, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_] | None = None) -> Array:
+def spread(
+    of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_] | None = None
+) -> Array:
     """Return at most n places: the breaks, and between them equal steps by what a rule of an order leaves.
 
     Between places h apart a rule through polynomials of degree ``order`` − 1 leaves of y'' what goes with
@@ -52,7 +54,7 @@ def _taken(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.in
     return np.maximum(np.ceil(np.minimum(sizes * share, 1e7)), least).astype(np.intp)
 
 
-def weights(of: Course, order: int) -> Array:
+def weights(of: CamProfile, order: int) -> Array:
     """Return for each stretch its length by the root of its largest derivative of an order, beside the largest."""
     low, high = intervals(of, of)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
@@ -68,7 +70,7 @@ def weights(of: Course, order: int) -> Array:
     return np.maximum(sizes, np.where(beside(of), spans / spans.max(), 0.0)) if order == CUBIC else sizes
 
 
-def beside(of: Course) -> NDArray[np.bool_]:
+def beside(of: CamProfile) -> NDArray[np.bool_]:
     """Return which stretches are beside a jump of y'': a spline goes on swinging there, the less the shorter its steps.
 
     A parabola that a cubic has exactly needs steps all the same.
@@ -77,20 +79,20 @@ def beside(of: Course) -> NDArray[np.bool_]:
     return np.asarray(at[:-1] | at[1:])
 
 
-def places(of: Course, steps: NDArray[np.intp]) -> Array:
-    """Return the breaks of a course, and between them as many equal steps as each stretch has."""
+def places(of: CamProfile, steps: NDArray[np.intp]) -> Array:
+    """Return the breaks of a profile, and between them as many equal steps as each stretch has."""
     inner = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(of.edges[:-1], of.edges[1:], steps, strict=True)]
     return np.concatenate([*inner, of.edges[-1:]])
 
 
-def doubled(of: Course, x: Array) -> Array:
+def doubled(of: CamProfile, x: Array) -> Array:
     """Return places with one more just before each jump: a point has one y' and one y'', which serve both sides."""
     steps = np.array([one - BEFORE * of.total for one in jumps(of)])
     return np.unique(np.concatenate([x, steps]))
 
 
-def jumps(of: Course) -> Array:
-    """Return the breaks within a course at which y' or y'' jumps."""
+def jumps(of: CamProfile) -> Array:
+    """Return the breaks within a profile at which y' or y'' jumps."""
     inner = of.edges[1:-1]
     before, after = of.at(inner, left=True), of.at(inner)
     _, v, a, _ = peaks(of)

@@ -5,27 +5,27 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.course import Course
 from engine.cams.interpolation import quintics
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 
 HIGHEST = 6
 """power of a segment's polynomial"""
 
 
-def simple(of: Course) -> NDArray[np.bool_]:
+def simple(of: CamProfile) -> NDArray[np.bool_]:
     """Return which stretches are a polynomial of degree 6 at most, and one sine at most."""
     sines = (of.sines[:, :, 0] != 0.0).sum(axis=1) if of.sines.size else np.zeros(len(of.c), dtype=np.intp)
     return np.asarray((of.c[:, HIGHEST + 1 :] == 0.0).all(axis=1) & (sines <= 1))
 
 
-def straight(of: Course) -> NDArray[np.bool_]:
+def straight(of: CamProfile) -> NDArray[np.bool_]:
     """Return which stretches are a line: a dwell, or a motion at constant velocity."""
     turns = (of.sines[:, :, 0] != 0.0).any(axis=1) if of.sines.size else np.zeros(len(of.c), dtype=np.bool_)
     return np.asarray((of.c[:, 2:] == 0.0).all(axis=1) & ~turns)
 
 
-def segmented(of: Course, x: Array) -> Course:
+def segmented(of: CamProfile, x: Array) -> CamProfile:
     """Return a motion between places: its own stretches where simple, else quintics; u counts from a place."""
     at, last = of.at(x), of.at(x, left=True)
     k = of.index(0.5 * (x[:-1] + x[1:]))
@@ -36,12 +36,12 @@ def segmented(of: Course, x: Array) -> Course:
     c[:, :6] = made
     kept = of.c.shape[1]
     for row in np.flatnonzero(exact):
-        polynomial = Course(of.edges, of.origins, of.c[:, : min(kept, terms)], of.sines[:, :0])
+        polynomial = CamProfile(of.edges, of.origins, of.c[:, : min(kept, terms)], of.sines[:, :0])
         c[row] = polynomial.taylor(x[row : row + 1], k[row : row + 1], terms)[:, 0]
         for a, w, phi in of.sines[k[row]]:
             if a:
                 sines[row, 0] = a, w, phi + w * (x[row] - of.origins[k[row]])
-    return Course(x, x[:-1], c, sines)
+    return CamProfile(x, x[:-1], c, sines)
 
 
 def quintics_between(x: Array, begin: list[Array], end: list[Array]) -> Array:

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.course import Course
 from engine.cams.given import Points, part
 from engine.cams.interpolation import spline
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from engine.laws.spline import MOST, NARROWEST, Spline
 
@@ -109,12 +109,12 @@ def law_of(of: Points, kept: NDArray[np.intp], slopes: tuple[float, float]) -> T
     )  # fmt: skip
 
 
-def rate_of(rebuilt: Course) -> Callable[[float], float]:
-    """Return what gives y' of a course at a place."""
+def rate_of(rebuilt: CamProfile) -> Callable[[float], float]:
+    """Return what gives y' of a profile at a place."""
     return lambda x: float(rebuilt.at(np.array([x])).y1[0])
 
 
-def dense(of: Points, rebuilt: Course) -> Points:
+def dense(of: Points, rebuilt: CamProfile) -> Points:
     """Return the points, and some places between each two where y' and y'' are told: what lies there is known too."""
     if of.v is None:
         return of

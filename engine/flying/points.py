@@ -10,13 +10,13 @@ from functools import cached_property
 
 import numpy as np
 
-from engine.drivetrain import KINDS, Drive, Load, Part, Stage
+from engine.drive import KINDS, Drive, Load, Part, Stage
+from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.quadrature import STANDSTILL, Cycle, Interval, LoadPoints
+from engine.drive.train import Train
 from engine.flying.cut import Cut
 from engine.flying.pieces import cut_pieces
 from engine.laws.base import Array
-from engine.machine.course import Course, Told
-from engine.machine.quadrature import STANDSTILL, Cycle, Interval, LoadPoints
-from engine.machine.train import Train
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class CutCycle(Cycle):
     def intervals(self) -> list[Interval]:
         """The pieces, in order."""
         begins = [piece.begin for piece in self.pieces]
-        ends = [*begins[1:], self.course.told.total]
+        ends = [*begins[1:], self.drive_cycle.told.total]
         return [Interval(*one) for one in zip(begins, ends, range(len(begins)), strict=True)]
 
     @property
@@ -54,8 +54,8 @@ def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.
 def cycle_of(cut: Cut, train: Train) -> CutCycle:
     """Return the cycle of a cut's shaft: nine points of each piece of the tool's motion."""
     pieces = cut_pieces(cut)
-    course = Course(train, Told(tuple(pieces), 0.0, cut.cycle_time))
-    return CutCycle(course, pieces, cut.time_tolerance, STANDSTILL * max(map(abs, cut.speed_range)))
+    drive_cycle = DriveCycle(train, MotionPieces(tuple(pieces), 0.0, cut.cycle_time))
+    return CutCycle(drive_cycle, pieces, cut.time_tolerance, STANDSTILL * max(map(abs, cut.speed_range)))
 
 
 def furthest(load: LoadPoints, still: float) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""A cycle of moves behind a drive in closed form: what :class:`engine.machine.demand.Demand` finds, another way.
+"""A cycle of moves behind a drive in closed form: what :class:`engine.drive.results.DriveResults` finds, another way.
 
 Peak and RMS torque follow from the laws' own integrals, where each phase moves one way at constant ratio (S4).
 """
@@ -14,10 +14,10 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from engine.drivetrain import Drive, Mechanism, Motor, direction
-from engine.drivetrain.drive import Holding
-from engine.drivetrain.losses import Method
-from engine.drivetrain.motor import Reserve, reserve
+from engine.drive import Drive, Mechanism, Motor, direction
+from engine.drive.drive import Holding
+from engine.drive.losses import Method
+from engine.drive.motor import Reserve, reserve
 from engine.laws.base import Array
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import breaks, roots
@@ -161,7 +161,7 @@ class CyclePart(NamedTuple):
 class Sizing:
     """A mechanism, the phases of its load's motion (m or rad, in s), and the inertia of the motor (kg m²).
 
-    ``method`` and ``holding`` as in :class:`engine.drivetrain.drive.Drive`.
+    ``method`` and ``holding`` as in :class:`engine.drive.drive.Drive`.
     Raises ValueError for no phases, a negative inertia, or a law that moves backwards.
     """
 

@@ -5,7 +5,7 @@ import random
 
 import numpy as np
 
-from engine.drivetrain import Part, reflected_inertia
+from engine.drive import Part, reflected_inertia
 from engine.laws.inverse import inverse
 from engine.motion import Phase
 from engine.motion.joining import Rates, joined

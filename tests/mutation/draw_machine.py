@@ -4,14 +4,14 @@ import random
 from collections.abc import Sequence
 from typing import Any, get_args
 
-from engine.machine.grid import Rank
+from engine.selection.pair_matrix import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.laws.registry import FAMILY
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS
-from workbook.machines.machine.switching import TIMES
-from workbook.machines.machine.timed import in_units_of
+from workbook.machines.machine.switches.entries import TIMES
+from workbook.machines.machine.time_based import in_units_of
 from workbook.machines.machine.variations import drives, of_shapes
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within

@@ -3,7 +3,7 @@
 import random
 from typing import Any
 
-from engine.machine.grid import RANKS
+from engine.selection.pair_matrix import RANKS
 
 
 def vary_selection(selection: dict[str, Any], sizes: dict[str, Any], drawn: random.Random) -> None:

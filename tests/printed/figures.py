@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import degrees, pi
 
-from engine.drivetrain import derating
+from engine.drive import derating
 from engine.laws import ConstantAcceleration, Cycloidal
 from engine.laws.inverse import inverse
 from engine.overlap import movement_time, one_after_the_other, overlap
@@ -53,7 +53,7 @@ def cutting_machine() -> Iterator[Figure]:
     yield Figure(section, "MC01, geometric acceleration, peak", "m/rad²", "0.61", rise.y2_max, "cut off, not rounded")
     yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max)
     yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max)
-    load, feed = s1.feeding_group().mechanism.reduced, s1.demand(s1.MTP)
+    load, feed = s1.feeding_group().mechanism.reduced, s1.results(s1.MTP)
     yield Figure("Feeding group", "total inertia J_tot", "kg m²", "1.164", load.inertia)
     yield Figure("Feeding group", "resisting torque C_r", "Nm", "67", load.torque)
     rounded = "computed from the rounded acceleration"

@@ -1,4 +1,4 @@
-"""Sizing examples that manufacturers print, with all their inputs, through the engine's courses.
+"""Sizing examples that manufacturers print, with all their inputs, through the engine's cycles.
 
 Figures are copied with the digits they are printed with. All three count the friction over the mechanism's efficiency
 and the inertia without it, so that what moves counts here as an inertia on the motor's shaft.
@@ -13,11 +13,11 @@ from math import pi
 
 import pytest
 
-from engine.drivetrain import KINDS, Drive, Load, Part, Stage, cylinder
+from engine.drive import KINDS, Drive, Load, Part, Stage, cylinder
+from engine.drive.cycle import DriveCycle
+from engine.drive.results import DriveResults
+from engine.drive.train import Train
 from engine.laws import Dwell
-from engine.machine.course import Course
-from engine.machine.demand import Demand
-from engine.machine.train import Train
 from engine.motion import Motion, Phase
 from tests.engine.profiles import thirds
 
@@ -34,7 +34,7 @@ def feeding(mechanism, inertia, distance, times, rest):
     """A feed that accelerates, goes on, slows for so many seconds, and rests."""
     move = sum(times)
     phases = [Phase(thirds(*(t / move for t in times)), distance, move), Phase(Dwell(), 0.0, rest)]
-    return Demand(Course(Train(Drive(mechanism, inertia)), Motion(phases)))
+    return DriveResults(DriveCycle(Train(Drive(mechanism, inertia)), Motion(phases)))
 
 
 @pytest.mark.parametrize(
@@ -55,7 +55,7 @@ def test_yaskawa_ball_screws(mass, length, diameter, gear, coupling, printed):
     found = feeding(mechanism, 0.0, 0.275, (0.1, 1.0, 0.1), 0.3)
     digits = 5e-7 if gear == 2 else 5e-6
     assert found.speed.highest.value * RPM == pytest.approx(speed, abs=0.5)
-    assert found.course.time == pytest.approx(60 / 40)
+    assert found.drive_cycle.time == pytest.approx(60 / 40)
     assert moved == pytest.approx(load_inertia, abs=digits)
     assert screw == pytest.approx(screw_inertia, abs=digits)
     assert mechanism.inertia() == pytest.approx(inertia, abs=digits)
@@ -72,8 +72,8 @@ def test_weihong_ball_screw():
     mechanism = KINDS["lead screw"].of(Load(0.0, friction=0.1 * 10 * G), 50, 0.9, parts=parts)
     found = feeding(mechanism, motor, 0.3, (0.1, 0.8, 0.1), 1.0)
     assert mechanism.inertia() == pytest.approx(1.73e-4, abs=5e-7)
-    assert found.course.train.drive.inertia_ratio == pytest.approx(12.3, abs=0.1)  # 1.73/0.14 = 12.36, cut there
-    assert found.course.motion.peaks.y1 == pytest.approx(0.334, abs=1e-3)
+    assert found.drive_cycle.train.drive.inertia_ratio == pytest.approx(12.3, abs=0.1)  # 1.73/0.14 = 12.36, cut there
+    assert found.drive_cycle.motion.peaks.y1 == pytest.approx(0.334, abs=1e-3)
     assert found.speed.highest.value * RPM == pytest.approx(1002, abs=2.1)
     assert found.torque.highest.value == pytest.approx(0.231, abs=1e-3)
     assert found.torque.lowest.value == pytest.approx(-0.161, abs=1e-3)

@@ -6,9 +6,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from engine.drivetrain import KINDS, Drive, Part, resisting
-from engine.drivetrain.chain import geared
-from engine.drivetrain.lossless import LosslessCycle, at_shaft
+from engine.drive import KINDS, Drive, Part, resisting
+from engine.drive.chain import geared
+from engine.drive.cycle import DriveCycle
+from engine.drive.lossless import LosslessCycle, at_shaft
+from engine.drive.results import DriveResults
+from engine.drive.train import Train
 from engine.laws import (
     ConstantAcceleration,
     Cubic,
@@ -17,9 +20,6 @@ from engine.laws import (
     ModifiedTrapezoidal,
     TrapezoidalVelocity,
 )
-from engine.machine.course import Course
-from engine.machine.demand import Demand
-from engine.machine.train import Train
 from engine.motion import Motion, Phase
 from engine.timing import Axis, shaft_speed
 from tests.engine.sizing import effective_inertia
@@ -156,10 +156,10 @@ def operating_points(law, n=3600):
     return points_of(feeding_group(), v, a, time=x / omega)
 
 
-def demand(law):
+def results(law):
     """The same over the pieces of the motion, without samples."""
     train = Train(feeding_group())
-    return Demand(Course(train, machine(law)["MC01"].motion, shaft_speed(100 / 60)))
+    return DriveResults(DriveCycle(train, machine(law)["MC01"].motion, shaft_speed(100 / 60)))
 
 
 def test_inertia_and_resisting_torque():
@@ -183,14 +183,14 @@ def test_torque_at_the_roller_shaft(law, acceleration, highest, lowest):
     points = operating_points(law)
     rise = movements(law, 100 / 60)[0]
     assert rise.a_max / RADIUS == pytest.approx(acceleration, abs=5e-5)
-    exact = demand(law).torque
+    exact = results(law).torque
     for found in ((points.torque.max(), points.torque.min()), (exact.highest.value, exact.lowest.value)):
         assert found == pytest.approx((highest, lowest), abs=1.1e-4)
 
 
 def test_speed_of_the_rollers():
     """ω_r,max = 33.582 rad/s = 320.685 rpm."""
-    for fastest in (operating_points(MTP).max_speed, demand(MTP).speed.peak):
+    for fastest in (operating_points(MTP).max_speed, results(MTP).speed.peak):
         assert fastest == pytest.approx(33.582, abs=5e-4)
         assert fastest * 60 / (2 * math.pi) == pytest.approx(320.685, abs=5e-4)
 
@@ -205,7 +205,7 @@ def test_exact_rms_torque_over_the_cycle():
     assert cycle.torque == pytest.approx(exact, rel=1e-15)  # there is no motor
     assert exact == pytest.approx(math.sqrt(inertial**2 * 80 / 360 + 67.0**2), rel=1e-13)
     assert operating_points(MTP).rms_torque == pytest.approx(exact, rel=1e-6)
-    assert demand(MTP).rms_torque == pytest.approx(exact, rel=1e-12)
+    assert results(MTP).rms_torque == pytest.approx(exact, rel=1e-12)
 
 
 def test_the_sheet_of_the_feed_has_s1s_terms():

@@ -8,11 +8,11 @@ from math import pi, radians
 
 import pytest
 
-from engine.drivetrain import KINDS, Part, Slide, Stage, cylinder, derating, motor_inertia
+from engine.drive import KINDS, Part, Slide, Stage, cylinder, derating, motor_inertia
+from engine.drive.cycle import DriveCycle
+from engine.drive.results import DriveResults
+from engine.drive.train import Train
 from engine.laws import Dwell
-from engine.machine.course import Course
-from engine.machine.demand import Demand
-from engine.machine.train import Train
 from engine.motion import Phase
 from tests.engine.profiles import thirds
 from tests.engine.sizing import Sizing
@@ -104,7 +104,7 @@ def test_screw_torques(screw_sizing):
 @pytest.mark.parametrize("sizing", [sized_screw(), sized_conveyor()], ids=["screw", "conveyor"])
 def test_the_motion_s_pieces_give_the_same_torques(sizing):
     """The way that the sheets' figures are judged by, which knows no closed form."""
-    found = Demand(Course(Train(sizing.drive), sizing.motion))
+    found = DriveResults(DriveCycle(Train(sizing.drive), sizing.motion))
     assert found.torque.peak == pytest.approx(sizing.peak_torque, rel=1e-12)
     assert found.rms_torque == pytest.approx(sizing.rms_torque, rel=1e-12)
 

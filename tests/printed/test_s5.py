@@ -8,11 +8,11 @@ from math import pi, radians, sqrt
 import numpy as np
 import pytest
 
-from engine.choice import Task
-from engine.choice.ratios import accelerating_factor, ratio_curves, ratio_ranges
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal, ModifiedTrapezoidal
-from tests.engine.choice.tasks import inertial_task, rms_torque
+from engine.selection import Task
+from engine.selection.ratios import accelerating_factor, ratio_curves, ratio_ranges
+from tests.engine.selection.tasks import inertial_task, rms_torque
 
 RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02
 DRUM = rotary_drum(3, RADIUS, radians(30))

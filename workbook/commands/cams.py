@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from engine.cams.course import SAME
 from engine.cams.identify import THINNED
+from engine.cams.profile import SAME
 from workbook import build as making
 from workbook.commands import switching
 from workbook.commands.export import LOAD, SHAFT, chosen, require_side, shafts, tolerated
@@ -119,14 +119,14 @@ def compare(
         return DISAGREES
     if table is None or meant is None:
         return switching.compared(book, template.switches(read.machine), file, target, as_json)
-    course = meant.course
-    for given, own in zip(table.x[[0, -1]], course.edges[[0, -1]], strict=True):
-        if abs(float(given) - float(own)) > max(NEAR, SAME) * course.total:
+    profile = meant.profile
+    for given, own in zip(table.x[[0, -1]], profile.edges[[0, -1]], strict=True):
+        if abs(float(given) - float(own)) > max(NEAR, SAME) * profile.total:
             raise TargetError(
                 f"{file}: x runs from {table.x[0]:.9g} to {table.x[-1]:.9g}; {meant.name} from "
-                f"{course.edges[0]:.9g} to {course.edges[-1]:.9g} {meant.x_unit}: expected the same cycle"
+                f"{profile.edges[0]:.9g} to {profile.edges[-1]:.9g} {meant.x_unit}: expected the same cycle"
             )
-    made = certified(target, table, course)
+    made = certified(target, table, profile)
     if as_json:
         say_data(f"{json.dumps(certificates.told(meant, made, target, str(file)), ensure_ascii=False, indent=1)}\n")
     else:

@@ -284,7 +284,7 @@ def exported(
     if asked.points is None:
         made = automatic(target, axis, asked.tolerance)
     else:
-        made = certified(target, tabulated(target, axis, asked.points), axis.course)
+        made = certified(target, tabulated(target, axis, asked.points), axis.profile)
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
     header = tuple(visible(line) for line in (
         f"{machine}, axis {axis.name}: {target.title}",
@@ -294,5 +294,5 @@ def exported(
     ))  # fmt: skip
     handed = Handed(made.table, name, header, units, axis.repeats, asked.separator, asked.decimal)
     text = target.write(handed)
-    again = certified(target, reread(target, text, made.table), axis.course)
+    again = certified(target, reread(target, text, made.table), axis.profile)
     return Exported(axis, text, again, path)

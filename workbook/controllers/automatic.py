@@ -36,8 +36,8 @@ class Tries:
         if n not in self.made:
             if self.spent > WORK:
                 return None
-            one = certified(self.target, tabulated(self.target, self.axis, n), self.axis.course)
-            self.spent += (n + len(self.axis.course.edges)) * len(one.certificates)
+            one = certified(self.target, tabulated(self.target, self.axis, n), self.axis.profile)
+            self.spent += (n + len(self.axis.profile.edges)) * len(one.certificates)
             self.made[n] = one
         return self.made[n]
 
@@ -70,7 +70,7 @@ def above(order: str, tolerance: Mapping[str, float]) -> float:
 
 def tried(tries: Tries, tolerance: Mapping[str, float]) -> Iterator[Made]:
     """Yield tables of more and more points: the more of them, the farther each is from what is tolerated."""
-    target, of = tries.target, tries.axis.course
+    target, of = tries.target, tries.axis.profile
     if target.counts:
         yield from filter(None, map(tries.of, target.counts))
         return
@@ -98,7 +98,7 @@ def nearest(tries: Tries, tolerance: Mapping[str, float]) -> Made:
             break
         before = made.points
     if best is None:
-        needed = fewest(target, tries.axis.course)
+        needed = fewest(target, tries.axis.profile)
         said = f"{tries.axis.name} has breaks for {needed} points; at most {target.points[1]} fit"
         raise TargetError(f"{target.name}: {said}")
     return best
@@ -107,7 +107,7 @@ def nearest(tries: Tries, tolerance: Mapping[str, float]) -> Made:
 def fewer(tries: Tries, tolerance: Mapping[str, float], low: int, made: Made) -> Made:
     """Return the table of the fewest points above ``low`` that still keeps to the tolerance, to a hundredth of them."""
     high = made.points
-    low = max(low, fewest(tries.target, tries.axis.course) - 1)
+    low = max(low, fewest(tries.target, tries.axis.profile) - 1)
     while high - low > max(1, high // COARSE) and (one := tries.of((low + high) // 2)):
         if one.excess(tolerance) <= 1.0:
             made, high = one, (low + high) // 2
@@ -118,8 +118,8 @@ def fewer(tries: Tries, tolerance: Mapping[str, float], low: int, made: Made) ->
 
 def curve(target: Target, axis: CamAxis) -> list[Made]:
     """Return tables from the fewest points to the most that are tried, for a picture."""
-    low, high = fewest(target, axis.course), min(target.points[1], MOST_TRIED)
+    low, high = fewest(target, axis.profile), min(target.points[1], MOST_TRIED)
     if low > high:
         return []
     counts = target.counts or dict.fromkeys(round(n) for n in np.geomspace(low, high, DRAWN))
-    return [certified(target, tabulated(target, axis, n), axis.course) for n in counts]
+    return [certified(target, tabulated(target, axis, n), axis.profile) for n in counts]

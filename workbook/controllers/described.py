@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from engine.cams.course import Course
 from engine.cams.given import Points, precision
 from engine.cams.identify import THINNED, Found, Read, identified
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from engine.laws.spline import Spline
 from workbook.controllers.handing import rules_of
@@ -44,22 +44,22 @@ def phases_of(
     if table.steps[1] != 1.0:
         known = max(known, 0.5 * table.steps[1])
     turns = units[0] == "°" and units[1] in ("mm", "°") and table.x[0] == 0.0 and table.x[-1] == TURN
-    if table.course is not None:
-        return identified(polynomial(table, table.course, known), rebuilt, turns, share)
+    if table.profile is not None:
+        return identified(polynomial(table, table.profile, known), rebuilt, turns, share)
     v = None if table.a is None else table.v  # y' alone is nobody's rule: as a rule it was made of differences
     return identified(Points(table.x, table.y, v, table.a, known), rebuilt, turns, share)
 
 
-def polynomial(table: Table, course: Course, known: float) -> Points:
+def polynomial(table: Table, profile: CamProfile, known: float) -> Points:
     """Return the points of a table of polynomials: those that are exact everywhere have some between each two.
 
     Those of whole steps are fitted to the motion, and keep to it at their ends.
     """
     if table.steps == (1.0, 1.0):
         x = finer(table.x)
-        at = course.at(x, left=True)
+        at = profile.at(x, left=True)
         return Points(x, at.y, at.y1, None, known)
-    at, last = course.at(table.x), course.at(table.x[-1:], left=True)
+    at, last = profile.at(table.x), profile.at(table.x[-1:], left=True)
     y, v, a = (np.append(one[:-1], other) for one, other in zip(at[:3], last[:3], strict=True))
     return Points(table.x, y, v, a, known)
 

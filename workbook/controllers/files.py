@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from engine.cams.course import Course
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from workbook.controllers.table import Table
 from workbook.controllers.target import Target
@@ -57,19 +57,19 @@ def require_usual(table: Table) -> None:
     if steps.min() < least:
         k = int(steps.argmin())
         raise TargetError(f"point {k + 2}: x rises by {steps[k]:.3g}; expected a step of at least {least:.3g}")
-    if table.course is not None:
-        terms = largest_terms(table.course)
+    if table.profile is not None:
+        terms = largest_terms(table.profile)
         if not np.all(terms <= LARGEST):
             k = int(np.argmin(terms <= LARGEST))
             raise TargetError(f"segment {k + 1}: a term reaches {terms[k]:.3g}; expected at most {LARGEST:.0e}")
 
 
-def largest_terms(course: Course) -> Array:
+def largest_terms(profile: CamProfile) -> Array:
     """Return a stretch's largest term up to its end: of its polynomial, or a sine's amplitude, angle or phase."""
-    far = np.maximum(np.abs(course.edges[:-1] - course.origins), np.abs(course.edges[1:] - course.origins))
+    far = np.maximum(np.abs(profile.edges[:-1] - profile.origins), np.abs(profile.edges[1:] - profile.origins))
     with np.errstate(over="ignore", invalid="ignore", under="ignore"):
-        powers = np.abs(course.c) * far[:, None] ** np.arange(course.c.shape[1])
-        amplitude, rate, phase = np.moveaxis(np.abs(course.sines), 2, 0)
+        powers = np.abs(profile.c) * far[:, None] ** np.arange(profile.c.shape[1])
+        amplitude, rate, phase = np.moveaxis(np.abs(profile.sines), 2, 0)
         return np.asarray(np.hstack([powers, amplitude, rate * far[:, None], phase]).max(axis=1))
 
 

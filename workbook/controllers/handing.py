@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.certificate import Certificate, certify
-from engine.cams.course import SAME, Course
 from engine.cams.points import doubled, equal, jumps, spread
+from engine.cams.profile import SAME, CamProfile
 from engine.cams.segments import straight
 from engine.laws.base import Array
 from workbook.axes import CamAxis
@@ -56,12 +56,12 @@ class Made:
 def rules_of(target: Target, table: Table) -> dict[str, Rule]:
     """Return the rules by which a target may go between the points of a table."""
     named = target.plain if target.plain and (table.v is None or table.a is None) else target.rules
-    if table.course is not None:
+    if table.profile is not None:
         named = ("polynomials",)
     return {name: RULES[name] for name in named}
 
 
-def certified(target: Target, table: Table, meant: Course) -> Made:
+def certified(target: Target, table: Table, meant: CamProfile) -> Made:
     """Return a table with its certificates."""
     return Made(table, {name: certify(meant, rule.made(table)) for name, rule in rules_of(target, table).items()})
 
@@ -69,7 +69,7 @@ def certified(target: Target, table: Table, meant: Course) -> Made:
 def tabulated(target: Target, axis: CamAxis, n: int) -> Table:
     """Return the table of n points at most, in the target's numbers; raise TargetError beyond its limits."""
     allowed(target, n)
-    return filled(target, axis.course, placed(target, axis.course, n), (axis.x_unit, axis.y_unit))
+    return filled(target, axis.profile, placed(target, axis.profile, n), (axis.x_unit, axis.y_unit))
 
 
 def allowed(target: Target, n: int) -> None:
@@ -81,7 +81,7 @@ def allowed(target: Target, n: int) -> None:
         raise TargetError(f"{target.name}: {n:,} points; expected one of {', '.join(map(str, target.counts))}")
 
 
-def placed(target: Target, of: Course, n: int) -> Array:
+def placed(target: Target, of: CamProfile, n: int) -> Array:
     """Return the places of at most n points: at equal steps, or on the breaks and where the rule needs them."""
     if target.spacing == "equal":
         return equal(of, n)
@@ -93,18 +93,18 @@ def placed(target: Target, of: Course, n: int) -> Array:
     return doubled(of, x) if extra else x
 
 
-def more(target: Target, of: Course) -> int:
+def more(target: Target, of: CamProfile) -> int:
     """Return how many points of their own jumps of y'' need: those of a target whose points have one y''."""
     return len(jumps(of)) if "y''" in target.columns else 0
 
 
-def steps(target: Target, of: Course) -> NDArray[np.intp]:
+def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
     """Return how many steps each stretch needs: one where it is exact, else those of the rule."""
     least = np.full(len(of.origins), RULES[target.rules[0]].least)
     return np.where(target.exact(of), 1, least) if target.exact else least
 
 
-def filled(target: Target, of: Course, x: Array, units: tuple[str, str]) -> Table:
+def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> Table:
     """Return the table of a motion at places, each number as the target holds it."""
     number = target.number
     x_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest)
@@ -124,15 +124,15 @@ def filled(target: Target, of: Course, x: Array, units: tuple[str, str]) -> Tabl
     return Table(x, number.rounded(y, y_step), had[0], had[1], had[2], (first, second), lines, steps=(x_step, y_step))
 
 
-def snapped(of: Course, places: Array, x: Array) -> Course:
-    """Return a course whose breaks lie where numbers have rounded the places: what jumps there jumps at a point."""
+def snapped(of: CamProfile, places: Array, x: Array) -> CamProfile:
+    """Return a profile whose breaks lie where numbers have rounded the places: what jumps there jumps at a point."""
     after = np.clip(np.searchsorted(places, of.edges), 1, len(places) - 1)
     nearest = np.where(of.edges - places[after - 1] <= places[after] - of.edges, after - 1, after)
     on = np.abs(places[nearest] - of.edges) <= SAME * of.total
     return replace(of, edges=np.where(on, x[nearest], of.edges))
 
 
-def lying(of: Course, x: Array) -> NDArray[np.bool_]:
+def lying(of: CamProfile, x: Array) -> NDArray[np.bool_]:
     """Return which ways between places lie within one straight stretch."""
     h = np.diff(x)
     first, last = of.index(x[:-1] + WITHIN * h), of.index(x[1:] - WITHIN * h)
@@ -144,7 +144,7 @@ def clean(values: Array, size: float) -> Array:
     return np.where(np.abs(values) < ROUNDED * max(float(np.abs(values).max(initial=0.0)), size), 0.0, values)
 
 
-def fewest(target: Target, of: Course) -> int:
+def fewest(target: Target, of: CamProfile) -> int:
     """Return the fewest points that do for a motion."""
     least = target.points[0]
     return least if target.spacing == "equal" else max(least, int(steps(target, of).sum()) + 1 + more(target, of))

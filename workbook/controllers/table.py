@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams import interpolation
-from engine.cams.course import Course
 from engine.cams.given import Points, moves_at, rate_at
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from workbook.errors import TargetError
 
@@ -22,7 +22,7 @@ MOST_POINTS = 100_000
 class Table:
     """Points of a cam: x and y, where the controller takes them y', y'' and y''' by the master, all of one length.
 
-    ``slopes`` are those at both ends of a clamped spline, ``straight`` which way from a point is a line. ``course``
+    ``slopes`` are those at both ends of a clamped spline, ``straight`` which way from a point is a line. ``profile``
     is the motion itself where the controller is given polynomials, ``steps`` what whole numbers of x and y count.
     Raises TargetError, by point and reason, for fewer than two points, what is not finite, and x that does not rise.
     """
@@ -34,7 +34,7 @@ class Table:
     j: Array | None = None
     slopes: tuple[float, float] | None = None
     straight: NDArray[np.bool_] | None = None
-    course: Course | None = None
+    profile: CamProfile | None = None
     steps: tuple[float, float] = (1.0, 1.0)
 
     def __post_init__(self) -> None:
@@ -67,12 +67,12 @@ def equidistant(x: Array) -> bool:
 class Rule(NamedTuple):
     """A way between points: what makes it, the degree of its polynomials and 1, and the steps a stretch needs."""
 
-    made: Callable[[Table], Course]
+    made: Callable[[Table], CamProfile]
     order: int
     least: int = 1
 
 
-def _clamped(table: Table) -> Course:
+def _clamped(table: Table) -> CamProfile:
     """Return the clamped spline, which lines part; with slopes that nobody told it goes on as its points do."""
     slopes = table.slopes or end_slopes(table)
     if table.straight is None or not table.straight.any():
@@ -87,16 +87,16 @@ def end_slopes(table: Table) -> tuple[float, float]:
     return one, other
 
 
-def _quintics(table: Table) -> Course:
+def _quintics(table: Table) -> CamProfile:
     if table.v is None or table.a is None:
         raise TargetError("the table has no y' and y''; expected both, for polynomials of degree 5")
     return interpolation.quintics(table.x, table.y, table.v, table.a)
 
 
-def _itself(table: Table) -> Course:
-    if table.course is None:
+def _itself(table: Table) -> CamProfile:
+    if table.profile is None:
         raise TargetError("the table has no polynomials; expected them")
-    return table.course
+    return table.profile
 
 
 LOCAL = "cubics by neighbours"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.course import Course
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, Number
 from workbook.controllers.table import Table
@@ -74,8 +74,8 @@ class Target:
     spacing: Spacing = "free"
     plain: tuple[str, ...] = ()
     tolerance: tuple[tuple[str, float], ...] = (("y", 1e-4), ("a", 0.01))
-    exact: Callable[[Course], NDArray[np.bool_]] | None = None
-    built: Callable[[Course, Array, tuple[float, float]], Table] | None = None
+    exact: Callable[[CamProfile], NDArray[np.bool_]] | None = None
+    built: Callable[[CamProfile, Array, tuple[float, float]], Table] | None = None
     tappets: Tappets | None = None
     """how it takes switches; None where its format has none, or no document at hand tells how"""
 

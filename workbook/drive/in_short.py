@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from engine.drivetrain.motor import Reserve
+from engine.drive.motor import Reserve
 from workbook.book.declare import Quantity, Sheet, calc, result
 from workbook.entries.units import PERCENT, RPM, shown
 

@@ -1,8 +1,8 @@
-"""The rule of losses in cells; the engine's is :mod:`engine.drivetrain.losses`."""
+"""The rule of losses in cells; the engine's is :mod:`engine.drive.losses`."""
 
 from __future__ import annotations
 
-from engine.drivetrain import NEAR, STANDSTILL
+from engine.drive import NEAR, STANDSTILL
 from workbook.book.declare import Quantity, constant
 
 

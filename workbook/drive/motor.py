@@ -5,7 +5,7 @@ The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and
 
 from __future__ import annotations
 
-from engine.drivetrain.motor import CORNERS, Corners, Motor, Reserve
+from engine.drive.motor import CORNERS, Corners, Motor, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import NOTHING, Said, exceeding

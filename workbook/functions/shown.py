@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field
 
-from engine.drivetrain import Part, reflected_inertia
+from engine.drive import Part, reflected_inertia
 from engine.laws import Law
 from engine.laws.base import Kinematics
 from engine.motion import Motion, MotionValues, Phase

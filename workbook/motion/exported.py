@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.cams.course import in_units
+from engine.cams.profile import in_units
 from engine.laws.base import Array
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import evaluated

@@ -78,9 +78,9 @@ def over_points(axis: CamAxis, made: Made, target: Target) -> Element:
 
 def over_cycle(axis: CamAxis, made: Made, target: Target) -> list[Element]:
     """Return the pictures of the acceleration meant and what each rule makes of it, and of both errors."""
-    begin, end = axis.course.edges[[0, -1]]
+    begin, end = axis.profile.edges[[0, -1]]
     x = np.linspace(begin, end, SAMPLES)
-    meant = axis.course.at(x)
+    meant = axis.profile.at(x)
     found = {name: rule.made(made.table).at(x) for name, rule in rules_of(target, made.table).items()}
     drawn = [Line("meant", x, meant.y2), *(Line(name, x, one.y2) for name, one in found.items())]
     pictures = [plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)]

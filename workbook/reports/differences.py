@@ -95,8 +95,8 @@ def diagrams(old: Design, new: Design) -> list[Element]:
         lines = []
         for name, one in (("old", before.get(axis.name)), ("new", axis)):
             if one is not None:
-                x = np.linspace(one.course.edges[0], one.course.edges[-1], SAMPLES)
-                lines.append(Line(name, x, one.course.at(x).y))
+                x = np.linspace(one.profile.edges[0], one.profile.edges[-1], SAMPLES)
+                lines.append(Line(name, x, one.profile.at(x).y))
         if len(lines) < 2 or not np.allclose(lines[0].y, lines[1].y, rtol=0.0, atol=1e-9 * np.ptp(lines[1].y)):
             found.append(plot(f"{axis.name}: position over the cycle", (axis.x_unit, axis.y_unit), lines))
     return [e("h2", "Motions that differ"), *found] if found else []

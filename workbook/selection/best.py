@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.machine.grid import falling
+from engine.selection.pair_matrix import falling
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown

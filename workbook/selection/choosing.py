@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.choice import Motors, Reducers
 from engine.laws.base import Array
-from engine.machine.grid import RANKS, Curve, Grid, Used, Wanted, gears, reserve
-from engine.machine.point_load import Gears, shares_of
+from engine.selection import Motors, Reducers
+from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Used, Wanted, gears, reserve
+from engine.selection.point_load import Gears, shares_of
 from workbook.book.rows import filled
 from workbook.entries.units import KG_CM2, RPM, shown, si
 from workbook.selection.catalogue import MotorRow, ReducerRow
@@ -93,12 +93,12 @@ class Choosing:
         return self.shaft.values[f"held_{name}"]
 
     @cached_property
-    def grid(self) -> Grid:
+    def grid(self) -> PairMatrix:
         """All pairs."""
         g = self.given
         wanted = Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor,
                         g.least_peak_margin, g.least_speed_margin)  # fmt: skip
-        return Grid(self.load, self.motors, self.reducers, self.shaft.values["beside"], wanted)
+        return PairMatrix(self.load, self.motors, self.reducers, self.shaft.values["beside"], wanted)
 
     @cached_property
     def mixed(self) -> Array:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from engine.drive.quadrature import COUNT
 from engine.laws.base import Array
-from engine.machine.grid import gears
-from engine.machine.quadrature import COUNT
+from engine.selection.pair_matrix import gears
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import RPM, shown

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
-from engine.machine.grid import Rank
+from engine.selection.pair_matrix import Rank
 from workbook.entries.machine import Sizes
 from workbook.entries.texts import place_of, require_distinct
 from workbook.entries.types import EntryError, Model, Positive

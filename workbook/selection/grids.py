@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.machine.grid import PARTS, RANKS
+from engine.selection.pair_matrix import PARTS, RANKS
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown

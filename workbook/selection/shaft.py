@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
+from engine.drive.quadrature import COUNT
 from engine.laws.base import Array
-from engine.machine.point_load import PointLoad
-from engine.machine.quadrature import COUNT
+from engine.selection.point_load import PointLoad
 from workbook.book.rows import filled
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from engine.machine.grid import Used
+from engine.selection.pair_matrix import Used
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Sheet, calc
 from workbook.selection.choosing import Choosing

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.choice.front import front
+from engine.selection.front import front
 from workbook.studies.evaluate import Table
 from workbook.studies.model import Study
 

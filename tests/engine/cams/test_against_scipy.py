@@ -6,14 +6,14 @@ from scipy.interpolate import BPoly, CubicSpline
 
 from engine import law
 from engine.cams.certificate import certify
-from engine.cams.course import course_of_motion
 from engine.cams.interpolation import hermite, parabolas, quintics, spline
 from engine.cams.points import equal, spread
+from engine.cams.profile import profile_of_motion
 from engine.motion import Motion, Phase
 
 REST = law("dwell")
 PHASES = ((law("MTP"), 30.0, 70.0), (REST, 0.0, 40.0), (law("polynomial 4-5-6-7"), -30.0, 150.0), (REST, 0.0, 100.0))
-OF = course_of_motion(Motion([Phase(*one) for one in PHASES]))
+OF = profile_of_motion(Motion([Phase(*one) for one in PHASES]))
 DENSE = 100
 NAMES = {"natural": "natural", "not-a-knot": "not-a-knot", "periodic": "periodic", "clamped": (0.0, 0.0)}
 

@@ -5,9 +5,9 @@ import pytest
 
 from engine import law
 from engine.cams.composed import Seen, composed
-from engine.cams.course import course_of_motion
-from engine.mechanisms.crank_slider import crank_slider
-from engine.mechanisms.table import PositionTable
+from engine.cams.profile import profile_of_motion
+from engine.drive.mechanisms.crank_slider import crank_slider
+from engine.drive.mechanisms.table import PositionTable
 from engine.motion import Motion, Phase
 
 CRANK = crank_slider(0.05, 0.2, 0.01, "inner", "ahead", 0.03)
@@ -18,7 +18,7 @@ TABLE = PositionTable([(0.3 * k, 0.02 * k - 0.03 + 0.004 * np.sin(k)) for k in r
 @pytest.mark.parametrize("name", ["CIC", "ACS", "MTP"])
 def test_the_shafts_angle_is_that_of_the_mechanism_everywhere(linkage, name):
     motion = Motion([Phase(law(name), 0.04, 2.0), Phase(law("dwell"), 0.0, 0.5), Phase(law(name), -0.04, 1.5)])
-    of = course_of_motion(motion)
+    of = profile_of_motion(motion)
     made = composed(of, lambda y: Seen(*linkage.shaft(y)))
     x = np.sort(np.random.default_rng(3).uniform(0.0, of.total, 4_001))
     exact = linkage.shaft(of.at(x).y).angle

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from engine import law
-from engine.cams.course import course_of_motion, turned
 from engine.cams.given import Points, precision
 from engine.cams.identify import identified
 from engine.cams.interpolation import quintics, spline
+from engine.cams.profile import profile_of_motion, turned
 from engine.laws import PieceLaw
 from engine.laws.registry import CATALOGUE
 from engine.motion import Motion, Phase
@@ -32,7 +32,7 @@ def found_in(x: np.ndarray, y: np.ndarray):
 @pytest.mark.parametrize("digits", [None, 6, "REAL"])
 @pytest.mark.parametrize("entry", MOVING, ids=lambda entry: entry.code)
 def test_a_law_is_found_between_points_at_equal_steps(entry, digits) -> None:
-    of = course_of_motion(motion(entry))
+    of = profile_of_motion(motion(entry))
     x = np.linspace(0.0, 360.0, 722)
     y = of.at(x).y
     y = y if digits is None else y.astype(np.float32).astype(float) if digits == "REAL" else np.round(y, digits)
@@ -51,7 +51,7 @@ def test_laws_that_are_one_curve_count_as_one_and_the_first_is_named() -> None:
     first = {k: next(i for i, other in enumerate(curves) if np.abs(other - one).max() < 1e-12)
              for k, one in enumerate(curves)}  # fmt: skip
     for k, one in enumerate(smooth):
-        of = course_of_motion(
+        of = profile_of_motion(
             Motion([Phase(law("dwell"), 0.0, 90.0), Phase(one, 10.0, 90.0), Phase(law("dwell"), 0.0, 180.0)])
         )
         x = np.linspace(0.0, 360.0, 721)
@@ -60,7 +60,7 @@ def test_laws_that_are_one_curve_count_as_one_and_the_first_is_named() -> None:
 
 
 def test_breaks_are_exact_where_points_stand_on_them_with_their_rates() -> None:
-    of = course_of_motion(motion(MOVING[4]))
+    of = profile_of_motion(motion(MOVING[4]))
     at = of.at(of.edges)
     points = Points(of.edges, at.y, at.y1, at.y2, precision(at.y))
     one, other = identified(points, quintics(of.edges, at.y, at.y1, at.y2)).found
@@ -132,7 +132,7 @@ def test_phases_that_meet_at_speed_are_told_as_they_were(name: str, equidistant:
     given, through = PASSING[name]
     whole = join([Phase(law(code), lift, span) for code, lift, span in given], through)
     assert not whole.faults
-    of = course_of_motion(whole.motion)
+    of = profile_of_motion(whole.motion)
     x = np.linspace(0.0, 360.0, 361) if equidistant else np.unique([*of.edges, *np.linspace(0.0, 360.0, 37)])
     at = of.at(x)
     y, rates = at.y, (None, None) if equidistant else (at.y1, at.y2)
@@ -149,7 +149,7 @@ def test_phases_that_meet_at_speed_are_told_as_they_were(name: str, equidistant:
 
 
 def test_a_cycle_that_begins_on_the_way_is_told_from_its_dwell_on() -> None:
-    of = turned(course_of_motion(motion(MOVING[4])), 200.0)
+    of = turned(profile_of_motion(motion(MOVING[4])), 200.0)
     x = np.linspace(0.0, 360.0, 721)
     y = of.at(x).y
     points = Points(x, y, None, None, precision(y))
@@ -161,7 +161,7 @@ def test_a_cycle_that_begins_on_the_way_is_told_from_its_dwell_on() -> None:
 
 
 def test_a_turn_parts_a_movement_also_between_two_points() -> None:
-    of = course_of_motion(Motion([Phase(law("dwell"), 0.0, 60.0), Phase(law("CIC"), 20.0, 100.25),
+    of = profile_of_motion(Motion([Phase(law("dwell"), 0.0, 60.0), Phase(law("CIC"), 20.0, 100.25),
                                   Phase(law("CIC"), -20.0, 99.75), Phase(law("dwell"), 0.0, 100.0)]))  # fmt: skip
     x = np.linspace(0.0, 360.0, 721)
     one, other = found_in(x, of.at(x).y)

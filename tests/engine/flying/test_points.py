@@ -7,17 +7,17 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from engine.choice.ratios import ratio_ranges
-from engine.drivetrain import Load
+from engine.drive import Load
+from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.quadrature import DrivePoints
+from engine.drive.results import DriveResults
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.flying.pieces import cut_pieces
 from engine.flying.points import cycle_of, furthest, train_of
 from engine.laws import law
-from engine.machine.course import Course, Told
-from engine.machine.demand import Demand
-from engine.machine.grid import Grid, Wanted
-from engine.machine.point_load import PointLoad
-from engine.machine.quadrature import DrivePoints
+from engine.selection.pair_matrix import PairMatrix, Wanted
+from engine.selection.point_load import PointLoad
+from engine.selection.ratios import ratio_ranges
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 from workbook.selection.choosing import engine_motors, engine_reducers
 
@@ -50,7 +50,7 @@ def grid(cut, wanted=ANY, **reducer):
     """All pairs of the committed catalogues, of reducers without a no-load torque and with other figures."""
     reducers = engine_reducers([row.model_copy(update={"no_load_torque": 0.0} | reducer)
                                 for row in committed_reducers()])  # fmt: skip
-    return Grid(asked(cut), engine_motors(committed_motors()), reducers, 0.0, wanted)
+    return PairMatrix(asked(cut), engine_motors(committed_motors()), reducers, 0.0, wanted)
 
 
 @pytest.mark.parametrize("name", SMOOTH)
@@ -87,7 +87,7 @@ def test_one_rule_of_losses_leaves_192_pairs():
 def test_a_pair_asks_for_what_the_exact_drive_with_it_does():
     cut, pair = Cut(DRUM, 0.32, 1.5, law("MTP")), (1e-3, 7.0, 0.9, 0.2)
     train = train_of(cut, Load(0.02, 3.0), pair)
-    exact = Demand(Course(train, Told(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
+    exact = DriveResults(DriveCycle(train, MotionPieces(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
     found = DrivePoints(cycle_of(cut, train).points())
     assert found.rms_torque == pytest.approx(exact.rms_torque, rel=1e-3)
     assert np.abs(found.torque).max() == pytest.approx(exact.torque.peak, rel=1e-9)

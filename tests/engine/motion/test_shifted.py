@@ -10,7 +10,7 @@ from engine.laws import Dwell, law
 from engine.motion import Motion
 from engine.motion.shifted import Shifted, least_gap
 from engine.timing import Switch
-from tests.engine.machine.machines import handing_over, motion_of
+from tests.engine.drive.machines import handing_over, motion_of
 from tests.tiers import nights, seed
 
 TURN = 2 * pi

@@ -5,8 +5,8 @@ import random
 import numpy as np
 
 from engine import law
-from engine.cams.course import course_of_motion
 from engine.cams.interpolation import quintics
+from engine.cams.profile import profile_of_motion
 from engine.laws.registry import CATALOGUE
 from engine.motion import Motion, Phase
 from workbook.axes import CamAxis
@@ -28,13 +28,13 @@ def crowded_axis() -> CamAxis:
     inner = [(k / 99, (k / 99) ** 2 * (3 - 2 * k / 99) + 0.01 * dice.uniform(-1, 1)) for k in range(1, 99)]
     rise = law("SPL", points=((0.0, 0.0), *inner, (1.0, 1.0)))
     phases = [Phase(rise, 10.0 * (-1) ** k, 15.0) for k in range(24)]
-    return CamAxis("crowded", course_of_motion(Motion(phases)), "°", "mm")
+    return CamAxis("crowded", profile_of_motion(Motion(phases)), "°", "mm")
 
 
 def hurried_axis() -> CamAxis:
     """An axis of twelve strokes of 300 mm there and back, each within a degree."""
     stroke = [Phase(law("CIC"), 300.0, 0.5), Phase(law("CIC"), -300.0, 0.5), Phase(law("dwell"), 0.0, 29.0)]
-    return CamAxis("hurried", course_of_motion(Motion(stroke * 12)), "°", "mm")
+    return CamAxis("hurried", profile_of_motion(Motion(stroke * 12)), "°", "mm")
 
 
 TEXT = """\
@@ -68,7 +68,7 @@ def handed(target: Target, axis: CamAxis = FOUR, x: np.ndarray | None = None) ->
     few = np.linspace(0.0, 360.0, target.counts[0]) if target.counts else FIVE if target.points[0] > 4 else X
     places = few if x is None else x
     units = axis.x_unit, axis.y_unit
-    return Handed(filled(target, axis.course, places, units), axis.name, ("an example",), units)
+    return Handed(filled(target, axis.profile, places, units), axis.name, ("an example",), units)
 
 
 def random_axis(seed: int) -> CamAxis:
@@ -85,4 +85,4 @@ def random_axis(seed: int) -> CamAxis:
         Phase(back, -lift, first[2]),
         Phase(rest, 0.0, last),
     ]
-    return CamAxis(f"axis {seed}", course_of_motion(Motion(phases)), "°", "mm")
+    return CamAxis(f"axis {seed}", profile_of_motion(Motion(phases)), "°", "mm")

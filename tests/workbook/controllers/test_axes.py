@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from engine.cams.course import Course
+from engine.cams.profile import CamProfile
 from workbook.entries.units import DEGREE, MM
 from workbook.laws.library import laws
 from workbook.machines.flying.view import Flying
@@ -19,8 +19,8 @@ def described(name: str):
     return machine, TEMPLATES[machine.template].axes(machine)
 
 
-def same(course: Course, x: np.ndarray, expected, x_unit: float = 1.0, y_unit: float = 1.0) -> None:
-    for order, (one, other) in enumerate(zip(course.at(x), expected, strict=False)):
+def same(profile: CamProfile, x: np.ndarray, expected, x_unit: float = 1.0, y_unit: float = 1.0) -> None:
+    for order, (one, other) in enumerate(zip(profile.at(x), expected, strict=False)):
         meant = np.asarray(other) / y_unit * x_unit**order
         assert np.abs(one - meant).max() <= 1e-9 * max(np.abs(meant).max(), 1e-9), order
 
@@ -30,10 +30,10 @@ def test_every_motion_of_a_template_is_an_axis_with_a_name_of_its_own(path) -> N
     _, axes = described(path.stem)
     assert len({axis.name for axis in axes}) == len(axes)
     for axis in axes:
-        assert np.all(np.diff(axis.course.edges) > 0.0)
+        assert np.all(np.diff(axis.profile.edges) > 0.0)
         if axis.repeats:  # it comes back, or goes on by its travel
-            begin, end = axis.course.at(axis.course.edges[:1]), axis.course.at(axis.course.edges[-1:], left=True)
-            assert begin.y1 == pytest.approx(end.y1, abs=1e-9 * max(1.0, abs(axis.course.travel)))
+            begin, end = axis.profile.at(axis.profile.edges[:1]), axis.profile.at(axis.profile.edges[-1:], left=True)
+            assert begin.y1 == pytest.approx(end.y1, abs=1e-9 * max(1.0, abs(axis.profile.travel)))
 
 
 def test_the_cutting_machines_axes_are_its_motions() -> None:
@@ -41,7 +41,7 @@ def test_the_cutting_machines_axes_are_its_motions() -> None:
     assert [axis.name for axis in axes] == ["MC01", "MC02", "MC03"]
     x = np.linspace(0.5, 359.5, 77)
     for axis, meant in zip(axes, Whole(machine, laws(machine.laws)).axes, strict=True):
-        same(axis.course, x, meant.motion.at(x * DEGREE), DEGREE, MM)
+        same(axis.profile, x, meant.motion.at(x * DEGREE), DEGREE, MM)
 
 
 @pytest.mark.parametrize("name", ["flying-cutter", "flying-cutter-saw"])
@@ -49,8 +49,8 @@ def test_a_tool_goes_with_the_line_and_its_shaft_by_the_radius(name: str) -> Non
     machine, (tool, shaft) = described(name)
     view = Flying(machine, laws(machine.laws))
     x = np.linspace(0.01, 0.99, 77) * view.cut.cycle_time
-    same(tool.course, x, view.cut.at(x), y_unit=MM)
-    same(shaft.course, x, [np.array(one) / view.tool.radius for one in view.cut.at(x)], y_unit=DEGREE)
+    same(tool.profile, x, view.cut.at(x), y_unit=MM)
+    same(shaft.profile, x, [np.array(one) / view.tool.radius for one in view.cut.at(x)], y_unit=DEGREE)
 
 
 @pytest.mark.parametrize("name", ["indexing-overlap", "indexing-overlap-stations"])
@@ -58,7 +58,7 @@ def test_a_tool_is_told_by_the_angle_of_the_master_shaft(name: str) -> None:
     machine, (transfer, *tools) = described(name)
     view = Overlapping(machine, laws(machine.laws))
     x = np.linspace(0.5, 359.5, 77)
-    same(transfer.course, x, [view.transfer.travel(x * DEGREE)], y_unit=MM)
+    same(transfer.profile, x, [view.transfer.travel(x * DEGREE)], y_unit=MM)
     for axis, station in zip(tools, view.stations, strict=True):
-        same(axis.course, x, [station.as_set.travel(x * DEGREE), station.as_set.rates(x * DEGREE, 1.0).velocity
+        same(axis.profile, x, [station.as_set.travel(x * DEGREE), station.as_set.rates(x * DEGREE, 1.0).velocity
                               / (2.0 * np.pi)], DEGREE, MM)  # fmt: skip

@@ -187,7 +187,7 @@ def test_at_equal_steps_the_best_is_not_the_first_that_was_tried(axes, name: str
     equal = replace(target(name), spacing="equal")
     smooth = axes[1]
     found, few = automatic(equal, smooth, {"a": 0.01}), tabulated(equal, smooth, 9)
-    assert found.share("a") < 0.1 * certified(equal, few, smooth.course).share("a")
+    assert found.share("a") < 0.1 * certified(equal, few, smooth.profile).share("a")
     assert np.diff(found.table.x) == pytest.approx(360.0 / (found.points - 1), abs=1e-4)
 
 
@@ -287,7 +287,7 @@ def test_the_motors_shaft_goes_out_as_an_angle(run, tmp_path) -> None:
         assert (axis.shaft is not None) == (axis.name in SHAFTS)
         if axis.shaft is not None:
             seen = axis.shaft()
-            assert np.ptp(seen.course.at(np.linspace(0.0, 360.0, 3_601)).y) == pytest.approx(SHAFTS[axis.name])
+            assert np.ptp(seen.profile.at(np.linspace(0.0, 360.0, 3_601)).y) == pytest.approx(SHAFTS[axis.name])
             assert (seen.y_unit, seen.x_unit, seen.repeats) == ("°", "°", axis.repeats)
 
 
@@ -300,7 +300,7 @@ def test_behind_a_crank_the_shafts_angle_is_that_of_its_geometry_and_is_certifie
     assert made.excess(tolerance) <= 1.0
     crank, rod = entry.crank_radius, entry.rod_length
     inner = np.sqrt((rod - crank) ** 2 - entry.offset**2)
-    x = inner + entry.start + ram.course.at(made.table.x).y
+    x = inner + entry.start + ram.profile.at(made.table.x).y
     apart = np.hypot(x, entry.offset)
     turned = np.arccos((crank**2 + apart**2 - rod**2) / (2.0 * crank * apart))
     angle = np.degrees(turned + np.arctan2(entry.offset, x)) * described.axes[0].reducer.ratio

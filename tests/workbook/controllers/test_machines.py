@@ -51,7 +51,7 @@ def closed(one, x):
 def written(to, cam, n):
     """An axis as a target's table and text, or the line that refuses it."""
     try:
-        made = certified(to, tabulated(to, cam, n), cam.course)
+        made = certified(to, tabulated(to, cam, n), cam.profile)
         return made, to.write(Handed(made.table, "demo", ("x in °;",), (cam.x_unit, cam.y_unit), cam.repeats))
     except TargetError as error:
         return None, str(error)
@@ -60,13 +60,13 @@ def written(to, cam, n):
 def within_its_bound(one, cam, name, draw):
     """Write an axis, read it back, rebuild it: its distance from the closed forms is no more than is certified."""
     to = target(name)
-    n = to.counts[0] if to.counts else min(to.points[1], max(to.points[0], 2 * fewest(to, cam.course)))
+    n = to.counts[0] if to.counts else min(to.points[1], max(to.points[0], 2 * fewest(to, cam.profile)))
     made, text = written(to, cam, n)
     if made is None:
         assert any(word in text for word in REFUSED), text
         return False
-    back = certified(to, reread(to, text, made.table), cam.course)
-    edges = np.concatenate([cam.course.edges, back.table.x])
+    back = certified(to, reread(to, text, made.table), cam.profile)
+    edges = np.concatenate([cam.profile.edges, back.table.x])
     x = draw.uniform(0.01, 359.99, PLACES)
     x = x[np.min(np.abs(x[:, None] - edges[None, :]), axis=1) > APART]
     meant = closed(one, x)

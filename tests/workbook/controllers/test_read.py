@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.cams.course import turned
+from engine.cams.profile import turned
 from workbook.controllers import described
 from workbook.controllers.automatic import automatic
 from workbook.controllers.handing import reread, tabulated
@@ -121,12 +121,12 @@ def test_a_file_becomes_a_description_that_is_built_and_exported_and_the_same(ru
 
 def test_a_law_that_needs_an_entry_gets_one(run, tmp_path) -> None:
     from engine import law
-    from engine.cams.course import course_of_motion
+    from engine.cams.profile import profile_of_motion
     from engine.motion import Motion, Phase
 
     motion = Motion([Phase(law("MSN"), 50.0, 180.0), Phase(law("dwell"), 0.0, 30.0), Phase(law("MSN"), -50.0, 150.0)])
     x = np.linspace(0.0, 360.0, 721)
-    rows = "".join(f"{a:.17g}\t{b:.17g}\n" for a, b in zip(x, course_of_motion(motion).at(x).y, strict=True))
+    rows = "".join(f"{a:.17g}\t{b:.17g}\n" for a, b in zip(x, profile_of_motion(motion).at(x).y, strict=True))
     (tmp_path / "a.txt").write_text(rows, "utf-8")
     code, out, _ = run("read", "a.txt", "--from", "lenze")
     assert code == 0
@@ -201,8 +201,8 @@ def test_a_motion_that_hands_over_at_speed_comes_back_as_it_was(run, tmp_path, n
 
 
 def test_a_cycle_that_begins_on_the_way_is_a_machine_with_a_shift(run, axes, tmp_path) -> None:
-    one, later = target("csv"), turned(axes[1].course, 250.0)
-    text = one.write(Handed(tabulated(one, replace(axes[1], course=later), 40), "late", ("x in °, y in mm;",), UNITS))
+    one, later = target("csv"), turned(axes[1].profile, 250.0)
+    text = one.write(Handed(tabulated(one, replace(axes[1], profile=later), 40), "late", ("x in °, y in mm;",), UNITS))
     (tmp_path / "late.csv").write_text(text, "utf-8")
     code, _, err = run("read", "late.csv", "--from", "csv", "-o", "late.toml")
     assert code == 0
@@ -210,7 +210,7 @@ def test_a_cycle_that_begins_on_the_way_is_a_machine_with_a_shift(run, axes, tmp
     machine = read_machine(tmp_path / "late.toml")
     (axis,) = TEMPLATES["machine"].axes(machine)
     x = np.linspace(0.25, 359.75, 97)
-    assert axis.course.at(x).y == pytest.approx(later.at(x).y, abs=1e-9)
+    assert axis.profile.at(x).y == pytest.approx(later.at(x).y, abs=1e-9)
 
 
 @pytest.mark.parametrize(("units", "closes"), [("x in s, y in mm;", "open"), ("x in mm, y in °;", "open")])
@@ -227,7 +227,7 @@ def test_a_table_over_any_abscissa_is_an_axis_over_it(run, tmp_path, units: str,
     (given,), (axis,) = machine.axes, TEMPLATES["machine"].axes(machine)
     assert (machine.over.unit, machine.over.length, given.closes) == (axis.x_unit, 10.0, closes)
     assert [(p.law, p.start, p.stop, p.lift) for p in given.phases] == [("CIC", 2.0, 7.0, pytest.approx(30.0))]
-    assert axis.course.at(x[:-1] - 2.0).y == pytest.approx(y[:-1], abs=1e-9)
+    assert axis.profile.at(x[:-1] - 2.0).y == pytest.approx(y[:-1], abs=1e-9)
 
 
 def test_units_that_no_axis_has_are_refused_in_a_line(run, tmp_path) -> None:

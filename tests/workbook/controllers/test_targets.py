@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine import law
-from engine.cams.course import Course, course_of_motion
+from engine.cams.profile import CamProfile, profile_of_motion
 from engine.motion import Motion, Phase
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
 from workbook.axes import CamAxis
@@ -82,7 +82,7 @@ def test_a_file_is_what_it_was(name: str) -> None:
 def test_another_parser_finds_the_points(name: str) -> None:
     one = target(name)
     rows = PARSERS[name](one.write(handed(one)))
-    meant = FOUR.course.at(rows[:, 0])
+    meant = FOUR.profile.at(rows[:, 0])
     assert set(X) <= set(np.round(rows[:, 0], 9))
     assert rows[:, 1] == pytest.approx(meant.y, abs=1e-4)
     assert rows[[0, 1], 1] == pytest.approx(Y[:2])
@@ -96,7 +96,7 @@ def test_another_parser_finds_the_stroke_ratios() -> None:
     head, *ratios = [line for line in one.write(handed(one)).split() if re.fullmatch(r"-?\d+", line)]
     x = np.linspace(0.0, 360.0, 257)[1:]
     assert (head, len(ratios)) == ("256", 256)
-    assert np.array(ratios, dtype=float) * 30.0 / 1e9 == pytest.approx(FOUR.course.at(x, left=True).y, abs=2e-8)
+    assert np.array(ratios, dtype=float) * 30.0 / 1e9 == pytest.approx(FOUR.profile.at(x, left=True).y, abs=2e-8)
 
 
 def test_the_polynomials_of_br_and_of_segments_are_the_motion() -> None:
@@ -107,12 +107,12 @@ def test_the_polynomials_of_br_and_of_segments_are_the_motion() -> None:
     rows = floats(fields("A B C D E F G"), text.split("PolynomialNumber")[1])
     found = [np.polynomial.polynomial.polyval(at, row) for at, row in zip(u, rows, strict=True)]
     middles = np.array([45.0, 135.0, 270.0])
-    assert np.array(found) == pytest.approx(FOUR.course.at(middles).y * 1e4, rel=1e-5)
+    assert np.array(found) == pytest.approx(FOUR.profile.at(middles).y * 1e4, rel=1e-5)
     segments = target("siemens-segments")
     text = segments.write(handed(segments))
     rows = floats(fields("xmin xmax a0 a1 a2 a3 a4 a5 a6"), text)
     found = [np.polynomial.polynomial.polyval(0.5 * (row[1] - row[0]), row[2:]) for row in rows]
-    assert np.array(found) == pytest.approx(FOUR.course.at(middles).y)
+    assert np.array(found) == pytest.approx(FOUR.profile.at(middles).y)
 
 
 @pytest.mark.parametrize("name", TARGETS)
@@ -124,7 +124,7 @@ def test_what_is_read_back_is_what_was_certified(name: str, seed: int) -> None:
     table = reread(one, text, made.table)
     assert table.x.tolist() == made.table.x.tolist()
     assert table.y == pytest.approx(made.table.y, abs=1e-12 * np.abs(made.table.y).max())
-    back = certified(one, table, axis.course)
+    back = certified(one, table, axis.profile)
     for order in "yvaj":
         assert back.share(order) == pytest.approx(made.share(order), rel=1e-6, abs=1e-12)
 
@@ -132,8 +132,8 @@ def test_what_is_read_back_is_what_was_certified(name: str, seed: int) -> None:
 @pytest.mark.parametrize("name", TARGETS)
 def test_an_axis_that_begins_above_0_and_before_0_is_read_back_where_it_is(name: str) -> None:
     one, low = target(name), random_axis(7)
-    course = low.course
-    raised = Course(course.edges, course.origins, course.c + np.eye(1, course.c.shape[1]) * 12.5, course.sines)
+    profile = low.profile
+    raised = CamProfile(profile.edges, profile.origins, profile.c + np.eye(1, profile.c.shape[1]) * 12.5, profile.sines)
     axis = CamAxis("raised", raised, "°", "mm")
     made = automatic(one, axis, {one.tolerance[-1][0]: 0.05})
     text = one.write(Handed(made.table, "demo", (), ("°", "mm")))
@@ -143,7 +143,7 @@ def test_an_axis_that_begins_above_0_and_before_0_is_read_back_where_it_is(name:
 @pytest.mark.parametrize("name", ["codesys", "twincat", "siemens", "br", "siemens-segments"])
 def test_where_the_acceleration_jumps_a_point_stands_on_either_side(name: str) -> None:
     motion = Motion([Phase(law("ACS"), 50.0, 90.0), Phase(law("dwell"), 0.0, 90.0), Phase(law("ACS"), -50.0, 180.0)])
-    one, axis = target(name), CamAxis("jumps", course_of_motion(motion), "°", "mm")
+    one, axis = target(name), CamAxis("jumps", profile_of_motion(motion), "°", "mm")
     made = automatic(one, axis, {"v": 0.001})
     assert made.share("v") <= 0.001
     assert made.share("y") <= 1e-5
@@ -155,7 +155,7 @@ def test_a_jump_stands_at_its_point_where_numbers_round_its_place(name: str) -> 
     """At 1/30 and 1/6 of 0.3 s: a place that is rounded down had the acceleration before it, and 5.5 % of the lift."""
     trapezoid = law("TVP", rise_end=1 / 6, fall_start=5 / 6)
     motion = Motion([Phase(trapezoid, 8.0, 0.2), Phase(law("dwell"), 0.0, 0.1)])
-    one, axis = target(name), CamAxis("jumps", course_of_motion(motion), "s", "mm", repeats=False)
+    one, axis = target(name), CamAxis("jumps", profile_of_motion(motion), "s", "mm", repeats=False)
     made = automatic(one, axis, dict(one.tolerance))
     assert made.share("y") < 1e-6
     assert made.share("v") < 1e-3
@@ -164,7 +164,7 @@ def test_a_jump_stands_at_its_point_where_numbers_round_its_place(name: str) -> 
 @pytest.mark.parametrize("name", ["twincat-table", "codesys-table", "siemens-points", "kollmorgen", "sew", "lenze"])
 def test_a_spline_over_parabolas_has_steps_beside_their_jumps(name: str) -> None:
     motion = Motion([Phase(law("ACS"), 50.0, 90.0), Phase(law("dwell"), 0.0, 90.0), Phase(law("ACS"), -50.0, 180.0)])
-    one, axis = target(name), CamAxis("jumps", course_of_motion(motion), "°", "mm")
+    one, axis = target(name), CamAxis("jumps", profile_of_motion(motion), "°", "mm")
     made = automatic(one, axis, {"a": 0.01})
     assert made.share("a") > 0.1  # a jump is none of a spline
     assert made.share("v") <= 0.01
@@ -174,7 +174,7 @@ def test_a_spline_over_parabolas_has_steps_beside_their_jumps(name: str) -> None
 @pytest.mark.parametrize("name", ["codesys", "siemens", "csv", "br", "twincat-table", "sew"])
 def test_where_the_velocity_jumps_the_position_is_kept_all_the_same(name: str) -> None:
     motion = Motion([Phase(law("LIN"), 30.0, 90.0), Phase(law("dwell"), 0.0, 90.0), Phase(law("LIN"), -30.0, 180.0)])
-    one, axis = target(name), CamAxis("kinks", course_of_motion(motion), "°", "mm")
+    one, axis = target(name), CamAxis("kinks", profile_of_motion(motion), "°", "mm")
     assert automatic(one, axis, {"a": 0.01}).share("y") <= 0.01
 
 
@@ -183,7 +183,7 @@ def test_where_the_velocity_jumps_the_position_is_kept_all_the_same(name: str) -
 def test_exact_laws_go_into_segments_exactly(seed: int) -> None:
     axis, one = random_axis(seed), target("siemens-segments")
     made = automatic(one, axis, {"a": 1e-9})
-    exact = one.exact(axis.course).all()
+    exact = one.exact(axis.profile).all()
     assert not exact or all(made.share(order) <= 1e-9 for order in "yva")
 
 
@@ -200,7 +200,7 @@ def test_numbers_beyond_a_kind_are_refused_by_point() -> None:
         REAL.rounded(np.array([0.0, 1e39]))
     one = target("rockwell")
     with pytest.raises(TargetError, match=r"point 2: x is 1 after 1; expected the master to rise"):
-        filled(one, FOUR.course, np.array([1.0, 1.0 + 1e-9]), ("°", "mm"))
+        filled(one, FOUR.profile, np.array([1.0, 1.0 + 1e-9]), ("°", "mm"))
 
 
 def test_a_kollmorgen_profile_needs_something_above_0() -> None:
@@ -353,10 +353,10 @@ def test_a_calculated_profile_is_read_as_its_polynomials() -> None:
     text = f'<Tags><Tag Name="P" DataType="CAM_PROFILE"><Data Format="L5K"><![CDATA[{rows}]]></Data></Tag></Tags>'
     table = target("rockwell").read(text)
     assert table.x.tolist() == [0.0, 120.0, 240.0]
-    assert table.course is not None
-    assert table.course.at(np.array([60.0])).y == pytest.approx([11.25])
-    assert table.course.at(np.array([120.0]), left=True).y == pytest.approx([30.0])
-    assert table.course.at(np.array([180.0]), left=True).y[0] > 30.0
+    assert table.profile is not None
+    assert table.profile.at(np.array([60.0])).y == pytest.approx([11.25])
+    assert table.profile.at(np.array([120.0]), left=True).y == pytest.approx([30.0])
+    assert table.profile.at(np.array([180.0]), left=True).y[0] > 30.0
 
 
 @pytest.mark.parametrize("axes", [4, pytest.param(24, marks=pytest.mark.nightly)])
@@ -366,7 +366,7 @@ def test_whole_turn_speed(axes: int) -> None:
     one = target("codesys")
     for seed in range(axes):
         axis = random_axis(seed)
-        made = certified(one, tabulated(one, axis, 1000), axis.course)
+        made = certified(one, tabulated(one, axis, 1000), axis.profile)
         reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
     assert time.process_time() - begin < 3.0 * axes / 24
 

@@ -6,7 +6,7 @@ import pytest
 
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal
-from tests.engine.choice.tasks import sampled_task
+from tests.engine.selection.tasks import sampled_task
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError

@@ -11,9 +11,9 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.laws.shelf import LawShelf
-from workbook.machines.machine import truth
-from workbook.machines.machine.apart import Apart
-from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine import exact
+from workbook.machines.machine.clearance.gap import Apart
+from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.view import Whole
 
 PUNCH = axis(1, (30, 90, 20.0, "CIC"), (150, 210, -20.0, "CIC"))
@@ -112,11 +112,11 @@ def test_least_gaps_are_as_exact_as_their_sheet_states(number):
     made = drawn_machine(machine({}, {"name": "Other", "first": "A3"}), random.Random(f"exact gap {number}"))
     for one in views(made):
         if all(rows.axis.lack < 1e-9 for rows in one.rows):
-            assert -1e-9 * one.size <= one.least - one.exact.least <= truth.GAP * one.change
-            assert truth.gap_of(one) == ""
+            assert -1e-9 * one.size <= one.least - one.exact.least <= exact.GAP * one.change
+            assert exact.gap_of(one) == ""
 
 
 def test_a_least_gap_that_is_farther_off_is_told(monkeypatch):
     one = views(machine({"first_factor": -1.0, "second_factor": 0.3, "offset": 8.0}))[0]
-    monkeypatch.setattr(one, "least", one.exact.least + 2.0 * truth.GAP * one.change)
-    assert truth.gap_of(one).startswith("Gap: the least gap is ")
+    monkeypatch.setattr(one, "least", one.exact.least + 2.0 * exact.GAP * one.change)
+    assert exact.gap_of(one).startswith("Gap: the least gap is ")

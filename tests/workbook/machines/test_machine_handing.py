@@ -5,7 +5,7 @@ import random
 
 import pytest
 
-from engine.machine.demand import Demand
+from engine.drive.results import DriveResults
 from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.laws.library import laws
@@ -98,9 +98,9 @@ def test_random_phases_come_to_what_the_engine_says(seed):
     assert disagreeing(MACHINE, drawn(seed))[0] == []
 
 
-def demand(one):
+def results(one):
     whole = Whole(one, laws(one.laws))
-    return Demand(Driven(whole.axes[0], one).demand.course)
+    return DriveResults(Driven(whole.axes[0], one).results.drive_cycle)
 
 
 FORTH = (phase(0.0, 90.0, 30.0, "MSN"), STEP, phase(130.0, 200.0, 15.0, "PO5"), phase(220.0, 350.0, -65.0, "CIC"))
@@ -110,7 +110,7 @@ def test_a_drive_integrates_phases_that_hand_over():
     """Peaks, RMS torque and energy of the cells by points are about the engine's exact ones."""
     one = machine(axis("A", *FORTH, **DRIVE))
     assert disagreeing(MACHINE, one)[0] == []
-    value, found = computed(MACHINE, one), demand(one)
+    value, found = computed(MACHINE, one), results(one)
     assert value("drive1_tmax") == pytest.approx(found.torque.highest.value, rel=1e-4)
     assert value("drive1_rms") == pytest.approx(found.rms_torque, rel=1e-4)
     assert value("drive1_energy") == pytest.approx(found.energy.driving, rel=5e-3)

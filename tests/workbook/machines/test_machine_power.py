@@ -6,7 +6,7 @@ import random
 import numpy as np
 import pytest
 
-from engine.machine.bus import Drivetrains
+from engine.drive.dc_bus import Drivetrains
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
@@ -32,10 +32,10 @@ def machine(axes=AXES, power=POWER):
 
 
 def together(made):
-    """The drives of a machine at its rate, by the engine's search over their courses."""
+    """The drives of a machine at its rate, by the engine's search over their cycles."""
     axes = Whole(made, laws(made.laws)).axes
-    courses = tuple(Driven(one, made).demand.course for one in axes if one.given.rate is None)
-    return Drivetrains(courses, made.power.efficiency)
+    drive_cycles = tuple(Driven(one, made).results.drive_cycle for one in axes if one.given.rate is None)
+    return Drivetrains(drive_cycles, made.power.efficiency)
 
 
 def off(value, exact):
@@ -77,7 +77,7 @@ def test_there_a_drive_at_a_rate_of_its_own_is_beside_the_bus():
 
 def test_the_peaks_of_each_drive_are_those_of_its_power():
     value = computed(TEMPLATE, machine())
-    for k, one in enumerate(together(machine()).courses):
+    for k, one in enumerate(together(machine()).drive_cycles):
         supply = Drivetrains((one,), POWER.efficiency).supply(False)
         assert KW * value("power", "peak")[k] == pytest.approx(supply.mains_peak, rel=5e-3)
         assert KW * value("power", "burnt")[k] == pytest.approx(supply.resistor_peak, abs=5e-3 * supply.mains_peak)
@@ -132,7 +132,7 @@ def mixed(*axes, **sizes):
 @pytest.mark.parametrize("kind", PLACED)
 @pytest.mark.sample(2)
 def test_a_drive_that_is_worked_out_place_by_place_shares_the_bus(kind):
-    """In every cell as the engine, and by no more off the search over the courses than the sheet says."""
+    """In every cell as the engine, and by no more off the search over the cycles than the sheet says."""
     made = mixed(PLACED[kind], AXES[1])
     assert disagreeing(TEMPLATE, made)[0] == []
     value, found = computed(TEMPLATE, made), together(made)
@@ -141,7 +141,7 @@ def test_a_drive_that_is_worked_out_place_by_place_shares_the_bus(kind):
     by, at_most = off(value, common)
     assert by <= at_most + 5e-3 * common.mains_peak
     assert KW * value("power", "peak")[0] == pytest.approx(
-        Drivetrains(found.courses[:1], 0.9).supply(False).mains_peak, rel=5e-3
+        Drivetrains(found.drive_cycles[:1], 0.9).supply(False).mains_peak, rel=5e-3
     )
 
 

@@ -18,7 +18,7 @@ from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import Master
-from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.view import Whole
 
 CHECKS = {

@@ -6,8 +6,8 @@ import random
 import numpy as np
 import pytest
 
-from engine.machine.demand import Demand
-from tests.engine.machine.machines import sampled
+from engine.drive.results import DriveResults
+from tests.engine.drive.machines import sampled
 from tests.tiers import nights
 from tests.workbook.cells import disagreeing
 from tests.workbook.machines.test_machine_handing import (
@@ -67,7 +67,7 @@ def moved(phases, **more):
 def course_of(one):
     """The drive of a machine's first axis over its motion."""
     whole = Whole(one, laws(one.laws))
-    return Driven(whole.axes[0], one).demand.course
+    return Driven(whole.axes[0], one).results.drive_cycle
 
 
 @pytest.mark.sample(1)
@@ -81,16 +81,16 @@ def test_cells_come_to_what_the_engine_says(name):
 @pytest.mark.parametrize("name", CASES)
 def test_torque_power_and_energy_by_dense_samples(name):
     """Of the motion's closed forms and the chain alone; and of energy, what friction and process forces take."""
-    course = course_of(moved(CASES[name]))
-    found, rows = Demand(course), sampled(course, 20001)
+    drive_cycle = course_of(moved(CASES[name]))
+    found, rows = DriveResults(drive_cycle), sampled(drive_cycle, 20001)
     speed, torque = (np.concatenate([row[k] for row in rows]) for k in (1, 2))
     power = speed * torque
     assert found.torque.highest.value == pytest.approx(torque.max(), rel=1e-5)
     assert found.torque.lowest.value == pytest.approx(torque.min(), rel=1e-5)
     assert found.power.highest.value == pytest.approx(power.max(), rel=1e-5)
     square = sum(np.trapezoid(row[2] ** 2, row[0]) for row in rows)
-    assert found.rms_torque == pytest.approx(np.sqrt(square / course.told.total), rel=1e-5)
-    work = sum(np.trapezoid(row[1] * row[2], row[0]) for row in rows) / course.speed
+    assert found.rms_torque == pytest.approx(np.sqrt(square / drive_cycle.told.total), rel=1e-5)
+    work = sum(np.trapezoid(row[1] * row[2], row[0]) for row in rows) / drive_cycle.speed
     assert found.energy.net == pytest.approx(work, rel=1e-5)
 
 
@@ -132,7 +132,7 @@ def test_of_random_drives_points_are_near_to_what_the_course_asks(seed):
     """Phases turn back and hand over between prescribed rates: direction changes inside an interval, and friction and
     losses jump there. RMS torque to 1 %, peaks to 5 %, energy to 5 %."""
     (view,) = drives_of(drawn(seed))
-    exact, points = view.driven.demand, view.points
+    exact, points = view.driven.results, view.points
     assert points.rms_torque == pytest.approx(exact.rms_torque, rel=0.01)
     assert points.size(points.torque) == pytest.approx(exact.torque.peak, rel=0.05)
     assert view.energy[0] == pytest.approx(exact.energy.driving, rel=0.05)

@@ -5,7 +5,7 @@ import math
 import openpyxl
 import pytest
 
-from engine.drivetrain import KINDS, Part, Slide, Stage, cylinder
+from engine.drive import KINDS, Part, Slide, Stage, cylinder
 from engine.laws import Dwell, TrapezoidalVelocity
 from engine.motion import Phase
 from tests.engine.sizing import Sizing
@@ -89,7 +89,7 @@ def test_the_document_s_sums_are_the_extremes_that_the_drive_has_by_its_pieces(p
 @pytest.mark.parametrize("method", ["document", "physical"])
 @pytest.mark.parametrize("slope", [10.0, 75.0, -75.0])
 def test_rms_and_peak_are_those_of_the_closed_forms_either_way_of_losses(method, slope):
-    """The sheet integrates its stretches; :class:`engine.drivetrain.Sizing` has the mean squares in closed form."""
+    """The sheet integrates its stretches; :class:`engine.drive.Sizing` has the mean squares in closed form."""
     law = TrapezoidalVelocity(1 / 6, 5 / 6)
     load = Slide(6, 0.1, math.radians(slope)).load
     mechanism = KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.014, 0.5, 7800))])

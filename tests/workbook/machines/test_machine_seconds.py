@@ -15,7 +15,7 @@ from workbook.build import build, described, inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.machine.timed import TimedMachine, told_in_seconds
+from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
 from workbook.reading.descriptions import checked, counted, read_machine
 from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book

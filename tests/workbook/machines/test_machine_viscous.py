@@ -15,7 +15,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from tests.workbook.machines.test_machine_linked import CRANK, FIGURES, LOSSY, MOTOR, linked, small
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
-from workbook.machines.machine.timed import told_in_seconds
+from workbook.machines.machine.time_based import told_in_seconds
 from workbook.reading.descriptions import checked
 from workbook.writing.same import same_book
 

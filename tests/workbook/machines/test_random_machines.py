@@ -157,7 +157,7 @@ def near(drawn, value):
 def limited(drawn, data):
     """The same machine with limits near to what its drive asks for."""
     made = valid(data)
-    found = Driven(Whole(made, laws(made.laws)).axes[0], made).demand
+    found = Driven(Whole(made, laws(made.laws)).axes[0], made).results
     rpm, behind = found.speed.peak * 30 / math.pi, found.shaft_torque(1).peak
     axis = data["axes"][0]
     motor = {"rated_torque": near(drawn, found.rms_torque), "peak_torque": near(drawn, found.torque.peak),

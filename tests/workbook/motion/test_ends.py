@@ -15,8 +15,8 @@ from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.laws.shelf import LawShelf
-from workbook.machines.machine import measured
-from workbook.machines.machine.truth import MOTION, extremes_of
+from workbook.machines.machine.exact import MOTION, extremes_of
+from workbook.machines.machine.motion import extremes
 from workbook.machines.machine.view import Whole
 
 IN_STEP = tomllib.loads((Path(__file__).parent / "in_step.toml").read_text(encoding="utf-8"))
@@ -213,7 +213,7 @@ def test_extremes_at_points_are_as_exact_as_their_sheet_states(seed):
 def test_an_extreme_that_points_miss_is_told(monkeypatch):
     machine = composed([("PO5", 10.0, 100.0), ("LIN", 40.0, 100.0), ("PO5", -50.0, 160.0)])
     (axis,) = Whole(machine, LawShelf(machine.laws, machine.sizes, True).laws).axes
-    monkeypatch.setattr(measured, "POINTS", measured.POINTS[::50])
+    monkeypatch.setattr(extremes, "POINTS", extremes.POINTS[::50])
     assert any("row 3: the greatest velocity is " in line for line in extremes_of(axis))
 
 

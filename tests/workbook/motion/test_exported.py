@@ -41,11 +41,11 @@ def test_the_table_is_the_course_that_a_controller_is_given(name, number):
     meant = template.axes(machine)[number - 1]
     x, *found = table(template, machine)
     assert len(x) == 31
-    inside = np.min(np.abs(x[:, None] - meant.course.edges[None, :]), axis=1) > 1e-6  # where nothing jumps
-    at = meant.course.at(x[inside])
+    inside = np.min(np.abs(x[:, None] - meant.profile.edges[None, :]), axis=1) > 1e-6  # where nothing jumps
+    at = meant.profile.at(x[inside])
     for values, course in zip(found, at[:3], strict=True):
         assert values[inside] == pytest.approx(course, rel=1e-9, abs=1e-9 * max(1e-6, np.abs(course).max()))
-    assert found[0][[0, -1]] == pytest.approx([meant.course.at(x[:1]).y[0], meant.course.at(x[-1:], left=True).y[0]])
+    assert found[0][[0, -1]] == pytest.approx([meant.profile.at(x[:1]).y[0], meant.profile.at(x[-1:], left=True).y[0]])
 
 
 @pytest.mark.parametrize("name", AXES)

@@ -9,10 +9,10 @@ import pytest
 import tomli_w
 from typer.testing import CliRunner
 
-from engine.choice.ratios import accelerating_factor
-from engine.drivetrain import KINDS, Drive, Load, Stage
-from engine.machine.grid import RANKS
-from tests.engine.choice.tasks import sampled_task
+from engine.drive import KINDS, Drive, Load, Stage
+from engine.selection.pair_matrix import RANKS
+from engine.selection.ratios import accelerating_factor
+from tests.engine.selection.tasks import sampled_task
 from tests.mutation import draw_flying
 from tests.workbook.cells import computed, disagreeing
 from workbook.build import build, described, inputs

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.optimize import differential_evolution
 
-from engine.choice.front import front
 from engine.laws import law
+from engine.selection.front import front
 from tests.workbook.studies.studied import MOTORS, REDUCERS, base, laws, planned, stops
 from workbook.pool import HERE
 from workbook.studies.evaluate import Evaluator

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.cams.course import Course, Stretch, course
+from engine.cams.profile import CamProfile, Stretch, profile
 from engine.cams.segments import quintics_between
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, literal
@@ -20,7 +20,7 @@ LIBRARY = "B&R library McAxis, McAxis.typ"
 ERRORS = "B&R ACOPOS error pages 5304, 37111"
 
 
-def built(of: Course, x: Array, steps: tuple[float, float]) -> Table:
+def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return a motion between places as polynomials of degree 5 whose coefficients, in steps, are rounded to REAL."""
     dx, dy = steps
     Table(x, x)  # says which x does not rise
@@ -45,16 +45,16 @@ def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -
                  for one, row in zip(x[:-1], c, strict=True)]  # fmt: skip
     places = np.round(x * dx, 12)
     Table(places, places)  # says which x does not rise
-    made = course(stretches, float(places[-1]))
-    made = Course(places, places[:-1], made.c, made.sines)
+    made = profile(stretches, float(places[-1]))
+    made = CamProfile(places, places[:-1], made.c, made.sines)
     made.c[:, 0] += offset
     y = np.append(made.at(places[:-1]).y, made.at(places[-1:], left=True).y)
-    return Table(places, y, course=made, steps=steps)
+    return Table(places, y, profile=made, steps=steps)
 
 
 def write(handed: Handed) -> str:
     """Return the assignments of the periods and of each polynomial; x counts from the begin of each."""
-    made, name, steps = handed.table.course, f"Cam_{handed.name}", handed.table.steps
+    made, name, steps = handed.table.profile, f"Cam_{handed.name}", handed.table.steps
     if made is None:
         raise TargetError("the table has no polynomials")
     (dx, dy), offset = steps, float(made.c[0, 0])

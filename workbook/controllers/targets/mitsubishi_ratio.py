@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.cams.course import Course
 from engine.cams.points import equal
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, Number, whole
 from workbook.controllers.table import Table
@@ -20,7 +20,7 @@ WHOLE = 1_000_000_000
 RESOLUTIONS = tuple(2**k for k in range(8, 16))
 
 
-def built(of: Course, x: Array, steps: tuple[float, float]) -> Table:
+def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return the ratios of a motion at equal steps: the stroke is the farthest that it goes from where it begins."""
     places = equal(of, len(x))
     if places[0] != 0.0:

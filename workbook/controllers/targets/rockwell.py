@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from engine.cams.course import Stretch, course
+from engine.cams.profile import Stretch, profile
 from engine.cams.segments import straight
 from workbook.controllers.number import REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
@@ -82,7 +82,7 @@ def read(text: str) -> Table:
     packed = next((data.text or "" for data in cam.iter("Data") if data.get("Format") == "L5K"), "")
     rows = [[field.strip() for field in row.split(",")] for row in ROW.findall(packed)[: MOST_POINTS + 1]]
     if cam.get("DataType") == "CAM_PROFILE":
-        return profile(rows)
+        return profile_table(rows)
     return array(cam, rows, slopes_of(tags, str(cam.get("Name"))))
 
 
@@ -123,7 +123,7 @@ def slopes_of(tags: list[Element], name: str) -> tuple[float, float] | None:
     return found[0], found[1]
 
 
-def profile(rows: list[list[str]]) -> Table:
+def profile_table(rows: list[list[str]]) -> Table:
     """Return the polynomials of a CAM_PROFILE: y = Slave + C0 + C1 d + C2 d² + C3 d³, d from an element's master."""
     points = []
     for k, row in enumerate(rows):
@@ -138,7 +138,7 @@ def profile(rows: list[list[str]]) -> Table:
     if any(other[0] <= one[0] for one, other in pairwise(points)):
         raise TargetError("the masters of the CAM_PROFILE do not rise from element to element")
     x, y = (np.array([point[i] for point in points]) for i in (0, 1))
-    return Table(x, y, course=course(stretches, points[-1][0]))
+    return Table(x, y, profile=profile(stretches, points[-1][0]))
 
 
 def float64(high: int, low: int) -> float:

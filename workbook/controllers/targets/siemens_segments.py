@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.cams.course import Course, Stretch, course
+from engine.cams.profile import CamProfile, Stretch, profile
 from engine.cams.segments import HIGHEST, segmented, simple
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, literal
@@ -20,16 +20,16 @@ JOINT = 1e-4
 """a gap that the controller pulls together"""
 
 
-def built(of: Course, x: Array, steps: tuple[float, float]) -> Table:
+def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return a motion between places as segments, of polynomials and a sine from each place."""
     made = segmented(of, x)
     at = made.at(x, left=True)
-    return Table(x, np.append(made.at(x[:-1]).y, at.y[-1]), course=made)
+    return Table(x, np.append(made.at(x[:-1]).y, at.y[-1]), profile=made)
 
 
 def write(handed: Handed) -> str:
     """Return the assignments, a line a segment; ``sinePeriod`` is taken for the angular frequency by x."""
-    made, name, lines = handed.table.course, f"Cam_{handed.name}", []
+    made, name, lines = handed.table.profile, f"Cam_{handed.name}", []
     if made is None:
         raise TargetError("the table has no segments")
     for k, (low, high, c, sines) in enumerate(zip(made.edges, made.edges[1:], made.c, made.sines, strict=False), 1):
@@ -50,11 +50,11 @@ def read(text: str) -> Table:
         raise TargetError(f"segment {int(gaps.argmax()) + 2} does not begin where the one before it ends")
     x = np.append(low, high[-1])
     points = Table(x, np.append(c[0], c[0][-1]))  # says which x does not rise
-    made = course(
+    made = profile(
         [Stretch(float(low[k]), float(low[k]), tuple(float(one[k]) for one in c), ((amplitude[k], omega[k], phase[k]),))
          for k in range(len(low))], float(high[-1]),
     )  # fmt: skip
-    return Table(points.x, np.append(made.at(x[:-1]).y, made.at(x[-1:], left=True).y), course=made)
+    return Table(points.x, np.append(made.at(x[:-1]).y, made.at(x[-1:], left=True).y), profile=made)
 
 
 TARGET = Target(

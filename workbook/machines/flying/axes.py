@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from engine.cams.course import course_of
+from engine.cams.profile import profile_of
 from engine.flying.pieces import cut_pieces
 from workbook.axes import CamAxis
 from workbook.entries.units import DEGREE, MM, shown
@@ -17,6 +17,6 @@ def axes(machine: FlyingCutter) -> list[CamAxis]:
     pieces, end = cut_pieces(found.cut, whole=True), found.cut.cycle_time
     shaft = shown(found.tool.angle(1.0), DEGREE)
     return [
-        CamAxis("tool", course_of(pieces, end, y=shown(1.0, MM)), "s", "mm"),
-        CamAxis("shaft", course_of(pieces, end, y=shaft), "s", "°"),
+        CamAxis("tool", profile_of(pieces, end, y=shown(1.0, MM)), "s", "mm"),
+        CamAxis("shaft", profile_of(pieces, end, y=shaft), "s", "°"),
     ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.machine.quadrature import COUNT
+from engine.drive.quadrature import COUNT
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled

@@ -6,14 +6,14 @@ from functools import cached_property
 
 import numpy as np
 
-from engine.choice.ratios import best_ratio
-from engine.drivetrain.motor import Corners, Motor, Reserve, reserve
+from engine.drive.falling_peak import Falling
+from engine.drive.motor import Corners, Motor, Reserve, reserve
+from engine.drive.quadrature import DrivePoints, LoadPoints
 from engine.flying.points import CutCycle, cycle_of, furthest, train_of
 from engine.laws.base import Array
-from engine.machine.falling import Falling
-from engine.machine.grid import Pair
-from engine.machine.point_load import PointLoad
-from engine.machine.quadrature import DrivePoints, LoadPoints
+from engine.selection.pair_matrix import Pair
+from engine.selection.point_load import PointLoad
+from engine.selection.ratios import best_ratio
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
 from workbook.entries.units import RPM, shown

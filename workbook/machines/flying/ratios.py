@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from engine.choice.ratios import Ranges, RatioCurves, ratio_curves, ratio_ranges
-from engine.choice.task import NOTHING
 from engine.laws.base import Array
+from engine.selection.ratios import Ranges, RatioCurves, ratio_curves, ratio_ranges
+from engine.selection.task import NOTHING
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled

@@ -7,14 +7,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.choice import Task
-from engine.drivetrain import Load
+from engine.drive import Load
 from engine.flying import Beyond, Cut, ShaftMotion, Sizes, Tool, ToolMotion, flying_saw, generalized_torque, rotary_drum
 from engine.flying import sizes as sizes_of
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.laws.points import fastest
 from engine.motion import Phase
+from engine.selection import Task
 from workbook.entries.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_MINUTE, RPM, shown, si
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 

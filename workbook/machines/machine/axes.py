@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from engine.cams.composed import Seen, composed
-from engine.cams.course import Course, course_of_motion, turned
+from engine.cams.profile import CamProfile, profile_of_motion, turned
 from engine.laws.base import Array
 from engine.timing import Switch
 from workbook.axes import CamAxis, CamSwitch
@@ -29,13 +29,13 @@ def cam(one: MovingAxis, machine: AnyMachine) -> CamAxis:
     """Return an axis as a controller can be given it."""
     over, driven = machine.over, one.given.motor is not None
     repeats = one.given.repeats and one.axis.closes
-    told = CamAxis(one.given.name, course(one, over, shown(1.0, one.unit)), over.unit, one.given.unit, repeats)
+    told = CamAxis(one.given.name, profile(one, over, shown(1.0, one.unit)), over.unit, one.given.unit, repeats)
     return replace(told, shaft=partial(shaft, one, machine, told)) if driven else told
 
 
-def course(one: MovingAxis, over: Abscissa, y: float) -> Course:
+def profile(one: MovingAxis, over: Abscissa, y: float) -> CamProfile:
     """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
-    return turned(course_of_motion(one.motion, over.shown(shown(1.0, DEGREE)), y), one.typed.shift)
+    return turned(profile_of_motion(one.motion, over.shown(shown(1.0, DEGREE)), y), one.typed.shift)
 
 
 def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
@@ -46,13 +46,15 @@ def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
     """
     driven = Driven(one, machine)
     if driven.linkage is None:
-        return replace(load, course=course(one, machine.over, shown(driven.mechanism.ratio, DEGREE)), y_unit=ANGLE_UNIT)
+        return replace(
+            load, profile=profile(one, machine.over, shown(driven.mechanism.ratio, DEGREE)), y_unit=ANGLE_UNIT
+        )
     linkage, degrees = driven.linkage, shown(driven.stage.ratio, DEGREE)
 
     def angle(y: Array) -> Seen:
         return Seen(*(degrees * each for each in linkage.shaft(y)))
 
-    return replace(load, course=composed(course(one, machine.over, 1.0), angle), y_unit=ANGLE_UNIT)
+    return replace(load, profile=composed(profile(one, machine.over, 1.0), angle), y_unit=ANGLE_UNIT)
 
 
 def switches(machine: AnyMachine) -> list[CamSwitch]:

@@ -32,10 +32,10 @@ from workbook.machines.machine.chain import (
     PowerEntry,
     Reducer,
 )
-from workbook.machines.machine.choice import Choice
-from workbook.machines.machine.clearance import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
+from workbook.machines.machine.clearance.entries import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
 from workbook.machines.machine.mechanism import Mechanism, Table
-from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry, spelled
+from workbook.machines.machine.selection.entries import Choice
+from workbook.machines.machine.switches.entries import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room

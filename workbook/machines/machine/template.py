@@ -17,28 +17,28 @@ from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.latest import latest
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, shelf_of
-from workbook.machines.machine.apart import Apart
 from workbook.machines.machine.axes import axes, switches
+from workbook.machines.machine.axis_verdicts import judge_axes
 from workbook.machines.machine.check import check
-from workbook.machines.machine.clearances import clearances_sheet
-from workbook.machines.machine.cycle import cycle_sheets, exportable
+from workbook.machines.machine.clearance.gap import Apart
+from workbook.machines.machine.clearance.sheet import clearances_sheet
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.judged import judge_axes
-from workbook.machines.machine.mains import Mains
-from workbook.machines.machine.motion import AxisRows, pieces_sheet
-from workbook.machines.machine.power import power_sheet, supply
+from workbook.machines.machine.exact import rates, truths
+from workbook.machines.machine.motion.tables import AxisRows, pieces_sheet
+from workbook.machines.machine.power.sheet import power_sheet, supply
+from workbook.machines.machine.power.view import Mains
 from workbook.machines.machine.printed import printed_sheets
-from workbook.machines.machine.studied import SCALING
-from workbook.machines.machine.switches import switches_sheet
-from workbook.machines.machine.timed import TimedMachine, told_in_seconds
-from workbook.machines.machine.timing import positions, timing_sheet
-from workbook.machines.machine.timing import rates as units_of_rates
-from workbook.machines.machine.truth import rates, truths
+from workbook.machines.machine.studies.results import SCALING
+from workbook.machines.machine.switches.sheet import switches_sheet
+from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
+from workbook.machines.machine.timing.cycle import cycle_sheets, exportable
+from workbook.machines.machine.timing.sheet import positions, timing_sheet
+from workbook.machines.machine.timing.sheet import rates as units_of_rates
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
 from workbook.motion.exported import export_sheet

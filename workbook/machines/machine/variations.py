@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from engine.machine.grid import RANKS
+from engine.selection.pair_matrix import RANKS
 from workbook.laws.registry import Family
 from workbook.laws.shared import POLYNOMIAL
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, told_family, variations, vary_laws
 from workbook.machines.machine.chain import WINDOWS
-from workbook.machines.machine.choice import falling
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS
-from workbook.machines.machine.switching import TIMES
-from workbook.machines.machine.timed import in_units_of
+from workbook.machines.machine.selection.entries import falling
+from workbook.machines.machine.switches.entries import TIMES
+from workbook.machines.machine.time_based import in_units_of
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 

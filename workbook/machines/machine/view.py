@@ -22,12 +22,12 @@ from workbook.entries.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.latest import latest
 from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
-from workbook.machines.machine.clearance import ENDS, MOST_CLEARANCES, ClearanceEntry
-from workbook.machines.machine.lanes import Lane, named
-from workbook.machines.machine.measured import measured
+from workbook.machines.machine.clearance.entries import ENDS, MOST_CLEARANCES, ClearanceEntry
 from workbook.machines.machine.mechanism import MECHANISMS, some_mechanism
-from workbook.machines.machine.switching import MOST_SWITCHES, SwitchEntry
-from workbook.machines.machine.timed import Cycle, TimedMachine
+from workbook.machines.machine.motion.extremes import measured
+from workbook.machines.machine.switches.entries import MOST_SWITCHES, SwitchEntry
+from workbook.machines.machine.switches.view import Lane, named
+from workbook.machines.machine.time_based import Cycle, TimedMachine
 from workbook.motion.through import passed
 
 UNITS = {"mm": MM, "°": DEGREE}

@@ -22,7 +22,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.machines.machine.boundary.carried import horner
 from workbook.machines.machine.boundary.handing import Handing
-from workbook.machines.machine.measured import POINTS, at_points
+from workbook.machines.machine.motion.extremes import POINTS, at_points
 
 ACCELERATION = "2*[c2]+6*[c3]*{0}-[A]*[om]^2*SIN([om]*{0}+[ph])"
 JERK = "ABS(6*[c3]-[A]*[om]^3*COS([om]*{0}+[ph]))"

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.machine.point_load import PointLoad
+from engine.selection.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
 from workbook.machines.machine.drive.parts import on_shaft
 from workbook.machines.machine.drive.points import asks

@@ -9,23 +9,23 @@ from typing import TypeVar
 
 import numpy as np
 
-from engine.choice.curve import TorqueCurve
-from engine.drivetrain import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, cylinder
-from engine.drivetrain.chain import geared
-from engine.drivetrain.losses import of_friction
-from engine.machine.course import Course
-from engine.machine.demand import Demand
-from engine.machine.falling import Falling
-from engine.machine.limits import Judged, Limits
-from engine.machine.train import Train, Window
-from engine.mechanisms.linkage import Linkage
-from engine.mechanisms.registry import LINKED
+from engine.drive import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, cylinder
+from engine.drive.chain import geared
+from engine.drive.cycle import DriveCycle
+from engine.drive.falling_peak import Falling
+from engine.drive.limits import Judged, Limits
+from engine.drive.losses import of_friction
+from engine.drive.mechanisms.registry import LINKED
+from engine.drive.mechanisms.variable_ratio import Linkage
+from engine.drive.results import DriveResults
+from engine.drive.torque_curve import TorqueCurve
+from engine.drive.train import Train, Window
 from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
-from workbook.machines.machine.chosen import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.drive.linkages import linkage_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import SCREWS, Belted, MechanismEntry
+from workbook.machines.machine.selection.in_use import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
 
 M = TypeVar("M", bound=MechanismEntry)
@@ -148,14 +148,14 @@ class Driven:
         return Train(self.drive, self.linkage, self.viscous, self.windows)
 
     @cached_property
-    def course(self) -> Course:
+    def drive_cycle(self) -> DriveCycle:
         """The drive over the motion of its axis, at the rate that it is sized at."""
-        return Course(self.train, self.axis.motion, self.axis.speed, self.axis.shifted.shift)
+        return DriveCycle(self.train, self.axis.motion, self.axis.speed, self.axis.shifted.shift)
 
     @cached_property
-    def demand(self) -> Demand:
+    def results(self) -> DriveResults:
         """What a cycle asks of the motor, exact."""
-        return Demand(self.course)
+        return DriveResults(self.drive_cycle)
 
     @property
     def inertia(self) -> float:
@@ -174,7 +174,7 @@ class Driven:
     @cached_property
     def judged(self) -> Judged:
         """The drive and its limits, exact."""
-        return Judged(self.course, Limits(self.motor, self.curve, self.reducer.limits))
+        return Judged(self.drive_cycle, Limits(self.motor, self.curve, self.reducer.limits))
 
     @property
     def left(self) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from engine.machine.quadrature import COUNT, Interval
+from engine.drive.quadrature import COUNT, Interval
 from workbook.book.declare import Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.entries.turn import TURN

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from engine.mechanisms.crank_slider import crank_slider
-from engine.mechanisms.linkage import Linkage
-from engine.mechanisms.rocker import rocker
-from engine.mechanisms.table import PositionTable
+from engine.drive.mechanisms.crank_slider import crank_slider
+from engine.drive.mechanisms.rocker import rocker
+from engine.drive.mechanisms.table import PositionTable
+from engine.drive.mechanisms.variable_ratio import Linkage
 from workbook.book.sentence import figure
 from workbook.entries.units import DEGREE, MM, si
 from workbook.machines.machine.mechanism import CrankSlider, MechanismEntry, Rocker, Table, TablePoint

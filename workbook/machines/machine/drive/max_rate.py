@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from engine.machine.max_rate import Share, line, squares
+from engine.drive.rate_by_points import Share, line, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import Said, Sentence, bound
 from workbook.entries.units import RPM, shown

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from engine.drive.quadrature import COUNT, Peak, peak
 from engine.laws.base import Array
-from engine.machine.quadrature import COUNT, Peak, peak
 from workbook.book.declare import Sheet, calc, constant
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.drive.view import DriveView

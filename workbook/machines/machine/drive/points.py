@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.machine.max_rate import falling_use
-from engine.machine.quadrature import COUNT, DrivePoints, LoadPoints
+from engine.drive.quadrature import COUNT, DrivePoints, LoadPoints
+from engine.drive.rate_by_points import falling_use
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST, NOT_ZERO
 from workbook.drive.points import SHARES, WEIGHTS

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from engine.mechanisms.linkage import Linkage, Reach
+from engine.drive.mechanisms.variable_ratio import Linkage, Reach
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure, rounded

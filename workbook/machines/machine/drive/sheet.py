@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from engine.drivetrain.losses import held_factor
-from engine.machine.quadrature import STANDSTILL
+from engine.drive.losses import held_factor
+from engine.drive.quadrature import STANDSTILL
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said, amount, exceeding
 from workbook.drive.motor import continuous, limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
-from workbook.machines.machine import chosen
 from workbook.machines.machine.drive import behind, max_rate
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.intervals import cuts_table, intervals_table
@@ -24,6 +23,7 @@ from workbook.machines.machine.drive.samples import samples_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.windows import windows_check, windows_table
 from workbook.machines.machine.mechanism import BELTED, SCREWS, UNSIZED
+from workbook.machines.machine.selection import in_use
 from workbook.machines.machine.view import kind_name
 
 CHART_COLUMN = 10
@@ -49,7 +49,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         tables(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Motor and reducer in use")
-        sheet.rows(*chosen.in_use(driven.motor_used, driven.reducer, driven.left), *curve_rows(view))
+        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *curve_rows(view))
         workings(sheet, view, page.sizes(driven))
         page.table(sheet, driven, sizes.positions)
         if view.varies:
@@ -99,7 +99,7 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
               source="physical: by the flow of power; document: over η always, as S4"),
         *loads(driven, key),
     )  # fmt: skip
-    sheet.rows(*chosen.entries(driven.entered, key))
+    sheet.rows(*in_use.entries(driven.entered, key))
 
 
 def tables(sheet: Sheet, view: DriveView) -> None:
@@ -152,7 +152,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         result("@returned", "Energy of the motor, regenerated", "", "J",
                "=0-SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]<0)*1)*60/@rate*1000", returned, scale=size.work),
         result("@power", "Mean power of the motor", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
-               shown((driving - returned) / driven.course.time, KW), scale=size.power),
+               shown((driving - returned) / driven.drive_cycle.time, KW), scale=size.power),
         result("@pmax", "Motor power, highest", "P_max", "kW", f"=MAX(0,{top('P')})",
                shown(max(0.0, points.top(points.power)), KW), scale=size.power),
         result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
@@ -216,8 +216,8 @@ def checks(view: DriveView) -> list[Quantity]:
     return [
         *limit_checks(view.reserve, driven.called, mends=mends),
         *reducer_checks(view, mends),
-        chosen.told(driven.number, driven.called),
-        chosen.cool(driven.number, driven.called),
+        in_use.told(driven.number, driven.called),
+        in_use.cool(driven.number, driven.called),
         curve_check(view, mends),
     ]
 

@@ -9,12 +9,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from engine.drivetrain.motor import LimitCheck, Reserve, reserve
+from engine.drive.limits import Judged, Limits
+from engine.drive.max_rate import highest_rate
+from engine.drive.motor import LimitCheck, Reserve, reserve
+from engine.drive.quadrature import COUNT, Between, Cycle, DrivePoints, Interval, LoadPoints, between
+from engine.drive.rate_by_points import Share, shares
 from engine.laws.base import Array
-from engine.machine.limits import Judged, Limits
-from engine.machine.max_rate import Share, shares
-from engine.machine.quadrature import COUNT, Between, Cycle, DrivePoints, Interval, LoadPoints, between
-from engine.machine.rate import highest_rate
 from engine.timing import shaft_speed
 from workbook.book.rows import filled
 from workbook.drive.in_short import Highest
@@ -22,7 +22,7 @@ from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, KW, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.motion import AxisRows
+from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.view import MovingAxis
 
 NONE_BINDS = "none"
@@ -68,7 +68,7 @@ class DriveView:
     @cached_property
     def cycle(self) -> Cycle:
         """Its intervals."""
-        return Cycle(self.driven.course, list(self.one.pieces.pieces), self.one.axis.motion.tolerance)
+        return Cycle(self.driven.drive_cycle, list(self.one.pieces.pieces), self.one.axis.motion.tolerance)
 
     @cached_property
     def load(self) -> LoadPoints:
@@ -123,7 +123,7 @@ class DriveView:
     @property
     def edges(self) -> list[float]:
         """The edges of process forces in degrees of the motion as its phases tell it; spare ones at the end."""
-        near, total = self.cycle.near, self.cycle.course.told.total
+        near, total = self.cycle.near, self.cycle.drive_cycle.told.total
         late = self.driven.axis.shifted.shift
         edges = [(edge - late + near) % total - near for w in self.driven.windows for edge in (w.begin, w.end)]
         return filled([shown(edge, DEGREE) for edge in edges], 2 * WINDOWS, TURN)
@@ -189,7 +189,7 @@ class DriveView:
     def exact_highest(self) -> tuple[float, str]:
         """Return the exact highest rate (cycles/min) and the limit that binds there."""
         limits = Limits(self.driven.motor, self.driven.curve, self.driven.reducer.limits)
-        found = highest_rate({self.driven.called: Judged(self.driven.course, limits)})
+        found = highest_rate({self.driven.called: Judged(self.driven.drive_cycle, limits)})
         return shown(found.speed / (2.0 * math.pi), PER_MINUTE), found.limit
 
     @property
@@ -207,12 +207,12 @@ class DriveView:
         power = max(shown(torque * (max(self.speed, LEAST) + self.driven.motor_used.copper * torque), KW), LEAST)
         behind = max(float(np.abs(load.behind).max()), LEAST)
         force = max(float(np.abs(load.force).max()), LEAST)
-        return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.driven.course.time, LEAST))
+        return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.driven.drive_cycle.time, LEAST))
 
     @property
     def energy(self) -> tuple[float, float]:
         """What the motor drives with over a cycle, and what comes back to it (J)."""
-        power, time = self.points.power, self.driven.course.time
+        power, time = self.points.power, self.driven.drive_cycle.time
         driving, returned = (self.points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0))
         return driving, returned
 
@@ -220,7 +220,7 @@ class DriveView:
 def with_motor(view: DriveView, driven: Driven) -> DriveView:
     """Return a view of the same load with another motor or reducer."""
     other = DriveView(view.one, driven)
-    other.cycle = Cycle(driven.course, view.cycle.pieces, view.cycle.near)
+    other.cycle = Cycle(driven.drive_cycle, view.cycle.pieces, view.cycle.near)
     other.load = replace(view.load, train=driven.train)
     return other
 

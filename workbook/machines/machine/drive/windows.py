@@ -10,7 +10,7 @@ from workbook.book.sentence import first_text
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.phases import beyond
+from workbook.machines.machine.timing.phases import beyond
 
 ACTS = "(({x}>=[@windows.from])*({x}<[@windows.from]+[@windows.span])+({x}+360<[@windows.from]+[@windows.span]))"
 

@@ -6,8 +6,8 @@ from math import atan2, sin
 
 import numpy as np
 
-from engine.mechanisms.rocker import SAME, ends_of
-from engine.mechanisms.slide import lever_angle
+from engine.drive.mechanisms.rocker import SAME, ends_of
+from engine.drive.mechanisms.slide import lever_angle
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
 from workbook.book.sentence import quoted
 from workbook.entries.units import DEGREE, si

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from engine.drive.mechanisms.rocker import farther
+from engine.drive.mechanisms.slide import SlideLinkage, lever_angle, slopes
+from engine.drive.mechanisms.variable_ratio import Linkage, near_end
 from engine.laws.base import Array
-from engine.mechanisms.linkage import Linkage, near_end
-from engine.mechanisms.rocker import farther
-from engine.mechanisms.slide import SlideLinkage, lever_angle, slopes
 from workbook.book.declare import Quantity, Sheet, calc
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.mechanisms.column import Column

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from engine.drive.mechanisms.table import PositionTable
+from engine.drive.mechanisms.variable_ratio import Linkage, near_end
 from engine.laws.base import Array
-from engine.mechanisms.linkage import Linkage, near_end
-from engine.mechanisms.table import PositionTable
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
 from workbook.book.polynomial import NOT_ZERO
 from workbook.book.rows import filled

@@ -1,0 +1,159 @@
+"""A position over a master in stretches, each a polynomial and sines: a motion, or what rebuilds it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.laws.base import Array
+from engine.motion.motion import Motion
+from engine.motion.phase import MotionValues
+from engine.motion.pieces import MotionPiece, motion_pieces
+
+V = TypeVar("V", float, Array)
+SAME = 1e-12
+"""of the cycle: breaks so near to each other are one"""
+
+
+class Stretch(NamedTuple):
+    """y = Σ c_k u^k + Σ A sin(ωu + φ) from ``begin`` on, u from ``origin``."""
+
+    begin: float
+    origin: float
+    c: tuple[float, ...]
+    sines: tuple[tuple[float, float, float], ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class CamProfile:
+    """y(x) from ``edges[0]`` to ``edges[-1]`` in stretches, n of them: y = Σ c_k u^k + Σ A sin(ωu + φ).
+
+    ``edges`` are n + 1 places in rising order, ``origins`` n places from which u counts, ``c`` n rows of powers,
+    ``sines`` n rows of sines, each A, ω, φ. Outside its range the first and the last stretch go on.
+    """
+
+    edges: Array
+    origins: Array
+    c: Array
+    sines: Array
+
+    @property
+    def total(self) -> float:
+        """Length of the cycle."""
+        return float(self.edges[-1] - self.edges[0])
+
+    @property
+    def travel(self) -> float:
+        """What a cycle does not come back by, y(end) − y(begin)."""
+        begin, end = self.at(self.edges[:1]).y, self.at(self.edges[-1:], left=True).y
+        return float(end[0] - begin[0])
+
+    def index(self, x: Array, left: bool = False) -> NDArray[np.intp]:
+        """Return the stretch at each x: the one that begins there, or with ``left`` the one that ends there."""
+        found = np.searchsorted(self.edges, x, side="left" if left else "right") - 1
+        return np.clip(found, 0, len(self.origins) - 1)
+
+    def at(self, x: Array, left: bool = False) -> MotionValues[Array]:
+        """Return y, y', y'', y''' at x: where it jumps what comes after, or with ``left`` what came before."""
+        return MotionValues(*(math.factorial(n) * row for n, row in enumerate(self.taylor(x, self.index(x, left), 4))))
+
+    def taylor(self, x: Array, k: NDArray[np.intp], terms: int) -> Array:
+        """Return the first coefficients of y in powers of (x − place), a row a power, about places in stretches k."""
+        u, c, sines = x - self.origins[k], self.c[k].T, self.sines[k]
+        found = np.zeros((terms, x.size))
+        for power in range(min(terms, len(c))):
+            value = np.zeros(x.size)
+            for higher in range(len(c) - 1, power - 1, -1):
+                value = value * u + math.comb(higher, power) * c[higher]
+            found[power] = value
+        for a, w, phi in np.moveaxis(sines, 1, 0).transpose(0, 2, 1) if sines.size else ():
+            size = a.copy()
+            for power in range(terms):
+                found[power] += size * np.sin(w * u + phi + power * math.pi / 2.0)
+                size = size * w / (power + 1)
+        return found
+
+
+def profile(stretches: Sequence[Stretch], end: float) -> CamProfile:
+    """Return stretches one after the other as a profile that ends at ``end``; raise ValueError for none."""
+    if not stretches:
+        raise ValueError("a profile has no stretches; expected at least one")
+    c = np.zeros((len(stretches), max(len(one.c) for one in stretches)))
+    sines = np.zeros((len(stretches), max(len(one.sines) for one in stretches), 3))
+    for k, one in enumerate(stretches):
+        c[k, : len(one.c)] = one.c
+        for i, sine in enumerate(one.sines):
+            sines[k, i] = sine
+    edges = np.array([*(one.begin for one in stretches), end])
+    return CamProfile(edges, np.array([one.origin for one in stretches]), c, sines)
+
+
+def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
+    """Return a motion's pieces up to ``end`` as a profile in other units: ``x`` and ``y`` of them make one of its own.
+
+    Pieces that do not last are left out.
+    """
+    lasting = [one for one in pieces if one.duration > 0.0]
+    begins = [lasting[0].begin * x] if lasting else []
+    kept: list[MotionPiece] = lasting[:1]
+    for one in lasting[1:]:
+        if one.begin * x - begins[-1] > SAME * abs(end * x - begins[0]):
+            kept.append(one)
+            begins.append(one.begin * x)
+        else:
+            kept[-1] = one
+    return profile([_stretch(one, x, y) for one in kept], end * x)
+
+
+def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProfile:
+    """Return a motion as a profile in other units, x and y of them a unit of its own."""
+    return profile_of(motion_pieces(motion, whole=True), float(motion.edges[-1]), x, y)
+
+
+def in_units(values: MotionValues[V], x: float, y: float) -> MotionValues[V]:
+    """Return a motion's values in other units, of which a unit of x and of y has so many."""
+    return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
+
+
+def _stretch(piece: MotionPiece, x: float, y: float) -> Stretch:
+    c = tuple(value * y / x**k for k, value in enumerate(piece.c))
+    while len(c) > 1 and not c[-1]:
+        c = c[:-1]
+    sines = tuple((a * y, w / x, phi) for a, w, phi in piece.sines if a)
+    return Stretch(piece.begin * x, piece.origin * x, c, sines)
+
+
+def turned(of: CamProfile, by: float) -> CamProfile:
+    """Return the profile that a master sees which is ``by`` further on where it begins, over the same range.
+
+    What runs over the end of the cycle is parted there, and goes on from the cycle before by its travel; of more than
+    a cycle, each whole one is a travel less.
+    """
+    begin, end, total, travel = float(of.edges[0]), float(of.edges[-1]), of.total, of.travel
+    whole = math.floor(by / total + SAME)
+    by -= whole * total
+    of = replace(of, c=of.c.copy())
+    of.c[:, 0] -= whole * travel
+    if by <= SAME * total:
+        return of
+    cut = end - by
+    first = int(of.index(np.array([cut]))[0])
+    if of.edges[first + 1] - cut <= SAME * total:
+        first += 1
+    wrapped = replace(of, c=of.c.copy())
+    wrapped.c[:, 0] -= travel
+    late, early = slice(first, len(of.origins)), slice(0, first + 1)
+    inner = of.edges[:-1][early]
+    kept = inner < cut - SAME * total
+    edges = np.concatenate([[begin], of.edges[:-1][late][1:] + by - total, inner[kept] + by, [end]])
+    return CamProfile(
+        edges,
+        np.concatenate([of.origins[late] + by - total, of.origins[early][kept] + by]),
+        np.concatenate([wrapped.c[late], of.c[early][kept]]),
+        np.concatenate([of.sines[late], of.sines[early][kept]]),
+    )

@@ -1,0 +1,46 @@
+"""Drives: a motor, gears, a mechanism and a load, and what their motion over a cycle asks of them. SI units.
+
+mechanisms      screw, belt, rollers …; crank-slider, rocker, table of positions; the register of all
+chain           stages and parts on shafts; the torque at each shaft
+loads, losses   masses on guides, forces, cylinders; efficiency by the direction of power
+motor           its limits, derating; torque_curve and falling_peak: its peak torque over the speed
+drive           a motor on a mechanism of constant ratio: torque, speed and power for any motion
+train           a motor, gears and a mechanism of any ratio, and the forces of the process
+cycle           a train over a motion, cut into stretches in which nothing changes its formula
+results         peaks, RMS torque and energy of a cycle, exact
+limits          how near a cycle comes to the limits of motor and reducer
+max_rate        the highest rate at which all limits are met, exact
+quadrature      torque and speed at points of a cycle, as the sheets have them; rate_by_points: their highest rate
+dc_bus          power of several drives, on a common DC bus and without one
+lossless        mean squares in closed form, where nothing is lost
+search          extremes and integrals where there is no closed form; piece_rows: many pieces at once
+"""
+
+from engine.drive.chain import Load, Mechanism, Part, Stage, reflected_inertia
+from engine.drive.drive import Drive, motor_inertia
+from engine.drive.loads import Slide, cylinder, resisting
+from engine.drive.losses import NEAR, STANDSTILL, direction, loss_factor
+from engine.drive.mechanisms.constant import KINDS, Kind
+from engine.drive.motor import LimitCheck, Motor, derating
+
+__all__ = [
+    "KINDS",
+    "NEAR",
+    "STANDSTILL",
+    "Drive",
+    "Kind",
+    "LimitCheck",
+    "Load",
+    "Mechanism",
+    "Motor",
+    "Part",
+    "Slide",
+    "Stage",
+    "cylinder",
+    "derating",
+    "direction",
+    "loss_factor",
+    "motor_inertia",
+    "reflected_inertia",
+    "resisting",
+]

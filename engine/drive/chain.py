@@ -1,0 +1,244 @@
+"""The chain from a motor to its load: stages in line, parts on their shafts, what resists at the end. SI units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from engine.drive.losses import NEAR, Method, loss_factor
+from engine.laws.base import Array, require_finite
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A transmission: speed before it over speed behind it, and its efficiency.
+
+    Where it turns rotation into travel, ``ratio`` is in rad/m (lead screw: 2πP; roller: 1/R).
+    ``back_efficiency`` is that where the load drives, the same by default; at 0 or less the stage locks itself.
+    Raises ValueError unless the ratio is above 0, the efficiency above 0 and at most 1, and backward at most 1.
+    """
+
+    name: str
+    ratio: float
+    efficiency: float = 1.0
+    back_efficiency: float | None = None
+
+    def __post_init__(self) -> None:
+        require_positive(self.name, ratio=self.ratio)
+        if not 0.0 < self.efficiency <= 1.0:
+            raise ValueError(f"{self.name}: efficiency is {self.efficiency:g}; expected more than 0 and at most 1")
+        back = self.back_efficiency
+        if back is not None and not (math.isfinite(back) and back <= 1.0):
+            raise ValueError(f"{self.name}: efficiency backward is {back:g}; expected a finite number, at most 1")
+
+    def before(self, behind: ArrayLike, direction: ArrayLike, method: Method = "physical") -> Array:
+        """Return the torque (Nm) before the stage that drives one behind it (Nm, N of travel), f T/i.
+
+        f is that of the rule of losses, in a direction of motion: 1, −1, or 0 at rest.
+        """
+        torque = np.asarray(behind, dtype=np.float64)
+        return self.factor(torque, direction, method) * torque / self.ratio
+
+    def factor(
+        self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR
+    ) -> Array:  # fmt: skip
+        """Return f of the rule of losses for a torque behind it: see :func:`engine.drive.losses.loss_factor`."""
+        return loss_factor(torque, direction, self.efficiency, method, near, self.back_efficiency)
+
+
+@dataclass(frozen=True)
+class Part:
+    """``count`` equal parts of an inertia J, kg m² (kg behind a stage that makes travel).
+
+    ``shaft`` counts the stages between the motor and it: 0 is the motor's shaft. ``speed_ratio`` is ω_i/ω of that
+    shaft, for a part that is geared to it. Raises ValueError for a negative count or inertia.
+    """
+
+    name: str
+    inertia: float
+    shaft: int = 0
+    count: float = 1.0
+    speed_ratio: float = 1.0
+
+    def __post_init__(self) -> None:
+        require_not_negative(self.name, inertia=self.inertia, count=self.count)
+        require_finite(speed_ratio=self.speed_ratio)
+
+    @property
+    def all(self) -> float:
+        """Inertia of all of them, count · J."""
+        return self.count * self.inertia
+
+    @property
+    def reflected(self) -> float:
+        """Inertia at its shaft, count · J · (ω_i/ω)²."""
+        return self.all * self.speed_ratio**2
+
+
+def geared(driver: float | None, driven: float | None) -> float:
+    """Return ω_i/ω = n1/n2 of a part that n1 teeth drive through its own n2; 1 of one without teeth.
+
+    Source: S1, 'Feeding group layout', τ_g = ω2/ω1 = 90/45.
+    """
+    return driver / driven if driver and driven else 1.0
+
+
+def reflected_inertia(parts: Sequence[Part]) -> float:
+    """Return J_tot = Σ count · J · (ω_i/ω)², in kg m² at the shaft that the parts turn with.
+
+    Source: S1, 'Feeding group layout', J_tot = 4 J1 + 4 J2.
+    """
+    return math.fsum(part.reflected for part in parts)
+
+
+@dataclass(frozen=True)
+class Load:
+    """What hangs on a shaft: its inertia (kg m², or kg), and the torque (Nm, or N) that resists.
+
+    ``torque`` acts against positive motion always, also at rest, like a weight; ``friction`` opposes the motion (or,
+    below 0, helps it on), and is zero at standstill. Raises ValueError for a negative inertia.
+    """
+
+    inertia: float
+    torque: float = 0.0
+    friction: float = 0.0
+
+    def __post_init__(self) -> None:
+        require_finite(torque=self.torque, friction=self.friction)
+        require_not_negative("load", inertia=self.inertia)
+
+    def resisting(self, direction: ArrayLike) -> Array:
+        """Return what resists (Nm, or N) in a direction of motion: 1, −1, or 0 at rest."""
+        return self.torque + self.friction * np.asarray(direction, dtype=np.float64)
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """Stages from the motor to the load, the parts on their shafts, and the load on the last one.
+
+    Shafts are counted from the motor's, 0, to the load's, as many as there are stages.
+    Raises ValueError for no stages, or a part on a shaft that is not there.
+    """
+
+    name: str
+    stages: tuple[Stage, ...]
+    parts: tuple[Part, ...]
+    load: Load
+
+    def __post_init__(self) -> None:
+        if not self.stages:
+            raise ValueError(f"{self.name}: no stages are given; expected at least one")
+        for part in self.parts:
+            if not 0 <= part.shaft <= self.last:
+                raise ValueError(f"{part.name}: shaft is {part.shaft}; expected 0 to {self.last}")
+
+    @property
+    def last(self) -> int:
+        """Number of the load's shaft."""
+        return len(self.stages)
+
+    @property
+    def ratio(self) -> float:
+        """Speed of the motor over that of the load (rad/m or 1)."""
+        return self.ratio_to(self.last)
+
+    @property
+    def efficiency(self) -> float:
+        """Product of the stages' efficiencies."""
+        return self.efficiency_to(self.last)
+
+    def ratio_to(self, shaft: int) -> float:
+        """Return the speed of the motor over that of a shaft."""
+        return math.prod(stage.ratio for stage in self.stages[:shaft])
+
+    def ratio_from(self, shaft: int) -> float:
+        """Return the speed of a shaft over that of the load (rad/m or 1)."""
+        return math.prod(stage.ratio for stage in self.stages[shaft:])
+
+    def efficiency_to(self, shaft: int) -> float:
+        """Return the product of the efficiencies between the motor and a shaft."""
+        return math.prod(stage.efficiency for stage in self.stages[:shaft])
+
+    def on_shaft(self, shaft: int) -> float:
+        """Return the inertia on a shaft, at that shaft (kg m² or kg), the load's on the last."""
+        parts = reflected_inertia([part for part in self.parts if part.shaft == shaft])
+        return parts + self.load.inertia if shaft == self.last else parts
+
+    def at_motor(self, inertia: float, shaft: int, method: Method = "physical") -> float:
+        """Return J/i² of an inertia on a shaft, at the motor's shaft (kg m²); by the document's method over η.
+
+        Source: S4, problem 1, J_load = m/(η (2πP)²); problem 2, J = m r²/(η N²).
+        """
+        lossless = inertia / self.ratio_to(shaft) ** 2
+        return lossless / self.efficiency_to(shaft) if method == "document" else lossless
+
+    def inertia(self, method: Method = "physical") -> float:
+        """Return J of all parts and the load at the motor's shaft (kg m²), without the motor's own."""
+        parts = (self.at_motor(part.reflected, part.shaft, method) for part in self.parts)
+        return math.fsum([*parts, self.at_motor(self.load.inertia, self.last, method)])
+
+    def driving(self, force: float) -> float:
+        """Return the torque (Nm) at the motor's shaft that drives a force (N, or Nm) at the load: F/(i η).
+
+        Source: S4, problem 1, the friction torque and the load torque.
+        """
+        return force / self.ratio / self.efficiency
+
+    def turning(self, shaft: int, of_load: ArrayLike) -> Array:
+        """Return the speed or acceleration of a shaft (rad/s, rad/s²) for that of the load (m/s or rad/s, per s)."""
+        return self.ratio_from(shaft) * np.asarray(of_load, dtype=np.float64)
+
+    def referred(self, torque: ArrayLike, shaft: int) -> Array:
+        """Return at a shaft (Nm) what resists at the load (N, or Nm), without losses: T/i, as C_r = F_r R.
+
+        Source: S1, 'Feeding group'.
+        """
+        return np.asarray(torque, dtype=np.float64) / self.ratio_from(shaft)
+
+    def behind(self, shaft: int) -> Mechanism:
+        """Return the mechanism from one of its shafts on, as if the motor sat there."""
+        parts = tuple(replace(part, shaft=part.shaft - shaft) for part in self.parts if part.shaft >= shaft)
+        return replace(self, stages=self.stages[shaft:], parts=parts)
+
+    @property
+    def reduced(self) -> Load:
+        """The load with all the parts, as the motor's shaft sees them where nothing is lost."""
+        torque, friction = (float(self.referred(one, 0)) for one in (self.load.torque, self.load.friction))
+        return Load(self.inertia(), torque, friction)
+
+    def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:
+        """Return the torque (or force) that each shaft must be driven with, from the motor's to the load's.
+
+        At accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1):
+        T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k, f by the rule of losses.
+        """
+        a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
+        found = [self.load.resisting(sign) + self.carried[self.last] * a]
+        for k in reversed(range(self.last)):
+            driven = self.stages[k].before(found[0], sign, method)
+            found.insert(0, driven + self.carried[k] * a)
+        return found
+
+    @cached_property
+    def carried(self) -> tuple[float, ...]:
+        """J_k ω_k/v of each shaft: its torque (Nm, or N) per unit of the load's acceleration, of what it carries."""
+        return tuple(self.on_shaft(k) * self.ratio_from(k) for k in range(self.last + 1))
+
+
+def require_positive(where: str, **quantities: float) -> None:
+    """Raise ValueError, saying where, for the first quantity that is not a finite number above 0."""
+    for name, value in quantities.items():
+        if not (math.isfinite(value) and value > 0.0):
+            raise ValueError(f"{where}: {name} is {value:g}; expected a finite number above 0")
+
+
+def require_not_negative(where: str, **quantities: float) -> None:
+    """Raise ValueError, saying where, for the first quantity that is negative or not finite."""
+    for name, value in quantities.items():
+        if not (math.isfinite(value) and value >= 0.0):
+            raise ValueError(f"{where}: {name} is {value:g}; expected a finite number, 0 or more")

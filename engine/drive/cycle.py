@@ -1,0 +1,331 @@
+"""A motion in time, piece by piece, cut where anything in the torque changes its formula. SI units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.drive.search import NOISE, crossed
+from engine.drive.train import Force, Motion3, ShaftMotion, Train, Weights
+from engine.laws.base import Array
+from engine.laws.ladder import Curve, root, zeros
+from engine.motion import Motion
+from engine.motion.pieces import MotionPiece, motion_pieces
+
+NARROW = 1e-9
+"""of a piece: what is shorter is no stretch"""
+
+NODES = 32
+"""a stretch, and each half turn of its sines, in which functions without a ladder are searched"""
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A part of a piece in which direction, process force and the way of power through every stage stay as they are.
+
+    u runs from ``low`` to ``high``, from the piece's begin, in units of the motion; ``speed`` is that of the abscissa
+    (1/s). ``weights`` are those of each shaft from the motor's; 0 of the motor's where a brake holds it.
+    """
+
+    train: Train
+    piece: MotionPiece
+    speed: float
+    low: float
+    high: float
+    going: float
+    force: Force
+    weights: tuple[Weights, ...]
+
+    @property
+    def time(self) -> float:
+        """Its duration (s)."""
+        return (self.high - self.low) / self.speed
+
+    @property
+    def nodes(self) -> int:
+        """In how many parts it is searched."""
+        fastest = max((abs(w) for a, w, _ in self.piece.sines if a), default=0.0)
+        return NODES * (1 + int(fastest * (self.high - self.low) / np.pi))
+
+    def load(self, u: Array) -> Motion3:
+        """Return the motion of the load (m or rad, in s)."""
+        y, velocity, acceleration = (evaluated(curve, u) for curve in self.curves)
+        return Motion3(y, velocity * self.speed, acceleration * self.speed**2)
+
+    @cached_property
+    def curves(self) -> tuple[Curve, Curve, Curve]:
+        """y, y' and y'' over u."""
+        y = position(self.piece)
+        return y, y.derivative(), y.derivative().derivative()
+
+    def shaft(self, u: Array) -> ShaftMotion:
+        """Return the motion of the mechanism's own shaft."""
+        return self.train.shaft(self.load(u), self.within)
+
+    @cached_property
+    def within(self) -> float:
+        """The load's position in the middle, which says on which side of a knot its ends are."""
+        return self.curves[0](0.5 * (self.low + self.high))
+
+    def motor_speed(self, u: Array) -> Array:
+        """Return the speed of the motor (rad/s)."""
+        return np.asarray(self.train.gear * self.shaft(u).speed)
+
+    def torque(self, u: Array, shaft: int = 0) -> Array:
+        """Return the torque (Nm) that drives a shaft: the motor's with its own inertia, 0, or one behind a stage.
+
+        Of the last one, the load's, what drives the load (N, or Nm).
+        """
+        load = self.load(u)
+        if shaft == len(self.weights):
+            return self.force.at(load)
+        turning = self.train.shaft(load, self.within)
+        weights = self.weights[shaft]
+        found = weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration
+        return np.asarray(found + self.no_load(shaft))
+
+    def no_load(self, shaft: int) -> float:
+        """Return the torque (Nm) of the motor's shaft that opposes its rotation, whatever the load; 0 of another."""
+        return self.train.drive.no_load * self.going if shaft == 0 else 0.0
+
+    def power(self, u: Array) -> Array:
+        """Return the power (W) of the motor, with the losses of its winding: T ω + (P_N/T_N²) T²."""
+        torque = self.torque(u)
+        return np.asarray(torque * (self.motor_speed(u) + self.train.drive.copper * torque))
+
+    @property
+    def turns(self) -> list[float]:
+        """Where the power of the motor changes its sign: copper losses do that where its torque does not."""
+        return crossed(self.power, self.low, self.high, self.nodes) if self.train.drive.copper else []
+
+    def curve(self, shaft: int = 0) -> Curve | None:
+        """Return the torque of a shaft as a curve over u, which has a ladder; None behind a ratio that changes."""
+        if shaft == len(self.weights):
+            return force_curve(self.piece, self.speed, self.force)
+        if self.train.linkage:
+            return None
+        ratio = self.train.drive.mechanism.stages[-1].ratio
+        weights = self.weights[shaft]
+        share, level = weights.force / ratio, self.no_load(shaft)
+        return force_curve(self.piece, self.speed, self.force, share, weights.inertia * ratio, level)
+
+    def crossings(self, shaft: int) -> list[float]:
+        """Return where the torque of a shaft changes its sign."""
+        curve = self.curve(shaft)
+        if curve is None:
+            return crossed(lambda u: self.torque(u, shaft), self.low, self.high, self.nodes)
+        return sign_changes(curve, self.low, self.high)
+
+
+def position(piece: MotionPiece) -> Curve:
+    """Return y of a piece as a curve over u."""
+    return Curve(piece.c, tuple(sine for sine in piece.sines if sine[0]))
+
+
+def evaluated(curve: Curve, u: Array) -> Array:
+    """Return the values of a curve."""
+    value = np.zeros(u.shape)
+    for c in reversed(trimmed(curve).c):
+        value = value * u + c
+    for p, w, phi in curve.sines:
+        value = value + p * np.sin(w * u + phi)
+    return value
+
+
+def force_curve(
+    piece: MotionPiece, speed: float, force: Force, share: float = 1.0, inertia: float = 0.0, more: float = 0.0
+) -> Curve:
+    """Return ``share`` · F + ``inertia`` · ÿ + ``more`` as a curve over u."""
+    velocity = position(piece).derivative()
+    acceleration = velocity.derivative()
+    level, c = share * force.level + more, share * force.viscous * speed
+    m = (share * force.mass + inertia) * speed**2
+    both = [*(m * c2 for c2 in acceleration.c), 0.0]
+    polynomial = [c * c1 + other for c1, other in zip(velocity.c, both, strict=True)]
+    polynomial[0] += level
+    sines = [(m * p, w, phi) for p, w, phi in acceleration.sines]
+    sines += [(c * p, w, phi) for p, w, phi in velocity.sines] if c else []
+    return trimmed(Curve(tuple(polynomial), tuple(_joined(sines))))
+
+
+def _joined(sines: Sequence[tuple[float, float, float]]) -> Iterator[tuple[float, float, float]]:
+    """Yield sines with those of one ω added up."""
+    for w in dict.fromkeys(w for _, w, _ in sines):
+        one = sum(p * np.exp(1j * phi) for p, other, phi in sines if other == w)
+        yield float(abs(one)), w, float(np.angle(one))
+
+
+def trimmed(curve: Curve) -> Curve:
+    """Return a curve without powers that are 0, but for the constant: so that no sine stands alone."""
+    c = list(curve.c)
+    while len(c) > 1 and not c[-1]:
+        c.pop()
+    return Curve(tuple(c) or (0.0,), curve.sines)
+
+
+def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
+    """Return where a curve changes its sign between two points, from values that are no rounding on either side.
+
+    Between the zeros of its derivative, and so none is missed.
+    """
+    f = trimmed(curve)
+    slope = trimmed(f.derivative())
+    turns = [u for u in zeros(slope, high) if low < u < high]
+    points = [low, *turns, high]
+    values = [f(u) for u in points]
+    noise = NOISE * max(map(abs, values))
+    kept = [(u, value) for u, value in zip(points, values, strict=True) if abs(value) > noise]
+    return [root(f, slope, one[0], other[0]) for one, other in pairwise(kept) if (one[1] > 0.0) != (other[1] > 0.0)]
+
+
+class Span(NamedTuple):
+    """A part of a piece, from ``low`` to ``high``, in which direction and process force stay as they are."""
+
+    piece: MotionPiece
+    low: float
+    high: float
+    going: float
+    force: Force
+
+
+@dataclass(frozen=True)
+class MotionPieces:
+    """A motion over one cycle as a table of pieces, from ``begin`` on over a ``total`` of its abscissa."""
+
+    pieces: tuple[MotionPiece, ...]
+    begin: float
+    total: float
+
+
+@dataclass(frozen=True)
+class DriveCycle:
+    """A train over the cycle of its load's motion, whose abscissa advances at ``speed`` (1/s).
+
+    The motion is one of phases, or told by its pieces (a flying tool's, whose law rides on the line's speed).
+    ``shift`` is by how much the motion is later than it is told: y(x) = y0(x − shift); windows stay where they are.
+    Raises ValueError unless the speed is above 0.
+    """
+
+    train: Train
+    motion: Motion | MotionPieces
+    speed: float = 1.0
+    shift: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not 0.0 < self.speed < np.inf:
+            raise ValueError(f"speed is {self.speed:g}; expected a finite number above 0")
+
+    @property
+    def time(self) -> float:
+        """Time of the cycle (s)."""
+        return self.told.total / self.speed
+
+    @cached_property
+    def told(self) -> MotionPieces:
+        """The pieces of the motion."""
+        if isinstance(self.motion, MotionPieces):
+            return self.motion
+        return MotionPieces(tuple(motion_pieces(self.motion)), float(self.motion.edges[0]), self.motion.total)
+
+    @cached_property
+    def stretches(self) -> tuple[Stretch, ...]:
+        """All stretches, in the order of the motion as it is told. Raises OutOfReachError."""
+        return tuple(stretch for span in self.spans for stretch in self._split(*span))
+
+    @cached_property
+    def spans(self) -> tuple[Span, ...]:
+        """All spans, in the order of the motion as it is told. Raises OutOfReachError."""
+        return tuple(span for piece in self._moved for span in self._of(piece))
+
+    @property
+    def _moved(self) -> list[MotionPiece]:
+        return [piece for piece in self.told.pieces if piece.duration > 0.0]
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest |y'| of the motion."""
+        return max(_largest(position(piece).derivative(), piece.duration) for piece in self._moved)
+
+    @property
+    def way(self) -> float:
+        """How far the load goes over the cycle, there and back (m or rad)."""
+        ends = [(position(one.piece), one) for one in self.spans if one.going]
+        return math.fsum(abs(y(one.high) - y(one.low)) for y, one in ends)
+
+    def _of(self, piece: MotionPiece) -> Iterator[Span]:
+        """Yield the spans of a piece."""
+        velocity = position(piece).derivative()
+        moves = _largest(velocity, piece.duration) > NOISE * self.fastest
+        cuts = [0.0, piece.duration, *self._edges(piece)]
+        if moves:
+            cuts += [*sign_changes(velocity, 0.0, piece.duration), *self._knots(piece)]
+        for low, high in parts(cuts, piece.duration):
+            middle = 0.5 * (low + high)
+            going = float(np.sign(velocity(middle))) if moves else 0.0
+            force = self.train.force(going, piece.begin + middle + self.shift, self.told.total)
+            yield Span(piece, low, high, going, force)
+
+    def _edges(self, piece: MotionPiece) -> Iterator[float]:
+        """Yield the edges of windows within a piece."""
+        for edge in (edge for window in self.train.windows for edge in (window.begin, window.end)):
+            u = (edge - self.shift - piece.begin) % self.told.total
+            if u < piece.duration:
+                yield u
+
+    def _knots(self, piece: MotionPiece) -> Iterator[float]:
+        """Yield where a piece passes a position at which the ratio's change jumps."""
+        y = position(piece)
+        for knot in self.train.linkage.knots if self.train.linkage else ():
+            yield from sign_changes(Curve((y.c[0] - knot, *y.c[1:]), y.sines), 0.0, piece.duration)
+
+    def _split(self, piece: MotionPiece, low: float, high: float, going: float, force: Force) -> Iterator[Stretch]:
+        """Yield a part of a piece, cut where power turns round in a stage, from the load's on, or in the motor."""
+        stages = self.train.drive.mechanism.stages
+        yield from self._through(piece, low, high, going, force, [1.0] * len(stages), len(stages))
+
+    def _through(
+        self, piece: MotionPiece, low: float, high: float, going: float, force: Force, factors: list[float], shaft: int
+    ) -> Iterator[Stretch]:  # fmt: skip
+        """Yield stretches; the factors of all stages behind a shaft are known."""
+        here = self._stretch(piece, low, high, going, force, factors)
+        cuts = [low, high, *(here.crossings(shaft) if going else ())]
+        for begin, end in parts(cuts, piece.duration):
+            if shaft == 0:
+                yield self._stretch(piece, begin, end, going, force, factors)
+                continue
+            middle = np.array([0.5 * (begin + end)])
+            stage = self.train.drive.mechanism.stages[shaft - 1]
+            behind = here.torque(middle, shaft)
+            factor = float(stage.factor(behind, going, self.train.method, 0.0)[0])
+            known = [*factors[: shaft - 1], factor, *factors[shaft:]]
+            yield from self._through(piece, begin, end, going, force, known, shaft - 1)
+
+    def _stretch(
+        self, piece: MotionPiece, low: float, high: float, going: float, force: Force, factors: Sequence[float]
+    ) -> Stretch:  # fmt: skip
+        weights = tuple(self.train.weights(factors))
+        if going == 0.0 and self.train.drive.holding == "brake":  # on the motor's shaft: gears carry the load
+            weights = (Weights(0.0, 0.0), *weights[1:])
+        return Stretch(self.train, piece, self.speed, low, high, going, force, weights)
+
+
+def parts(cuts: Sequence[float], width: float) -> Iterator[tuple[float, float]]:
+    """Yield what lies between cuts, in order, with what is shorter than :data:`NARROW` of a width left out."""
+    kept: list[float] = []
+    for cut in sorted(cuts):
+        if not kept or cut - kept[-1] > NARROW * width:
+            kept.append(cut)
+    kept[-1] = max(cuts)
+    yield from pairwise(kept)
+
+
+def _largest(curve: Curve, d: float) -> float:
+    """Return the largest size of a curve from 0 to d."""
+    f = trimmed(curve)
+    return max(abs(f(u)) for u in (0.0, *zeros(trimmed(f.derivative()), d), d))

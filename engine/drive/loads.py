@@ -1,0 +1,76 @@
+"""Loads: masses on guides, cylinders. SI units."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from engine.drive.chain import Load, require_not_negative
+from engine.laws.base import require_finite
+
+GRAVITY = 9.81
+"""m/s², as S4 has it"""
+
+Resists = Literal["always", "moving"]
+
+
+@dataclass(frozen=True)
+class Slide:
+    """A mass (kg) on a guide: friction coefficient μ, slope (rad, rising with positive travel), process force (N),
+    gravity g (m/s²).
+
+    The force acts against positive travel, always. Raises ValueError for a negative mass or μ, or a slope
+    beyond a right angle.
+    """
+
+    mass: float
+    friction: float = 0.0
+    slope: float = 0.0
+    force: float = 0.0
+    gravity: float = GRAVITY
+
+    def __post_init__(self) -> None:
+        require_not_negative("load", mass=self.mass, friction=self.friction, gravity=self.gravity)
+        require_finite(slope=self.slope, force=self.force)
+        if abs(self.slope) > math.pi / 2 + 1e-12:
+            raise ValueError(f"slope is {math.degrees(self.slope):g} degrees; expected −90 to 90")
+
+    @property
+    def steady(self) -> float:
+        """F + m g sin θ (N): acts in one direction, also at rest."""
+        return self.force + self.mass * self.gravity * math.sin(self.slope)
+
+    @property
+    def rubbing(self) -> float:
+        """μ m g cos θ (N): opposes the motion."""
+        return self.friction * self.mass * self.gravity * abs(math.cos(self.slope))
+
+    @property
+    def load(self) -> Load:
+        """The load at the end of a chain."""
+        return Load(self.mass, self.steady, self.rubbing)
+
+
+def resisting(force: float, resists: Resists) -> Load:
+    """Return a load without mass of a force F_r (N), or a torque (Nm).
+
+    ``always``: it acts in one direction, also at rest, like a weight. ``moving``: it opposes the motion, and is
+    zero at standstill, like friction. Raises ValueError for another word. Source: S1, 'Feeding group'.
+    """
+    if resists not in ("always", "moving"):
+        raise ValueError(f"resists is {resists!r}; expected 'always' or 'moving'")
+    return Load(0.0, force) if resists == "always" else Load(0.0, friction=force)
+
+
+def cylinder(diameter: float, length: float, density: float, bore: float = 0.0) -> float:
+    """Return the inertia of a solid or hollow cylinder about its axis, ½ ρ π (R⁴ − r⁴) L, in kg m².
+
+    ``diameter``, ``length`` and ``bore`` (the inner diameter) in m, ``density`` in kg/m³.
+    Raises ValueError for a negative quantity, or a bore that is not smaller than the diameter.
+    Source: S4, problem 1, 'a. J_leadscrew'.
+    """
+    require_not_negative("cylinder", diameter=diameter, length=length, density=density, bore=bore)
+    if bore > 0.0 and bore >= diameter:
+        raise ValueError(f"cylinder: bore is {bore:g} m; expected less than the diameter, {diameter:g} m")
+    return 0.5 * density * math.pi * ((diameter / 2.0) ** 4 - (bore / 2.0) ** 4) * length

@@ -1,0 +1,45 @@
+"""Every mechanism by its name, of a constant ratio or of one that depends on the load's position. SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from engine.drive.chain import Load, Mechanism, Part, Stage
+from engine.drive.mechanisms.constant import KINDS, Kind
+from engine.drive.mechanisms.crank_slider import crank_slider
+from engine.drive.mechanisms.rocker import rocker
+from engine.drive.mechanisms.table import PositionTable
+from engine.drive.mechanisms.variable_ratio import Linkage
+
+
+@dataclass(frozen=True)
+class Linked:
+    """A mechanism whose ratio depends on position: what makes it, of its own entries."""
+
+    name: str
+    element: str
+    make: Callable[..., Linkage]
+
+    def of(
+        self, load: Load, efficiency: float = 1.0, gears: Sequence[Stage] = (), parts: Sequence[Part] = ()
+    ) -> Mechanism:
+        """Return the chain to its load: gears, then the mechanism as a stage of ratio 1, which a linkage replaces."""
+        return Mechanism(self.name, (*gears, Stage(self.element, 1.0, efficiency)), tuple(parts), load)
+
+
+LINKED = {
+    linked.name: linked
+    for linked in (
+        Linked("crank-slider", "crank", crank_slider),
+        Linked("rocker", "lever", rocker),
+        Linked("table", "cam", PositionTable),
+    )
+}
+"""those whose ratio depends on position"""
+
+DIRECT = Kind("direct", "shaft")
+"""a load on the motor's own shaft, or behind a reducer"""
+
+MECHANISMS: dict[str, Kind | Linked] = {DIRECT.name: DIRECT, **KINDS, **LINKED}
+"""every mechanism: a direct drive, those of constant ratio and those whose ratio depends on the position"""

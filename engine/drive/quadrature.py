@@ -1,0 +1,332 @@
+"""A drive at points of its cycle: the ends of each interval of its motion, and fixed shares between. SI units.
+
+An interval is a piece of the motion, or what lies of it between edges of process forces. Peaks are those of the points,
+corrected by the parabola through the largest and its neighbours; means are weighted sums (rule of Gauss and Lobatto).
+Exact at constant ratio without viscous friction for peaks, where the acceleration is monotone in each piece; else right
+to the bound that the sheets state. :class:`engine.drive.results.DriveResults` is the exact way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+from engine.drive.cycle import DriveCycle
+from engine.drive.piece_rows import Rows, rows_of
+from engine.drive.train import Train
+from engine.laws.base import Array
+from engine.motion.pieces import MotionPiece
+
+COUNT = 9
+"""points of an interval"""
+STANDSTILL = 1e-9
+"""of the greatest speed: a slower load stands"""
+TIED = 1e-9
+"""of the largest size: what differs by less is as large"""
+
+
+def lobatto(count: int) -> tuple[Array, Array]:
+    """Return the points of the rule of Gauss and Lobatto on [0, 1], and their weights, of sum 1.
+
+    Source: M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 25.4.32.
+    """
+    top = legendre.Legendre.basis(count - 1)
+    inner = top.deriv().roots()
+    points = np.concatenate([[-1.0], np.sort(inner.real), [1.0]])
+    return (points + 1.0) / 2.0, 1.0 / (count * (count - 1) * top(points) ** 2)
+
+
+SHARES, WEIGHTS = lobatto(COUNT)
+
+
+class Interval(NamedTuple):
+    """A part of a cycle in which one piece of the motion holds and process forces stay as they are.
+
+    From ``begin`` to ``end`` of the abscissa as the phases tell it; ``piece`` is the piece's number, from 0.
+    """
+
+    begin: float
+    end: float
+    piece: int
+
+    @property
+    def middle(self) -> float:
+        """The place in its middle."""
+        return (self.begin + self.end) / 2.0
+
+
+def intervals(pieces: Sequence[MotionPiece], edges: Sequence[float], end: float, near: float) -> list[Interval]:
+    """Return the intervals between begins of pieces and ``edges``; a cut that is ``near`` an earlier one is left out.
+
+    All in units of the motion's abscissa, which ends at ``end``.
+    """
+    cuts = [*(piece.begin for piece in pieces), *edges]
+    kept = [cut for k, cut in enumerate(cuts) if all(abs(cut - one) >= near for one in [*cuts[:k], end])]
+    places = [*sorted(kept), end]
+    begins = np.array([piece.begin for piece in pieces])
+    middles = (np.array(places[:-1]) + np.array(places[1:])) / 2.0
+    numbers = np.searchsorted(begins, middles, side="right") - 1
+    return [Interval(*one) for one in zip(places[:-1], places[1:], numbers.tolist(), strict=True)]
+
+
+@dataclass(frozen=True)
+class LoadPoints:
+    """A load and the mechanism's shaft at the points of a cycle: arrays of intervals by points.
+
+    ``velocity`` and ``acceleration`` are those of the load (m or rad, per s), ``direction`` 1, −1 or 0 at rest;
+    ``steady`` and ``friction`` (N or Nm) resist always, and against motion; ``first`` and ``second`` are φ' and φ'' of
+    the mechanism; ``share`` is what a point counts in a mean over the cycle; ``position`` counts in m or rad.
+    """
+
+    train: Train
+    place: Array
+    position: Array
+    velocity: Array
+    acceleration: Array
+    direction: Array
+    steady: Array
+    friction: Array
+    first: Array
+    second: Array
+    share: Array
+
+    @property
+    def resisting(self) -> Array:
+        """What resists at the load without motion (N or Nm)."""
+        return self.steady + self.direction * self.friction
+
+    @cached_property
+    def force(self) -> Array:
+        """What drives the load (N or Nm): m a + c v + what resists."""
+        m = self.train.drive.mechanism
+        return m.on_shaft(m.last) * self.acceleration + self.train.viscous * self.velocity + self.resisting
+
+    @property
+    def speed(self) -> Array:
+        """Speed of the mechanism's shaft (rad/s)."""
+        return self.first * self.velocity
+
+    @property
+    def turning(self) -> Array:
+        """Acceleration of the mechanism's shaft (rad/s²), φ'' v² + φ' a."""
+        return self.second * self.velocity**2 + self.first * self.acceleration
+
+    @cached_property
+    def behind(self) -> Array:
+        """Torque that drives the shaft behind the first stage, the reducer (Nm)."""
+        return self._driving(self.force, 1.0)
+
+    @cached_property
+    def standing_behind(self) -> Array:
+        """The same without motion (Nm)."""
+        return self._driving(self.resisting, 0.0)
+
+    def _driving(self, force: Array, moved: float) -> Array:
+        """Return the torque of the shaft behind the first stage (Nm) for a force at the load, f T/i + J ω̇."""
+        m, torque = self.train.drive.mechanism, force
+        for k in range(m.last - 1, 0, -1):
+            ratio = self.first if k == m.last - 1 else m.stages[k].ratio
+            gear = math.prod(stage.ratio for stage in m.stages[k : m.last - 1])
+            torque = self._through(k, torque) / ratio + moved * m.on_shaft(k) * gear * self.turning
+        return torque
+
+    def _through(self, stage: int, torque: Array) -> Array:
+        """Return a torque behind a stage times its factor of losses."""
+        one = self.train.drive.mechanism.stages[stage]
+        return one.factor(torque, self.direction, self.train.method, 0.0) * torque
+
+    def at_motor(self, behind: Array) -> Array:
+        """Return a torque behind the reducer at the motor's shaft (Nm), f S/i."""
+        m = self.train.drive.mechanism
+        return self._through(0, behind) / (self.first if m.last == 1 else m.stages[0].ratio)
+
+    @property
+    def braked(self) -> NDArray[np.bool_]:
+        """Where a brake holds the motor's shaft."""
+        return np.asarray((self.direction == 0.0) & (self.train.drive.holding == "brake"))
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """The cycle of a cycle whose motion is these pieces, cut into intervals; cuts that are ``near`` are one."""
+
+    drive_cycle: DriveCycle
+    pieces: Sequence[MotionPiece]
+    near: float
+
+    @cached_property
+    def intervals(self) -> list[Interval]:
+        """The intervals, in the order of the motion as its phases tell it."""
+        told, shift = self.drive_cycle.told, self.drive_cycle.shift
+        edges = [edge for window in self.drive_cycle.train.windows for edge in (window.begin, window.end)]
+        turned = [(edge - shift - told.begin + self.near) % told.total + told.begin - self.near for edge in edges]
+        return intervals(self.pieces, turned, told.begin + told.total, self.near)
+
+    @cached_property
+    def direction(self) -> Array:
+        """The direction in the middle of each interval: 1, −1 or 0 at rest."""
+        middles = np.array([one.middle for one in self.intervals])
+        v = self._derivative(np.arange(len(middles)), middles, 1)
+        return np.where(np.abs(v) > self.still, np.sign(v), 0.0)
+
+    @property
+    def still(self) -> float:
+        """The speed up to which the load counts as at rest (m/s or rad/s)."""
+        return STANDSTILL * self.drive_cycle.fastest * self.drive_cycle.speed
+
+    @cached_property
+    def levels(self) -> tuple[Array, Array]:
+        """What resists in each interval always, and against motion (N or Nm)."""
+        force, at = self.drive_cycle.train.force, self.drive_cycle.shift
+        each = [
+            [force(way, one.middle + at, self.drive_cycle.told.total).level for way in (0.0, 1.0)]
+            for one in self.intervals
+        ]
+        steady, moving = np.array(each).T
+        return steady, moving - steady
+
+    def points(self) -> LoadPoints:
+        """Return the points of all intervals. Raises OutOfReachError where the mechanism cannot bring its load."""
+        begin, end = (np.array([getattr(one, name) for one in self.intervals])[:, None] for name in ("begin", "end"))
+        number = np.arange(len(begin))[:, None] + np.zeros(COUNT, dtype=np.intp)
+        share, place = (end - begin) / self.drive_cycle.told.total * WEIGHTS, begin + (end - begin) * SHARES
+        y, v, a = (self._derivative(number, place, order) for order in range(3))
+        direction = np.where(np.abs(v) > self.still, np.sign(v), self.direction[number])
+        steady, friction = (level[number] for level in self.levels)
+        first, second = self.drive_cycle.train.ratio(y)
+        return LoadPoints(self.drive_cycle.train, place, y, v, a, direction, steady, friction, first, second, share)
+
+    def _derivative(self, number: NDArray[np.intp], place: Array, order: int) -> Array:
+        """Return a derivative of the motion by time at places, each in an interval."""
+        piece = np.array([one.piece for one in self.intervals])[number]
+        begin = np.array([one.origin for one in self.pieces])[piece]
+        return self._rows.taken(piece).at(place - begin, order) * self.drive_cycle.speed**order
+
+    @cached_property
+    def _rows(self) -> Rows:
+        return rows_of(self.pieces)
+
+
+class Between(NamedTuple):
+    """Places between points: the last point before each, counted from 0, and the share of the way to the next one."""
+
+    point: NDArray[np.intp]
+    share: Array
+
+    def of(self, values: Array) -> Array:
+        """Return a quantity there, by a straight line from point to point."""
+        y = values.ravel()
+        return np.asarray(y[self.point] + self.share * (y[self.point + 1] - y[self.point]))
+
+
+def between(points: Array, places: Array, near: float) -> Between:
+    """Return where places lie between points in order; one that is ``near`` the next point counts as at it."""
+    x = points.ravel()
+    point = np.searchsorted(x, np.minimum(places + near, x[-1] - near), side="right") - 1
+    return Between(point, (places - x[point]) / (x[point + 1] - x[point]))
+
+
+class Peak(NamedTuple):
+    """The first largest of a quantity at points: where (counted from 0), there and beside it, and the parabola's top.
+
+    ``before`` and ``after`` are how far its neighbours are; 0 where it is at an end of an interval.
+    """
+
+    at: int
+    values: tuple[float, float, float]
+    before: float
+    after: float
+    top: float
+
+
+def peak(values: Array, place: Array) -> Peak:
+    """Return the first largest of values over their places, and the top of the parabola through it and its neighbours.
+
+    Arrays of intervals by points. Of values that differ by less than 1e-9 of the largest size the first counts. At an
+    end of an interval the value itself is the top.
+    """
+    y, x = values.ravel(), place.ravel()
+    limit = y.max() - TIED * np.abs(y).max()
+    k = int((y >= limit).argmax())
+    low, high = max(k - 1, 0), min(k + 1, y.size - 1)
+    three = float(y[low]), float(y[k]), float(y[high])
+    if k % values.shape[1] in (0, values.shape[1] - 1):
+        return Peak(k, three, 0.0, 0.0, three[1])
+    before, after = float(x[k] - x[low]), float(x[high] - x[k])
+    rise, fall = (three[1] - three[0]) / before, (three[1] - three[2]) / after
+    lean = (rise * after - fall * before) ** 2 / (4.0 * (rise + fall) * (before + after)) if rise + fall else 0.0
+    return Peak(k, three, before, after, three[1] + lean)
+
+
+@dataclass(frozen=True)
+class DrivePoints:
+    """A motor and a reducer on a load at the points of its cycle."""
+
+    load: LoadPoints
+
+    @property
+    def _drive(self) -> tuple[float, float]:
+        drive = self.load.train.drive
+        return drive.motor_inertia + drive.mechanism.on_shaft(0), self.load.train.gear
+
+    @cached_property
+    def torque(self) -> Array:
+        """Torque of the motor (Nm); none where a brake holds."""
+        inertia, ratio = self._drive
+        found = self.load.at_motor(self.load.behind) + inertia * ratio * self.load.turning
+        return np.where(self.load.braked, 0.0, found) + self.no_load
+
+    @cached_property
+    def standing(self) -> Array:
+        """Torque of the motor without motion (Nm)."""
+        return np.where(self.load.braked, 0.0, self.load.at_motor(self.load.standing_behind)) + self.no_load
+
+    @property
+    def no_load(self) -> Array:
+        """Torque that opposes the motor's rotation, whatever the load (Nm)."""
+        return self.load.train.drive.no_load * self.load.direction
+
+    @property
+    def speed(self) -> Array:
+        """Speed of the motor (rad/s)."""
+        return self._drive[1] * self.load.speed
+
+    @property
+    def power(self) -> Array:
+        """Power of the motor (W), with the losses of its winding."""
+        return self.torque * (self.speed + self.load.train.drive.copper * self.torque)
+
+    def mean(self, values: Array) -> float:
+        """Return the mean of a quantity over the cycle."""
+        return float((self.load.share * values).sum())
+
+    @property
+    def rms_torque(self) -> float:
+        """Return √(mean T²) (Nm)."""
+        return math.sqrt(self.mean(self.torque**2))
+
+    @property
+    def mean_speed(self) -> float:
+        """Mean of |ω| over the cycle (rad/s)."""
+        return self.mean(np.abs(self.speed))
+
+    def cubic_mean(self, torque: Array) -> float:
+        """Return the cubic mean of a torque weighted by speed, ³√(mean |ω||T|³/mean |ω|) (Nm); 0 where it stands."""
+        weight = np.abs(self.speed)
+        ways = self.mean(weight)
+        return math.cbrt(self.mean(weight * np.abs(torque) ** 3) / ways) if ways else 0.0
+
+    def top(self, values: Array) -> float:
+        """Return the largest of a quantity over the cycle."""
+        return peak(values, self.load.place).top
+
+    def size(self, values: Array) -> float:
+        """Return the largest size of a quantity over the cycle."""
+        return max(self.top(values), self.top(-values))

@@ -1,0 +1,149 @@
+"""The highest rate of a drive by its limits, from its torque at points: what stands, and what grows with the rate.
+
+Inertia grows with the square of a rate. With S the torque without motion and I = T − S what grows, a limit is met where
+the square of the rate is 1/use times the present one. It is met exactly at the present rate; elsewhere, with viscous
+friction or where power turns round, to about 1 %. :func:`engine.drive.max_rate.highest_rate` is exact. SI units.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.drive import Motor
+from engine.drive.falling_peak import Falling
+from engine.drive.limits import ReducerLimits
+from engine.drive.quadrature import DrivePoints
+from engine.laws.base import Array
+
+
+class Share(NamedTuple):
+    """A limit at no speed, what of it is taken without motion and at the present rate, the use of the rate's square."""
+
+    limit: float
+    standing: float
+    present: float
+    use: float
+
+    def highest(self, rate: float) -> float:
+        """Return the highest rate that it allows for a present one; infinite where none is too high."""
+        if math.isinf(self.limit):
+            return math.inf
+        if self.standing >= self.limit:
+            return 0.0
+        return rate / math.sqrt(self.use) if self.use > 0.0 else math.inf
+
+
+class Squares(NamedTuple):
+    """Means over the cycle (Nm²): S², S·I and I²."""
+
+    standing: float
+    mixed: float
+    growing: float
+
+
+def squares(points: DrivePoints) -> Squares:
+    """Return them over the points."""
+    standing, grows = points.standing, points.torque - points.standing
+    return Squares(*(points.mean(one) for one in (standing**2, standing * grows, grows**2)))
+
+
+class Line(NamedTuple):
+    """The continuous torque against the rate: at no speed, its fall to the present mean speed (Nm); see :func:`by_rms`.
+
+    ``near`` is the rate over the present one at which the fall is exact, ``half`` half of x's coefficient (Nm²).
+    """
+
+    stall: float
+    fall: float
+    near: float
+    half: float
+
+
+def line(points: DrivePoints, motor: Motor) -> Line:
+    """Return the line of a motor's continuous torque; level where the mean speed is beyond the rated one."""
+    own, mixed, _ = squares(points)
+    now = float(motor.continuous(points.mean_speed))
+    stall = motor.stall_torque if now > motor.rated_torque else motor.rated_torque
+    if math.isinf(stall):
+        return Line(stall, 0.0, 1.0, mixed)
+    fall = stall - now
+    near = min(1.0, (stall - math.sqrt(own)) / fall) if fall else 1.0
+    return Line(stall, fall, near, mixed + (fall * (stall / near - fall) / 2.0 if near > 0.0 else 0.0))
+
+
+def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> Share:
+    """Return the share of the continuous torque (Nm): mean (S + x I)² = (M − D √x)², M at no speed, D its fall.
+
+    √x ≤ (e + x/e)/2 makes this a quadratic in x that is exact at √x = e and on the safe side elsewhere: e is 1, or
+    less where S alone meets the line before.
+    """
+    own, _, growing = squares(points)
+    stall, fall, near, half = line(points, motor)
+    stands, use = math.sqrt(own), 0.0
+    if moves and stands < stall < math.inf:
+        left = stall * (stall - fall * near) - own
+        use = (math.sqrt(half**2 + growing * left) + half) / left
+    return Share(stall, stands, points.rms_torque, use)
+
+
+def growing_use(torque: Array, standing: Array, limit: float) -> Array:
+    """Return at each point the use by a limit of torque (Nm): |I| over what S leaves of it in the direction of I."""
+    grows = torque - standing
+    return np.maximum(grows / (limit - standing), -grows / (limit + standing))
+
+
+def falling_use(points: DrivePoints, peak: float, falling: Falling) -> Array:
+    """Return at each point the use by a peak torque that falls, 1/r² of |S + r² I| + f r |ω| = T + f ω_1.
+
+    In two rows: of torques forward, and of those backward.
+    """
+    return np.stack([_falling_use(points, way, falling.corner(peak), falling.fall) for way in (1.0, -1.0)])
+
+
+def _falling_use(points: DrivePoints, way: float, corner: float, fall: float) -> Array:
+    """Return the same of one direction of the torque, of the first r that meets the line; 0 where none does."""
+    left = corner - way * points.standing
+    sink = fall * np.abs(points.speed)
+    square = sink**2 + 4.0 * way * (points.torque - points.standing) * left
+    return np.where(square < 0.0, 0.0, ((sink + np.sqrt(np.maximum(square, 0.0))) / (2.0 * left)) ** 2)
+
+
+def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> Share:
+    """Return the share of a limit of torque (Nm); none of an infinite one."""
+    use = 0.0 if math.isinf(limit) else float(growing_use(torque, standing, limit).max())
+    return Share(limit, float(np.abs(standing).max()), points.size(torque), use)
+
+
+def by_mean(points: DrivePoints, limit: float) -> Share:
+    """Return the share of the reducer's mean torque (Nm), which grows in a straight line from that without motion."""
+    none, present = (points.cubic_mean(one) for one in (points.load.standing_behind, points.load.behind))
+    use = max(0.0, present - none) / (limit - none) if none < limit < math.inf else 0.0
+    return Share(limit, none, present, use)
+
+
+def by_speed(speed: float, limit: float) -> Share:
+    """Return the share of a speed (rad/s)."""
+    return Share(limit, 0.0, speed, (speed / limit) ** 2)
+
+
+def shares(
+    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: Falling
+) -> dict[str, Share]:
+    """Return the share of each limit, by its name; ``speed`` is the largest of the motor (rad/s)."""
+    peak, fastest = motor.peak_torque, motor.max_speed
+    behind, standing = points.load.behind, points.load.standing_behind
+    found = {
+        "RMS torque": by_rms(points, motor, speed > 0.0),
+        "peak torque": by_peak(points, points.torque, points.standing, peak),
+        "motor speed": by_speed(speed, fastest),
+        "reducer input speed": by_speed(speed, reducer.input_speed),
+        "reducer peak torque": by_peak(points, behind, standing, reducer.peak_torque),
+        "reducer mean torque": by_mean(points, reducer.mean_torque),
+    }
+    if falling.fall:
+        use = float(falling_use(points, peak, falling).max())
+        found["torque below the curve"] = found["peak torque"]._replace(limit=falling.corner(peak), use=use)
+    return found

@@ -1,0 +1,149 @@
+"""Catalogues of motors and reducers as arrays, and the torque–speed curve of a motor. SI units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from engine.drive.motor import continuous
+from engine.drive.torque_curve import TorqueCurve
+from engine.laws.base import Array
+
+
+def no_limit() -> Array:
+    """Return infinity, for every product."""
+    return np.array(np.inf)
+
+
+def not_given() -> Array:
+    """Return NaN, for every product."""
+    return np.array(np.nan)
+
+
+@dataclass(frozen=True)
+class Motors:
+    """A catalogue of motors, one array each: J_M (kg m²), T_M,N, T_M,max (Nm), ω_M,max (rad/s); size (kg), cost.
+
+    T_M,max is given up to the largest speed, or falls from ``full_torque_to`` (rad/s) in a straight line to
+    ``end_torque`` (Nm) there. The continuous torque falls from ``stall_torque`` (Nm) to T_M,N at ``rated_speed``
+    (rad/s, the largest speed if NaN). NaN says that a figure is not given; a single number counts for all.
+    Raises ValueError for lengths that differ or a figure that cannot be (that names the motor).
+    """
+
+    names: tuple[str, ...]
+    inertia: Array
+    rated_torque: Array
+    peak_torque: Array
+    max_speed: Array
+    size: Array = field(default_factory=not_given)
+    cost: Array = field(default_factory=not_given)
+    full_torque_to: Array = field(default_factory=not_given)
+    end_torque: Array = field(default_factory=not_given)
+    stall_torque: Array = field(default_factory=not_given)
+    rated_speed: Array = field(default_factory=not_given)
+
+    def __post_init__(self) -> None:
+        positive = ("inertia", "rated_torque", "peak_torque", "max_speed")
+        known = ("size", "cost", "full_torque_to", "end_torque", "stall_torque", "rated_speed")
+        _columns(self, "motor", positive, (), known)
+        halves = np.isnan(self.full_torque_to) == np.isnan(self.end_torque)
+        _require_each("motor", self.names, "end_torque", halves, self.end_torque, "wherever full_torque_to is one")
+        falls = ~(self.full_torque_to >= self.max_speed)
+        _require_each("motor", self.names, "full_torque_to", falls, self.full_torque_to, "below max_speed")
+
+    def derated(self, share: float) -> Motors:
+        """Return them with a share of rated and stall torque left: see :func:`engine.drive.derating`."""
+        return replace(self, rated_torque=self.rated_torque * share, stall_torque=self.stall_torque * share)
+
+    @cached_property
+    def stall(self) -> Array:
+        """The torque that each can give all the time at no speed (Nm)."""
+        return np.fmax(self.rated_torque, self.stall_torque)
+
+    @cached_property
+    def falls_to(self) -> Array:
+        """The speed (rad/s) at which the continuous torque is the rated one."""
+        return np.where(np.isnan(self.rated_speed), self.max_speed, self.rated_speed)
+
+    def continuous(self, k: Any, speed: ArrayLike) -> Array:
+        """Return what motors ``k`` can give all the time at mean speeds (rad/s), in Nm."""
+        return continuous(self.rated_torque[k], self.stall[k], self.falls_to[k], speed)
+
+    @cached_property
+    def knee(self) -> Array:
+        """The speed (rad/s) up to which the peak torque holds."""
+        return np.where(np.isnan(self.full_torque_to), self.max_speed, self.full_torque_to)
+
+    @cached_property
+    def slope(self) -> Array:
+        """Change of the peak torque beyond the knee, in Nm per rad/s; 0 where it holds."""
+        change = np.nan_to_num(self.end_torque - self.peak_torque)
+        return np.divide(change, self.max_speed - self.knee, out=np.zeros(change.shape), where=change != 0.0)
+
+    def curve(self, k: int) -> TorqueCurve:
+        """Return the largest torque of motor ``k`` against its speed."""
+        peak, end = float(self.peak_torque[k]), float(self.end_torque[k])
+        corners = np.array([0.0, self.knee[k], self.max_speed[k]])
+        return TorqueCurve(corners, np.array([peak, peak, peak if np.isnan(end) else end]))
+
+
+@dataclass(frozen=True)
+class Reducers:
+    """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), largest input speed (rad/s), output
+    torque and mean output torque (Nm), infinite where not given; size (kg) and cost, NaN where not given; the no-load
+    torque at the input (Nm).
+
+    A single number stands for all. Raises ValueError for lengths that differ, i not above 0, η not above 0 and
+    at most 1, or J_T below 0 (that names the reducer).
+    """
+
+    names: tuple[str, ...]
+    reduction: Array
+    efficiency: Array
+    inertia: Array
+    max_input_speed: Array
+    max_output_torque: Array
+    max_mean_torque: Array = field(default_factory=no_limit)
+    size: Array = field(default_factory=not_given)
+    cost: Array = field(default_factory=not_given)
+    no_load: Array = field(default_factory=lambda: np.array(0.0))
+
+    def __post_init__(self) -> None:
+        positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque")
+        _columns(self, "reducer", positive, ("inertia", "no_load"), ("size", "cost"))
+        _require_each("reducer", self.names, "efficiency", self.efficiency <= 1.0, self.efficiency, "at most 1")
+
+    @cached_property
+    def ratio(self) -> Array:
+        """τ = ω_L/ω_M = 1/i"""
+        return 1.0 / self.reduction
+
+
+def _columns(
+    catalogue: Motors | Reducers, kind: str, positive: tuple[str, ...], other: tuple[str, ...], known: tuple[str, ...]
+) -> None:
+    """Turn what is given into arrays, one value a name, and refuse what cannot be; ``known`` may be NaN."""
+    names = tuple(catalogue.names)
+    object.__setattr__(catalogue, "names", names)
+    for column in (*positive, *other, *known):
+        values = np.asarray(getattr(catalogue, column), dtype=np.float64)
+        if values.shape not in ((), (len(names),)):
+            raise ValueError(f"{len(names)} {kind}s are named and {values.size} values of {column} given")
+        values = np.broadcast_to(values, (len(names),))
+        object.__setattr__(catalogue, column, values)
+        holds, expected = (values > 0.0, "above 0") if column in positive else (values >= 0.0, "0 or more")
+        if column in known:
+            holds = ~(values < 0.0)
+        _require_each(kind, names, column, holds, values, expected)
+
+
+def _require_each(
+    kind: str, names: tuple[str, ...], column: str, holds: NDArray[np.bool_], values: Array, expected: str
+) -> None:
+    if not holds.all():
+        k = int(np.argmin(holds))
+        raise ValueError(f"{kind} {names[k]!r}: {column} is {values[k]:g}; expected a number {expected}")

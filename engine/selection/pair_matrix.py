@@ -1,0 +1,247 @@
+"""Motors by reducers for a cycle: which pairs can do it within limits, and which of them suit it best. SI units.
+
+Torques are those of the points of a cycle (:mod:`engine.selection.point_load`); S5's steps 5 to 7, whose table of pairs
+this is, take the motor as driving all the time.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, NamedTuple, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from engine.drive import Motor
+from engine.laws.base import Array
+from engine.selection.catalogue import Motors, Reducers
+from engine.selection.point_load import Gears, PointLoad
+from engine.selection.task import Task
+
+Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
+RANKS: tuple[str, ...] = get_args(Rank)
+Verdict = Literal["yes", "reducer", "speed", "peak", "RMS", "large", "inertia", "–"]
+PARTS = 10_000
+"""of a unit, in which scores are compared"""
+
+
+class Wanted(NamedTuple):
+    """What a usable pair holds: the largest inertia at the motor over the motor's, the least and the greatest rated
+    torque over RMS torque; the factor on the torque that a reducer must hold; the least peak torque and largest speed
+    of a motor over what is asked of it."""
+
+    inertia_ratio: float
+    least_margin: float
+    greatest_margin: float
+    torque_factor: float
+    least_peak: float = 1.0
+    least_speed: float = 1.0
+
+
+class Curve(NamedTuple):
+    """Peak torque (Nm), the speed (rad/s) up to which it holds, and its fall beyond (Nm s)."""
+
+    peak: float
+    knee: float
+    fall: float
+
+
+class Pair(NamedTuple):
+    """A motor with a reducer: J (kg m²) of what turns with the motor, i, η, no-load torque (Nm)."""
+
+    inertia: float
+    ratio: float
+    efficiency: float
+    no_load: float = 0.0
+
+
+def reserve(load: PointLoad, pair: Pair, curve: Curve) -> float:
+    """Return the least that is left below a motor's curve at the points (Nm), for J, i, η and no-load torque."""
+    return curve.peak - max(float(load.peak(gears(*pair))[0]), falling(load, pair, curve))
+
+
+def falling(load: PointLoad, pair: Pair, curve: Curve) -> float:
+    """Return the largest |T| + f (n − n_1) at the points (Nm): what they ask of the falling part of a curve."""
+    torque, speed = load.torques(gears(*pair))[0], pair.ratio * load.points.speed
+    return float((np.abs(torque) + curve.fall * (speed - curve.knee)).max())
+
+
+def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: ArrayLike) -> Gears:
+    """Return motors with their reducers in a line: J (kg m²), i, η, no-load torque (Nm)."""
+    each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency, no_load)))
+    lined = [one.reshape(-1) for one in each]
+    return Gears(*lined)
+
+
+class Used(NamedTuple):
+    """Speed over the motor's largest, RMS torque over its continuous torque at the mean speed."""
+
+    speed: float
+    torque: float
+
+
+def used(motor: Motor, speed: float, rms: float, mean: float) -> Used:
+    """Return what a speed (rad/s) and an RMS torque (Nm) at a mean speed use of a motor."""
+    return Used(speed / motor.max_speed, rms / float(motor.continuous(mean)))
+
+
+@dataclass(frozen=True)
+class PairMatrix:
+    """Every motor of a catalogue (down) behind every reducer (across); ``beside`` turns with the motor (kg m²)."""
+
+    load: PointLoad
+    motors: Motors
+    reducers: Reducers
+    beside: float
+    wanted: Wanted
+
+    @cached_property
+    def inertias(self) -> Array:
+        """J of each pair (kg m²)."""
+        return self.motors.inertia[:, None] + self.beside_motor
+
+    @cached_property
+    def gears(self) -> Gears:
+        """J, i, η and no-load torque of each pair, motor by motor."""
+        r = self.reducers
+        return gears(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)
+
+    def pair(self, motor: int, reducer: int) -> Pair:
+        """Return J, i, η and no-load torque of a pair."""
+        _, ratio, efficiency, no_load = self.gears
+        own = (float(one.reshape(self.inertias.shape)[motor, reducer]) for one in (ratio, efficiency, no_load))
+        return Pair(float(self.inertias[motor, reducer]), *own)
+
+    @cached_property
+    def rms(self) -> Array:
+        """RMS torque of each motor (Nm)."""
+        return self.load.rms(self.gears).reshape(self.inertias.shape)
+
+    @cached_property
+    def peak(self) -> Array:
+        """Largest torque of each motor (Nm)."""
+        return self.load.peak(self.gears).reshape(self.inertias.shape)
+
+    @cached_property
+    def speed(self) -> Array:
+        """Largest speed of the motor before each reducer (rad/s)."""
+        return np.asarray(self.load.speed / self.reducers.ratio)
+
+    @cached_property
+    def at_motor(self) -> Array:
+        """Inertia at the motor without it (kg m²), of each reducer."""
+        return np.asarray(self.beside_motor + self.load.inertia * self.reducers.ratio**2)
+
+    @cached_property
+    def inertia_ratio(self) -> Array:
+        """The same over each motor's."""
+        return np.asarray(self.at_motor / self.motors.inertia[:, None])
+
+    @property
+    def beside_motor(self) -> Array:
+        """What turns with a motor before each reducer (kg m²)."""
+        return self.reducers.inertia + self.beside
+
+    @property
+    def task(self) -> Task:
+        """What the cycle asks for behind the reducer, as S5 tells it."""
+        means = self.load.squares
+        torque = math.sqrt(means.behind + means.behind_back)
+        return Task.of_figures(math.sqrt(means.own), torque, means.mixed + means.mixed_back, self.load.speed)
+
+    @property
+    def load_factor(self) -> float:
+        """β in W/s. Source: S5, eq. (15)."""
+        task = self.task
+        return 2.0 * (task.acceleration_rms * task.torque_rms + task.power_rate_mean)
+
+    @cached_property
+    def behind(self) -> float:
+        """The torque that a reducer must hold (Nm)."""
+        return self.wanted.torque_factor * self.load.torque
+
+    @cached_property
+    def fits(self) -> NDArray[np.bool_]:
+        """Whether each reducer holds torque and speed."""
+        r = self.reducers
+        strong = (self.behind <= r.max_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
+        return strong & (self.speed <= r.max_input_speed)
+
+    def use(self, motor: int, reducer: int) -> Used:
+        """Return what a pair uses of its motor."""
+        m = self.motors
+        return Used(float(self.speed[reducer] / m.max_speed[motor]), float(self.uses[motor, reducer]))
+
+    @cached_property
+    def uses(self) -> Array:
+        """The RMS torque of each pair over its motor's continuous torque at the mean speed."""
+        return self.rms / self.motors.continuous(np.s_[:, None], self.load.mean_speed / self.reducers.ratio)
+
+    @cached_property
+    def verdicts(self) -> NDArray[np.str_]:
+        """What each pair fails first, or that it is usable."""
+        m, wanted = self.motors, self.wanted
+        fails = (
+            (np.broadcast_to(~self.fits, self.rms.shape), "reducer"),
+            (self.speed * wanted.least_speed > m.max_speed[:, None], "speed"),
+            (self.peak * wanted.least_peak > m.peak_torque[:, None], "peak"),
+        )
+        return np.select([one for one, _ in fails], [word for _, word in fails], self.wanted_verdicts)
+
+    @cached_property
+    def wanted_verdicts(self) -> NDArray[np.str_]:
+        """What each pair fails of margins and inertia ratio, or that it is usable."""
+        fails = (
+            (self.uses * self.wanted.least_margin > 1.0, "RMS"),
+            (self.uses * self.wanted.greatest_margin < 1.0, "large"),
+            (self.inertia_ratio > self.wanted.inertia_ratio, "inertia"),
+        )
+        return np.select([one for one, _ in fails], [word for _, word in fails], "yes")
+
+    @cached_property
+    def balance(self) -> Array:
+        """The inertia with the motor (kg m²) that each reducer balances: J α_rms/τ = τ S_rms/η. Source: S5, (14)."""
+        r, means = self.reducers, self.load.squares
+        if not means.own:
+            return np.zeros(r.ratio.shape)
+        share = math.sqrt((means.behind + means.behind_back) / means.own)
+        return np.asarray(r.ratio**2 / r.efficiency * share)
+
+    def scores(self, rank: Rank) -> Array:
+        """Return what pairs are ranked by, the lowest first; NaN of one without the figure.
+
+        Of the smallest motor: how many have a smaller rated torque, and as a fraction, who has less to do.
+        """
+        used = self.uses / (1.0 + self.uses)
+        if rank == "smallest motor":
+            return self.smaller[:, None] + used
+        if rank == "margin":
+            return np.asarray(used)
+        if rank == "inertia match":
+            x = np.broadcast_to(self.balance, used.shape) / self.inertias
+            return np.exp(np.abs(np.log(x, out=np.zeros(x.shape), where=x > 0.0)) / 2.0)
+        name = "size" if rank == "mass" else "cost"
+        return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))
+
+    @cached_property
+    def smaller(self) -> NDArray[np.int_]:
+        """How many motors have a smaller rated torque, of each."""
+        rated = self.motors.rated_torque
+        return np.asarray((rated < rated[:, None]).sum(axis=1))
+
+    def keys(self, rank: Rank, across: int, rooms: int) -> Array:
+        """Return whole numbers that rise as pairs rank, NaN of those that do not: equals in the order of the table.
+
+        Of a table of ``rooms`` pairs, ``across`` of them in a row.
+        """
+        score = np.where(self.verdicts == "yes", self.scores(rank), np.nan)
+        motor, reducer = np.indices(score.shape)
+        return np.asarray(np.floor(score * PARTS + 0.5) * rooms + motor * across + reducer)
+
+    def best(self, rank: Rank, across: int, rooms: int) -> list[tuple[int, int]]:
+        """Return motor and reducer of the ranked pairs, from 0, best first."""
+        keys = self.keys(rank, across, rooms)
+        order = [int(k) for k in np.argsort(keys, axis=None, kind="stable")][: int(np.isfinite(keys).sum())]
+        return [divmod(k, keys.shape[1]) for k in order]

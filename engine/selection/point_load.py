@@ -1,0 +1,142 @@
+"""What a drive asks for behind its reducer, whatever that and the motor are: at the points of its cycle. SI units.
+
+With J all that turns with the motor, T = J i α + f S/i + T_nl d: f = 1/η where S drives the load, η where the load
+drives it, d the direction of rotation. Squares of T are sums of means of α, S and d; peaks are those of the points.
+Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.drive.losses import gives_back
+from engine.drive.quadrature import LoadPoints
+from engine.laws.base import Array
+
+AT_ONCE = 1 << 18
+"""values of which arrays are made"""
+
+
+class Gears(NamedTuple):
+    """Motors with their reducers, arrays of one length: J (kg m²) on the motor's shaft, i, η, no-load torque (Nm)."""
+
+    inertia: Array
+    ratio: Array
+    efficiency: Array
+    no_load: Array
+
+    def parts(self, width: int) -> Iterator[slice]:
+        """Yield which of them follow each other with no more than :data:`AT_ONCE` values, ``width`` for each."""
+        step = max(1, AT_ONCE // width)
+        yield from (slice(begin, begin + step) for begin in range(0, len(self.inertia), step))
+
+
+class Points(NamedTuple):
+    """Points of a cycle, arrays of one length, at the shaft behind the reducer.
+
+    α (rad/s²), S (Nm) where it drives the load and where the load drives it (0 elsewhere), the speed (rad/s) and d,
+    the direction of rotation: 1, −1 or 0 at rest.
+    """
+
+    acceleration: Array
+    driving: Array
+    driven: Array
+    speed: Array
+    direction: Array
+
+
+class Squares(NamedTuple):
+    """⟨α²⟩; ⟨α S⟩ and ⟨S²⟩ where S drives the load, and where the load drives it; ⟨d²⟩, ⟨α d⟩ and ⟨S d⟩ both ways."""
+
+    own: float
+    mixed: float
+    mixed_back: float
+    behind: float
+    behind_back: float
+    way: float
+    way_turning: float
+    way_behind: float
+    way_back: float
+
+
+@dataclass(frozen=True)
+class PointLoad:
+    """A load at its points; its largest speed (rad/s) and torque (Nm) at the shaft, and its inertia there (kg m²)."""
+
+    load: LoadPoints
+    speed: float
+    torque: float
+    inertia: float
+
+    @cached_property
+    def points(self) -> Points:
+        """The points; of a brake that holds the motor no torque reaches it."""
+        load = self.load
+        torque = np.where(load.braked, 0.0, load.behind)
+        back = gives_back(torque, load.direction, 0.0) & (load.train.method == "physical")
+        driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
+        each = load.turning, driving, driven, np.abs(load.speed), load.direction
+        return Points(*(one.ravel() for one in each))
+
+    @cached_property
+    def mean_torque(self) -> float:
+        """The mean torque of the shaft, ³√(mean |ω||S|³/mean |ω|) (Nm), by which gears are rated; 0 where it stands."""
+        weight = self.load.share * np.abs(self.load.speed)
+        return math.cbrt(float((weight * np.abs(self.load.behind) ** 3).sum() / weight.sum())) if weight.any() else 0.0
+
+    @cached_property
+    def mean_speed(self) -> float:
+        """The mean of |ω| (rad/s)."""
+        return float((self.load.share * np.abs(self.load.speed)).sum())
+
+    @cached_property
+    def squares(self) -> Squares:
+        """Means over the cycle."""
+        alpha, drives, back, _, way = self.points
+        share = self.load.share.ravel()
+        each = [alpha**2, alpha * drives, alpha * back, drives**2, back**2]
+        each += [way**2, alpha * way, drives * way, back * way]
+        return Squares(*(float(share @ one) for one in each))
+
+    def rms(self, some: Gears) -> Array:
+        """Return the RMS torque of motors (Nm)."""
+        turned = some.inertia * some.ratio
+        square = turned**2 * self.squares.own + 2.0 * some.inertia * self.mixed(some) + self.square(some)
+        return np.sqrt(np.maximum(square, 0.0))
+
+    def mixed(self, some: Gears) -> Array:
+        """Return i ⟨α T'⟩ (W/s), T' the torque of motors without what their inertia asks for."""
+        means, eta = self.squares, some.efficiency
+        own = some.ratio * some.no_load * means.way_turning
+        return np.asarray(means.mixed / eta + means.mixed_back * eta + own)
+
+    def square(self, some: Gears) -> Array:
+        """Return ⟨T'²⟩ (N²m²)."""
+        means, eta, own = self.squares, some.efficiency, some.no_load
+        load = (means.behind / eta**2 + means.behind_back * eta**2) / some.ratio**2
+        crossed = 2.0 * own * (means.way_behind / eta + means.way_back * eta) / some.ratio
+        return np.asarray(load + crossed + own**2 * means.way)
+
+    def torques(self, some: Gears) -> Array:
+        """Return the torque of motors at the points (Nm): motors down, points across."""
+        at = self.points
+        turned = (some.inertia * some.ratio)[:, None] * at.acceleration
+        driving = at.driving / (some.efficiency * some.ratio)[:, None]
+        driven = at.driven * (some.efficiency / some.ratio)[:, None]
+        return np.asarray(turned + driving + driven + some.no_load[:, None] * at.direction)
+
+    def peak(self, some: Gears) -> Array:
+        """Return the largest torque of motors at the points (Nm)."""
+        parts = (Gears(*(values[one] for values in some)) for one in some.parts(self.points.speed.size))
+        return np.concatenate([np.abs(self.torques(one)).max(axis=1) for one in parts])
+
+
+def shares_of(limit: Array, value: Array) -> Array:
+    """Return the limit over the quantity; 0 where nothing is asked for."""
+    return np.divide(limit, value, out=np.zeros(np.broadcast(limit, value).shape), where=value != 0.0)

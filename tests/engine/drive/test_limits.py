@@ -1,0 +1,156 @@
+"""Limits, and the highest rate that holds them: against closed forms, samples and its own meaning."""
+
+import math
+import random
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+import pytest
+
+from engine.drive import KINDS, Drive, Load, Motor, Stage
+from engine.drive.cycle import DriveCycle
+from engine.drive.limits import BELOW, Judged, Limits, ReducerLimits, use
+from engine.drive.max_rate import at_speed, highest_rate
+from engine.drive.mechanisms.crank_slider import crank_slider
+from engine.drive.mechanisms.registry import LINKED
+from engine.drive.results import DriveResults
+from engine.drive.torque_curve import TorqueCurve
+from engine.drive.train import Train
+from engine.laws import Dwell, law
+from engine.motion import Motion
+from tests.engine.drive.machines import LINKAGES, SIZES, drive_cycle_of, sampled
+from tests.tiers import nights, seed
+
+TURN = 2 * pi
+
+
+MASS = Load(2.0)
+
+
+def judged(limits, load=MASS, inertia=1e-3, speed=20.0, gears=()):
+    motion = Motion.from_edges([0, 1, 2, TURN], [0.1, -0.1, 0], [law("CIC"), law("CIC"), Dwell()])
+    drive = Drive(KINDS["belt"].of(load, 0.05, gears=gears), inertia)
+    return Judged(DriveCycle(Train(drive), motion, speed), limits)
+
+
+def checked(one):
+    return {check.name: check for check in one.checks}
+
+
+def test_every_limit_is_checked_in_its_unit():
+    gears = [Stage("gear", 4.0, 0.9)]
+    limits = Limits(Motor(1e-3, 3.0, 9.0, 900.0), reducer=ReducerLimits(40.0, 20.0, 400.0), inertia_ratio=5.0)
+    one = judged(limits, gears=gears)
+    found, results = checked(one), DriveResults(one.drive_cycle)
+    assert found["RMS torque"].value == results.rms_torque
+    assert found["motor speed"].value == found["reducer input speed"].value == results.speed.peak
+    assert found["reducer peak torque"].value == pytest.approx(results.shaft_torque(1).peak)
+    assert found["inertia ratio"].value == pytest.approx(2.0 * (0.025 / 4) ** 2 / 1e-3)
+    assert found[BELOW].value == pytest.approx(results.torque.peak, rel=1e-9)
+    assert found[BELOW].limit == pytest.approx(9.0)
+    assert [check.limit for check in one.checks] == pytest.approx([3.0, 9.0, 900.0, 400.0, 40.0, 20.0, 5.0])
+
+
+def test_a_mean_torque_lies_between_the_mean_and_the_peak():
+    one = judged(Limits(Motor(1e-3)), gears=[Stage("gear", 4.0)])
+    results = DriveResults(one.drive_cycle)
+    assert 0.3 * results.shaft_torque(1).peak < results.mean_shaft_torque(1) < results.shaft_torque(1).peak
+
+
+def test_the_inertia_ratio_behind_a_crank_is_taken_where_it_is_greatest():
+    crank = crank_slider(0.05, 0.2)
+    motion = Motion.from_edges([0, 1, 2, 3], [0.05, 0, -0.05], [law("CIC"), Dwell(), law("CIC")], position=0.03)
+    chain = LINKED["crank-slider"].of(Load(4.0))
+    one = Judged(DriveCycle(Train(Drive(chain, 1e-3), crank), motion), Limits(Motor(1e-3), inertia_ratio=20.0))
+    at = np.linspace(0.03, 0.08, 100001)
+    assert checked(one)["inertia ratio"].value == pytest.approx(crank.reflected(4.0, at).inertia.max() / 1e-3, rel=1e-8)
+
+
+def test_the_least_reserve_under_a_curve_against_samples():
+    curve = TorqueCurve(np.array([0.0, 60.0, 120.0, 200.0]), np.array([9.0, 9.0, 5.0, 1.0]))
+    one = judged(Limits(Motor(1e-3, 100.0, 9.0, 200.0), curve), speed=30.0)
+    rows = sampled(one.drive_cycle, 40001)
+    reserve = min(float((curve.at(speed) - np.abs(torque)).min()) for _, speed, torque in rows)
+    found = checked(one)[BELOW]
+    assert found.limit - found.value == pytest.approx(reserve, abs=1e-6)
+    assert found.limit - found.value <= reserve + 1e-9
+    assert found.ok == (reserve >= 0)
+
+
+def test_beyond_the_last_corner_of_a_curve_the_speed_fails():
+    curve = TorqueCurve(np.array([0.0, 50.0]), np.array([900.0, 900.0]))
+    one = judged(Limits(Motor(1e-3, 100.0, 900.0, 500.0), curve))
+    assert checked(one)[BELOW].ok
+    assert checked(one)["motor speed"].limit == 50.0
+    assert not one.ok
+    assert one.worst.name == "motor speed"
+
+
+# The highest rate
+
+
+def test_the_highest_rate_of_a_speed_and_of_an_inertia_in_closed_form():
+    one = judged(Limits(Motor(1e-3, math.inf, math.inf, 500.0)))
+    found = highest_rate({"A": one})
+    assert found.speed == pytest.approx(20.0 * 500.0 / DriveResults(one.drive_cycle).speed.peak, rel=1e-9)
+    assert found[1:] == ("A", "motor speed")
+    other = judged(Limits(Motor(1e-3, 3.0)))
+    expected = 20.0 * math.sqrt(3.0 / DriveResults(other.drive_cycle).rms_torque)
+    assert highest_rate({"B": other}).speed == pytest.approx(expected, rel=1e-9)
+    assert highest_rate({"A": one, "B": other}) == min(found, highest_rate({"B": other}))
+
+
+def test_where_nothing_binds_and_where_nothing_helps():
+    assert highest_rate({"A": judged(Limits(Motor(1e-3)))}) == (math.inf, "", "")
+    assert highest_rate({"A": judged(Limits(Motor(1e-3), inertia_ratio=0.1))}) == (0.0, "A", "inertia ratio")
+    held = judged(Limits(Motor(1e-3, 1.0)), load=Load(2.0, 500.0))
+    assert highest_rate({"A": held}) == (0.0, "A", "RMS torque")
+    assert highest_rate({}) == (math.inf, "", "")
+
+
+def limits_of(rng, drive_cycle):
+    """Limits near to what a cycle asks for, below and above."""
+    results = DriveResults(drive_cycle)
+
+    def near(value):
+        return max(value, 1e-6) * rng.uniform(0.7, 2.5) if rng.random() < 0.7 else math.inf
+
+    peak, fastest = (
+        max(results.torque.peak, 1e-3) * rng.uniform(0.8, 2),
+        max(results.speed.peak, 1e-3) * rng.uniform(0.8, 3),
+    )
+    rated, stall = near(results.rms_torque), results.rms_torque * rng.uniform(0.5, 4.0)
+    motor = Motor(1e-3, rated, peak, fastest, stall, rng.uniform(0.3, 1.0) * fastest)
+    curve = TorqueCurve(np.array([0.0, 0.4 * fastest, fastest]), np.array([peak, peak, rng.uniform(0.2, 1) * peak]))
+    reducer = ReducerLimits(near(results.shaft_torque(1).peak), near(results.mean_shaft_torque(1)), near(fastest))
+    return Limits(motor, rng.choice([curve, None]), reducer)
+
+
+@pytest.mark.parametrize("number", [*range(3), *nights(100)])
+def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, number):
+    told = f"rate {number}"
+    told = seed(told) if request.node.get_closest_marker("nightly") else told
+    drive_cycle = drive_cycle_of(told, kinds=list(SIZES) if number < 2 else [*SIZES, *LINKAGES])
+    one = Judged(drive_cycle, limits_of(random.Random(told), drive_cycle))
+    found = highest_rate({"X": one})
+    if found.speed == 0.0:
+        assert not at_speed(one, drive_cycle.speed * 1e-5).ok
+        return
+    assert found.speed < math.inf
+    there, above = at_speed(one, found.speed), at_speed(one, found.speed * 1.001)
+    assert all(check.ok for check in there.checks)
+    assert not checked(above)[found.limit].ok
+    assert use(checked(there)[found.limit]) == pytest.approx(1.0, abs=1e-4)
+
+
+def test_limits_that_cannot_be_are_refused():
+    for name in ("peak_torque", "mean_torque", "input_speed"):
+        with pytest.raises(ValueError, match=name):
+            ReducerLimits(**{name: 0.0})
+
+
+def test_a_cycle_at_another_rate_is_the_same_motion():
+    one = judged(Limits(Motor(1e-3)))
+    assert at_speed(one, 40.0).results.speed.peak == pytest.approx(2 * one.results.speed.peak, rel=1e-12)
+    assert replace(one.drive_cycle, speed=40.0) == at_speed(one, 40.0).drive_cycle

@@ -1,0 +1,384 @@
+"""Peaks, RMS torque and energy of drives: against dense samples of another route, other units, mirrors, energy."""
+
+import math
+from dataclasses import replace
+from math import degrees, pi, radians
+
+import numpy as np
+import pytest
+
+from engine.drive import KINDS, Drive, Load, Part, Slide, Stage, cylinder, motor_inertia, resisting
+from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.mechanisms.registry import DIRECT
+from engine.drive.results import DriveResults
+from engine.drive.train import Train, Window
+from engine.flying import Cut, rotary_drum
+from engine.flying.pieces import cut_pieces
+from engine.laws import Dwell, law
+from engine.motion import Motion, Phase
+from engine.selection import Task
+from engine.selection.ratios import ratio_ranges
+from tests.engine.drive.machines import SIZES, drive_cycle_of, electric, sampled
+from tests.engine.integrals import integral
+from tests.engine.profiles import thirds
+from tests.engine.sizing import Sizing
+from tests.tiers import nights, seed
+
+RPM = 30 / pi
+STEEL = 7800.0
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
+
+
+def machines(everyday, night=200):
+    """Numbers of random machines: a few of each day, and of each night others."""
+    return pytest.mark.parametrize("number", [*range(everyday), *nights(night)])
+
+
+def drawn(request, number, **more):
+    """A random machine of a test, by its number."""
+    told = f"{request.function.__name__} {number}"
+    return drive_cycle_of(seed(told) if request.node.get_closest_marker("nightly") else told, **more)
+
+
+def drive_cycle(train, degrees_, lifts, laws, rate, **more):
+    """A motion over one turn of the master shaft, at so many turns a minute."""
+    motion = Motion.from_edges(np.radians(degrees_), lifts, [Dwell() if one == "DWL" else law(one) for one in laws])
+    return DriveCycle(train, motion, rate / 60 * 2 * pi, **more)
+
+
+def screw(lead, load, efficiency=1.0, inertia=0.0):
+    return Train(Drive(KINDS["lead screw"].of(load, 1 / lead, efficiency), inertia))
+
+
+# Figures that are known
+
+
+def test_a_short_movement_between_whole_degrees():
+    one = drive_cycle(screw(0.01, Load(1.0)), [0, 90.3, 92.7, 180, 200, 360], [0, 0.002, 0, -0.002, 0],
+                 ["DWL", "CIC", "DWL", "CIC", "DWL"], 200)  # fmt: skip
+    assert DriveResults(one).speed.highest.value * RPM == pytest.approx(12000, rel=1e-12)
+
+
+def test_the_short_movement_of_the_issue():
+    mass, inertia, resists, turns = 20.0, 1e-3, 300.0, 2 * pi / 0.01
+    one = drive_cycle(screw(0.01, Load(mass, resists), 0.9, inertia), [0, 90.3, 95.8, 180, 200, 360],
+                 [0, 0.002, 0, -0.002, 0], ["DWL", "CIC", "DWL", "CIC", "DWL"], 200)  # fmt: skip
+    found = DriveResults(one)
+    assert found.speed.highest.value * RPM == pytest.approx(57600 / 11, rel=1e-12)
+    peak = 2 * pi * 0.002 / (radians(5.5) / one.speed) ** 2
+    assert peak == pytest.approx(598.2, abs=0.05)
+    torque = (mass * peak + resists) / turns / 0.9 + inertia * turns * peak
+    assert found.torque.highest.value == pytest.approx(torque, rel=1e-12)
+    assert degrees(found.torque.highest.x) == pytest.approx(90.3 + 5.5 / 4, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "highest", "lowest"),
+    [("ACS", 653.3433, -519.3433), ("MTP", 783.52963, -649.52963), ("CIC", 988.0259, -854.0259)],
+)
+def test_s1_feeding_group(name, highest, lowest):
+    """S1, 'Feeding group': J_tot = 1.164 kg m², C_r = 67 Nm, at 100 pieces/min; both torques sum to 2 C_r."""
+    parts = [Part("rollers", 0.284, 0, 4), Part("fast shaft", 0.007, 0, speed_ratio=2)]
+    mechanism = KINDS["feed rollers"].of(resisting(500, "always"), 0.134, parts=parts)
+    found = DriveResults(drive_cycle(Train(Drive(mechanism, 0.0)), [0, 80, 360], [0.3, 0], [name, "DWL"], 100))
+    assert mechanism.inertia() == pytest.approx(1.164, rel=1e-12)
+    assert found.torque.highest.value == pytest.approx(highest, abs=6e-5)
+    assert found.torque.lowest.value == pytest.approx(lowest, abs=6e-5)
+    if name != "ACS":
+        assert found.speed.highest.value * RPM == pytest.approx(320.685, abs=5e-4)
+
+
+def s4_screw():
+    load = Slide(mass=6, friction=0.1, slope=radians(10)).load
+    mechanism = KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.014, 0.5, STEEL))])
+    phases = [Phase(thirds(1 / 6, 2 / 3, 1 / 6), 0.008, 0.2), Phase(Dwell(), 0.0, 0.1)]
+    return mechanism, phases, motor_inertia(mechanism, 4, "document")
+
+
+def s4_conveyor():
+    rollers = Part("rollers", cylinder(0.3, 1.0, STEEL), 1, 2)
+    load = Slide(mass=150, slope=radians(20)).load
+    mechanism = KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50)], parts=[rollers], belt=10)
+    phases = [Phase(thirds(1 / 10, 4 / 5, 1 / 10), 0.5, 30), Phase(Dwell(), 0.0, 3)]
+    return mechanism, phases, motor_inertia(mechanism, 1, "document")
+
+
+@pytest.mark.parametrize(
+    ("problem", "speed", "highest", "lowest", "rms"),
+    [(s4_screw, 150.7964, 0.1021457, -0.0794856, 0.0437990), (s4_conveyor, 6.172840, 1.536194, 0.0, 1.439627)],
+)
+def test_s4_problems(problem, speed, highest, lowest, rms):
+    """S4, problems 1 and 2, by the document's method, a brake holding in the dwell."""
+    mechanism, phases, inertia = problem()
+    found = DriveResults(DriveCycle(Train(Drive(mechanism, inertia, "document", "brake")), Motion(phases)))
+    assert found.speed.peak == pytest.approx(speed, rel=1e-6)
+    assert found.torque.highest.value == pytest.approx(highest, rel=1e-6)
+    assert found.torque.lowest.value == pytest.approx(lowest, rel=1e-6)
+    assert found.rms_torque == pytest.approx(rms, rel=1e-6)
+
+
+@pytest.mark.parametrize("problem", [s4_screw, s4_conveyor])
+@pytest.mark.parametrize("method", ["document", "physical"])
+@pytest.mark.parametrize("holding", ["motor", "brake"])
+def test_a_sizing_comes_to_the_same(problem, method, holding):
+    mechanism, phases, inertia = problem()
+    old = Sizing(mechanism, phases, inertia, method, holding)
+    found = DriveResults(DriveCycle(Train(old.drive), Motion(phases)))
+    assert found.torque.peak == pytest.approx(old.peak_torque, rel=1e-12)
+    assert found.rms_torque == pytest.approx(old.rms_torque, rel=1e-11)
+    assert found.speed.peak == pytest.approx(old.max_speed, rel=1e-12)
+
+
+def test_one_sided_limits_count_at_an_instant_of_rest():
+    """A load that drives, η = 0.7: at rest for an instant the motor is not asked for F/η."""
+    train = screw(0.01, Load(0.0, -400.0), 0.7)
+    rise = drive_cycle(train, [0, 180, 360], [0.1, -0.1], ["CIC", "CIC"], 60)
+    turns, found = 2 * pi / 0.01, DriveResults(rise)
+    assert found.torque.lowest.value == pytest.approx(-400 / 0.7 / turns, rel=1e-12)  # going down it is driven up
+    only_rise = drive_cycle(train, [0, 180, 360], [0.1, 0.1], ["CIC", "CIC"], 60)
+    assert DriveResults(only_rise).torque.lowest.value == pytest.approx(-400 * 0.7 / turns, rel=1e-12)
+
+
+def drum(tau, inertia):
+    """S5's load: an inertia that indexes, by a motor of an inertia through a ratio τ."""
+    drive = Drive(DIRECT.of(Load(0.02), gears=[Stage("reducer", 1 / tau)]), inertia)
+    return DriveCycle(Train(drive), Motion([Phase(law("CIC"), 1.2, 0.08), Phase(Dwell(), 0.0, 0.04)]))
+
+
+def test_s5_steps_3_and_4():
+    """S5, eqs. (14) to (18): the RMS torque is T_M,N at τ_min and τ_max, least at τ_opt; at τ_M,lim it is fastest."""
+    inertia, rated, fastest = 3e-4, 5.0, 600.0
+    task = Task.of_load(Load(0.02), drum(1.0, inertia).motion.phases)
+    ranges = ratio_ranges(task, rated, inertia, fastest)
+    low, high, best, limit = (float(one) for one in ranges[1:5])
+    for tau in (low, high):
+        assert DriveResults(drum(tau, inertia)).rms_torque == pytest.approx(rated, rel=1e-11)
+    assert DriveResults(drum(limit, inertia)).speed.peak == pytest.approx(fastest, rel=1e-12)
+    least = DriveResults(drum(best, inertia)).rms_torque
+    assert least < min(DriveResults(drum(best * way, inertia)).rms_torque for way in (0.97, 1.03))
+    assert best == pytest.approx(math.sqrt(inertia / 0.02), rel=1e-12)
+
+
+@pytest.mark.parametrize("length", [0.18, 0.32])
+@pytest.mark.parametrize("name", ["CIC", "MTP"])
+def test_s5_drum(length, name):
+    """S5, eqs. (10) to (13): an inertial load asks for J_L ω̇; the tool's law rides on the speed of the line."""
+    cut = Cut(rotary_drum(3, 0.12, radians(30)), length, 1.5, law(name))
+    drive = Drive(KINDS["belt"].of(Load(0.0), 0.24, parts=[Part("drum", 0.02)]), 0.0)
+    found = DriveResults(DriveCycle(Train(drive), MotionPieces(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
+    assert found.speed.highest.value == pytest.approx(cut.max_angular_speed, rel=1e-12)
+    assert found.torque.peak == pytest.approx(0.02 * cut.max_angular_acceleration, rel=1e-11)
+    assert found.rms_torque == pytest.approx(0.02 * cut.rms_angular_acceleration, rel=1e-11)
+    assert found.energy.driving == pytest.approx(found.energy.regenerated, rel=1e-10)
+
+
+# Another route
+
+
+@machines(4)
+def test_rms_torque_by_another_rule(request, number):
+    """Gauss–Legendre in eight panels of each stretch, where the engine has Clenshaw–Curtis."""
+    one = drawn(request, number)
+    square = 0.0
+    for stretch in one.stretches:
+        width = stretch.high - stretch.low
+        u = stretch.low + width * (np.arange(8)[:, None] + (NODES + 1) / 2) / 8
+        square += width / 16 * float((WEIGHTS * stretch.torque(u.ravel()).reshape(u.shape) ** 2).sum())
+    assert DriveResults(one).rms_torque == pytest.approx(math.sqrt(square / one.motion.total), rel=1e-10)
+
+
+@machines(4)
+def test_random_machines_against_samples_of_closed_forms(request, number):
+    one = drawn(request, number)
+    found, rows = DriveResults(one), sampled(one)
+    _, speed, torque = (np.concatenate(column) for column in zip(*rows, strict=True))
+    power = electric(one.train.drive, speed, torque)
+    for bounds, values in ((found.speed, speed), (found.torque, torque), (found.power, power)):
+        scale = np.abs(values).max()
+        assert bounds.highest.value == pytest.approx(values.max(), rel=2e-3, abs=2e-3 * scale)
+        assert bounds.lowest.value == pytest.approx(values.min(), rel=2e-3, abs=2e-3 * scale)
+        assert bounds.highest.value >= values.max() - 1e-8 * scale
+        assert bounds.lowest.value <= values.min() + 1e-8 * scale
+    squares = sum(np.trapezoid(t**2, x) for x, _, t in rows)
+    assert found.rms_torque == pytest.approx(math.sqrt(squares / one.motion.total), rel=2e-4)
+    drive = one.train.drive
+    driving = sum(np.trapezoid(np.maximum(electric(drive, s, t), 0), x) for x, s, t in rows) / one.speed
+    assert found.energy.driving == pytest.approx(driving, rel=2e-4, abs=1e-5 * np.abs(power).max() * one.time)
+
+
+# Energy
+
+
+def friction_work(one):
+    """Work of all that resists in a cycle (J), by closed forms and the way alone; in the motor itself by means."""
+    train, w, total = one.train, one.speed, 0.0
+    load = train.drive.mechanism.load
+    for stretch in one.stretches:
+        a, b = (one.motion.at(stretch.piece.begin + u).y for u in (stretch.low, stretch.high))
+        way = abs(b - a)
+        level = load.torque * stretch.going + load.friction
+        for window in train.windows:
+            x = stretch.piece.begin + (stretch.low + stretch.high) / 2 + one.shift
+            if (x - window.begin) % one.motion.total < (window.end - window.begin) % one.motion.total:
+                level += window.load.torque * stretch.going + window.load.friction
+        total += level * way
+    viscous = 0.0
+    for phase in one.motion.phases:
+        edges = np.unique([0.0, *phase.law.breaks, 1.0])
+        per = phase.scale / phase.duration * w
+        square = integral(lambda xi, p=phase: p.law.v(xi) ** 2, edges)
+        viscous += train.viscous * per**2 * square * phase.duration / w
+    found, drive = DriveResults(one), train.drive
+    return total + viscous + (drive.no_load * found.mean_speed + drive.copper * found.rms_torque**2) * one.time
+
+
+@machines(4)
+def test_what_a_lossless_motor_gives_is_the_work_of_loads_and_friction(request, number):
+    one = drawn(request, number, lossless=True)
+    found = DriveResults(one)
+    most = found.energy.driving + found.energy.regenerated
+    assert found.energy.net == pytest.approx(friction_work(one), rel=1e-9, abs=1e-9 * most)
+
+
+@machines(4)
+def test_losses_are_what_the_motor_gives_more(request, number):
+    """What each stage takes from the power through it, summed up, is the difference to the work of the load."""
+    one = drawn(request, number)
+    lost = 0.0
+    for stretch in one.stretches:
+        for k, stage in enumerate(one.train.drive.mechanism.stages):
+            behind = np.linspace(stretch.low, stretch.high, 3001)
+            ratio = stage_speed(stretch, k + 1, behind)
+            through = stretch.torque(behind, k + 1) * ratio
+            if one.train.method == "document":
+                loss = through * (1 / stage.efficiency - 1)
+            else:
+                loss = np.where(through > 0, through * (1 / stage.efficiency - 1), through * (stage.efficiency - 1))
+            if stretch.going:
+                lost += simpson(loss, behind) / one.speed
+    found = DriveResults(one).energy
+    most = found.driving + found.regenerated
+    assert found.net == pytest.approx(friction_work(one) + lost, rel=1e-7, abs=1e-7 * most)
+    if one.train.method == "physical":
+        assert lost >= -1e-9 * most
+
+
+def stage_speed(stretch, shaft, u):
+    """Speed of a shaft: the load's own, or that of the motor divided by the gears before it."""
+    m = stretch.train.drive.mechanism
+    return stretch.load(u).v if shaft == m.last else stretch.motor_speed(u) / m.ratio_to(shaft)
+
+
+def simpson(values, x):
+    return float((values[0:-2:2] + 4 * values[1::2] + values[2::2]).sum() * (x[2] - x[0]) / 6)
+
+
+# Invariance
+
+
+def figures(one):
+    found = DriveResults(one)
+    return [found.speed.highest.value, found.speed.lowest.value, found.torque.highest.value, found.torque.lowest.value,
+            found.power.highest.value, found.power.lowest.value, found.rms_torque, *found.energy,
+            found.mean_shaft_torque(0)]  # fmt: skip
+
+
+@machines(4)
+def test_a_cycle_told_in_other_units_of_the_abscissa_asks_for_the_same(request, number):
+    one = drawn(request, number, from_rest=True)
+    m = one.motion
+    per = 180 / pi
+    motion = Motion([replace(p, duration=p.duration * per) for p in m.phases], position=m.position)
+    windows = tuple(replace(w, begin=w.begin * per, end=w.end * per) for w in one.train.windows)
+    other = DriveCycle(replace(one.train, windows=windows), motion, one.speed * per, one.shift * per)
+    assert figures(other) == pytest.approx(figures(one), rel=1e-9, abs=1e-9)
+
+
+@machines(4)
+def test_a_cycle_that_begins_elsewhere_asks_for_the_same(request, number):
+    one = drawn(request, number)
+    moved = tuple(replace(w, begin=w.begin + 1.0, end=w.end + 1.0) for w in one.train.windows)
+    other = replace(one, train=replace(one.train, windows=moved), shift=one.shift + 1.0)
+    assert figures(other) == pytest.approx(figures(one), rel=1e-8, abs=1e-8)
+
+
+@machines(4)
+def test_a_mirrored_machine_asks_for_the_mirrored(request, number):
+    one = drawn(request, number, from_rest=True, kinds=list(SIZES))
+    m, drive = one.motion, one.train.drive
+    motion = Motion([replace(p, lift=-p.lift) for p in m.phases], position=-m.position)
+    mechanism = drive.mechanism
+    load = replace(mechanism.load, torque=-mechanism.load.torque)
+    windows = tuple(replace(w, force=w.force * (-1 if w.resists == "always" else 1)) for w in one.train.windows)
+    mirrored = replace(drive, mechanism=replace(mechanism, load=load))
+    found = figures(DriveCycle(replace(one.train, drive=mirrored, windows=windows), motion, one.speed, one.shift))
+    back = figures(one)
+    expected = [-back[1], -back[0], -back[3], -back[2], *back[4:]]
+    assert found == pytest.approx(expected, rel=1e-9, abs=1e-9)
+
+
+# Windows, brakes
+
+
+def test_a_window_counts_where_it_is_and_across_the_end_of_the_cycle():
+    train = screw(0.01, Load(0.0))
+    for begin, end, torque in ((10, 20, 1.0), (350, 40, 1.0), (200, 300, 0.0)):
+        window = Window(radians(begin), radians(end), 2 * pi / 0.01)
+        one = drive_cycle(replace(train, windows=(window,)), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
+        moving = [s for s in one.stretches if s.going]
+        torques = {round(float(s.torque(np.array([(s.low + s.high) / 2]))[0]), 9) for s in moving}
+        assert max(torques) == pytest.approx(torque)
+    assert not Window(1.0, 1.0, 5.0).holds(1.0, 6.0)
+
+
+def test_a_moved_motion_meets_other_windows():
+    window = Window(radians(0), radians(45), 2 * pi / 0.01)
+    train = replace(screw(0.01, Load(0.0)), windows=(window,))
+    one = drive_cycle(train, [0, 90, 360], [0.1, -0.0], ["CIC", "DWL"], 60, shift=radians(180))
+    assert DriveResults(one).energy.driving == pytest.approx(0.0, abs=1e-9)
+    early = replace(one, shift=0.0)
+    assert DriveResults(early).energy.driving == pytest.approx(0.1 * 0.5 * 2 * pi / 0.01, rel=1e-10)
+
+
+@pytest.mark.parametrize(("holding", "torque"), [("motor", 1.0), ("brake", 0.0)])
+def test_who_holds_in_a_dwell(holding, torque):
+    drive = Drive(KINDS["lead screw"].of(Load(0.0, 2 * pi / 0.01), 100), 0.0, "physical", holding)
+    one = drive_cycle(Train(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
+    still = one.stretches[-1]
+    assert float(still.torque(np.array([1.0]))[0]) == pytest.approx(torque)
+    assert DriveResults(one).rms_torque == pytest.approx(math.sqrt(0.25 + 0.75 * torque**2), rel=1e-12)
+
+
+def test_viscous_friction_at_uniform_speed():
+    train = replace(screw(0.01, Load(0.0)), viscous=100.0)
+    one = drive_cycle(train, [0, 180, 360], [0.1, 0.1], ["CIC", "CIC"], 60)
+    found = DriveResults(one)
+    assert found.torque.highest.value == pytest.approx(100 * 0.4 * 0.01 / (2 * pi), rel=1e-12)
+
+
+def test_the_cubic_mean_of_a_constant_torque_is_that_torque():
+    drive = Drive(KINDS["lead screw"].of(Load(0.0, 200.0), 100, gears=[Stage("gear", 3.0)]), 0.0)
+    one = drive_cycle(Train(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
+    assert DriveResults(one).mean_shaft_torque(1) == pytest.approx(200 * 0.01 / (2 * pi), rel=1e-12)
+    assert DriveResults(one).shaft_torque(2).highest.value == pytest.approx(200.0)
+
+
+def test_what_cannot_be_is_refused():
+    train = screw(0.01, Load(1.0))
+    with pytest.raises(ValueError, match="speed"):
+        drive_cycle(train, [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 0)
+    with pytest.raises(ValueError, match="viscous"):
+        replace(train, viscous=-1.0)
+    with pytest.raises(ValueError, match="resists"):
+        Window(0.0, 1.0, 1.0, "sometimes")
+
+
+@pytest.mark.parametrize("rounding", [-2e-15, 0.0, 2e-15])
+@pytest.mark.parametrize("begin", [0.0, 211.174, 359.9])
+def test_a_force_over_the_whole_cycle_acts_everywhere(begin, rounding):
+    """Also where the cycle, a sum of phases, is longer or shorter than a turn by its rounding."""
+    whole = Window(radians(begin), radians(begin + 360.0), 300.0)
+    cycle = 2.0 * pi * (1.0 + rounding)
+    assert all(whole.holds(x, cycle) for x in np.linspace(0.0, cycle, 50))
+    none = Window(radians(begin), radians(begin), 300.0)
+    assert not any(none.holds(x, cycle) for x in np.linspace(0.0, cycle, 50))

@@ -1,0 +1,114 @@
+"""Motors by reducers: each pair against a drive that has it, and what a usable one holds."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from engine.drive import KINDS, Drive, Load, Motor, Part, Stage
+from engine.drive.cycle import DriveCycle
+from engine.drive.results import DriveResults
+from engine.drive.train import Train, Window
+from engine.laws import Dwell, law
+from engine.motion import Motion
+from engine.selection import Motors, Reducers
+from engine.selection.pair_matrix import RANKS, Curve, Pair, PairMatrix, Wanted, reserve, used
+from engine.selection.point_load import PointLoad, Points
+from tests.engine.drive.test_quadrature import points_of
+
+MOTORS = Motors(("small", "large"), np.array([1e-4, 2e-3]), np.array([2.0, 30.0]), np.array([6.0, 90.0]),
+                np.array([5000.0, 4000.0]), size=np.array([3.0, np.nan]),
+                stall_torque=np.array([np.nan, 55.0]), rated_speed=np.array([np.nan, 2500.0]))  # fmt: skip
+REDUCERS = Reducers(("three", "eight"), np.array([3.0, 8.0]), np.array([0.9, 0.75]), np.array([2e-5, 5e-4]),
+                    np.array([1e4, 1e4]), np.array([1e4, 1e4]), size=1.0, no_load=np.array([0.0, 0.3]))  # fmt: skip
+WIDE = Wanted(1e9, 1e-9, 1e9, 1.0)
+BESIDE = Part("coupling", 3e-5, 0)
+MOTION = Motion.from_edges(np.radians([0, 30, 120, 200, 330, 360]), [0, 0.05, 0, -0.05, 0],
+                           [Dwell(), law("MTP"), Dwell(), law("CIC"), Dwell()])  # fmt: skip
+
+
+def drive_cycle(inertia=0.0, ratio=1.0, efficiency=1.0, reducer=0.0, no_load=0.0):
+    """A screw with friction and a force that drives it back, behind a reducer."""
+    parts = [BESIDE, Part("reducer", reducer, 0), Part("pulley", 2e-4, 1)]
+    screw = KINDS["lead screw"].of(Load(20.0, 90.0, 40.0), 50.0, 0.7, [Stage("reducer", ratio, efficiency)], parts)
+    train = Train(Drive(screw, inertia, no_load=no_load), windows=(Window(0.5, 2.5, -600.0),))
+    return DriveCycle(train, MOTION, 12.0)
+
+
+def grid(wanted=WIDE):
+    one = drive_cycle()
+    exact = DriveResults(one)
+    inertia = one.train.drive.mechanism.inertia() - BESIDE.inertia
+    load = PointLoad(points_of(one).load, exact.speed.peak, exact.shaft_torque(1).peak, inertia)
+    return PairMatrix(load, MOTORS, REDUCERS, BESIDE.inertia, wanted)
+
+
+@pytest.mark.parametrize("motor", [0, 1])
+@pytest.mark.parametrize("reducer", [0, 1])
+def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
+    one, r = grid(), reducer
+    own = (float(each[r]) for each in (REDUCERS.reduction, REDUCERS.efficiency, REDUCERS.inertia, REDUCERS.no_load))
+    drive = drive_cycle(MOTORS.inertia[motor], *own)
+    found = DriveResults(drive)
+    assert one.rms[motor, r] == pytest.approx(points_of(drive).rms_torque, rel=1e-9)
+    assert one.rms[motor, r] == pytest.approx(found.rms_torque, rel=1e-3)
+    assert one.peak[motor, r] == pytest.approx(found.torque.peak, rel=1e-9)
+    assert one.speed[r] == pytest.approx(found.speed.peak, rel=1e-12)
+    assert one.inertia_ratio[motor, r] == pytest.approx(drive.train.drive.inertia_ratio, rel=1e-12)
+    m, points = MOTORS, points_of(drive)
+    limits = (float(each[motor]) for each in (m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to))
+    of_motor = used(Motor(m.inertia[motor], *limits), found.speed.peak, points.rms_torque, found.mean_speed)
+    assert one.use(motor, r) == pytest.approx(of_motor, rel=1e-9)
+
+
+def test_what_a_pair_fails_first_is_told():
+    def told(**more):
+        strong = replace(MOTORS, rated_torque=np.array([20.0, 200.0]), peak_torque=np.array([60.0, 600.0]))
+        return set(replace(grid(WIDE._replace(**more)), motors=strong).verdicts.ravel())
+
+    assert told() == {"yes"}
+    assert told(least_margin=1e9) == {"RMS"}
+    assert told(greatest_margin=1e-9) == {"large"}
+    assert told(inertia_ratio=1e-9) == {"inertia"}
+    assert told(torque_factor=1e9) == {"reducer"}
+    assert (told(least_peak=1e9), told(least_speed=1e9)) == ({"peak"}, {"speed"})
+    weak, slow = (replace(grid(), motors=replace(MOTORS, **{name: np.full(2, 1e-3)}))
+                  for name in ("peak_torque", "max_speed"))  # fmt: skip
+    assert (set(weak.verdicts.ravel()), set(slow.verdicts.ravel())) == ({"peak"}, {"speed"})
+    gentle = replace(grid(), reducers=replace(grid().reducers, max_mean_torque=np.full(2, 1e-3)))
+    assert set(gentle.verdicts.ravel()) == {"reducer"}
+
+
+def test_the_smallest_motor_comes_first_and_with_it_the_reducer_that_asks_less_of_it():
+    strong = replace(MOTORS, rated_torque=np.array([500.0, 900.0]), peak_torque=np.array([1e4, 1e4]))
+    wide = replace(grid(), motors=replace(strong, max_speed=np.array([1e4, 1e4])))
+    assert [m for m, _ in wide.best("smallest motor", 2, 4)] == [0, 0, 1, 1]
+    first, second = (wide.rms[pair] for pair in wide.best("smallest motor", 2, 4)[:2])
+    assert first < second
+    assert {m for m, _ in wide.best("mass", 2, 4)} == {0}  # of the other none is given
+    assert wide.best("cost", 2, 4) == []
+    match = wide.best("inertia match", 2, 4)[0]
+    best = min(((m, r) for m in (0, 1) for r in (0, 1)), key=lambda p: abs(math.log(
+        wide.balance[p[1]] / wide.inertias[p])))  # fmt: skip
+    assert match == best
+    assert len(RANKS) == 5
+
+
+class Held:
+    """A load of points: torque (Nm) that it is driven with, or that drives it, and the speed there (rad/s)."""
+
+    def __init__(self, acceleration, driving, driven, speed):
+        self.points = Points(*(np.array(one) for one in (acceleration, driving, driven, speed, np.sign(speed))))
+        self.torques, self.peak = PointLoad.torques.__get__(self), PointLoad.peak.__get__(self)
+
+
+def test_the_reserve_is_what_is_left_below_the_curve_at_the_points():
+    """80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30; of a load that drives η/i of its torque; T_nl less."""
+    part = Held([10.0, 0.0], [20.0, 20.0], [0.0, 0.0], [150.0, 150.0])
+    gears = Pair(1.0, 1.0, 1.0)
+    assert reserve(part, gears, Curve(80.0, 150.0, 0.2)) == pytest.approx(50.0)
+    assert reserve(part, gears, Curve(80.0, 100.0, 0.2)) == pytest.approx(40.0)
+    held = Held([0.0], [0.0], [-20.0], [0.0])
+    assert reserve(held, Pair(1.0, 2.0, 0.5, 3.0), Curve(80.0, 1.0, 0.0)) == pytest.approx(75.0)
+    assert reserve(part, gears._replace(no_load=3.0), Curve(80.0, 150.0, 0.2)) == pytest.approx(47.0)

@@ -1,0 +1,1 @@
+"""Axes that must stay apart: entries, their gap over the cycle, the sheet Clearances."""

@@ -1,0 +1,153 @@
+"""Two axes that must stay apart: their gap at points of the cycle, and where it is least."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.motion.shifted import LOST, Gap, Shifted, Told, gap_size, keeps, least_gap, turned
+from workbook.book.rows import filled
+from workbook.entries.texts import place_of
+from workbook.entries.turn import TURN
+from workbook.entries.units import DEGREE, shown, si
+from workbook.machines.machine.clearance.entries import ClearanceEntry
+from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.view import clearance_name
+
+PARTS = 2
+"""parts into which each piece of a motion is cut"""
+
+
+class Lowest(NamedTuple):
+    """Per point, of the parabola from the point before: how far it falls by its slope and rises; its lowest point."""
+
+    fall: Array
+    rise: Array
+    share: Array
+    gap: Array
+    angle: Array
+
+
+class Apart:
+    """A clearance: its gap over the cycle, in the unit of the first axis; angles in degrees of the master shaft."""
+
+    def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisRows]) -> None:
+        self.given, self.number = given, number
+        self.rows = [rows[axis_place(name, rows)] for name in (given.first, given.second)]
+        self.over = self.rows[0].machine.over
+        self.factors = (given.first_factor, given.second_factor)
+
+    @property
+    def name(self) -> str:
+        """The name of the cell that tells what it is called, and of which axes it is."""
+        return clearance_name(self.number, *(one.axis.number for one in self.rows))
+
+    @property
+    def scales(self) -> list[float]:
+        """What a position of each axis in m or rad is multiplied by."""
+        return [shown(factor, one.axis.unit) for factor, one in zip(self.factors, self.rows, strict=True)]
+
+    @cached_property
+    def terms(self) -> list[tuple[float, Shifted]]:
+        """The factors and motions."""
+        return [(scale, one.axis.shifted) for scale, one in zip(self.scales, self.rows, strict=True)]
+
+    @cached_property
+    def exact(self) -> Gap:
+        """The least gap by closed forms, and where (rad)."""
+        return least_gap(self.terms, self.given.offset)
+
+    @property
+    def size(self) -> float:
+        """How large the gap grows."""
+        return gap_size(self.terms, self.given.offset)
+
+    @property
+    def change(self) -> float:
+        """By how much both axes together can change the gap."""
+        return sum(abs(scale) * float(np.ptp(one.motion.reach)) for scale, one in self.terms)
+
+    def cuts(self, end: int) -> tuple[list[float], list[float]]:
+        """Return where each piece of an axis begins and has its middle; spare pieces as the end of the turn."""
+        one = self.rows[end]
+        late, near, pieces = one.axis.given.shift, one.machine.near, one.pieces.pieces
+        begins = filled([shown(piece.begin, DEGREE) for piece in pieces], one.machine.room, TURN)
+        halves = filled([shown(piece.duration, DEGREE) / PARTS for piece in pieces], one.machine.room)
+        found = [turned(begin, late, TURN, near) for begin in begins]
+        return found, [turned(at + half, 0.0, TURN, near) for at, half in zip(found, halves, strict=True)]
+
+    @cached_property
+    def angles(self) -> Array:
+        """The points: begin and end of the turn, and between them all cuts in their order."""
+        cuts = sorted(at for end in range(len(self.rows)) for column in self.cuts(end) for at in column)
+        return np.array([0.0, *np.maximum(cuts, 0.0), TURN])
+
+    def told(self, end: int, angles: Array) -> Told:
+        """Return the cycles of its phases that an axis has begun before angles, and the places in these (rad)."""
+        return self.rows[end].axis.told(si(angles, DEGREE))
+
+    def positions(self, end: int, angles: Array) -> Array:
+        """Return the position of an axis at angles, in its own unit."""
+        one = self.rows[end]
+        told = self.told(end, angles)
+        return shown(one.axis.motion.at(told.x).y + told.cycles * one.axis.motion.lifts_sum, one.axis.unit)
+
+    def gaps(self, angles: Array) -> Array:
+        """Return the gap at angles."""
+        first, second = (factor * self.positions(end, angles) for end, factor in enumerate(self.factors))
+        return np.asarray(self.given.offset + first + second)
+
+    @cached_property
+    def velocities(self) -> list[Array]:
+        """The geometric velocity of each axis at each point (m or rad per rad)."""
+        return [one.axis.motion.at(self.told(end, self.angles).x).y1 for end, one in enumerate(self.rows)]
+
+    @property
+    def slopes(self) -> Array:
+        """The slope of the gap at each point (per rad)."""
+        return self.scales[0] * self.velocities[0] + self.scales[1] * self.velocities[1]
+
+    @cached_property
+    def lowest(self) -> Lowest:
+        """The parabola through each point and the one before, with the slope there."""
+        angles, gaps, slopes = self.angles, self.gaps(self.angles), self.slopes
+        steps, rise = np.diff(angles, prepend=angles[0]), np.diff(gaps, prepend=gaps[0])
+        fall = np.concatenate([[0.0], slopes[:-1] * si(steps[1:], DEGREE)])
+        inside = (fall < -LOST * self.size) & (fall < 2.0 * rise)
+        share = np.where(inside, fall / np.where(inside, 2.0 * (fall - rise), 1.0), 1.0)
+        low = np.where(inside, gaps - rise + 0.5 * fall * share, gaps)
+        return Lowest(fall, rise, share, low, angles - (1.0 - share) * steps)
+
+    def near(self, gaps: Array) -> list[int]:
+        """Return whether each gap is as low as any, but for rounding."""
+        return [int(keeps(float(gaps.min()), one, self.size)) for one in gaps.tolist()]
+
+    @cached_property
+    def lowest_at(self) -> Array:
+        """The first of the lowest points, and the first of the lowest points of parabolas."""
+        each = ((self.angles, self.gaps(self.angles)), (self.lowest.angle, self.lowest.gap))
+        return np.array([angles[self.near(gaps).index(1)] for angles, gaps in each])
+
+    @property
+    def place(self) -> float:
+        """The angle of the least gap: of two alike that of the points."""
+        return float(self.lowest_at[self.near(self.gaps(self.lowest_at)).index(1)])
+
+    @cached_property
+    def least(self) -> float:
+        """The least gap."""
+        return float(self.gaps(self.lowest_at).min())
+
+    @property
+    def kept(self) -> bool:
+        """Whether the least gap is left."""
+        return keeps(self.least, self.given.least, self.size)
+
+
+def axis_place(name: str, rows: list[AxisRows]) -> int:
+    """Return the place of an axis by its name; where a file's layout tells it, by its number."""
+    place = place_of(name, [one.axis.given.name for one in rows])
+    return place if place >= 0 else int(name) - 1

@@ -1,0 +1,99 @@
+"""What is true of results by points: the exact engine's, where a sheet is farther off than it states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from workbook.book.sentence import rounded
+from workbook.entries.units import RPM, shown
+from workbook.laws.shelf import LawShelf
+from workbook.machines.machine.clearance.gap import Apart
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.view import DriveView, settled_highest
+from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.view import MovingAxis, Whole
+
+RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 1e-3, 1e-3, 5e-4
+"""by which share the sheets state that T_rms, peaks, energies, the highest rate, a least gap and the extremes of phases
+that meet at speed may be off"""
+
+
+def axes_of(machine: AnyMachine) -> list[AxisRows]:
+    """Return the axes of a machine as its book has them."""
+    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
+    whole = Whole(machine, shelf.laws)
+    return [AxisRows(whole, axis, shelf.stack) for axis in whole.axes]
+
+
+def drives_of(machine: AnyMachine) -> Iterator[DriveView]:
+    """Yield the drives of a machine."""
+    for rows in axes_of(machine):
+        if rows.axis.given.mechanism and rows.axis.given.motor:
+            yield DriveView(rows, Driven(rows.axis, machine))
+
+
+def rates(machine: AnyMachine) -> list[str]:
+    """Return a line for each drive whose exact highest rate is more than 0.1 % from that of its sheet."""
+    return [line for view in drives_of(machine) for line in rate_of(view)]
+
+
+def rate_of(view: DriveView) -> Iterator[str]:
+    """Yield the line on the highest rate of a drive: the exact one is only searched where entering it again tells."""
+    most = view.highest.rate
+    if not isinstance(most, float) or not most:
+        return
+    settled = settled_highest(view).rate
+    if isinstance(settled, float) and abs(settled - most) <= RATE / 2.0 * most:
+        return
+    exact, limit = view.exact_highest()
+    if abs(exact - most) > RATE * most:
+        yield (f"{view.driven.called}: the highest rate is {rounded(exact)} cycles/min exactly ({limit}); "
+               f"its sheet says about {rounded(most)}")  # fmt: skip
+
+
+def truths(machine: AnyMachine) -> list[str]:
+    """Return a line for each result that is farther from the exact engine's than its sheet states, and on rates."""
+    lines = []
+    for view in drives_of(machine):
+        lines += [*results_of(view), *rate_of(view)]
+    rows = axes_of(machine)
+    gaps = (gap_of(Apart(one, k, rows)) for k, one in enumerate(machine.clearances, 1))
+    return [*lines, *filter(None, gaps), *(line for one in rows for line in extremes_of(one.axis))]
+
+
+def extremes_of(axis: MovingAxis) -> Iterator[str]:
+    """Yield a line for each phase that meets its neighbours at speed, and is found slower than its sheet states."""
+    for i, k in enumerate(axis.entered, 1):
+        exact, told = axis.joined.motion.phases[k], axis.motion.phases[k]
+        for what, true, said in (("velocity", exact.y1_max, told.y1_max), ("acceleration", exact.y2_max, told.y2_max)):
+            if abs(said - true) > MOTION * true:
+                yield f"{axis.given.name} row {i}: the greatest {what} is {rounded(100.0 * (true / said - 1.0))} % more"
+
+
+def gap_of(one: Apart) -> str:
+    """Return the line on a least gap, empty where it is as exact as its sheet states."""
+    exact, unit = one.exact.least, one.rows[0].axis.given.unit
+    if abs(one.least - exact) <= GAP * one.change + 1e-9 * one.size:
+        return ""
+    return f"{one.given.name}: the least gap is {rounded(exact)} {unit} exactly; its sheet says {rounded(one.least)}"
+
+
+def results_of(view: DriveView) -> Iterator[str]:
+    """Yield a line for each result of a drive that is farther off than stated."""
+    exact, points = view.driven.results, view.points
+    behind = view.load.behind
+    driving, _ = view.energy
+    peak = exact.torque.peak
+    found = (
+        ("RMS torque", "Nm", points.rms_torque, exact.rms_torque, RMS * peak),
+        ("peak torque", "Nm", points.size(points.torque), peak, PEAK * peak),
+        ("speed", "rpm", shown(view.speed, RPM), shown(exact.speed.peak, RPM), PEAK * shown(exact.speed.peak, RPM)),
+        ("peak torque behind the reducer", "Nm", points.size(behind), exact.shaft_torque(1).peak,
+         PEAK * exact.shaft_torque(1).peak),
+        ("energy driven", "J", driving, exact.energy.driving, ENERGY * exact.energy.driving),
+    )  # fmt: skip
+    for what, unit, told, true, bound in found:
+        if abs(told - true) > bound + 1e-9 * abs(true):
+            said = f"{what} is {rounded(true)} {unit} exactly; its sheet says {rounded(told)} {unit}"
+            yield f"{view.driven.called}: {said}"

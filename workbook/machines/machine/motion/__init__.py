@@ -1,0 +1,1 @@
+"""The motions of a machine's axes in its book."""

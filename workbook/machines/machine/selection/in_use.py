@@ -1,0 +1,262 @@
+"""Motor and reducer of a drive: by name from the sheet Catalogue, or as entered; one entry decides, the name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import NamedTuple, TypeVar
+
+from engine.drive import Motor, derating
+from engine.drive.chain import Part
+from engine.drive.falling_peak import Falling
+from engine.drive.limits import ReducerLimits
+from workbook.book.declare import Quantity, calc, check, given
+from workbook.entries.texts import place_of
+from workbook.entries.units import KG_CM2, KW, RPM, shown, si
+from workbook.machines.machine.chain import NEEDED, UNTOLD, AxisMotor
+from workbook.machines.machine.entries import Axis
+from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.selection.entries import Products
+
+P = TypeVar("P", MotorRow, ReducerRow)
+MOTOR = (
+    ("inertia", "inertia", "J_m", "kg cm²", "with its brake"),
+    ("stall_torque", "stall torque", "T_0", "Nm", "empty: the rated one"),
+    ("rated_torque", "rated torque", "T_N", "Nm", "continuous, at the rated speed"),
+    ("rated_speed", "rated speed", "n_N", "rpm", "empty: the largest speed"),
+    ("peak_torque", "peak torque", "T_M,max", "Nm", ""),
+    ("max_speed", "largest speed", "n_M,max", "rpm", ""),
+)
+REDUCER = (
+    ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty"),
+    ("efficiency", "efficiency", "η_1", "", "1 if empty"),
+    ("inertia", "inertia at the input", "J_G", "kg cm²", ""),
+    ("no_load_torque", "no-load torque", "T_nl", "Nm", "at the motor, against its rotation"),
+    ("peak_torque", "largest output torque", "", "Nm", "empty: no limit"),
+    ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit"),
+    ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
+)
+IN_USE = {
+    "inertia": "@jm", "rated_torque": "@motor_rated", "peak_torque": "@motor_peak", "max_speed": "@motor_nmax",
+    "stall_torque": "@motor_stall", "rated_speed": "@motor_nn",
+}  # fmt: skip
+GEARED = {
+    "ratio": ("@i1", "i"), "efficiency": ("@eta1", "eta"), "inertia": ("@j_reducer", "inertia"),
+    "no_load_torque": ("@no_load", "t012"),
+    "peak_torque": ("@reducer_peak", "tmax"), "mean_torque": ("@reducer_mean", "t2n"),
+    "max_speed": ("@reducer_nmax", "nmax"),
+}  # fmt: skip
+"""of each entry of a reducer: the cell that is used, and the column of the catalogue"""
+COLUMNS = {
+    "inertia": "inertia", "rated_torque": "rated", "peak_torque": "peak", "max_speed": "nmax",
+    "stall_torque": "stall", "rated_speed": "nn",
+}  # fmt: skip
+DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
+IN_USE_SOURCES = {"rated_torque": "at its temperature", "stall_torque": "at its temperature, T_N at least"}
+LIMITS = ("peak_torque", "mean_torque", "max_speed")
+SI_UNITS = {"kg cm²": "kg m²"}
+"""of what is entered in others, for the formulas behind"""
+
+
+def named(rows: Iterable[P], name: str) -> P | None:
+    """Return the product of a name; None where nothing is named."""
+    known = list(rows)
+    return known[place_of(name, [row.name for row in known])] if name else None
+
+
+class MotorInUse(NamedTuple):
+    """The motor that a drive has, in the units of entries but for its inertia, in kg m²; 0 if no speed is given.
+
+    ``copper`` are its losses over the square of its torque (W/(Nm)²).
+    """
+
+    row: int
+    inertia: float
+    rated_torque: float
+    peak_torque: float
+    max_speed: float
+    stall_torque: float
+    rated_speed: float
+    rated_given: float
+    copper: float
+
+    @property
+    def motor(self) -> Motor:
+        """The engine's motor."""
+        fastest, rated = si(self.max_speed, RPM), si(self.rated_speed, RPM)
+        return Motor(self.inertia, self.rated_torque, self.peak_torque, fastest, self.stall_torque, rated)
+
+
+class ReducerInUse(NamedTuple):
+    """The reducer that a drive has, in the units of entries but for its inertia, in kg m²; a limit of 0 is none."""
+
+    row: int
+    ratio: float
+    efficiency: float
+    inertia: float
+    no_load_torque: float
+    peak_torque: float
+    mean_torque: float
+    max_speed: float
+
+    @property
+    def part(self) -> Part:
+        """Its inertia, on the motor's shaft."""
+        return Part("reducer", self.inertia, 0)
+
+    @property
+    def limits(self) -> ReducerLimits:
+        """Its limits."""
+        return ReducerLimits(
+            self.peak_torque or math.inf, self.mean_torque or math.inf, si(self.max_speed or math.inf, RPM)
+        )
+
+
+def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
+    """Return the motor of an axis. Raises ValueError where it has none."""
+    if axis.motor is None:
+        raise ValueError(f"{axis.name} has no motor")
+    found = named(products.motors, axis.motor.name)
+    row = place_of(axis.motor.name, [row.name for row in products.motors]) + 1
+    given, left = found or axis.motor, left_of(axis.motor)
+    inertia, rated, peak, fastest = (float(getattr(given, name)) for name in NEEDED)
+    stall = max(rated, given.stall_torque or 0.0) * left
+    speed = given.rated_speed or 0.0
+    copper = si(axis.motor.copper_losses or 0.0, KW) / rated**2
+    return MotorInUse(row, si(inertia, KG_CM2), rated * left, peak, fastest, stall, speed or fastest, speed, copper)
+
+
+def falling_of(name: str, products: Products) -> Falling:
+    """Return how the peak torque of a motor of the catalogue falls; of one that is entered, not at all."""
+    found = named(products.motors, name)
+    if found is None or found.full_torque_to is None or found.end_torque is None:
+        return Falling()
+    knee, fastest = si(found.full_torque_to, RPM), si(found.max_speed, RPM)
+    return Falling.between(knee, found.peak_torque, fastest, found.end_torque)
+
+
+def left_of(motor: AxisMotor) -> float:
+    """Return the share of its rated torque that a motor can give at the temperature around it."""
+    return 1.0 if motor.temperature is None else derating(motor.temperature, motor.limit, motor.rated_at)
+
+
+def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
+    """Return the reducer of an axis, one of ratio 1 where nothing is entered."""
+    e, found = axis.reducer, named(products.reducers, axis.reducer.name)
+    row = place_of(e.name, [one.name for one in products.reducers]) + 1
+    if found:
+        inertia = si(found.inertia or 0.0, KG_CM2)
+        return ReducerInUse(row, found.reduction, found.efficiency, inertia, found.no_load_torque or 0.0,
+                            found.max_torque or 0.0, found.mean_torque or 0.0, found.max_speed or 0.0)  # fmt: skip
+    inertia = si(e.inertia, KG_CM2)
+    return ReducerInUse(row, e.ratio, e.efficiency, inertia, e.no_load_torque, e.peak_torque or 0.0,
+                        e.mean_torque or 0.0, e.max_speed or 0.0)  # fmt: skip
+
+
+def entries(axis: Axis, key: str) -> list[Quantity]:
+    """Return the rows of what is entered of reducer and motor."""
+    rows: list[Quantity] = []
+    for kind, figures in (("reducer", REDUCER), ("motor", MOTOR)):
+        entered = getattr(axis, kind)
+        rows.append(
+            given(f"@{kind}_name", f"{kind.capitalize()} of the catalogue", "", "", entered.name or None,
+                  f"{key}.{kind}.name", choices=f"={kind}_name", align="left",
+                  source="leave empty to enter the figures below")
+        )  # fmt: skip
+        rows += [
+            given(f"@own_{kind}_{name}", f"{kind.capitalize()}, as entered: {words}", symbol, unit,
+                  getattr(entered, name), f"{key}.{kind}.{name}", source=source,
+                  format="General" if unit in SI_UNITS else "0.0##")
+            for name, words, symbol, unit, source in figures
+        ]  # fmt: skip
+    motor = axis.motor
+    rows.append(
+        given("@losses_rated", "Copper losses of the motor at the rated torque", "P_Cu", "kW",
+              motor.copper_losses if motor else None, f"{key}.motor.copper_losses", source="empty: none are counted")
+    )  # fmt: skip
+    rows.append(
+        given("@holding", "At rest the load is held by", "", "", motor.holding if motor else None,
+              f"{key}.motor.holding", source="the motor, or a brake")
+    )  # fmt: skip
+    return [*rows, *(temperature(axis.motor, f"{key}.motor") if axis.motor else ())]
+
+
+def temperature(motor: AxisMotor, key: str) -> list[Quantity]:
+    """Return the rows of what lowers the rated torque of the motor."""
+    return [
+        given("@temperature", "Ambient temperature of the motor", "ϑ", "°C", motor.temperature, f"{key}.temperature",
+              format="0.0##", source="empty: as rated"),
+        given("@rated_at", "Ambient temperature of the rated torque", "ϑ_N", "°C", motor.rated_at, f"{key}.rated_at",
+              format="0.0##"),
+        given("@winding", "Largest temperature of the winding", "ϑ_max", "°C", motor.limit, f"{key}.limit",
+              format="0.0##", source="155 °C of class F"),
+    ]  # fmt: skip
+
+
+def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quantity]:
+    """Return the rows of the figures that the drive uses."""
+    rows = [
+        calc("@reducer_row", "Reducer: row of the catalogue", "", "",
+             '=IF(@reducer_name="",0,MATCH(@reducer_name,[reducers.name],0))', reducer.row, format="0",
+             source="0: as entered"),
+        calc("@motor_row", "Motor: row of the catalogue", "", "",
+             '=IF(@motor_name="",0,MATCH(@motor_name,[motors.name],0))', motor.row, format="0",
+             source="0: as entered"),
+    ]  # fmt: skip
+    for name, words, symbol, unit, _ in REDUCER:
+        cell, column = GEARED[name]
+        own = f"@own_reducer_{name}"
+        entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
+        listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)"
+        rows.append(
+            calc(cell, f"Reducer: {words}", symbol, SI_UNITS.get(unit, unit), f"={in_si(listed, unit)}",
+                 getattr(reducer, name), source="0: no limit" if name in LIMITS else "")
+        )  # fmt: skip
+    rows += [
+        calc("@derate", "Motor: share of the rated torque at the ambient temperature", "", "", f"={DERATING}", left,
+             source="√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
+        calc("@nn_given", "Motor: rated speed as it is given", "", "rpm", f"={listed_motor('rated_speed')}+0",
+             motor.rated_given, source="0: not given"),
+        *(calc(IN_USE[name], f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={motor_figure(name, unit)}",
+               getattr(motor, name), source=IN_USE_SOURCES.get(name, ""))
+          for name, words, symbol, unit, _ in MOTOR),
+        calc("@copper", "Motor: copper losses over the square of the torque", "", "kW/N²m²",
+             "=IF(@losses_rated*@motor_rated=0,0,@losses_rated/(@motor_rated/@derate)^2)", shown(motor.copper, KW),
+             source="P_Cu/T_N²"),
+    ]  # fmt: skip
+    return rows
+
+
+def listed_motor(name: str) -> str:
+    """Return the formula of a figure of the motor, of the catalogue or as entered."""
+    return f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))"
+
+
+def motor_figure(name: str, unit: str) -> str:
+    """Return the formula of a figure of the motor in use."""
+    listed = listed_motor(name)
+    of = {"rated_torque": f"{listed}*@derate", "stall_torque": f"MAX(@motor_rated,{listed}*@derate)",
+          "rated_speed": "IF(@nn_given=0,@motor_nmax,@nn_given)"}  # fmt: skip
+    return of.get(name, in_si(f"{listed}+0", unit))
+
+
+def in_si(formula: str, unit: str) -> str:
+    """Return the formula of an inertia in kg m², any other as it is."""
+    return f"({formula})/10000" if unit in SI_UNITS else formula
+
+
+def told(number: int, called: str) -> Quantity:
+    """Return the check that the motor is named, or entered."""
+    figures = ",".join(f"@own_motor_{name}" for name in NEEDED)
+    return check("@ok_told", f"{called}: a motor is named or entered",
+                 f'OR(@motor_name<>"",COUNT({figures})={len(NEEDED)})', True, rule=f"axes.{number - 1}.motor:told",
+                 says=f'"{UNTOLD}"')  # fmt: skip
+
+
+HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'
+
+
+def cool(number: int, called: str) -> Quantity:
+    """Return the check that the motor is cooler than its winding may get."""
+    return check("@ok_cool", f"{called}: ambient temperature below the limit", "MAX(@temperature,@rated_at)<@winding",
+                 True, rule=f"axes.{number - 1}.motor:cool", says=HOT)  # fmt: skip

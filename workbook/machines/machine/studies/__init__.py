@@ -1,0 +1,1 @@
+"""Results of many designs of a machine at once, without a book."""

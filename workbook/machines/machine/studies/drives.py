@@ -1,0 +1,350 @@
+"""The drive of an axis with many motors and reducers at many rates: its results by the names of the book."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.drive.dc_bus import Means, means
+from engine.drive.falling_peak import Falling
+from engine.drive.motor import continuous
+from engine.drive.results import Energies
+from engine.laws.base import Array
+from engine.selection.batch import DriveBatch, Extremes, Limits, mean_power
+from engine.selection.point_load import Gears, PointLoad, shares_of
+from engine.timing import shaft_speed, turn_time
+from workbook.drive.in_short import Highest
+from workbook.entries.units import KG_CM2, KW, PER_MINUTE, RPM, shown, si
+from workbook.machines.machine.drive.behind import load_of
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.view import DriveView, with_motor
+from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.mechanism import LINKED
+from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.selection.in_use import (
+    MotorInUse,
+    ReducerInUse,
+    falling_of,
+    motor_in_use,
+    reducer_in_use,
+)
+from workbook.machines.machine.view import MovingAxis
+from workbook.scaling import Column
+from workbook.selection.catalogue import MotorRow, ReducerRow
+
+WEIGHED = ("mass", "cost")
+ONE = Column([None], np.zeros(1, dtype=np.intp))
+"""of what does not differ"""
+OK, FAIL = "OK", "FAIL"
+
+
+class Studied:
+    """The drive of an axis with many motors and reducers, at many rates (cycles/min)."""
+
+    def __init__(
+        self, axis: MovingAxis, machine: AnyMachine, columns: Mapping[str, Column], rows: Callable[[], AxisRows]
+    ) -> None:
+        self.axis, self.machine, self.products, self.rows = axis, machine, machine.selection, rows
+        begin = f"axes.{axis.number - 1}"
+        self.motor_key, self.motors = only(columns, f"{begin}.motor")
+        self.reducer_key, self.reducers = only(columns, f"{begin}.reducer")
+        given = axis.given.rate
+        master = Column([machine.per_minute], ONE.places) if given is None else Column([given], ONE.places)
+        self.rates = columns.get(f"{begin}.rate") or (columns.get("master.rate", master) if given is None else master)
+
+    def axis_with(self, motor: int, reducer: int, rate: int) -> Axis:
+        """Return the entries of the axis in a design, by the places of what differs in it."""
+        given = changed(self.axis.given, "motor", self.motor_key, self.motors.values[motor])
+        given = changed(given, "reducer", self.reducer_key, self.reducers.values[reducer])
+        return given if given.rate is None else given.model_copy(update={"rate": self.rates.values[rate]})
+
+    @cached_property
+    def motors_used(self) -> dict[str, Array]:
+        """The figures of the motor in each design; the knee (rad/s) and the fall (Nm s) of its curve."""
+        axes = [self.axis_with(k, 0, 0) for k in range(len(self.motors.values))]
+        falls = [falling_of(one.motor.name if one.motor else "", self.products) for one in axes]
+        curve = {name: np.array([getattr(one, name) for one in falls]) for name in Falling._fields}
+        used = [motor_in_use(one, self.products) for one in axes]
+        more = {name: values[self.motors.places] for name, values in curve.items()}
+        return figures(used, self.motors, self.products.motors) | more
+
+    @cached_property
+    def reducers_used(self) -> dict[str, Array]:
+        """The figures of the reducer in each design."""
+        used = [reducer_in_use(self.axis_with(0, k, 0), self.products) for k in range(len(self.reducers.values))]
+        return figures(used, self.reducers, self.products.reducers)
+
+    @cached_property
+    def bases(self) -> list[DriveView]:
+        """The drive as it is entered at each rate."""
+        return [DriveView(self.rows(), self.drive(0, 0, k)) for k in range(len(self.rates.values))]
+
+    @cached_property
+    def loads(self) -> list[PointLoad]:
+        """What the cycle asks for behind the reducer, at each rate."""
+        return [load_of(base) for base in self.bases]
+
+    def of_rate(self, figure: Callable[[DriveView], float]) -> Array:
+        """Return a figure of each design that hangs on its rate alone."""
+        return np.array([figure(base) for base in self.bases])[self.rates.places]
+
+    @cached_property
+    def gears(self) -> Gears:
+        """Motors with their reducers."""
+        used = self.reducers_used
+        inertia = self.motors_used["inertia"] + self.beside
+        return Gears(*self._lined(inertia, used["ratio"], used["efficiency"], used["no_load_torque"]))
+
+    @property
+    def beside(self) -> Array:
+        """Inertia of the reducer and of parts on the motor's shaft (kg m²)."""
+        return self.reducers_used["inertia"] + self.bases[0].driven.beside_motor
+
+    def _lined(self, *values: Any) -> list[Any]:
+        """Return arrays with a value for each design."""
+        return list(np.broadcast_arrays(*values, self.rates.places))[:-1]
+
+    def _at_rates(self) -> Iterator[tuple[NDArray[np.intp], float, DriveBatch]]:
+        """Yield which designs are at a rate, its time of a cycle (s), and their motors on the load."""
+        names = ("peak_torque", "knee", "fall", "copper")
+        limits = self._lined(*(self.motors_used[name] for name in names), self.gears.ratio)[:-1]
+        places = self._lined(self.rates.places, self.gears.ratio)[0]
+        for k, load in enumerate(self.loads):
+            some = np.flatnonzero(places == k)
+            many = DriveBatch(load, Gears(*(v[some] for v in self.gears)), Limits(*(v[some] for v in limits)))
+            yield some, self.bases[k].driven.drive_cycle.time, many
+
+    def _gathered(self, made: Callable[[float, DriveBatch], tuple[Array, ...]]) -> list[Array]:
+        """Return figures of each design from those at each rate."""
+        each = [(some, made(time, many)) for some, time, many in self._at_rates()]
+        order = np.argsort(np.concatenate([some for some, _ in each]), kind="stable")
+        return [np.concatenate(values)[order] for values in zip(*(found for _, found in each), strict=True)]
+
+    @cached_property
+    def extremes(self) -> Extremes:
+        """Peaks over the cycle."""
+        return Extremes(*self._gathered(lambda _, many: many.extremes))
+
+    @cached_property
+    def works(self) -> Energies:
+        """Energy of each motor over the cycle (J)."""
+        return Energies(*self._gathered(lambda time, many: many.works(time)))
+
+    @cached_property
+    def rms(self) -> Array:
+        """RMS torques (Nm)."""
+        return self._gathered(lambda _, many: (many.load.rms(many.gears),))[0]
+
+    def turning(self, speed: Callable[[DriveView], float]) -> Array:
+        """Return the speeds of motors (rpm) from that of the motor as entered (rad/s)."""
+        return shown(self.of_rate(lambda base: speed(base) / base.driven.reducer.ratio) * self.gears.ratio, RPM)
+
+    @cached_property
+    def speed(self) -> Array:
+        """Largest speeds (rpm)."""
+        return self.turning(lambda base: base.speed)
+
+    @cached_property
+    def mean(self) -> Array:
+        """Mean speeds (rpm)."""
+        return self.turning(lambda base: base.points.mean_speed)
+
+    @property
+    def continuous(self) -> Array:
+        """What motors can give all the time at their mean speeds (Nm)."""
+        motor = self.motors_used
+        return continuous(motor["rated_torque"], motor["stall_torque"], motor["rated_speed"], self.mean)
+
+    @property
+    def at_motor(self) -> Array:
+        """Inertia at the motor, without it (kg m²)."""
+        return self.beside + self.loads[0].inertia / self.gears.ratio**2
+
+    @cached_property
+    def behind(self) -> Array:
+        """Largest torque behind the reducer (Nm)."""
+        return self.of_rate(lambda base: base.reducer_checks[0].value)
+
+    @cached_property
+    def mean_behind(self) -> Array:
+        """Mean torque behind the reducer (Nm)."""
+        return self.of_rate(lambda base: base.reducer_checks[1].value)
+
+    def within(self, limit: str, value: Any) -> Any:
+        """Return whether what is asked of the reducer is within its limit, 0 for none."""
+        limits = self.reducers_used[limit]
+        return told((limits == 0.0) | (value <= limits))
+
+    def pair(self, figure: str) -> Array:
+        """Return mass or cost of motor and reducer together."""
+        return self.motors_used[figure] + self.reducers_used[figure]
+
+    @cached_property
+    def time(self) -> Any:
+        """Times of a cycle (s)."""
+        return Column([turn_time(si(rate, PER_MINUTE)) for rate in self.rates.values], self.rates.places).each
+
+    @cached_property
+    def mains(self) -> Means:
+        """Mean powers from the mains and in the resistor (W)."""
+        return means(self.works, self.time, self.machine.power.efficiency)
+
+    @cached_property
+    def designs(self) -> list[tuple[int, int, int]]:
+        """Motor, reducer and rate of each design, by their places among those that differ."""
+        each = np.broadcast_arrays(self.motors.places, self.reducers.places, self.rates.places)
+        return list(zip(*(places.tolist() for places in each), strict=True))
+
+    def drive(self, motor: int, reducer: int, rate: int) -> Driven:
+        """Return the drive with a motor and a reducer at a rate."""
+        given, at, axis = self.axis_with(motor, reducer, rate), self.rates.values[rate], self.axis
+        return Driven(MovingAxis(given, axis.number, axis.library, speed_of(at), axis.typed, axis.over), self.machine)
+
+    @cached_property
+    def views(self) -> dict[tuple[int, int, int], DriveView]:
+        """The drive of each design at the points of its motion: those at one rate share their load."""
+        return {one: with_motor(self.bases[one[2]], self.drive(*one)) for one in dict.fromkeys(self.designs)}
+
+    @cached_property
+    def highest_each(self) -> dict[tuple[int, int, int], Highest]:
+        """The highest rate of each drive, and the limit that binds there."""
+        return {one: self._highest(view, self.rates.values[one[2]]) for one, view in self.views.items()}
+
+    def _highest(self, view: DriveView, rate: float) -> Highest:
+        """Return the highest rate of a drive that is at a rate, which the machine's entries do not tell."""
+        found = view.highest
+        return found._replace(rate=found.rate * rate / view.rate) if isinstance(found.rate, float) else found
+
+    @property
+    def highest(self) -> Array:
+        """Highest rates (cycles/min)."""
+        return np.array([self.highest_each[one].rate for one in self.designs])
+
+    @property
+    def binds(self) -> Any:
+        """The limits that bind there."""
+        return np.array([self.highest_each[one].limit for one in self.designs], dtype=object)
+
+    @property
+    def below_curve(self) -> Any:
+        """Whether torques stay below the motor's curve; of a curve that the book does not know they do not."""
+        level = self.motors_used["fall"] == 0.0
+        return told(level | (self.extremes.spare >= 0.0) if self.products.knows_falling else level)
+
+    @property
+    def results(self) -> dict[str, Callable[[], Any]]:
+        """All of them by name, each worked out when it is called."""
+        each = self._asked | self._products
+        return {f"drive{self.axis.number}_{name}": value for name, value in each.items()}
+
+    @property
+    def checks(self) -> dict[str, Callable[[], Any]]:
+        """The checks of its sheet that entries do not decide."""
+        return {f"drive{self.axis.number}_{name}": value for name, value in self._checks.items()}
+
+    @property
+    def _asked(self) -> dict[str, Callable[[], Any]]:
+        """What the cycle asks of motors and reducers."""
+        motor = self.motors_used.__getitem__
+        found: dict[str, Callable[[], Any]] = {
+            "rate": lambda: self.rates.each,
+            "jtot": lambda: shown(self.at_motor, KG_CM2),
+            "inertias": lambda: shares_of(self.at_motor, motor("inertia")),
+            "tmax": lambda: self.extremes.torque,
+            "tmin": lambda: self.extremes.torque_low,
+            "rms": lambda: self.rms,
+            "speed": lambda: self.speed,
+            "mean": lambda: self.mean,
+            "continuous": lambda: self.continuous,
+            "res_rms": lambda: shares_of(self.continuous, self.rms),
+            "res_peak": lambda: shares_of(motor("peak_torque"), self.extremes.peak),
+            "res_speed": lambda: shares_of(motor("max_speed"), self.speed),
+            "smax": lambda: self.behind,
+            "smean": lambda: self.mean_behind,
+            "energy": lambda: self.works.driving,
+            "returned": lambda: self.works.regenerated,
+            "power": lambda: shown(mean_power(self.works, self.time), KW),
+            "pmax": lambda: shown(np.maximum(0.0, self.extremes.power), KW),
+            "pmin": lambda: shown(np.minimum(0.0, self.extremes.power_low), KW),
+            "highest": lambda: self.highest,
+            "binds": lambda: self.binds,
+        }
+        return found | ({"spare": lambda: self.extremes.spare} if self.products.knows_falling else {})
+
+    @property
+    def _products(self) -> dict[str, Callable[[], Any]]:
+        """The figures of motors and reducers themselves."""
+        motor = {"motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
+                 "motor_nmax": "max_speed", "motor_stall": "stall_torque", "motor_nn": "rated_speed"}  # fmt: skip
+        reducer = {"reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia",
+                   "no_load": "no_load_torque",
+                   "reducer_peak": "peak_torque", "reducer_mean": "mean_torque",
+                   "reducer_nmax": "max_speed"}  # fmt: skip
+        found: dict[str, Callable[[], Any]] = {}
+        for name, figure in motor.items():
+            found[name] = partial(self._figure, "motors_used", figure)
+        for name, figure in reducer.items():
+            found[name] = partial(self._figure, "reducers_used", figure)
+        for figure in WEIGHED:
+            found[f"motor_{figure}"] = partial(self._figure, "motors_used", figure)
+            found[f"reducer_{figure}"] = partial(self._figure, "reducers_used", figure)
+            found[f"pair_{figure}"] = partial(self.pair, figure)
+        return found
+
+    def _figure(self, products: str, figure: str) -> Array:
+        """Return a figure of the motors or the reducers in use."""
+        found: dict[str, Array] = getattr(self, products)
+        return found[figure]
+
+    @property
+    def _checks(self) -> dict[str, Callable[[], Any]]:
+        """The checks of the drive's sheet."""
+        motor = self.motors_used.__getitem__
+        linked = self.axis.given.mechanism and self.axis.given.mechanism.kind in LINKED
+        closes = {"ok_back": lambda: told(self.axis.motion.closes)} if linked else {}
+        return closes | {
+            "ok_rms": lambda: told(self.rms <= self.continuous),
+            "ok_peak": lambda: told(self.extremes.peak <= motor("peak_torque")),
+            "ok_speed": lambda: told(self.speed <= motor("max_speed")),
+            "ok_curve": lambda: self.below_curve,
+            "ok_reducer_peak": lambda: self.within("peak_torque", self.behind),
+            "ok_reducer_mean": lambda: self.within("mean_torque", self.mean_behind),
+            "ok_reducer_speed": lambda: self.within("max_speed", self.speed),
+        }
+
+
+def figures(
+    used: Sequence[MotorInUse] | Sequence[ReducerInUse], column: Column, products: Sequence[MotorRow | ReducerRow]
+) -> dict[str, Array]:
+    """Return the figures of products in use in each design, and what those of the catalogue weigh and cost."""
+    rows = [None, *products]
+    names = used[0]._fields
+    own = {name: np.array([getattr(one, name) for one in used], dtype=np.float64) for name in names}
+    more = {name: np.array([getattr(rows[one.row], name, None) for one in used], dtype=np.float64) for name in WEIGHED}
+    return {name: values[column.places] for name, values in (own | more).items()}
+
+
+def only(columns: Mapping[str, Column], place: str) -> tuple[str, Column]:
+    """Return the entry of a motor or reducer that differs, and how; nothing where none does."""
+    found = ((key.removeprefix(f"{place}."), one) for key, one in columns.items() if key.startswith(f"{place}."))
+    return next(found, ("", ONE))
+
+
+def changed(given: Axis, place: str, key: str, value: Any) -> Axis:
+    """Return the entries of an axis with another entry of its motor or reducer."""
+    entries = getattr(given, place)
+    return given.model_copy(update={place: entries.model_copy(update={key: value})}) if key else given
+
+
+def speed_of(rate: float) -> float:
+    """Return the speed of the master shaft (rad/s) at a rate."""
+    return shaft_speed(si(rate, PER_MINUTE))
+
+
+def told(ok: Any) -> Any:
+    """Return verdicts in words."""
+    return np.where(ok, OK, FAIL)

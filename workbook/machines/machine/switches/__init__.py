@@ -1,0 +1,1 @@
+"""Switches over the cycle: entries, the engine's view, the sheet Switches."""

@@ -1,0 +1,228 @@
+"""A machine without a master shaft: its cycle in s, and all places over it; what an engineer enters.
+
+Or over another abscissa, that does not tell how time passes: an angle, the travel of a product.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Annotated, Any, Protocol, Self, TypeVar
+
+from pydantic import Field, model_validator
+
+from workbook.book.sentence import figure
+from workbook.entries.abscissa import Abscissa, Unit, measured
+from workbook.entries.turn import TURN, filling, forward
+from workbook.entries.types import ANGLE_TOLERANCE, CountsAs, DesignError, EntryError, Model, NotNegative, Positive
+from workbook.entries.units import PER_MINUTE, shown, si
+from workbook.machines.machine.chain import WINDOWS, AxisLoad, ForceWindow
+from workbook.machines.machine.entries import MOST_AXES, AnyMachine, Axis, AxisPhase, following
+from workbook.machines.machine.switches.entries import KEYS, MOST_SWITCHES, TIMES, UNUSED, SwitchEntry, TimeOn, meeting
+
+RATES = ("velocity", "acceleration")
+
+
+class Lasts(Protocol):
+    """What lasts from one place of the cycle to another."""
+
+    @property
+    def start(self) -> float | None:
+        """Where it begins."""
+
+    @property
+    def stop(self) -> float | None:
+        """Where it ends."""
+
+
+Lasting = TypeVar("Lasting", bound=Model)
+
+
+class Cycle(Model):
+    """Without a master shaft: the length of a cycle; phases, shifts, switches and process forces are in its unit too.
+
+    Over °, rad or mm nothing tells how time passes: rates are geometric, in lift by abscissa, and there are no drives.
+    """
+
+    cycle: Annotated[Positive, CountsAs(TURN)] = Field(description="Length of a cycle: its time in s, or in the unit")
+    unit: Unit = Field("s", description="What the cycle is over: time, an angle, the travel of a product")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _alone(cls, data: Any) -> Any:
+        if isinstance(data, dict) and "rate" in data:
+            raise EntryError("rate", "entered beside cycle; expected one of them: a rate of a master shaft, or a cycle")
+        return data
+
+
+class TimedPhase(AxisPhase):
+    """A phase in s of the cycle, and what it passes its begin with in m/s or rad/s.
+
+    Over another abscissa both are in its unit, and what it passes in lift by abscissa, such as mm/°.
+    """
+
+    start: NotNegative
+    stop: NotNegative
+
+
+class TimedWindow(ForceWindow):
+    """A process force from one time of the cycle to another (s)."""
+
+    start: NotNegative
+    stop: NotNegative
+
+
+class TimedLoad(AxisLoad):
+    """What hangs on an axis, its process forces in s of the cycle."""
+
+    windows: Annotated[list[TimedWindow], Field(max_length=WINDOWS)] = []  # type: ignore[assignment] # noqa: RUF012
+
+
+class TimedAxis(Axis):
+    """An axis: what it does in one cycle; between its phases it rests."""
+
+    phases: Annotated[list[TimedPhase], Field(min_length=1)]  # type: ignore[assignment]
+    load: TimedLoad = TimedLoad()
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield an open cycle with a drive: where phases lie, the machine says, which knows how long the cycle is."""
+        yield from self.repeating()
+
+
+class TimedOn(TimeOn):
+    """One time of being on, in s or the unit of the cycle; one that ends before it begins runs across the end."""
+
+    start: NotNegative | None = Field(default=None, description="From when it is on")
+    stop: NotNegative | None = Field(default=None, description="To when it is on")
+
+
+class TimedSwitch(SwitchEntry):
+    """A lane that is on or off over the cycle."""
+
+    on: Annotated[list[TimedOn], Field(max_length=TIMES)] = Field(  # type: ignore[assignment]
+        description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less"
+    )
+
+    def apart(self) -> Iterator[DesignError]:
+        """Yield nothing: the machine says it, which knows how long the cycle is."""
+        yield from ()
+
+
+class TimedMachine(AnyMachine):
+    """Axes over the seconds of a cycle, or another abscissa, without a master shaft."""
+
+    master: Cycle  # type: ignore[assignment]
+    axes: Annotated[list[TimedAxis], Field(min_length=1, max_length=MOST_AXES)]  # type: ignore[assignment]
+    switches: Annotated[list[TimedSwitch], Field(max_length=MOST_SWITCHES)] = Field(  # type: ignore[assignment]
+        default=[]
+    )
+
+    @model_validator(mode="after")
+    def _in_time(self) -> Self:
+        for i, axis in enumerate(self.axes if not self.over.paced else ()):
+            if axis.motor is not None:
+                said = (
+                    f"a cycle in {self.master.unit} does not tell how time passes, which a drive needs; expected none"
+                )
+                raise EntryError(f"axes.{i}.motor", f"{said}, or a cycle in s")
+        return self
+
+    @property
+    def over(self) -> Abscissa:
+        """Seconds, or another abscissa."""
+        return measured(self.master.unit, self.master.cycle)
+
+    @property
+    def per_minute(self) -> float:
+        """Cycles a minute; over an abscissa that tells no time, in 60 of its units."""
+        return shown(shown(1.0, self.master.cycle), PER_MINUTE)
+
+    @property
+    def axes_turned(self) -> Sequence[Axis]:
+        """The axes with all their places in degrees of one turn."""
+        return [axis_turned(axis, self.over) for axis in self.axes]
+
+    @property
+    def switches_turned(self) -> Sequence[SwitchEntry]:
+        """The switches, likewise."""
+        over = self.over
+        return [one.model_copy(update={"on": [turned(time, over) for time in one.on]}) for one in self.switches]
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield phases, process forces and times of switches that do not lie in the cycle, or not in order."""
+        over = self.over
+        for i, axis in enumerate(self.axes):
+            phases, spread = axis.phases, filling(axis.phases, over.length)
+            found = [*forward(axis.name, phases, over.after, over.length), *following(axis.name, phases, over)]
+            beyond = within(f"{axis.name} row", phases, over, ("phases", "within"), spread)
+            windows = axis.load.windows
+            inside = [one.model_dump() | {end: min(getattr(one, end), over.length) for end in KEYS} for one in windows]
+            forces = within(f"{axis.name} process force", windows, over, ("load.windows", "forces"), inside)
+            yield from numbered("axes", i, [*(found or beyond), *forces])
+        for i, (one, degrees) in enumerate(zip(self.switches, self.switches_turned, strict=True)):
+            beyond = within(f"{one.name} time", one.on, over, ("on", "ends"), [UNUSED for _ in one.on])
+            yield from numbered("switches", i, [*beyond] or [*meeting(degrees, over)])
+
+
+def numbered(table: str, i: int, found: Iterable[DesignError]) -> Iterator[DesignError]:
+    """Yield what is wrong with a row of a table, from 0, as the machine tells it: rules with the row's number."""
+    for one in found:
+        yield DesignError(f"{table}.{i}.{one.field}", str(one), f"{one.rule}{i + 1}", one.fits)
+
+
+def axis_turned(axis: Axis, over: Abscissa) -> Axis:
+    """Return an axis with all its places in degrees of one turn, and what its phases pass in SI by rad."""
+    size = over.lift(axis.unit).size
+    phases = [
+        turned(phase, over).model_copy(
+            update={name: None if (rate := getattr(phase, name)) is None else over.per_rad(si(rate, size), order)
+                    for order, name in enumerate(RATES, 1)}
+        )
+        for phase in axis.phases
+    ]  # fmt: skip
+    load = axis.load.model_copy(update={"windows": [turned(force, over) for force in axis.load.windows]})
+    return axis.model_copy(update={"phases": phases, "load": load, "shift": over.degrees(axis.shift)})
+
+
+def turned(one: Lasting, over: Abscissa) -> Lasting:
+    """Return what lasts from one place of the cycle to another, in degrees of one turn."""
+    ends = {name: getattr(one, name) for name in KEYS}
+    return one.model_copy(update={name: None if x is None else min(over.degrees(x), TURN) for name, x in ends.items()})
+
+
+def within(
+    name: str, each: Sequence[Lasts], over: Abscissa, rule: tuple[str, str], fits: Any
+) -> Iterator[DesignError]:  # fmt: skip
+    """Yield the first of several that goes on beyond the cycle; the rule has a key and a name."""
+    for k, one in enumerate(each, 1):
+        last = max(x for x in (0.0, one.start, one.stop) if x is not None)
+        if over.degrees(last) - TURN > ANGLE_TOLERANCE:
+            at, by = (f"{figure(x)}{over.after}" for x in (last, last - over.length))
+            key, called = rule
+            yield DesignError(key, f"{name} {k} goes to {at}, {by} beyond the cycle", called, fits)
+            return
+
+
+def told_in_seconds(machine: AnyMachine) -> TimedMachine:
+    """Return the same machine, which is told at a rate, without its master shaft."""
+    data = machine.model_dump()
+    cycle = shown(shown(1.0, machine.per_minute), PER_MINUTE)
+    data["master"] = {"cycle": cycle}
+    in_units_of(data, "s", cycle)
+    return TimedMachine.model_validate(data)
+
+
+def in_units_of(data: dict[str, Any], unit: str, cycle: float) -> None:
+    """Tell all places of a description, which are in degrees, in s or another unit of its cycle; what phases pass too.
+
+    That is in SI by rad.
+    """
+    over = measured(unit, cycle)
+    for axis in data["axes"]:
+        size = over.lift(axis["unit"]).size
+        axis["shift"] = over.shown(axis["shift"])
+        for phase in axis["phases"]:
+            phase |= {name: None if (rate := phase.get(name)) is None else shown(over.by_unit(rate, order), size)
+                      for order, name in enumerate(RATES, 1)}  # fmt: skip
+    lasting = [one for axis in data["axes"] for one in (*axis["phases"], *axis["load"]["windows"])]
+    for one in (*lasting, *(time for switch in data["switches"] for time in switch["on"])):
+        one |= {end: None if one[end] is None else over.shown(one[end]) for end in KEYS}

@@ -1,0 +1,1 @@
+"""The timing diagram: the sheets Timing and Cycle."""

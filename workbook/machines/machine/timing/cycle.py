@@ -1,0 +1,113 @@
+"""The sheets Cycle: each axis over one turn of the master shaft, sample by sample."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from workbook.book.again import again
+from workbook.book.declare import FIRST, Book, Quantity, calc, constant, result
+from workbook.entries.titles import sheet_title
+from workbook.entries.units import DEGREE, shown
+from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.timing.sheet import LANE_SHARE
+from workbook.machines.machine.view import Whole
+from workbook.motion.exported import Exportable, Later
+from workbook.motion.sampled import POSITION, finding, sampled
+
+RATES = (
+    ("v", "velocity", "timing_omega", "y' ω", "dy/dx"),
+    ("a", "acceleration", "timing_omega^2", "y'' ω²", "d²y/dx²"),
+    ("j", "jerk", "timing_omega^3", "y''' ω³, between jumps", "d³y/dx³, between jumps"),
+)
+"""of each derivative: its column, what it is called, its factor, and its equation over time and over all else"""
+
+
+def cycle_sheets(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
+    """Declare a sheet for each axis."""
+    for one in axes:
+        floor = len(axes) + len(machine.lanes) - one.axis.number
+        again(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
+
+
+def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
+    """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
+    over, i, samples = machine.over, one.axis.number, len(machine.angles)
+    title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
+    sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
+    with sheet.scoped(f"cycle{i}_"):
+        sheet.rows(calc("@name", "Axis", "", "", f"=[axes.name.{i}]", one.axis.given.name, align="left"),
+                   *whole(one, floor))  # fmt: skip
+        sheet.row += 1
+        theta = constant("theta", over.angle, "θ", "°", machine.angles.tolist(), format="0.0##")
+        time = calc("time", over.name, over.symbol, over.unit, "=[theta]/360*timing_cycle", machine.times,
+                    format=over.format)  # fmt: skip
+        sheet.table(
+            f"cycle{i}", f"The axis over the {over.name}", samples,
+            time if over.measured else theta,
+            *results(one), in_lane(one, floor),
+            *([theta] if over.measured else []),
+            *found(one),
+        )  # fmt: skip
+    sheet.unprinted, sheet.widths = True, {FIRST: 14}
+
+
+def whole(one: AxisRows, floor: int) -> list[Quantity]:
+    """Return what is the same at all samples of an axis: its shift, what a cycle goes on by, and its lane."""
+    axis, i, unit = one.axis, one.axis.number, one.axis.given.unit
+    low, high = (shown(end, axis.unit) for end in axis.motion.reach)
+    by_lift = LANE_SHARE / (high - low) if high > low else 0.0
+    lowest, highest = f"[axes.low.{i}]", f"[axes.high.{i}]"
+    return [
+        calc("@late", "Its phases begin later by", "", "°", f"=[axes_taken.late.{i}]+0", axis.given.shift),
+        calc("@travel", "Travel of a cycle", "", unit, f"=[axes.travel.{i}]+0",
+             shown(axis.motion.lifts_sum, axis.unit), scale=shown(axis.motion.size(0), axis.unit)),
+        calc("@by_lift", "Height by lift", "", f"1/{unit}",
+             f"=IF({highest}>{lowest},timing_lane/({highest}-{lowest}),0)", by_lift),
+        calc("@floor", "Height of position 0", "", "", f"={floor}-@by_lift*{lowest}",
+             floor - by_lift * low, scale=1.0),
+    ]  # fmt: skip
+
+
+def results(one: AxisRows) -> list[Quantity]:
+    """Return the motion of an axis in time, or by the abscissa whose length is entered alone."""
+    axis, unit, over = one.axis, one.axis.given.unit, one.machine.over
+    timed = axis.motion.at_speed(axis.told(one.machine.samples).x, axis.speed)
+    y, lift = sampled(one.pieces, 0), over.lift(unit).shown
+    rates = zip(RATES, over.symbols[1:], over.rates(unit), timed[1:], strict=True)
+    return [
+        result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+[n]*@travel",
+               shown(axis.at(one.machine.samples).y, axis.unit), source=POSITION),
+        *(result(name, words, symbol, shown_in, f"={factor}*({sampled(one.pieces, order)}){lift}", axis.rate(values),
+                 scale=axis.size(order), source=paced if over.paced else by_x)
+          for order, ((name, words, factor, paced, by_x), symbol, shown_in, values) in enumerate(rates, 1)),
+    ]  # fmt: skip
+
+
+def in_lane(one: AxisRows, floor: int) -> Quantity:
+    """Return the axis as the timing diagram shows it: the first at the top."""
+    lane = one.axis.lane(one.machine.samples, floor, LANE_SHARE)
+    return calc("lane", "in the diagram", "", "", "=@floor+@by_lift*([y]-[n]*@travel)", lane)
+
+
+def exportable(one: AxisRows) -> Exportable:
+    """Return an axis as the sheet Export may have it."""
+    axis, i, unit = one.axis, one.axis.number, one.axis.given.unit
+    over = one.machine.over
+    units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
+    later = Later(f"[axes_taken.late.{i}]", "timing_eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
+    return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, units,
+                      (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
+                      "*1000" if unit == "mm" else "*180/PI()", axis.motion.size, later, over=over)  # fmt: skip
+
+
+def found(one: AxisRows) -> list[Quantity]:
+    """Return where the samples of an axis lie: in which cycle, at which angle of its phases, in which piece."""
+    told = one.axis.told(one.machine.samples)
+    return [
+        calc("n", "cycles of its phases begun before", "c", "",
+             "=INT((MIN([theta],timing_end)-@late+timing_eps)/360)", told.cycles, format="0",
+             source="the end of the turn has the left limit"),
+        calc("p", "angle of its phases", "", "°", "=[theta]-@late-360*[n]", shown(told.x, DEGREE), format="0.0##",
+             source="θ − shift − 360 c", scale=360.0),
+        *finding(one.pieces, "p", told.x),
+    ]  # fmt: skip
