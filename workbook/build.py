@@ -16,7 +16,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.judging.carried import not_carried
 from workbook.judging.matching import Match
-from workbook.judging.moved import put_back
+from workbook.judging.order import in_order
 from workbook.judging.own import carried_over
 from workbook.judging.report import OK
 from workbook.reading.descriptions import (
@@ -137,9 +137,10 @@ def inputs(path: Path) -> tuple[Machine, list[str]]:
 def entered(path: Path) -> tuple[Match, Machine, list[str]]:
     """Return a workbook with what belongs into its cells, what was entered, and lines on entries that are no values."""
     file = open_book(path)
-    entries = Entries(file, agreed, put_back)
+    entries = Entries(file, agreed, in_order)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
+    notes += [f"{one.sheet}!{one.cell}: {one.computed}; expected {one.expected}" for one in entries.moved]
     match = Match(file, entries.template.declare(machine))
     machine.laws.built_as({})
     machine.built_as({})

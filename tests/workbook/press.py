@@ -22,7 +22,7 @@ from workbook.book.sentence import amount, exceeding
 from workbook.book.summary import summary_sheet
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.rules import limits
-from workbook.entries.texts import Text
+from workbook.entries.texts import LOOKED_UP, Text
 from workbook.entries.types import Angle, Model, Number, Positive
 from workbook.reading.descriptions import read_machine
 from workbook.template import Template, finish
@@ -42,7 +42,7 @@ class Phase(Model):
 class Motor(Model):
     """A product of the catalogue: its rated torque (Nm)."""
 
-    name: Text
+    name: Annotated[Text, LOOKED_UP]
     torque: Positive
 
 

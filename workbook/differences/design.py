@@ -16,7 +16,7 @@ from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
 from workbook.judging.carried import own_things
 from workbook.judging.layout import laid_out, layout
-from workbook.judging.moved import put_back
+from workbook.judging.order import in_order
 from workbook.judging.report import Report
 from workbook.judging.structure import structure
 from workbook.reading.descriptions import read_machine
@@ -128,7 +128,7 @@ def read(path: Path) -> Design:
         machine = read_machine(path)
         return Design(path, machine, TEMPLATES[machine.template].declare(machine))
     file = open_book(path)
-    entries = Entries(file, agreed, put_back)
+    entries = Entries(file, agreed, in_order)
     machine = entries.machine()
     edited, own = changes(file, entries, machine)
     return Design(path, machine, TEMPLATES[machine.template].declare(machine), edited, own)

@@ -13,11 +13,11 @@ from workbook.judging.matching import Pair
 LAYOUT = "layout"
 """The kind of rows and columns that were put into tables, or are gone."""
 ORDER = (
-    LAYOUT, "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error", "value",
-    "follows", "saved", "shown", "witness",
+    LAYOUT, "entry", "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error",
+    "value", "follows", "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
-CAUSES = ORDER[:7]
+CAUSES = ORDER[:8]
 """the kinds from which wrong values follow elsewhere"""
 FOLLOWS = "follows"
 """The kind of what is wrong only because of other cells."""

@@ -18,12 +18,14 @@ from workbook.judging.functions import notes
 from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match
 from workbook.judging.moved import put_back
-from workbook.judging.report import ORDER, Finding, Ran, Report
+from workbook.judging.order import in_order, is_empty_row, unlike
+from workbook.judging.report import NOTICE, ORDER, Finding, Ran, Report
 from workbook.judging.right import Variation
 from workbook.judging.settings import settings
 from workbook.judging.shown.book import displayed
 from workbook.judging.structure import structure
 from workbook.judging.verdict import checks
+from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.reading.work import require_little_work
@@ -46,10 +48,12 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | N
     """
     names, absent = present(witnesses)
     file = open_book(path)
-    entries = Entries(file, agreed, put_back)
+    entries = Entries(file, agreed, in_order)
     if beside is not None:
         beside.prepare(Variation, entries.template)
-    report = Report(path, entries.template.name, findings=entries.moved, notes=list(file.notes))
+    report = Report(path, entries.template.name, notes=list(file.notes))
+    for found in entries.moved:
+        (report.notices if found.kind == NOTICE else report.findings).append(found)
     machine = entries.machine()
     report.notes += entries.beyond
     if entries.computed:
@@ -109,6 +113,8 @@ def judge(
         for witness in asked:
             comparison.ask(witness)
         comparison.require_answers(named)
+        if any(map(is_empty_row, report.notices)):
+            unlike(values_as_they_stand(file.path), match, comparison.values, report)
         computed = len(report.findings)
         report.checks = checks(match, comparison.values)
         displayed(match, type(machine), comparison.values, report)
@@ -116,6 +122,11 @@ def judge(
     follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)
+
+
+def values_as_they_stand(path: Path) -> Cells:
+    """Return the values of the formula cells of a file whose entries are not put in order."""
+    return by_cell().model(open_book(path)).evaluate()
 
 
 def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:

@@ -26,19 +26,19 @@ from workbook.visible import found
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
 """gives what gives the value of a formula cell, told which of them it will be asked"""
-Mend = Callable[[BookFile, Book], list[Any]]  # puts back what was moved, and says what that was
+Mend = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # puts entries in order, and says what was not
 
 
-def as_it_is(file: BookFile, layout: Book) -> list[Any]:
-    """Put nothing back."""
+def as_it_is(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Any]:
+    """Change nothing."""
     return []
 
 
 class Entries:
     """The input cells of a workbook as a machine description.
 
-    Inputs that hold a formula are given to ``evaluate``. ``mend`` puts cells that were moved back into their tables;
-    ``moved`` is what it says of them.
+    Inputs that hold a formula are given to ``evaluate``. ``mend`` puts them in order first, such as cells that were
+    moved back into their tables; ``moved`` is what it says of them.
     """
 
     def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend = as_it_is) -> None:
@@ -66,7 +66,7 @@ class Entries:
         small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
         self._fit(layout, {size for k, size in roomy.items() if size > self.data["sizes"].get(k, size)})
-        self.moved = mend(file, layout)
+        self.moved = mend(file, layout, self.template.model_for(self.data))
         self._layout = layout
         for block in layout.blocks.values():
             self._read_block(block)
@@ -91,7 +91,9 @@ class Entries:
         try:
             machine = checked(self.template, data, lambda key: self._where(unnamed(key, named)))
         except InputError as refused:
-            raise InputError(self._lost() or refused.lines) from None
+            moved = [f"{self.file.path.name}: {one.sheet}!{one.cell}: {one.computed}; {one.expected}"
+                     for one in self.moved if one.kind == "notice"]  # fmt: skip
+            raise InputError(self._lost() or moved[:1] or refused.lines) from None
         built = self._built()
         machine.laws.built_as({name: built[f"{key}_built"] for name, key in named.items() if f"{key}_built" in built})
         machine.built_as(built)

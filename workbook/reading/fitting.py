@@ -89,10 +89,7 @@ def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], 
     j, rows = counting(block), range(place.rows)
     formulas = [k for k, q in enumerate(block.quantities) if q.formula is not None and place.cell(0, k).column]
     if j is None or not place.cell(0, j).column:
-        looked_at = formulas or range(place.columns)
-        used = [any(held(file, place.cell(r, k), bool(formulas)) for k in looked_at) for r in rows]
-        last = max((r for r in rows if used[r]), default=0)
-        own = [r for r in rows if used[r] or (r > last and not formulas)]
+        own = [r for r in rows if not formulas or any(held(file, place.cell(r, k), True) for k in formulas)]
         return (own if 2 * len(own) > place.rows else rows), []
     first = as_rows(block.quantities[j].value, block.size, block.name)[0]
     numbers = [number(file.value(place.cell(r, j))) for r in rows]
