@@ -193,7 +193,8 @@ def verify(
 
         if len(books) != 1:
             raise typer.BadParameter(f"--against takes one workbook; {len(books)} are named")
-        raise typer.Exit(command.against(books[0], against, cases, cover, marked, as_json, force))
+        asked = witnesses or command.WITNESSES
+        raise typer.Exit(command.against(books[0], against, cases, cover, marked, as_json, force, asked))
     from workbook.witnesses.beside import beside
 
     with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges

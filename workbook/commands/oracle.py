@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,18 +13,23 @@ from rich.table import Table
 
 from workbook.build import write_text
 from workbook.exits import AGREES, DISAGREES
+from workbook.judging.verify import present
 from workbook.oracle.declared import load
 from workbook.oracle.draft import draft
-from workbook.oracle.judge import Judge, Judged, describe
+from workbook.oracle.judge import FIRST, Judge, Judged, describe
 from workbook.reading.files import BookFile, open_book
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+from workbook.witnesses.registry import WITNESSES as REGISTER
 from workbook.writing.place import refuse_existing, refuse_itself, replace
 
+WITNESSES = (FIRST, "formualizer")
+"""the evaluators asked by default"""
 COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
 
 
 def against(
-    path: Path, declarations: Path, number: int, cover: float | None, marked: Path | None, as_json: bool, force: bool
+    path: Path, declarations: Path, number: int, cover: float | None, marked: Path | None, as_json: bool, force: bool,
+    witnesses: Sequence[str] = WITNESSES,
 ) -> int:  # fmt: skip
     """Compare a workbook with its oracle, print what came of it; return the exit code."""
     refuse_itself(marked, path)
@@ -31,7 +37,8 @@ def against(
         refuse_existing(marked, force)
     with ERR.status(shown(f"Comparing {path} with {declarations} …")):
         file = open_book(path)
-        found = Judge(file, load(declarations)).judge(number)
+        names = [name for name in present(witnesses)[0] if not REGISTER[name]().kept]
+        found = Judge(file, load(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
     if marked is not None:
         replace(marked, lambda draft: mark(path, found, draft), force)
     if as_json:
@@ -55,7 +62,9 @@ def data(found: Judged) -> dict[str, Any]:
     """Return what came of a comparison as JSON has it."""
     wrong = [{"cell": str(one.cell), **{k: v for k, v in one.__dict__.items() if k != "cell"}} for one in found.wrong]
     cells = {str(cell): kind for cell, kind in found.coverage.items()}
-    return {"cases": found.cases, "covered": found.covered, "findings": wrong, "cells": cells}
+    known = {"known": found.dimensions.known, "formulas": found.dimensions.formulas}
+    return {"cases": found.cases, "covered": found.covered, "findings": wrong, "cells": cells, "dimensions": known,
+            "notes": found.notes}  # fmt: skip
 
 
 def show(file: BookFile, found: Judged) -> None:
@@ -69,6 +78,9 @@ def show(file: BookFile, found: Judged) -> None:
     counts = f"{found.count('compared')} compared, {found.count('step')} steps to them"
     counts += f", {found.count('unaccounted')} unaccounted"
     say(OUT, f"{found.cases} cases, {len(found.coverage)} formula cells: {counts}; {found.covered:.1f} % covered")
+    say(OUT, f"Dimensions: {found.dimensions.known} of {found.dimensions.formulas} formula cells known from the units")
+    for note in found.notes:
+        say(OUT, note)
     say(OUT, f"{len(found.wrong)} findings" if found.wrong else "Every compared cell is what the declarations give")
 
 

@@ -36,7 +36,7 @@ def laws_sheet(
         constant("break_tolerance", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
                  source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "
                         "of a jump"),
-        constant("u_least", "Least place in a piece", "u", "", LEAST, format="0E+00",
+        constant("u_least", "Least place in a piece", "u", "s, rad", LEAST, format="0E+00",
                  source="added to each, so that u⁰ is 1 at its begin too: Excel has no 0^0"),
         constant("stage_least", "Least stage of a law", "", "", LEAST_STAGE, format="0E+00",
                  source="as a share of the rise; a stage is none, or lasts so long"),

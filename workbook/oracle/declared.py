@@ -16,7 +16,8 @@ from workbook.errors import ReadError
 class Input:
     """A cell that is varied: a number from ``low`` to ``high``, or one of ``choices``.
 
-    ``cell`` is an address (``Sheet!B4``, or ``B4`` on the first sheet), a defined name, or the label beside it.
+    ``cell`` is an address (``Sheet!B4``, or ``B4`` on the first sheet), a defined name, or the label beside it;
+    ``macro`` of a cell with a formula that calls a macro, which only Excel runs: a number stands in for it.
     """
 
     cell: str
@@ -24,6 +25,7 @@ class Input:
     low: float | None = None
     high: float | None = None
     choices: Sequence[Any] = ()
+    macro: bool = False
 
 
 @dataclass(eq=False)
@@ -52,9 +54,13 @@ class Table:
 
 @dataclass(eq=False)
 class Oracle:
-    """All that is declared of a workbook; ``names`` has the inputs by the variables of the file."""
+    """All that is declared of a workbook; ``names`` has the inputs by the variables of the file.
+
+    ``sheets`` are those whose formula cells are counted and looked at: all by default.
+    """
 
     title: str
+    sheets: Sequence[str] = ()
     inputs: list[Input] = field(default_factory=list)
     outputs: list[Output] = field(default_factory=list)
     tables: list[Table] = field(default_factory=list)
@@ -62,10 +68,10 @@ class Oracle:
 
     def input(
         self, cell: str, unit: str = "", low: float | None = None, high: float | None = None,
-        choices: Sequence[Any] = (),
+        choices: Sequence[Any] = (), macro: bool = False,
     ) -> Input:  # fmt: skip
         """Declare a cell that is varied; without a range or choices it stays as it is entered."""
-        self.inputs.append(Input(cell, unit, low, high, choices))
+        self.inputs.append(Input(cell, unit, low, high, choices, macro))
         return self.inputs[-1]
 
     def output(

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal
@@ -11,42 +10,37 @@ from typing import Any, Literal
 import numpy as np
 
 from workbook.book.address import Address
-from workbook.errors import ReadError
+from workbook.dimensions.walk import Dimensions
+from workbook.errors import ReadError, WitnessError
 from workbook.oracle.cases import Case, cases
-from workbook.oracle.cells import cells_of, find, label_of, unit_of
+from workbook.oracle.cells import cells_of, find, label_of
 from workbook.oracle.declared import Input, Oracle
+from workbook.oracle.findings import Looks, Wrong
+from workbook.oracle.values import close, is_number, same, size
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
+from workbook.witnesses.agreed import UNKNOWN
 from workbook.witnesses.pycel.model import PycelModel
+from workbook.witnesses.registry import WITNESSES
+from workbook.witnesses.varied import varied
 
 Coverage = Literal["compared", "step", "unaccounted"]
-ROUNDING, SMALLEST = 1e-9, 1e-12
-"""of two values that are the same: a relative and an absolute deviation"""
 PROBES = 8
 """cases at which a step is changed, to see whether an output follows"""
-SPELLINGS = str.maketrans("²³µ", "23μ", "·*^ ")
-"""of units: powers and products as people write them"""
 CHANGES: tuple[Callable[[float], float], ...] = (lambda value: value * 1.01 + 1e-3, lambda value: -value - 1.0)
-
-
-@dataclass(frozen=True)
-class Wrong:
-    """What is wrong in a cell: the kind of fault, what was found and expected, and at which inputs."""
-
-    cell: Address
-    kind: str
-    found: Any
-    expected: Any
-    at: str = ""
+FIRST = "pycel"
+"""the evaluator whose values everything else is asked of"""
 
 
 @dataclass
 class Judged:
-    """What came of a comparison: findings, cases, and the class of each formula cell."""
+    """What came of a comparison: findings, cases, notes, dimensions, and the class of each formula cell."""
 
     cases: int
     wrong: list[Wrong] = field(default_factory=list)
     coverage: dict[Address, Coverage] = field(default_factory=dict)
+    dimensions: Dimensions = field(default_factory=Dimensions)
+    notes: list[str] = field(default_factory=list)
 
     def count(self, kind: Coverage) -> int:
         """How many formula cells are of a class."""
@@ -59,7 +53,7 @@ class Judged:
 
 
 class Judge:
-    """A workbook held against its oracle."""
+    """A workbook and its oracle."""
 
     def __init__(self, file: BookFile, oracle: Oracle) -> None:
         self.file, self.oracle = file, oracle
@@ -67,32 +61,74 @@ class Judge:
         self.cells = {one: self._input(one) for one in oracle.inputs}
         self.outputs = [(find(file, one.cell), one) for one in oracle.outputs]
         self.tables = [(cells_of(file, one.cells), one) for one in oracle.tables]
+        formulas = file.contents.formula_cells
+        self.formulas = [cell for cell in formulas if not oracle.sheets or cell.sheet in oracle.sheets]
 
     def _input(self, one: Input) -> Address:
         cell = find(self.file, one.cell)
-        if cell in self.file.contents.formulas:
+        if cell in self.file.contents.formulas and not one.macro:
             raise ReadError(f"{self.file.path.name}: {cell} is an input and holds a formula; expected a value")
         return cell
 
-    def judge(self, number: int, seed: int = 0) -> Judged:
-        """Compare the outputs at so many cases, what was saved, units, and what stands in place of formulas."""
-        entered = {one: self.file.contents.constants.get(cell) for one, cell in self.cells.items()}
-        found = Judged(0)
-        first: dict[Address, Wrong] = {}
-        tried = cases(self.oracle.inputs, entered, number, seed)
-        for case in tried:
-            values = self.values(case)
-            for wrong in self.compared(case, values):
-                first.setdefault(wrong.cell, wrong)
-        found.cases, found.wrong = len(tried), [*first.values(), *self.stale(), *self.unread(), *self.units()]
-        found.wrong += self.constants()
+    def judge(self, number: int, seed: int = 0, witnesses: Sequence[str] = (FIRST,)) -> Judged:
+        """Compare the outputs at so many cases by each witness; look at units, saved values and gaps; count cells."""
+        tried = cases(self.oracle.inputs, self.entered, number, seed)
+        found = Judged(len(tried))
+        found.wrong += self.deviating(tried, witnesses, found.notes)
+        inputs = list(self.cells.values())
+        units = {self.cells[one]: one.unit for one in self.oracle.inputs}
+        looks = Looks(self.file, self.formulas, units | {cell: one.unit for cell, one in self.outputs})
+        found.dimensions = looks.dimensions(self.model.order)
+        found.wrong += [*looks.stale(self.values(self.entered)), *looks.unread(inputs), *looks.other_units()]
+        found.wrong += [*looks.replaced(inputs), *looks.empty()]
+        for cell, text in found.dimensions.wrong.items():
+            found.wrong.append(Wrong(cell, "dimension", text, "one dimension"))
         found.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
         return found
 
+    @property
+    def entered(self) -> Case:
+        """The inputs as the workbook has them; of a macro what was saved, else the low end of its range."""
+        held = self.file.contents.constants | {one: x for one, x in self.file.saved.items() if x is not None}
+        return {one: held.get(cell, one.low if one.macro else None) for one, cell in self.cells.items()}
+
+    def deviating(self, tried: Sequence[Case], witnesses: Sequence[str], notes: list[str]) -> list[Wrong]:
+        """Return the outputs that are not what the oracle says, each at the first case and by the first witness."""
+        first: dict[Address, Wrong] = {}
+        for name in witnesses:
+            unable = set[Address]()
+            try:
+                for case, values in zip(tried, self.said(name, tried), strict=True):
+                    for wrong in self.compared(case, values):
+                        if name != FIRST and wrong.found in UNKNOWN:
+                            unable.add(wrong.cell)
+                        else:
+                            by = "" if name == FIRST else f"{name}: "
+                            first.setdefault(wrong.cell, Wrong(wrong.cell, "value", wrong.found, wrong.expected,
+                                                               by + wrong.at))  # fmt: skip
+            except WitnessError as error:
+                notes.append(f"{name}: {error}")
+            if unable:
+                notes.append(f"{name} cannot evaluate {len(unable)} of {len(self.targets)} compared cells")
+        return list(first.values())
+
+    def said(self, name: str, tried: Sequence[Case]) -> Iterator[Cells]:
+        """Yield what a witness computes at each case."""
+        if name == FIRST:
+            yield from (self.values(case) for case in tried)
+        else:
+            constants = self.file.contents.constants
+            for given, values in varied(WITNESSES[name](), self.file, map(self.given, tried)):
+                yield constants | given | values
+
+    def given(self, case: Case) -> Cells:
+        """Return the values of a case by their cells."""
+        return {self.cells[one]: value for one, value in case.items()}
+
     def values(self, case: Case, others: Cells | None = None) -> Cells:
         """Return what all cells compute at a case; ``others`` stand in for formula cells."""
-        given = {self.cells[one]: value for one, value in case.items()}
-        return self.file.contents.constants | given | self.model.evaluate(given | (others or {}))
+        given = self.given(case)
+        return self.file.contents.constants | self.model.evaluate(given | (others or {})) | given
 
     def compared(self, case: Case, values: Cells) -> Iterator[Wrong]:
         """Yield the outputs that are not what the oracle says of a case."""
@@ -105,15 +141,23 @@ class Judge:
     def expected(self, case: Case, values: Cells) -> Iterator[tuple[Address, Any, float]]:
         """Yield each compared cell with what the oracle says of it, and the deviation that is allowed."""
         for cell, one in self.outputs:
-            value = one.of(*(case[x] for x in self.oracle.arguments(one.of)))
+            value = self.called(one.of, case)
             yield cell, value, one.tolerance * size(value)
         for rows, table in self.tables:
             first = np.array([values.get(row[0]) for row in rows], dtype=float)
-            columns = table.of(first, *(case[x] for x in self.oracle.arguments(table.of, 1)))
+            columns = self.called(table.of, case, first)
             for j, column in enumerate(columns, 1):
                 allowed = table.tolerance * float(np.max(np.abs(column)))
                 for row, value in zip(rows, np.broadcast_to(column, first.shape).tolist(), strict=True):
                     yield row[j], value, allowed
+
+    def called(self, of: Callable[..., Any], case: Case, *first: Any) -> Any:
+        """Return what a declared function gives; raise ReadError where it cannot be computed."""
+        try:
+            return of(*first, *(case[one] for one in self.oracle.arguments(of, len(first))))
+        except (ArithmeticError, TypeError, ValueError) as error:
+            given = ", ".join(f"{name} = {case[one]}" for name, one in self.oracle.names.items())
+            raise ReadError(f"{of.__name__} of the declarations at {given}: {type(error).__name__}: {error}") from error
 
     @cached_property
     def targets(self) -> list[Address]:
@@ -123,88 +167,29 @@ class Judge:
             *(cell for rows, _ in self.tables for row in rows for cell in row[1:]),
         ]
 
-    def stale(self) -> Iterator[Wrong]:
-        """Yield the compared cells whose saved value is not what they compute."""
-        values = self.model.evaluate()
-        for cell, saved in self.file.saved.items():
-            if saved is not None and cell in values and not same(saved, values[cell]):
-                yield Wrong(cell, "saved", saved, values[cell])
-
-    def unread(self) -> Iterator[Wrong]:
-        """Yield the inputs that no formula reads."""
-        read = self.file.contents.read(list(self.cells.values()))
-        yield from (
-            Wrong(cell, "unread", None, "a formula that reads it") for cell in self.cells.values() if cell not in read
-        )
-
-    def units(self) -> Iterator[Wrong]:
-        """Yield the cells beside which another unit stands than is declared."""
-        declared = [(self.cells[one], one.unit) for one in self.oracle.inputs]
-        for cell, unit in [*declared, *((cell, one.unit) for cell, one in self.outputs)]:
-            beside = unit_of(self.file, cell)
-            if unit and beside and spelled(beside) != spelled(unit):
-                yield Wrong(cell, "unit", beside, unit)
-
-    def constants(self) -> Iterator[Wrong]:
-        """Yield the numbers that stand between formulas of one column."""
-        formulas = self.file.contents.formulas
-        for cell, value in self.file.contents.constants.items():
-            above, below = cell._replace(row=cell.row - 1), cell._replace(row=cell.row + 1)
-            number = isinstance(value, int | float) and not isinstance(value, bool)
-            if number and above in formulas and below in formulas and cell not in self.cells.values():
-                yield Wrong(cell, "replaced", value, "a formula, as above and below it")
-
     def covered(self, tried: list[Case]) -> dict[Address, Coverage]:
         """Return the class of each formula cell: a step is one whose change alters a compared cell at some case."""
-        formulas = self.file.contents.formula_cells
-        found: dict[Address, Coverage] = dict.fromkeys(formulas, "unaccounted")
-        needed = self.file.contents.needed(formulas, self.targets)
-        for case in tried:
+        found: dict[Address, Coverage] = dict.fromkeys(self.formulas, "unaccounted")
+        found |= {cell: "compared" for cell in self.targets if cell in found}
+        left = self.file.contents.needed(self.file.contents.formula_cells, self.targets)
+        left = {cell for cell in left if found.get(cell) == "unaccounted"}
+        for case in tried if left else ():
             values = self.values(case)
-            for cell in needed:
-                if found[cell] == "unaccounted" and self.follows(case, values, cell):
-                    found[cell] = "step"
-        return found | {cell: "compared" for cell in self.targets if cell in found}
+            steps = {cell for cell in left if self.follows(case, values, cell)}
+            found |= dict.fromkeys(steps, "step")
+            left -= steps
+        return found
 
     def follows(self, case: Case, values: Cells, cell: Address) -> bool:
         """Whether a compared cell changes with a formula cell."""
-        value = values.get(cell)
-        changes: list[Any] = [f"{value}?", 1.0]
-        if isinstance(value, int | float):
-            changes = [change(value) for change in CHANGES]
+        value: Any = values.get(cell)
+        changes: list[Any] = [change(value) for change in CHANGES] if is_number(value) else [f"{value}?", 1.0]
         return any(
             not same(changed.get(target), values.get(target))
             for other in changes
             for changed in [self.values(case, {cell: other})]
             for target in self.targets
         )
-
-
-def close(found: Any, expected: Any, allowed: float) -> bool:
-    """Whether a value deviates from the expected one by no more than is allowed; a text must be the same."""
-    if is_number(found) and is_number(expected):
-        return math.isfinite(found) and abs(found - expected) <= allowed + SMALLEST
-    return type(found) is type(expected) and bool(found == expected)
-
-
-def same(found: Any, expected: Any) -> bool:
-    """Whether two values are the same but for rounding."""
-    return close(found, expected, ROUNDING * size(expected))
-
-
-def size(value: Any) -> float:
-    """Return the magnitude of a number, else 0."""
-    return abs(float(value)) if is_number(value) else 0.0
-
-
-def is_number(value: Any) -> bool:
-    """Whether a value is a number, and not a truth value."""
-    return isinstance(value, int | float | np.number) and not isinstance(value, bool)
-
-
-def spelled(unit: str) -> str:
-    """Return a unit without what is written in different ways: blanks, brackets, powers, products."""
-    return unit.translate(SPELLINGS).strip("[]()")
 
 
 def describe(file: BookFile, cell: Address) -> str:

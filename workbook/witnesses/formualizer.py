@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from importlib.metadata import version
 from typing import Any
 
@@ -9,10 +10,13 @@ import formualizer
 
 from workbook.book.address import Address
 from workbook.errors import TooLargeError, WitnessError
+from workbook.reading.contents import Cells, entered
 from workbook.reading.files import BookFile
+from workbook.witnesses.bare import bare
 from workbook.witnesses.witness import cached_values
 
 TOO_LARGE = "cell count limit"
+ERRORS = {"Div": "#DIV/0!", "Na": "#N/A", "Name": "#NAME?", "Null": "#NULL!", "Num": "#NUM!", "Ref": "#REF!"}
 
 
 class Formualizer:
@@ -34,3 +38,21 @@ class Formualizer:
                 raise TooLargeError("formualizer takes no workbook of so many formula cells") from error
             raise WitnessError(f"formualizer cannot evaluate the file: {error}") from error
         return cached_values(filled, file)
+
+    def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
+        """Yield each set of values with what the formula cells compute at it, in one book that stays open."""
+        with bare(file) as copy:
+            try:
+                book = formualizer.Workbook.from_bytes(copy.path.read_bytes())
+            except Exception as error:
+                raise WitnessError(f"formualizer cannot read the file: {error}") from error
+        for given in sets:
+            for cell, value in given.items():
+                book.set_value(*cell, value)
+            book.evaluate_all()
+            yield given, {cell: plain(book.get_value(*cell)) for cell in file.contents.formula_cells}
+
+
+def plain(value: Any) -> Any:
+    """Return a value as other witnesses have it: an error by its text, a date as a number."""
+    return ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else entered(value)

@@ -6,12 +6,15 @@ import json
 import openpyxl
 import pytest
 
+from workbook.book.address import Address
 from workbook.commands.oracle import against
 from workbook.errors import ReadError
 from workbook.oracle.declared import load
 from workbook.oracle.draft import draft
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
+from workbook.witnesses.registry import WITNESSES
+from workbook.witnesses.varied import varied
 
 PUMP = """
 from math import pi
@@ -98,6 +101,49 @@ def test_other_faults_are_named(judged):
     assert ("Sheet!B3", "unread") in kinds(judged(B6="=B5/0.7"))
     assert ("Sheet!B6", "unit") in kinds(judged(C6="W"))
     assert kinds(judged(C1="m^3/h")) == set()
+    assert kinds(judged(B7="=B1+D9")) == {("Sheet!D9", "empty")}
+    assert kinds(judged(B7='=IF(D9="",0,B1)')) == set()
+
+
+@pytest.mark.parametrize(
+    ("cell", "formula", "says"),
+    [
+        ("B7", "=B1+B2", "a sum of m^3/s and m"),
+        ("B7", "=SIN(B2)", "SIN of m"),
+        ("D6", "=B6*B2", "kg·m^3/s^3 where the unit says kg·m^2/s^3"),
+    ],
+)
+def test_units_that_do_not_go_together_are_named(judged, cell, formula, says):
+    found = judged(**{cell: formula, "E6": "kW"})
+    assert [(str(one.cell), one.found) for one in found.wrong if one.kind == "dimension"] == [(f"Sheet!{cell}", says)]
+
+
+def test_a_number_stands_in_for_a_macro_and_some_sheets_are_counted(tmp_path):
+    path = build(tmp_path / "p.xlsx", B3="=OfTheMaker(B1)")
+    book = openpyxl.load_workbook(path)
+    book.create_sheet("Other")["A1"] = "=Sheet!B1*Nowhere(1)"
+    book.save(path)
+    text = PUMP.replace("low=0.4, high=0.9", "low=0.4, high=0.9, macro=True").replace('"Pump sizing"', '"", ["Sheet"]')
+    (tmp_path / "p.py").write_text(text.replace('"Efficiency"', '"Sheet!B3"'), encoding="utf-8")
+    found = Judge(open_book(path), load(tmp_path / "p.py")).judge(20, witnesses=("pycel", "formualizer"))
+    assert found.wrong == []
+    assert (len(found.coverage), found.notes) == (11, [])
+
+
+def test_an_input_that_a_function_cannot_take_is_named(judged):
+    with pytest.raises(ReadError, match=r"power of the declarations at q = none given, h = 20, eta = 0.7: TypeError"):
+        judged(B1="none given")
+
+
+@pytest.mark.parametrize("name", WITNESSES)
+def test_every_witness_is_asked_at_other_inputs(tmp_path, name):
+    witness = WITNESSES[name]()
+    if witness.kept or witness.version() is None:
+        pytest.skip(f"{name} does not evaluate here")
+    file = open_book(build(tmp_path / "p.xlsx"))
+    flow, power = Address("Sheet", 1, 2), Address("Sheet", 6, 2)
+    said = [values[power] for _, values in varied(witness, file, [{flow: 20}, {flow: 40}])]
+    assert said == pytest.approx([1000 * 9.81 * q / 3600 * 20 / 0.7 / 1000 for q in (20, 40)], rel=1e-12)
 
 
 def test_the_command_tells_coverage_and_marks_a_copy(tmp_path, capsys):

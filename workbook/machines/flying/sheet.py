@@ -206,7 +206,7 @@ def verdicts(sheet: Sheet, machine: Flying, joints: Joints, by_points: float) ->
               f'"a product of "&{SHORT}&" mm; expected at least "&ROUND(fly_lt*fly_longer,9)&" mm"'),
         check("fly_ok_tools", "A drum has whole tools", f"OR(NOT({IS_DRUM}),fly_tools=INT(fly_tools))", True, "",
               "cutter:whole", 'ROUND(fly_tools,9)&" tools; expected a whole number"'),
-        check("fly_ok_load", "The shaft has something to move", "fly_inertia+fly_mass>0", True, "",
+        check("fly_ok_load", "The shaft has something to move", "OR(fly_inertia>0,fly_mass>0)", True, "",
               "cutter.load:heavy", '"inertia and mass are 0; expected one of them above"'),
         check("fly_ok_range", "The range of product lengths rises", "fly_long>fly_short", True, "",
               "cutter.lengths:ordered", RANGE),

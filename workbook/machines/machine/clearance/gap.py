@@ -61,6 +61,11 @@ class Apart:
         return least_gap(self.terms, self.given.offset)
 
     @property
+    def unit(self) -> str:
+        """The unit of the gap: that of the first axis."""
+        return self.rows[0].axis.given.unit
+
+    @property
     def size(self) -> float:
         """How large the gap grows."""
         return gap_size(self.terms, self.given.offset)

@@ -67,7 +67,8 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
         units = [one.rows[end].axis.given.unit for one in apart]
         return [f"=[{factor}]*1000" if unit == "mm" else f"=DEGREES([{factor}])" for unit in units]
 
-    over = apart[0].over
+    over, units = apart[0].over, {one.unit for one in apart}
+    unit = units.pop() if len(units) == 1 else "mm, °"
     high = "MAX(ABS([axes.low.{0}]),ABS([axes.high.{0}]))"
     size = f"ABS([offset])+ABS([factor1])*{high.format('{i}')}+ABS([factor2])*{high.format('{j}')}"
     entered = sheet.table(
@@ -80,17 +81,17 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
         calc("second", "and axis", "", "", axis(1), [one.rows[1].axis.given.name for one in apart], align="left"),
         given("factor2", "factor", "", "", [one.given.second_factor for one in apart], "clearances.*.second_factor",
               format="0.0##"),
-        given("offset", "offset", "", "", [one.given.offset for one in apart], "clearances.*.offset", format="0.0##"),
-        given("least", "gap to be left", "", "", [one.given.least for one in apart], "clearances.*.least",
+        given("offset", "offset", "", unit, [one.given.offset for one in apart], "clearances.*.offset", format="0.0##"),
+        given("least", "gap to be left", "", unit, [one.given.least for one in apart], "clearances.*.least",
               format="0.0##"),
-        result("gap", "least gap", "", "", each("MIN([clear{n}_least.gap])"), [one.least for one in apart],
+        result("gap", "least gap", "", unit, each("MIN([clear{n}_least.gap])"), [one.least for one in apart],
                scale=max(one.size for one in apart), source=EXACT),
         result("at", "at", over.symbol, over.unit, each(over.told(PLACE)),
                [over.shown(one.place) for one in apart], scale=over.length, format=over.format),
     )  # fmt: skip
     sheet.workings(
         entered, "gaps", "Workings", PRINTED + 2,
-        calc("size", "size of the gap, at most", "", "", each(size), [one.size for one in apart]),
+        calc("size", "size of the gap, at most", "", unit, each(size), [one.size for one in apart]),
         calc("k1", "its own unit in 1 m or rad", "", "", scale(0, "factor1"), [one.scales[0] for one in apart],
              source="times the first factor"),
         calc("k2", "likewise of the other axis", "", "", scale(1, "factor2"), [one.scales[1] for one in apart],
@@ -102,7 +103,7 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
 
 def kept(one: Apart) -> Quantity:
     """Return the check of a clearance."""
-    n, after, unit = one.number, one.over.after, one.rows[0].axis.given.unit
+    n, after, unit = one.number, one.over.after, one.unit
     gap, entered, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
     place = amount(gap, one.least, ": ", f" {unit} at ")
     says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
@@ -136,7 +137,7 @@ def gap(one: Apart, angles: Array) -> Quantity:
     """Return the column of the gap at angles."""
     n = one.number
     entered = f"[clearances.offset.{n}]+[clearances.factor1.{n}]*[ya]+[clearances.factor2.{n}]*[yb]"
-    return calc("gap", "gap", "", "", f"={entered}", one.gaps(angles), scale=one.size,
+    return calc("gap", "gap", "", one.unit, f"={entered}", one.gaps(angles), scale=one.size,
                 source="offset + factor · position + factor · position")  # fmt: skip
 
 
@@ -173,15 +174,15 @@ def points(sheet: Sheet, one: Apart) -> None:
              angles, scale=TURN, format="0.0##", source="0, the places below in their order, 360"),
         *positions(one, 0, angles), *positions(one, 1, angles), gap(one, angles),
         velocity(one, 0), velocity(one, 1),
-        calc("slope", "slope of the gap", "", "1/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", one.slopes,
+        calc("slope", "slope of the gap", "", f"{one.unit}/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", one.slopes,
              scale=float(np.abs(one.slopes).max()), source="factor · y' + factor · y'"),
-        calc("fall", "by the slope before, it rises", "a", "",
+        calc("fall", "by the slope before, it rises", "a", one.unit,
              first.format("[slope-1]*RADIANS([theta]-[theta-1])"), low.fall, scale=size),
-        calc("rise", "it rises", "b", "", first.format("[gap]-[gap-1]"), low.rise, scale=size),
+        calc("rise", "it rises", "b", one.unit, first.format("[gap]-[gap-1]"), low.rise, scale=size),
         calc("share", "lowest at this share of the way", "z", "",
              f"=IF(AND([fall]<0-{lost},[fall]<2*[rise]),[fall]/(2*([fall]-[rise])),1)", low.share,
              source="a/(2(a − b)) between both points, else 1"),
-        calc("low", "lowest gap on the way", "", "", "=IF([share]<1,[gap-1]+[fall]*[share]/2,[gap])", low.gap,
+        calc("low", "lowest gap on the way", "", one.unit, "=IF([share]<1,[gap-1]+[fall]*[share]/2,[gap])", low.gap,
              scale=size, source="gap before + a z/2"),
         *(calc(near, f"{words} is the least of all", "", "",
                f"=IF([{name}]<=MIN([clear{n}_points.{name}])+{lost},1,0)", one.near(values), format="0")

@@ -1,0 +1,187 @@
+"""The dimension of an expression, from those of the cells that it reads."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from workbook.dimensions.tree import Node
+from workbook.dimensions.units import NONE, Dimension, powers, written
+
+LIKE = frozenset([
+    "ABS", "AVERAGE", "CEILING", "FLOOR", "IFERROR", "IFNA", "INT", "LARGE", "MAX", "MEDIAN", "MIN", "MOD", "MROUND",
+    "N", "SMALL", "STDEV", "SUM", "TRUNC",
+])  # fmt: skip
+"""functions whose arguments, and result, have one dimension"""
+FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])
+"""functions whose result has that of the first argument"""
+NUMBERS = frozenset([
+    "ACOS", "ACOSH", "ASIN", "ASINH", "ATAN", "ATANH", "COS", "COSH", "DEGREES", "EXP", "LN", "LOG", "LOG10", "RADIANS",
+    "SIN", "SINH", "TAN", "TANH",
+])  # fmt: skip
+"""functions of numbers and angles"""
+COUNTS = frozenset([
+    "AND", "COUNT", "COUNTA", "COUNTIF", "COLUMN", "COLUMNS", "FALSE", "ISBLANK", "ISERROR", "ISNUMBER", "MATCH", "NOT",
+    "OR", "ROW", "ROWS", "SIGN", "TRUE",
+])  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Term:
+    """What is known of an expression: its dimension, None where unknown; its value, if it is made of numbers alone.
+
+    ``free`` goes with any dimension in a sum: a number in a formula, a text. ``several`` are those of a range of cells
+    of unlike dimensions.
+    """
+
+    dimension: Dimension | None = None
+    number: float | None = None
+    free: bool = False
+    several: tuple[Dimension, ...] = ()
+
+    @property
+    def factor(self) -> Dimension | None:
+        """The dimension as a factor: of a number that may well have a unit, such as 9.81, it is not known."""
+        if self.number is None:
+            return None if self.free else self.dimension
+        return NONE if plain(self.number) else None
+
+
+FREE, UNKNOWN = Term(free=True), Term()
+
+
+def plain(number: float) -> bool:
+    """Whether a number is a count or converts units: whole, one part of a whole number, or such times π."""
+    sizes = (abs(number), abs(number) / math.pi, abs(number) * math.pi)
+    return any(size == 0 or near(size) or near(1 / size) for size in sizes)
+
+
+def near(size: float) -> bool:
+    """Whether a number is whole but for rounding."""
+    return size >= 0.5 and math.isclose(size, round(size), rel_tol=1e-12)
+
+
+class Reading:
+    """One formula with the terms of its arguments; ``wrong`` has what cannot be, in words."""
+
+    def __init__(self, arguments: Sequence[Term]) -> None:
+        self.arguments = arguments
+        self.wrong: list[str] = []
+
+    def of(self, node: Node) -> Term:
+        """Return the term of a node, and note what cannot be."""
+        if node.kind == "number":
+            return Term(number=node.value, free=True)
+        if node.kind == "argument":
+            return self.arguments[int(node.value)]
+        if node.kind == "other":
+            return FREE
+        parts = [self.of(part) for part in node.parts]
+        return self.operation(node.value, parts) if node.kind == "operation" else self.call(node.value, parts)
+
+    def operation(self, sign: str, parts: list[Term]) -> Term:
+        """Return the term of an operation."""
+        if sign == "±":
+            return parts[0]
+        numbers = [part.number for part in parts if part.number is not None]
+        if len(numbers) == len(parts) and (made := computed(sign, *numbers)) is not None:
+            return Term(number=made, free=True)
+        match sign:
+            case "+" | "-":
+                return self.like("a sum", parts)
+            case "*" | "/":
+                return product(parts, (1, 1 if sign == "*" else -1))
+            case "^":
+                return self.power(*parts)
+            case "&":
+                return FREE
+        self.like("a comparison", parts)
+        return Term(NONE)
+
+    def like(self, what: str, parts: Iterable[Term]) -> Term:
+        """Return the term of what has one dimension in all its parts."""
+        known: dict[Dimension, None] = {}
+        every = list(parts)
+        for part in every:
+            known |= dict.fromkeys(part.several if part.dimension is None else (part.dimension,))
+        if len(known) > 1:
+            self.wrong.append(f"{what} of {' and '.join(map(written, known))}")
+        if len(known) == 1:
+            return Term(next(iter(known)))
+        return FREE if every and not known and all(part.free for part in every) else UNKNOWN
+
+    def power(self, base: Term, exponent: Term) -> Term:
+        """Return the term of a power."""
+        self.require_number("an exponent", exponent)
+        if base.factor is None:
+            return UNKNOWN
+        if base.factor == NONE:
+            return Term(NONE)
+        return UNKNOWN if exponent.number is None else Term(raised(base.factor, exponent.number))
+
+    def require_number(self, what: str, term: Term) -> None:
+        """Note where a term that must be a number or an angle has a dimension."""
+        if term.dimension not in (None, NONE):
+            self.wrong.append(f"{what} of {written(term.dimension)}")
+
+    def call(self, name: str, parts: list[Term]) -> Term:
+        """Return the term of a call; unknown for a function that is not known here."""
+        if name == "PI":
+            return Term(number=math.pi, free=True)
+        if name in NUMBERS:
+            for part in parts:
+                self.require_number(name, part)
+        if name in NUMBERS or name in COUNTS:
+            return Term(NONE)
+        if name in LIKE:
+            return self.like(name, parts)
+        if name in FIRST:
+            return parts[0] if parts else UNKNOWN
+        match name:
+            case "SQRT":
+                return self.power(parts[0], Term(number=0.5))
+            case "POWER":
+                return self.power(*parts)
+            case "SUMSQ":
+                return self.power(self.like(name, parts), Term(number=2.0))
+            case "PRODUCT" | "SUMPRODUCT":
+                return product(parts, (1,) * len(parts))
+            case "IF" | "CHOOSE":
+                return self.like(f"the branches of {name}", parts[1:])
+            case "LOOKUP":
+                self.like(name, parts[:2])
+                return parts[-1]
+            case "ATAN2":
+                self.like(name, parts)
+                return Term(NONE)
+        return UNKNOWN
+
+
+def product(parts: Sequence[Term], signs: Sequence[int]) -> Term:
+    """Return the term of a product, ``signs`` -1 for a divisor; unknown if one of its factors is."""
+    found = NONE
+    for part, sign in zip(parts, signs, strict=True):
+        if part.factor is None:
+            return UNKNOWN
+        found = found * part.factor if sign > 0 else found / part.factor
+    return Term(found)
+
+
+def raised(dimension: Dimension, exponent: float) -> Dimension:
+    """Return a power of a dimension, its exponents as fractions so that √x² is x."""
+    times = Fraction(exponent).limit_denominator(60)
+    found = {name: Fraction(power).limit_denominator(60) for name, power in powers(dimension).items()}
+    return Dimension({name: float(power * times) for name, power in found.items()})
+
+
+def computed(sign: str, *numbers: float) -> float | None:
+    """Return the value of an operation with numbers; None where there is none."""
+    a, b = numbers
+    try:
+        made = {"+": a + b, "-": a - b, "*": a * b}.get(sign)
+        value = made if made is not None else a / b if sign == "/" else a**b if sign == "^" else None
+    except (ArithmeticError, ValueError):
+        return None
+    return value if isinstance(value, float) and math.isfinite(value) else None

@@ -1,0 +1,95 @@
+"""Units as engineers write them, as dimensions: ``kg cm²``, ``W/m²K⁴``, ``Nm``, ``1/min``, ``°``."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from typing import Any, TypeAlias
+
+from pint import UndefinedUnitError, UnitRegistry
+from pint.util import UnitsContainer
+
+Dimension: TypeAlias = UnitsContainer
+NONE = Dimension({})
+"""of numbers, angles, shares and counts"""
+POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
+FACTOR = re.compile(r"(?P<word>1|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
+BETWEEN = re.compile(r"[ ·*.×-]*")
+WORDS = {
+    "1": "", "%": "", "‰": "", "°": "", "cycles": "", "pieces": "", "rpm": "1/min", "C": "K", "°C": "K", "°F": "K",
+    "Ω": "ohm", "µm": "m", "μm": "m", "Nm": "N m", "kNm": "N m", "mNm": "N m", "Ncm": "N m", "Nmm": "N m",
+    "Nms": "N m s", "Ws": "J", "Vs": "V s", "As": "A s",
+}  # fmt: skip
+"""what pint does not know, or reads as something else"""
+BASE = {"[mass]": "kg", "[length]": "m", "[time]": "s", "[current]": "A", "[temperature]": "K", "[substance]": "mol",
+        "[luminosity]": "cd"}  # fmt: skip
+
+
+@cache
+def dimension_of(unit: str) -> Dimension | None:
+    """Return the dimension of a unit, the first ``/`` before all that divides; None where it is not known."""
+    found = NONE
+    for k, part in enumerate(unit.strip(" []()").split("/")):
+        for word, power in factors(part):
+            one = of_word(word)
+            if one is None:
+                return None
+            found *= one ** (-power if k else power)
+    return found if unit.strip(" []()") else None
+
+
+def is_either(unit: str) -> bool:
+    """Whether a unit is one or another, such as ``mm, °`` or ``kg or price``."""
+    return ", " in unit or " or " in unit
+
+
+def factors(part: str) -> Iterator[tuple[str, int]]:
+    """Yield the words of a product of units with their powers; an empty word for what is none."""
+    text, at = part.translate(POWERS).strip(), 0
+    while at < len(text):
+        match = FACTOR.match(text, at)
+        if match is None:
+            yield "", 1
+            return
+        yield match["word"], int(match["power"] or 1)
+        between = BETWEEN.match(text, match.end())
+        at = between.end() if between else match.end()
+
+
+@cache
+def of_word(word: str) -> Dimension | None:
+    """Return the dimension of one unit; None where pint knows none of that name."""
+    if word in WORDS:
+        return dimension_of(WORDS[word]) if WORDS[word] else NONE
+    for name in (word, word.lower()) if len(word) > 2 else (word,):
+        try:
+            return registry().Unit(name).dimensionality if word else None
+        except (UndefinedUnitError, ValueError, AttributeError):
+            continue
+    return None
+
+
+@cache
+def registry() -> UnitRegistry[Any]:
+    """Return the units that pint knows."""
+    return UnitRegistry()
+
+
+def powers(dimension: Dimension) -> dict[str, float]:
+    """Return the powers of the base quantities in a dimension."""
+    found: dict[str, Any] = dict(dimension)
+    return {name: float(power) for name, power in found.items()}
+
+
+@cache
+def written(dimension: Dimension) -> str:
+    """Return a dimension as a product of SI units, such as ``kg·m^2/s^3``."""
+    found = powers(dimension)
+
+    def product(sign: int) -> str:
+        there = [(unit, sign * found.get(name, 0.0)) for name, unit in BASE.items()]
+        return "·".join(unit + (f"^{power:g}" if power != 1 else "") for unit, power in there if power > 0)
+
+    above, below = product(1), product(-1)
+    return f"{above or 1}/{below}" if below else above or "a number"

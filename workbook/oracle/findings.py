@@ -1,0 +1,101 @@
+"""What is wrong in a workbook whatever its formulas should compute: saved values, gaps, units, dimensions."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from workbook.book.address import Address
+from workbook.book.formula import Area
+from workbook.dimensions.units import dimension_of
+from workbook.dimensions.walk import Dimensions, dimensions
+from workbook.oracle.cells import unit_of
+from workbook.oracle.values import is_number, same
+from workbook.reading.contents import Cells
+from workbook.reading.files import BookFile
+from workbook.witnesses.agreed import UNKNOWN
+
+SPELLINGS = str.maketrans("²³µ", "23μ", "·*^ ")
+"""of units: powers and products as people write them"""
+BLANK = frozenset(["ISBLANK", "COUNTA", "COUNT", "COUNTIF", "COUNTBLANK", "SUM", "SUMIF"])
+"""functions for which a cell may be empty"""
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """What is wrong in a cell: the kind of fault, what was found and expected, and at which inputs."""
+
+    cell: Address
+    kind: str
+    found: Any
+    expected: Any
+    at: str = ""
+
+
+class Looks:
+    """A workbook in which ``counted`` are the formula cells that are looked at, ``units`` those that are declared."""
+
+    def __init__(self, file: BookFile, counted: Collection[Address], units: Mapping[Address, str]) -> None:
+        self.file, self.counted, self.units = file, set(counted), units
+        self.sheets = {cell.sheet for cell in counted}
+
+    def stale(self, values: Cells) -> Iterator[Wrong]:
+        """Yield the cells whose saved value is not what they compute."""
+        for cell, saved in self.file.saved.items():
+            found = values.get(cell)
+            if cell in self.counted and saved is not None and found not in UNKNOWN and not same(saved, found):
+                yield Wrong(cell, "saved", saved, found)
+
+    def unread(self, inputs: Collection[Address]) -> Iterator[Wrong]:
+        """Yield the inputs that no formula reads."""
+        read = self.file.contents.read(inputs)
+        yield from (Wrong(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
+
+    def other_units(self) -> Iterator[Wrong]:
+        """Yield the cells beside which another unit stands than is declared."""
+        for cell, unit in self.units.items():
+            beside = unit_of(self.file, cell)
+            if unit and beside and spelled(beside) != spelled(unit):
+                yield Wrong(cell, "unit", beside, unit)
+
+    def replaced(self, inputs: Collection[Address]) -> Iterator[Wrong]:
+        """Yield the numbers that stand between two formulas that are alike."""
+        formulas = self.file.contents.formulas
+        for cell, value in self.file.contents.constants.items():
+            above, below = (formulas.get(cell._replace(row=cell.row + step)) for step in (-1, 1))
+            alike = above is not None and below is not None and above.shape == below.shape
+            if alike and is_number(value) and cell.sheet in self.sheets and cell not in inputs:
+                yield Wrong(cell, "replaced", value, "a formula, as above and below it")
+
+    def empty(self) -> Iterator[Wrong]:
+        """Yield the empty cells that a formula reads by themselves, each with the first such formula."""
+        contents, found = self.file.contents, dict[Address, Address]()
+        for cell in self.counted & contents.formulas.keys():
+            formula = contents.formulas[cell]
+            if BLANK.isdisjoint(formula.functions) and "" not in formula.arguments:
+                for one in formula.arguments:
+                    if isinstance(one, Area) and one.single and self.is_empty(one.first):
+                        found[one.first] = min(cell, found.get(one.first, cell))
+        yield from (Wrong(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(found.items()))
+
+    def is_empty(self, cell: Address) -> bool:
+        """Whether a cell holds nothing."""
+        contents = self.file.contents
+        return cell not in contents.formulas and cell not in contents.failed and contents.constants.get(cell) is None
+
+    def dimensions(self, order: Collection[Address]) -> Dimensions:
+        """Return what cannot be by the units: those declared, and those beside the cells of the same sheets."""
+        contents = self.file.contents
+        beside = {
+            cell: unit
+            for cell in [*contents.formulas, *contents.constants]
+            if cell.sheet in self.sheets and (unit := unit_of(self.file, cell)) and dimension_of(unit) is not None
+        }
+        declared = {cell: unit for cell, unit in self.units.items() if unit}
+        return dimensions(contents, [cell for cell in order if cell in self.counted], beside | declared)
+
+
+def spelled(unit: str) -> str:
+    """Return a unit without what is written in different ways: blanks, brackets, powers, products."""
+    return unit.translate(SPELLINGS).strip("[]()")
