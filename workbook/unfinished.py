@@ -7,7 +7,6 @@ on them have no engine value (None), but for the checks of the rules themselves,
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 from workbook.book.address import Address
@@ -134,7 +133,7 @@ class Unfinished:
         """Return an input of a table with what was entered."""
         block = self.book.blocks[table]
         put = self.values.get((table, block.columns[q.name] - block.column))
-        return q if put is None else replace(q, value=put)
+        return q if put is None else q._replace(value=put)
 
     def _told(self, q: Quantity, where: str, rule: str, turns: dict[Address, int]) -> str | None:
         """Return what a rule's check says: nothing where it holds, None where the entries do not tell."""
@@ -197,7 +196,7 @@ class Unfinished:
             block = self.book.blocks[name]
             q = block.quantities[j]
             look = number_format(q, sample(q)) if q.formula is not None else q.format
-            changed = replace(q, value=values if block.is_table else values[0], format=look)
+            changed = q._replace(value=values if block.is_table else values[0], format=look)
             block.quantities = (*block.quantities[:j], changed, *block.quantities[j + 1 :])
         told = {block.quantities[0].name: block.quantities[0] for block in self.book.blocks.values()}
-        self.book.checks = [(s, replace(q, value=told[q.name].value)) for s, q in self.book.checks]
+        self.book.checks = [(s, q._replace(value=told[q.name].value)) for s, q in self.book.checks]

@@ -202,6 +202,21 @@ class MotionPieces:
     begin: float
     total: float
 
+    @classmethod
+    def of(cls, motion: Motion) -> MotionPieces:
+        """Return the pieces of a motion."""
+        return cls(tuple(motion_pieces(motion)), float(motion.edges[0]), motion.total)
+
+    @property
+    def moved(self) -> list[MotionPiece]:
+        """The pieces that last."""
+        return [piece for piece in self.pieces if piece.duration > 0.0]
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest |y'| of the motion."""
+        return max(_largest(position(piece).derivative(), piece.duration) for piece in self.moved)
+
 
 @dataclass(frozen=True)
 class DriveCycle:
@@ -229,9 +244,7 @@ class DriveCycle:
     @cached_property
     def told(self) -> MotionPieces:
         """The pieces of the motion."""
-        if isinstance(self.motion, MotionPieces):
-            return self.motion
-        return MotionPieces(tuple(motion_pieces(self.motion)), float(self.motion.edges[0]), self.motion.total)
+        return self.motion if isinstance(self.motion, MotionPieces) else MotionPieces.of(self.motion)
 
     @cached_property
     def stretches(self) -> tuple[Stretch, ...]:
@@ -241,16 +254,12 @@ class DriveCycle:
     @cached_property
     def spans(self) -> tuple[Span, ...]:
         """All spans, in the order of the motion as it is told. Raises OutOfReachError."""
-        return tuple(span for piece in self._moved for span in self._of(piece))
+        return tuple(span for piece in self.told.moved for span in self._of(piece))
 
     @property
-    def _moved(self) -> list[MotionPiece]:
-        return [piece for piece in self.told.pieces if piece.duration > 0.0]
-
-    @cached_property
     def fastest(self) -> float:
         """The largest |y'| of the motion."""
-        return max(_largest(position(piece).derivative(), piece.duration) for piece in self._moved)
+        return self.told.fastest
 
     @property
     def way(self) -> float:

@@ -38,13 +38,13 @@ def again(book: Book, kind: str, of: tuple[Any, ...], declare: Callable[[], None
 
 
 def declared(book: Book, declare: Callable[[], None]) -> Declared:
-    """Declare sheets; return copies of them, which later calls on the book leave alone."""
+    """Declare sheets; return copies of them, which later calls on the book leave alone and which do not keep it."""
     sheets, checks, guards = len(book.sheets), len(book.checks), len(book.guards)
     names, keyed = set(book.column_names), set(book.keyed)
     declare()
     own = book.sheets[sheets:]
     return Declared(
-        copies(own, book),
+        copies(own, Book(book.template, book.title)),
         [(own.index(sheet), q) for sheet, q in book.checks[checks:]],
         book.guards[guards:],
         {name: column for name, column in book.column_names.items() if name not in names},

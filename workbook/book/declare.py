@@ -21,7 +21,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -286,10 +286,10 @@ class Sheet:
         Beside each stands what it says.
         """
         for q in self._own(quantities):
-            here = replace(q, label=self._without(q.label))
+            here = q._replace(label=self._without(q.label))
             said = sentence(here)
             self.put(said, self.row, FIRST + 4)
-            self._rows([replace(here, source="")])
+            self._rows([here._replace(source="")])
             self.book.checks.append((self, q))
 
     def _without(self, label: str) -> str:
@@ -346,16 +346,11 @@ class Sheet:
 
         It is one that is not printed, if the sheet has such.
         """
-        rows = set(range(block.row - 4, block.row + block.size))
-        taken = {
-            column
-            for other in self.blocks if rows & set(range(other.row - 4, other.row + other.size))
-            for column in other.columns.values()
-        } | {
-            column
-            for _, row, left, width, height in self.charts if rows & set(range(row, row + height))
-            for column in range(left, left + width)
-        }  # fmt: skip
+        top, end = block.row - 4, block.row + block.size
+        blocks = (one for one in self.blocks if one.row - 4 < end and top < one.row + one.size)
+        charts = (range(left, left + width) for _, row, left, width, height in self.charts
+                  if row < end and top < row + height)  # fmt: skip
+        taken = {column for columns in (*(one.columns.values() for one in blocks), *charts) for column in columns}
         behind, printed = max(block.columns.values()) + 1 + runs, self.print_columns + 1
         free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]
         return next((c for c in free if printed <= c <= MOST_COLUMNS + 1 - wide), free[0])
@@ -460,8 +455,8 @@ class Book:
 
         ``name("laws", law_cv="cv")`` names a column, ``name("pieces", piece_c="c0:c5")`` several side by side.
         """
-        if twice := (self.column_names.keys() | self.blocks.keys()) & columns.keys():
-            raise ValueError(f"{', '.join(sorted(twice))} is declared twice")
+        if twice := sorted(name for name in columns if name in self.column_names or name in self.blocks):
+            raise ValueError(f"{', '.join(twice)} is declared twice")
         self.column_names |= {name: (table, column) for name, column in columns.items()}
 
     def cells(self) -> Iterator[Cell]:

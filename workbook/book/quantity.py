@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from workbook.book.chart import in_scope
 from workbook.book.sentence import Said, Sentence, quoted
@@ -26,8 +25,7 @@ ROUNDED, MOST = 1e-9, 1e9
 Role = Literal["input", "calculation", "result", "check", "constant", "sentence", "title"]
 
 
-@dataclass(frozen=True)
-class Quantity:
+class Quantity(NamedTuple):
     """A quantity of the field: what it is called, how its cell computes it, what the engine says of it.
 
     ``value`` is what an input or constant holds, or the engine's value of a formula; in a table, one
@@ -80,7 +78,7 @@ class Quantity:
             return self
         if formula is not None:
             formula = in_scope(formula, scope) if isinstance(formula, str) else [in_scope(f, scope) for f in formula]
-        return replace(self, name=in_scope(self.name, scope), formula=formula, says=in_scope(self.says, scope))
+        return self._replace(name=in_scope(self.name, scope), formula=formula, says=in_scope(self.says, scope))
 
 
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:

@@ -116,4 +116,4 @@ def prepared() -> None:
         limit_memory()
     remember(REMEMBERED)
     gc.freeze()
-    gc.set_threshold(100_000, 10, 10)
+    gc.set_threshold(500_000, 10, 10)

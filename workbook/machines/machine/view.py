@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container
+from copy import copy
 from functools import cached_property, partial
 from itertools import permutations
 from typing import Any, Literal
@@ -42,6 +43,9 @@ class MovingAxis:
     ``given`` has its places in degrees of one turn, ``typed`` as they are entered, ``over`` what.
     """
 
+    twin: MovingAxis | None = None
+    """an axis of the same motion at another speed, if there is one: the motion is worked out once"""
+
     def __init__(
         self, given: entered.Axis, number: int, library: dict[str, Law], speed: float,
         typed: entered.Axis | None = None, over: Abscissa = ANGLE,
@@ -51,13 +55,17 @@ class MovingAxis:
         self.unit, self.base = UNITS[given.unit], BASES[given.unit]
         self.library = library
 
-    @cached_property
+    @property
     def sized(self) -> MovingAxis:
         """The axis at the rate that its drive is sized at."""
-        if self.given.rate is None:
-            return self
-        speed = shaft_speed(si(self.given.rate, PER_MINUTE))
-        return MovingAxis(self.given, self.number, self.library, speed, self.typed, self.over)
+        return self if self.given.rate is None else self.at_speed(shaft_speed(si(self.given.rate, PER_MINUTE)))
+
+    def at_speed(self, speed: float, given: entered.Axis | None = None) -> MovingAxis:
+        """Return the axis at a speed (rad/s), ``given`` with another drive: of the same motion over a turn."""
+        other = copy(self)
+        other.given, other.speed, other.twin = given or self.given, speed, self
+        vars(other).pop("moves", None)
+        return other
 
     @cached_property
     def rests(self) -> list[int]:
@@ -73,7 +81,7 @@ class MovingAxis:
     @cached_property
     def motion(self) -> Motion:
         """The motion over a turn: m, or rad, over rad; extremes of phases that meet at speed are those at points."""
-        return measured(self.joined.motion)
+        return self.twin.motion if self.twin else measured(self.joined.motion)
 
     @cached_property
     def passed(self) -> dict[int, Rates]:
@@ -180,12 +188,11 @@ class Whole:
         self.machine, self.over = machine, machine.over
         both = zip(machine.axes_turned, machine.axes, strict=True)
         speed, over = self.speed, self.over
-        self.axes = [
-            latest(
-                "axes", (i, id(library), speed, over, a, typed), partial(MovingAxis, a, i, library, speed, typed, over)
-            )
+        moving = [
+            latest("axes", (i, id(library), over, a, typed), partial(MovingAxis, a, i, library, speed, typed, over))
             for i, (a, typed) in enumerate(both, 1)
         ]  # of these very laws: cells find them by what they are, not by what they equal
+        self.axes = [latest("axes at speed", (one, speed), partial(one.at_speed, speed)) for one in moving]
         each = zip(machine.switches_turned, machine.switches, strict=True)
         self.lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(each, 1)]
 

@@ -5,8 +5,6 @@ The names stand in the tool's scope: ``@stroke`` is ``tool2_stroke`` for the sec
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from engine.overlap import rests
@@ -72,7 +70,7 @@ def quoting(station: Station, *quantities: Quantity) -> list[Quantity]:
     """Return quantities with S2's figures beside the first tool only: another is not S2's."""
     if station.number == 1:
         return list(quantities)
-    return [replace(q, source=q.source.partition("S2")[0].rstrip("; ")) for q in quantities]
+    return [q._replace(source=q.source.partition("S2")[0].rstrip("; ")) for q in quantities]
 
 
 def entries(sheet: Sheet, station: Station) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from math import radians
 from typing import TypeVar
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from engine.drive import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, cylinder
 from engine.drive.chain import geared
-from engine.drive.cycle import DriveCycle
+from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.falling_peak import Falling
 from engine.drive.limits import Judged, Limits
 from engine.drive.losses import of_friction
@@ -22,6 +22,7 @@ from engine.drive.torque_curve import TorqueCurve
 from engine.drive.train import Train, Window
 from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
+from workbook.latest import latest
 from workbook.machines.machine.drive.linkages import linkage_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import SCREWS, Belted, MechanismEntry
@@ -150,7 +151,9 @@ class Driven:
     @cached_property
     def drive_cycle(self) -> DriveCycle:
         """The drive over the motion of its axis, at the rate that it is sized at."""
-        return DriveCycle(self.train, self.axis.motion, self.axis.speed, self.axis.shifted.shift)
+        motion = self.axis.motion
+        told = latest("told", motion, partial(MotionPieces.of, motion))
+        return DriveCycle(self.train, told, self.axis.speed, self.axis.shifted.shift)
 
     @cached_property
     def results(self) -> DriveResults:

@@ -15,7 +15,6 @@ from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import COUNT, Between, Cycle, DrivePoints, Interval, LoadPoints, between
 from engine.drive.rate_by_points import Share, shares
 from engine.laws.base import Array
-from engine.timing import shaft_speed
 from workbook.book.rows import filled
 from workbook.drive.in_short import Highest
 from workbook.entries.turn import TURN
@@ -23,7 +22,6 @@ from workbook.entries.units import DEGREE, KW, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.motion.tables import AxisRows
-from workbook.machines.machine.view import MovingAxis
 
 NONE_BINDS = "none"
 SETTLING, NEAR = 8, 1e-6
@@ -228,8 +226,7 @@ def with_motor(view: DriveView, driven: Driven) -> DriveView:
 def at_rate(view: DriveView, rate: float) -> DriveView:
     """Return a drive at another rate (cycles/min)."""
     axis = view.driven.axis
-    given, speed = axis.given.model_copy(update={"rate": rate}), shaft_speed(si(rate, PER_MINUTE))
-    moved = MovingAxis(given, axis.number, axis.library, speed, axis.typed, axis.over)
+    moved = axis.at_speed(axis.speed, axis.given.model_copy(update={"rate": rate}))
     return DriveView(view.one, Driven(moved, view.one.machine.machine))
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
+from workbook.latest import latest
 from workbook.laws.phases import HIGH, LOW
 from workbook.laws.sampling import Pieces
 from workbook.machines.machine.boundary.carried import taken
@@ -30,9 +32,13 @@ class AxisRows:
     def __init__(self, machine: Whole, axis: MovingAxis, stack: Pieces) -> None:
         self.axis, self.machine = axis, machine
         self.steps = machine.machine.sizes.phases + machine.machine.sizes.phases + 1
-        self.pieces: PieceRows = rows_of(self.at, axis.motion, stack, self.steps, axis.places)
-        self.joints = Joints.of(self.pieces, axis.motion, self.asked)
+        self.pieces: PieceRows = latest("pieces", (axis.motion, self.steps, self.at), partial(self._pieces, stack))
+        asked = self.asked
+        self.joints = latest("joints", (self.pieces, asked), partial(Joints.of, self.pieces, axis.motion, asked))
         self.ends = Handing(self.pieces, axis, machine.over) if machine.hands_over else None
+
+    def _pieces(self, stack: Pieces) -> PieceRows:
+        return rows_of(self.at, self.axis.motion, stack, self.steps, self.axis.places)
 
     @property
     def name(self) -> str:

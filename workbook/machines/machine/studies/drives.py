@@ -201,8 +201,8 @@ class Studied:
 
     def drive(self, motor: int, reducer: int, rate: int) -> Driven:
         """Return the drive with a motor and a reducer at a rate."""
-        given, at, axis = self.axis_with(motor, reducer, rate), self.rates.values[rate], self.axis
-        return Driven(MovingAxis(given, axis.number, axis.library, speed_of(at), axis.typed, axis.over), self.machine)
+        given, speed = self.axis_with(motor, reducer, rate), speed_of(self.rates.values[rate])
+        return Driven(self.axis.at_speed(speed, given), self.machine)
 
     @cached_property
     def views(self) -> dict[tuple[int, int, int], DriveView]:
