@@ -51,7 +51,10 @@ class Stretch:
     def nodes(self) -> int:
         """In how many parts it is searched."""
         fastest = max((abs(w) for a, w, _ in self.piece.sines if a), default=0.0)
-        return NODES * (1 + int(fastest * (self.high - self.low) / np.pi))
+        turned = fastest * (self.high - self.low)
+        if self.force.by_angle:
+            turned += abs(self.curves[0](self.high) - self.curves[0](self.low))
+        return NODES * (1 + int(turned / np.pi))
 
     def load(self, u: Array) -> Motion3:
         """Return the motion of the load (m or rad, in s)."""
@@ -105,7 +108,9 @@ class Stretch:
         return crossed(self.power, self.low, self.high, self.nodes) if self.train.drive.copper else []
 
     def curve(self, shaft: int = 0) -> Curve | None:
-        """Return the torque of a shaft as a curve over u, which has a ladder; None behind a ratio that changes."""
+        """Return the torque of a shaft as a curve over u, which has a ladder; None where it depends on the position."""
+        if self.force.by_angle:
+            return None
         if shaft == len(self.weights):
             return force_curve(self.piece, self.speed, self.force)
         if self.train.linkage:
@@ -273,11 +278,13 @@ class DriveCycle:
         moves = _largest(velocity, piece.duration) > NOISE * self.fastest
         cuts = [0.0, piece.duration, *self._edges(piece)]
         if moves:
-            cuts += [*sign_changes(velocity, 0.0, piece.duration), *self._knots(piece)]
+            turns = sign_changes(velocity, 0.0, piece.duration)
+            cuts += [*turns, *self._knots(piece, turns)]
         for low, high in parts(cuts, piece.duration):
             middle = 0.5 * (low + high)
             going = float(np.sign(velocity(middle))) if moves else 0.0
-            force = self.train.force(going, piece.begin + middle + self.shift, self.told.total)
+            way = going * self.train.sense(position(piece)(middle))
+            force = self.train.force(way, piece.begin + middle + self.shift, self.told.total)
             yield Span(piece, low, high, going, force)
 
     def _edges(self, piece: MotionPiece) -> Iterator[float]:
@@ -287,10 +294,11 @@ class DriveCycle:
             if u < piece.duration:
                 yield u
 
-    def _knots(self, piece: MotionPiece) -> Iterator[float]:
-        """Yield where a piece passes a position at which the ratio's change jumps."""
+    def _knots(self, piece: MotionPiece, turns: Sequence[float]) -> Iterator[float]:
+        """Yield where a piece, which turns round at ``turns``, passes a place at which the torque's formula changes."""
         y = position(piece)
-        for knot in self.train.linkage.knots if self.train.linkage else ():
+        ends = [y(u) for u in (0.0, *turns, piece.duration)]
+        for knot in self.train.cuts(min(ends), max(ends)):
             yield from sign_changes(Curve((y.c[0] - knot, *y.c[1:]), y.sines), 0.0, piece.duration)
 
     def _split(self, piece: MotionPiece, low: float, high: float, going: float, force: Force) -> Iterator[Stretch]:

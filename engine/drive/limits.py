@@ -128,7 +128,7 @@ class Judged:
         """Largest J_machine/J_m over the cycle; 0 of a motor without inertia."""
         train = self.drive_cycle.train
         own = train.drive.motor_inertia
-        if not own or train.linkage is None:
+        if not own or not train.inertia_varies:
             return train.drive.inertia_ratio
         return self.machine_inertia / own
 
@@ -177,6 +177,6 @@ def _machine_inertia(one: Stretch) -> Function:
     fixed = math.fsum(m.at_motor(m.on_shaft(k), k) for k in range(m.last))
 
     def inertia(u: Array) -> Array:
-        return np.asarray(fixed + m.on_shaft(m.last) / (one.train.gear * one.shaft(u).first) ** 2)
+        return np.asarray(fixed + m.on_shaft(m.last) * (one.train.travel(one.load(u).y) / one.train.gear) ** 2)
 
     return inertia

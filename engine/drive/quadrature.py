@@ -99,14 +99,31 @@ class LoadPoints:
 
     @property
     def resisting(self) -> Array:
-        """What resists at the load without motion (N or Nm)."""
-        return self.steady + self.direction * self.friction
+        """What resists at the load without motion (N or Nm); of a load by angle at its axis."""
+        by_angle = self.train.by_angle
+        if by_angle is None:
+            return self.steady + self.direction * self.friction
+        first, _ = self.slopes
+        return first * self.steady + np.abs(first) * self.direction * self.friction + by_angle.weight(self.position)
+
+    @cached_property
+    def slopes(self) -> tuple[Array, Array]:
+        """x' and x'' of a load by angle; 1 and 0 of another."""
+        by_angle, y = self.train.by_angle, self.position
+        return by_angle.slopes(y) if by_angle else (np.ones(y.shape), np.zeros(y.shape))
+
+    @property
+    def moving(self) -> tuple[Array, Array]:
+        """Velocity and acceleration of the load itself: of one by angle x' φ̇, x' φ̈ + x'' φ̇²."""
+        first, second = self.slopes
+        return first * self.velocity, first * self.acceleration + second * self.velocity**2
 
     @cached_property
     def force(self) -> Array:
-        """What drives the load (N or Nm): m a + c v + what resists."""
-        m = self.train.drive.mechanism
-        return m.on_shaft(m.last) * self.acceleration + self.train.viscous * self.velocity + self.resisting
+        """What drives the load (N or Nm): m a + c v + what resists; of a load by angle at its axis."""
+        m, (velocity, acceleration) = self.train.drive.mechanism, self.moving
+        moved = m.on_shaft(m.last) * acceleration + self.train.viscous * velocity
+        return self.slopes[0] * moved + self.resisting
 
     @property
     def speed(self) -> Array:
@@ -165,8 +182,11 @@ class Cycle:
     def intervals(self) -> list[Interval]:
         """The intervals, in the order of the motion as its phases tell it."""
         told, shift = self.drive_cycle.told, self.drive_cycle.shift
-        edges = [edge for window in self.drive_cycle.train.windows for edge in (window.begin, window.end)]
+        train = self.drive_cycle.train
+        edges = [edge for window in train.windows for edge in (window.begin, window.end)]
         turned = [(edge - shift - told.begin + self.near) % told.total + told.begin - self.near for edge in edges]
+        steps = train.by_angle.steps if train.by_angle else 1
+        turned += [told.begin + told.total * k / steps for k in range(1, steps)]
         return intervals(self.pieces, turned, told.begin + told.total, self.near)
 
     @cached_property

@@ -13,6 +13,7 @@ from engine.drive.chain import Load, require_not_negative
 from engine.drive.drive import Drive
 from engine.drive.loads import Resists, resisting
 from engine.drive.losses import Method
+from engine.drive.mechanisms.by_angle import ByAngle
 from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.laws.base import Array, require_finite
 
@@ -62,15 +63,21 @@ class ShaftMotion(NamedTuple):
 
 
 class Force(NamedTuple):
-    """What drives a load (N, or Nm): ``mass`` · a + ``viscous`` · v + ``level``."""
+    """What drives a load (N, or Nm): ``mass`` · a + ``viscous`` · v + ``level``; of a load by angle at its axis."""
 
     mass: float
     viscous: float
     level: float
+    by_angle: ByAngle | None = None
 
     def at(self, motion: Motion3) -> Array:
-        """Return the force of a motion."""
-        return np.asarray(self.mass * motion.a + self.viscous * motion.v + self.level)
+        """Return the force of a motion; of a load by angle the torque at its axis, x' F and the weight of an arm."""
+        y, v, a = motion
+        if self.by_angle is None:
+            return np.asarray(self.mass * a + self.viscous * v + self.level)
+        first, second = self.by_angle.slopes(y)
+        force = self.mass * (first * a + second * v**2) + self.viscous * first * v + self.level
+        return np.asarray(first * force + self.by_angle.weight(y))
 
 
 class Weights(NamedTuple):
@@ -85,14 +92,15 @@ class Train:
     """A drive, and what it does not know of itself: a ratio that depends on position, and the rest of the load.
 
     ``linkage`` takes the place of the last stage's ratio, which is then 1 (its efficiency counts). ``viscous`` is a
-    resistance in N per m/s (Nm per rad/s). Raises ValueError for a negative viscous friction, or a last stage whose
-    ratio is not 1 where there is a linkage.
+    resistance in N per m/s (Nm per rad/s). ``by_angle`` is what a load does that follows the angle of its axis.
+    Raises ValueError for a negative viscous friction, or a last stage whose ratio is not 1 where there is a linkage.
     """
 
     drive: Drive
     linkage: Linkage | None = None
     viscous: float = 0.0
     windows: tuple[Window, ...] = field(default=())
+    by_angle: ByAngle | None = None
 
     def __post_init__(self) -> None:
         require_not_negative("load", viscous=self.viscous)
@@ -126,12 +134,31 @@ class Train:
         """Speed of the motor over that of the mechanism's own shaft."""
         return self.drive.mechanism.ratio_to(self.drive.mechanism.last - 1)
 
+    @property
+    def inertia_varies(self) -> bool:
+        """Whether the load's inertia at the mechanism's shaft changes with the position."""
+        return self.linkage is not None or (self.by_angle is not None and self.by_angle.slides)
+
+    def travel(self, y: Array) -> Array:
+        """Return by how much the load moves when the mechanism's shaft turns, at positions of its axis (m or 1)."""
+        return self.by_angle.slopes(y)[0] if self.by_angle else 1.0 / self.ratio(y)[0]
+
+    def cuts(self, low: float, high: float) -> Sequence[float]:
+        """Return the positions between two at which the torque changes its formula: knots of a ratio, dead centres."""
+        if self.by_angle:
+            return self.by_angle.dead_centres(low, high)
+        return self.linkage.knots if self.linkage else ()
+
+    def sense(self, y: float) -> float:
+        """Return 1, or −1 where the load goes backward while its axis, at y, goes forward: beyond a dead centre."""
+        return float(np.sign(self.by_angle.slopes(np.asarray(y))[0])) if self.by_angle else 1.0
+
     def force(self, going: float, x: float, cycle: float) -> Force:
         """Return what drives the load in a direction (1, −1, or 0 at rest) at a place x of the cycle."""
         m = self.drive.mechanism
         loads = [m.load, *(window.load for window in self.windows if window.holds(x, cycle))]
         level = math.fsum(float(load.resisting(going)) for load in loads)
-        return Force(m.on_shaft(m.last), self.viscous, level)
+        return Force(m.on_shaft(m.last), self.viscous, level, self.by_angle)
 
     def weights(self, factors: Sequence[float]) -> list[Weights]:
         """Return the torque of each shaft but the load's, from the motor's, with the motor's own inertia in the first.

@@ -81,6 +81,7 @@ KINDS = {
         Kind("belt", "pulley", of_wheel, belt=True),
         Kind("rotary table", "table"),
         Kind("gear train", "last gear"),
+        Kind("press crank", "crank"),
         Kind("feed rollers", "roller", of_roller),
     )
 }

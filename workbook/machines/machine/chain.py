@@ -42,6 +42,20 @@ class ForceWindow(Model):
 WINDOWS = 4
 
 
+class SwingingArm(Model):
+    """The weight of an arm that swings in a vertical plane; its inertia is entered with the load's."""
+
+    mass: NotNegative = Field(default=0.0, description="Mass of the arm", json_schema_extra={"unit": "kg"})
+    radius: NotNegative = Field(
+        default=0.0, description="Its centre of mass from the axis", json_schema_extra={"unit": "mm"}
+    )
+    angle: Number = Field(
+        default=0.0,
+        description="Its angle above the horizontal where the axis is at 0",
+        json_schema_extra={"unit": "°"},
+    )
+
+
 class AxisLoad(Model):
     """What hangs on an axis: of one that travels a mass, of one that turns an inertia, and what resists."""
 
@@ -56,6 +70,7 @@ class AxisLoad(Model):
         default=None,
         description="Viscous friction, in N per m/s, or Nm per rad/s; with it the axis' sheet has an entry for it",
     )
+    arm: SwingingArm | None = Field(default=None, description="The weight of an arm that swings with a turning axis")
     windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 
 

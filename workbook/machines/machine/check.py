@@ -7,16 +7,17 @@ from workbook.laws.library import laws
 from workbook.machines.machine.drive.linkages import apart, linkage_of
 from workbook.machines.machine.drive.reach import unreached_row
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import LINKED
+from workbook.machines.machine.mechanism import LINKED, SLIDING
 from workbook.machines.machine.view import MovingAxis, Whole
 
 
 def check(machine: AnyMachine) -> None:
     """Raise DesignError for a mechanism that cannot be, or that does not reach a position of its axis."""
-    if not any(axis.mechanism and axis.mechanism.kind in LINKED for axis in machine.axes):
+    kinds = [axis.mechanism.kind if axis.mechanism else "" for axis in machine.axes]
+    if set(kinds).isdisjoint((*LINKED, *SLIDING)):
         return
-    for axis in Whole(machine, laws(machine.laws)).axes:
-        if axis.given.mechanism and axis.given.mechanism.kind in LINKED:
+    for axis, kind in zip(Whole(machine, laws(machine.laws)).axes, kinds, strict=True):
+        if kind in (*LINKED, *SLIDING):
             require_reached(axis)
 
 
@@ -29,6 +30,6 @@ def require_reached(axis: MovingAxis) -> None:
     said = apart(given, axis.given.unit)
     if said:
         raise DesignError(where, said, f"linked{i}", large)
-    said = unreached_row(axis, linkage_of(given, axis.unit))
+    said = "" if given.SLIDES else unreached_row(axis, linkage_of(given, axis.unit))
     if said:
         raise DesignError(where, said, f"reach{i}", large)

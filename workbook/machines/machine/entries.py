@@ -112,10 +112,16 @@ class Axis(Model):
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
         if self.printed and self.mechanism and self.mechanism.kind not in PRINTED:
             raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
-        for name in TRAVELLING_LOAD if self.unit == "°" else TURNING_LOAD:
-            if getattr(self.load, name):
-                raise EntryError(f"load.{name}", f"no entry of an axis in {self.unit}; expected none")
+        self._loaded()
         return self
+
+    def _loaded(self) -> None:
+        """Raise EntryError for what is no load of such an axis."""
+        slides = self.mechanism is not None and self.mechanism.SLIDES
+        moved = f"a {self.mechanism.kind}" if slides and self.mechanism else f"an axis in {self.unit}"
+        for name in (*TURNING_LOAD, "arm") if slides or self.unit == "mm" else TRAVELLING_LOAD:
+            if getattr(self.load, name):
+                raise EntryError(f"load.{name}", f"no entry of {moved}; expected none")
 
     def _nothing_driven(self) -> None:
         """Raise EntryError for what belongs to a drive, and would stand nowhere."""
@@ -233,7 +239,8 @@ class AnyMachine(Exporting):
     @property
     def weighs(self) -> bool:
         """Whether gravity acts on what a drive moves."""
-        return any(axis.mechanism and axis.unit == "mm" for axis in self.axes)
+        driven = ((axis, axis.mechanism) for axis in self.axes if axis.mechanism)
+        return any(axis.unit == "mm" or m.SLIDES or axis.load.arm for axis, m in driven)
 
     @property
     def axes_turned(self) -> Sequence[Axis]:

@@ -34,7 +34,9 @@ class MechanismEntry(Model):
     NEEDED: ClassVar[tuple[str, ...]] = ()
     """sizes that may be empty in an unfinished design only"""
     LARGE: ClassVar[dict[str, Any]] = {}
-    """sizes of a mechanism whose ratio changes, with which it reaches wherever an axis goes"""
+    """sizes that go together, with which a mechanism whose ratio changes reaches wherever an axis goes"""
+    SLIDES: ClassVar[bool] = False
+    """whether its load travels while its axis turns"""
 
     kind: str
     efficiency: Efficiency = Field(description="Efficiency of the mechanism")
@@ -129,6 +131,24 @@ class GearTrain(MechanismEntry):
     kind: Literal["gear train"]
 
 
+class PressCrank(MechanismEntry):
+    """A crank that drives a slide by a connecting rod through its dead centres; the motion is that of the crank."""
+
+    UNITS: ClassVar[tuple[str, ...]] = ("°",)
+    LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1.0, "rod_length": 10.0}
+    SLIDES: ClassVar[bool] = True
+
+    kind: Literal["press crank"]
+    crank_radius: Positive = sized("Radius of the crank")
+    rod_length: Positive = sized("Length of the connecting rod")
+    offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
+    start_angle: Number | None = Field(
+        default=None,
+        description="Angle of the crank from the line of the slide, outwards, where the axis is at 0; 0 if empty",
+        json_schema_extra={"unit": "°"},
+    )
+
+
 class CrankSlider(MechanismEntry):
     """A crank that moves a slide by a connecting rod; the motion is that of the slide."""
 
@@ -201,17 +221,29 @@ class Table(MechanismEntry):
 
 
 Mechanism = Annotated[
-    LeadScrew | Conveyor | RackAndPinion | Belt | FeedRollers | RotaryTable | GearTrain | CrankSlider | Rocker | Table,
+    LeadScrew
+    | Conveyor
+    | RackAndPinion
+    | Belt
+    | FeedRollers
+    | RotaryTable
+    | GearTrain
+    | PressCrank
+    | CrankSlider
+    | Rocker
+    | Table,
     Field(discriminator="kind"),
 ]
 MECHANISMS: dict[str, type[MechanismEntry]] = {
     get_args(model.model_fields["kind"].annotation)[0]: model for model in get_args(get_args(Mechanism)[0])
 }
 """the models by kind"""
-LINKED = tuple(kind for kind, model in MECHANISMS.items() if model.LARGE)
+LINKED = tuple(kind for kind, model in MECHANISMS.items() if model.LARGE and not model.SLIDES)
 """mechanisms whose ratio changes"""
 BELTED = tuple(kind for kind, model in MECHANISMS.items() if issubclass(model, Belted))
 """mechanisms of which a belt moves with the load"""
+SLIDING = tuple(kind for kind, model in MECHANISMS.items() if model.SLIDES)
+"""mechanisms whose load travels while their axis turns"""
 SCREWS = ("lead screw",)
 """mechanisms whose losses are friction in a thread"""
 

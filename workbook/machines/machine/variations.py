@@ -11,7 +11,7 @@ from workbook.laws.shared import POLYNOMIAL
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, told_family, variations, vary_laws
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS
+from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.selection.entries import falling
 from workbook.machines.machine.switches.entries import TIMES
 from workbook.machines.machine.time_based import in_units_of
@@ -191,8 +191,8 @@ def tabled(axis: dict[str, Any], i: int, k: int, room: int) -> None:
 def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products: dict[str, Any]) -> None:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
     motors, reducers = products["motors"], products["reducers"]
-    travels = axis["unit"] == "mm"
     kind = axis["mechanism"]["kind"]
+    travels = axis["unit"] == "mm" or kind in SLIDING
     sized = MECHANISMS[kind].SIZE
     axis["mechanism"] |= ({sized: 7.0 + 11 * k} if sized else {}) | {
         "efficiency": 0.55 + 0.07 * ((i + k) % SIX),
@@ -202,7 +202,12 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         axis["mechanism"]["belt_mass"] = 4.0 * k or None
     if kind in LINKED:
         linked(axis, i, k, sizes["positions"])
+    if kind in SLIDING:
+        crank = 20.0 + 9 * k + i
+        axis["mechanism"] |= {"crank_radius": crank, "rod_length": crank * (5.0 - 0.5 * k), "start_angle": 50.0 * k,
+                              "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3]}  # fmt: skip
     viscous = None if axis["load"]["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k]
+    arm = axis["load"]["arm"] and {"mass": 4.0 * k, "radius": 90.0 + 70.0 * i, "angle": 77.0 * k - 90.0}
     axis["load"] = {
         "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
         "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k], "windows": forces(i, k, 400.0),
@@ -210,7 +215,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         "inertia": 100.0 * (k + i % 2), "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k], "friction_torque": 0.2 * k,
         "windows": forces(i, k, 6.0),
     }  # fmt: skip
-    axis["load"]["viscous"] = viscous
+    axis["load"] |= {"viscous": viscous, "arm": arm}
     axis["parts"] = [
         {
             "name": f"part {j + 1}",

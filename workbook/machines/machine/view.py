@@ -250,7 +250,9 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
         kinds = [kind for kind in MECHANISMS if kind_name(i, kind) in names]
         if units:
             drive = driven_by(kinds[0]) if kinds else {"mechanism": None, "motor": None}
-            load = LEAST.model_copy(update={"viscous": 0.0}) if viscous_name(i) in names else LEAST
+            viscous = 0.0 if viscous_name(i) in names else None
+            arm = chain.SwingingArm() if arm_name(i) in names else None
+            load = LEAST.model_copy(update={"viscous": viscous, "arm": arm})
             own = {"unit": units[0], "load": load, "parts": [], "rate": None, "printed": printed_in(i, names)}
             axes.append(machine.axes[0].model_copy(update=own | drive))
     told = [SwitchEntry(name=name, on=[]) for name in switch_names(names)]
@@ -314,6 +316,11 @@ def viscous_name(number: int) -> str:
     return f"drive{number}_viscous"
 
 
+def arm_name(number: int) -> str:
+    """Return the name of the cell of an arm's mass: by it a file tells that an axis has one."""
+    return f"drive{number}_arm_mass"
+
+
 def fall_name(number: int) -> str:
     """Return the name of the cell of the fall of a motor's peak torque: by it a file tells that its drives know one."""
     return f"drive{number}_fall"
@@ -331,5 +338,6 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
     found |= {f"axes.{i}.printed": axis.printed for i, axis in enumerate(machine.axes) if axis.printed}
     found["selection.falling"] = machine.selection.falling
+    found |= {f"axes.{i}.load.arm": {} for i, axis in enumerate(machine.axes) if axis.load.arm}
     viscous = (i for i, axis in enumerate(machine.axes) if axis.load.viscous is not None)
     return found | {f"axes.{i}.load.viscous": 0.0 for i in viscous}

@@ -15,6 +15,7 @@ from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.falling_peak import Falling
 from engine.drive.limits import Judged, Limits
 from engine.drive.losses import of_friction
+from engine.drive.mechanisms.by_angle import Arm, ByAngle
 from engine.drive.mechanisms.registry import LINKED
 from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.drive.results import DriveResults
@@ -23,9 +24,9 @@ from engine.drive.train import Train, Window
 from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
 from workbook.latest import latest
-from workbook.machines.machine.drive.linkages import linkage_of
+from workbook.machines.machine.drive.linkages import linkage_of, press_of
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import SCREWS, Belted, MechanismEntry
+from workbook.machines.machine.mechanism import SCREWS, Belted, MechanismEntry, PressCrank
 from workbook.machines.machine.selection.in_use import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
 
@@ -63,8 +64,8 @@ class Driven:
 
     @property
     def travels(self) -> bool:
-        """Whether the axis travels."""
-        return self.entered.unit == "mm"
+        """Whether the load travels: with its axis, or as the slide of a crank."""
+        return self.entered.unit == "mm" or self.given.SLIDES
 
     @property
     def size(self) -> float:
@@ -81,6 +82,14 @@ class Driven:
     def linkage(self) -> Linkage | None:
         """The mechanism, of one whose ratio depends on the position."""
         return linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
+
+    @cached_property
+    def by_angle(self) -> ByAngle | None:
+        """What the load does by the angle of its axis: a slide on a crank, an arm's weight."""
+        arm = self.entered.load.arm
+        if isinstance(self.given, PressCrank):
+            return press_of(self.given)
+        return Arm(arm.mass * self.gravity * si(arm.radius, MM), si(arm.angle, DEGREE)) if arm else None
 
     @property
     def back_efficiency(self) -> float:
@@ -146,7 +155,7 @@ class Driven:
     @property
     def train(self) -> Train:
         """The drive with all that acts on the load."""
-        return Train(self.drive, self.linkage, self.viscous, self.windows)
+        return Train(self.drive, self.linkage, self.viscous, self.windows, self.by_angle)
 
     @cached_property
     def drive_cycle(self) -> DriveCycle:

@@ -21,17 +21,21 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     """Declare where an interval can begin: at the motion's pieces, and at edges of process forces."""
     table = f"axis{view.driven.number}_pieces"
     pieces = filled([shown(one.begin, DEGREE) for one in view.cycle.pieces], view.room, TURN)
-    edges = [*pieces, *view.edges]
-    windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)]
-    sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)]
+    steps = range(1, view.steps)
+    edges = [*pieces, *view.edges, *(TURN * n / view.steps for n in steps)]
+    windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)] + [-n for n in steps]
+    sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in steps]
+    edge = f"IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
+    if view.steps > 1:
+        edge = f"IF([window]<0,0-[window]*360/{view.steps},{edge})"
     sheet.table(
         "@cuts", "Where an interval can begin", len(edges),
         constant("k", "number", "k", "", list(range(1, len(edges) + 1))),
-        constant("window", "process force", "", "", windows, format="0;;"),
+        constant("window", "process force", "", "", windows, format="0;;",
+                 source="below 0: the number of an even step" if view.steps > 1 else ""),
         constant("side", "its begin (1) or end (2)", "", "", sides, format="0;;"),
         calc("edge", "angle of its phases", "θ", "°",
-             f"=IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))", edges,
-             scale=TURN, format="0.0##", source="of a piece, or of a force"),
+             f"={edge}", edges, scale=TURN, format="0.0##", source="of a piece, or of a force"),
         calc("at", "cut", "θ", "°",
              "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<timing_eps^2)*([@cuts.k]<[k]))+([edge]>360-timing_eps)>0,360,"
              "[edge])",

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from engine.drive.mechanisms import by_angle
 from engine.drive.mechanisms.crank_slider import crank_slider
 from engine.drive.mechanisms.rocker import rocker
 from engine.drive.mechanisms.table import PositionTable
 from engine.drive.mechanisms.variable_ratio import Linkage
 from workbook.book.sentence import figure
 from workbook.entries.units import DEGREE, MM, si
-from workbook.machines.machine.mechanism import CrankSlider, MechanismEntry, Rocker, Table, TablePoint
+from workbook.machines.machine.mechanism import CrankSlider, MechanismEntry, PressCrank, Rocker, Table, TablePoint
 
 
 def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
@@ -30,9 +31,17 @@ def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
     raise ValueError(f"a {given.kind} has a constant ratio")
 
 
+def press_of(given: PressCrank) -> by_angle.PressCrank:
+    """Return the press crank that is entered. Raises ValueError for sizes that cannot be."""
+    crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
+    return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
+
+
 FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
+SHORT = "the rod is not longer than crank and offset: the crank cannot turn round"
 APART = {
-    "crank-slider": "the rod is not longer than crank and offset: the crank cannot turn round",
+    "press crank": SHORT,
+    "crank-slider": SHORT,
     "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
 }
 
@@ -42,7 +51,7 @@ def apart(given: MechanismEntry, unit: str) -> str:
     if isinstance(given, Table):
         return unlike_table(given.points, unit)
     try:
-        linkage_of(given, MM)
+        _ = press_of(given) if isinstance(given, PressCrank) else linkage_of(given, MM)
     except ValueError:
         return APART[given.kind]
     return ""

@@ -15,6 +15,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST, NOT_ZERO
 from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.units import DEGREE, KW, RPM, shown
+from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import registry
 from workbook.machines.machine.drive.mechanisms.column import Column
 from workbook.machines.machine.drive.view import DriveView
@@ -58,6 +59,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive at the points of each interval."""
     rows = range(1, view.rows + 1)
     load, points, size = view.load, view.points, view.scales
+    (resists, without), (drives, equation) = by_angle.resisting(view), by_angle.driving(view)
     turning = VARIES if view.varies else CONSTANT
     of = view.by_point
     sheet.table(
@@ -67,15 +69,15 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         constant("s", "share of it", "", "", list(SHARES) * view.rows),
         constant("w", "counts", "", "", list(WEIGHTS) * view.rows),
         *motion(view),
-        *([position(view)] if view.varies else []),
+        *([position(view)] if view.varies or view.driven.by_angle else []),
         calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX(@up,[iv]))", of(load.direction),
              format="0"),
-        calc("R", "resisting force", "F_r", force_unit(view),
-             "=INDEX([@iv.steady],[iv])+[dir]*INDEX([@iv.friction],[iv])", of(load.resisting), scale=size.force,
-             source="without inertia"),
+        *by_angle.columns(view),
+        calc("R", "resisting force", "F_r", force_unit(view), resists, of(load.resisting), scale=size.force,
+             source=without),
         *(linked(view) if view.varies else ()),
-        calc("F", "force at the load", "F", force_unit(view), f"=[R]+@m*[a]{viscous(view, '[v]')}", of(load.force),
-             scale=size.force, source="F_r + m ÿ"),
+        calc("F", "force at the load", "F", force_unit(view), drives, of(load.force), scale=size.force,
+             source=equation),
         *torques(view, load, turning, of),
         result("n", "speed of the motor", "n", "rpm", f"={turning.motor_ratio}*[v]*30/PI()",
                of(shown(points.speed, RPM)), scale=size.rpm, source="i_1 φ' ẏ"),
@@ -90,13 +92,8 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
 
 
 def force_unit(view: DriveView) -> str:
-    """Return the unit of forces at the load."""
-    return "N" if view.driven.travels else "Nm"
-
-
-def viscous(view: DriveView, v: str) -> str:
-    """Return what viscous friction adds to a force, as a formula."""
-    return "" if view.driven.entered.load.viscous is None else f"+@viscous*{v}"
+    """Return the unit of forces at the axis."""
+    return "N" if view.driven.axis.base == "m" else "Nm"
 
 
 def motion(view: DriveView) -> list[Quantity]:

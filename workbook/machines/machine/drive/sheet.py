@@ -10,7 +10,7 @@ from workbook.book.sentence import Said, amount, exceeding
 from workbook.drive.motor import continuous, limit_checks, limits_table, plane, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
-from workbook.machines.machine.drive import behind, max_rate
+from workbook.machines.machine.drive import behind, by_angle, max_rate
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.intervals import cuts_table, intervals_table
 from workbook.machines.machine.drive.loads import loads
@@ -43,7 +43,8 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     with sheet.scoped(f"drive{driven.number}_"):
         entries(sheet, driven, page.entries(driven, f"axes.{driven.number - 1}"))
         outcome(sheet, view)
-        sheet.checks(*checks(view), *windows_check(view), *(linkage_checks(view) if view.varies else ()))
+        sheet.checks(*checks(view), *windows_check(view), *(linkage_checks(view) if view.varies else ()),
+                     *by_angle.checks(view))  # fmt: skip
         charts(sheet, view)
         page.entered(sheet, driven, sizes.positions)
         tables(sheet, view)
@@ -122,11 +123,11 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         calc("@rate", "the rate", "N", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)', view.rate),
         result("@jtot", "External inertia at the motor's shaft",
                "J_ext", "kg cm²", "=(@j0-@jm+@j_shaft/@i1^2)*10000", shown(view.inertia, KG_CM2),
-               source="the largest over the stroke" if view.varies else "Σ J/i², load and parts"),
+               source="the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
                "=IF(@jm>0,@jtot/10000/@jm,0)", view.inertia_ratio, source="load at the motor's shaft / motor"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", points.top(torque),
-               scale=size.torque, source=PEAKS),
+               scale=size.torque, source="to 0.5 %" if driven.by_angle else PEAKS),
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -points.top(-torque),
                scale=size.torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
@@ -326,9 +327,8 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     rubbing = "=@friction*@mass*gravity*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
     moved = "=@mass+@belt_mass" if driven.given.kind in BELTED else "=@mass+0" if travels else "=@inertia/10000"
     base, force = ("kg", "N") if travels else ("kg m²", "Nm")
-    ratio = "MIN([@pt.g])" if view.varies else "@i2"
-    first = float(view.load.first.min())
-    shaft = m.on_shaft(1) + m.on_shaft(m.last) / first**2
+    travel = "/MIN([@pt.g])" if view.varies else "*MAX(MAX([@pt.dx]),0-MIN([@pt.dx]))" if view.slides else "/@i2"
+    square, largest = "m/φ'²", ", the largest" if driven.train.inertia_varies else ""
     still = STANDSTILL * driven.fastest * driven.axis.speed
 
     sheet.heading(
@@ -351,19 +351,21 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
              f"=@jm+@j_reducer+{on_shaft('motor')}", driven.at_motor, source="motor, reducer, parts"),
         calc("@j1", "Inertia of parts on the mechanism's shaft", "J_p", "kg m²", f"={on_shaft('mechanism')}",
              m.on_shaft(1)),
-        calc("@j_shaft", "Inertia at the mechanism's shaft", "J_tot", "kg m²", f"=@j1+@m/{ratio}^2", shaft,
-             source=f"J_p + m/φ'²{', largest over the stroke' if view.varies else ''}"),
+        calc("@j_shaft", "Inertia at the mechanism's shaft", "J_tot", "kg m²", f"=@j1+@m{travel}^2",
+             m.on_shaft(1) + m.on_shaft(m.last) * view.travel**2,
+             source=f"J_p + {'m (dx/dψ)²' if view.slides else square}{largest}"),
         *losses(view),
         calc("@steady", "Constant load force", "", force, steady, load.torque, scale=size.force,
              source="F + m g sin γ" if travels else ""),
-        calc("@cr", "Constant torque at the mechanism's shaft", "C_r", "Nm", f"=@steady/{ratio}",
-             load.torque / first, scale=size.behind, source="F_r/φ', F_r R of rollers"),
+        calc("@cr", "Constant torque at the mechanism's shaft", "C_r", "Nm", f"=@steady{travel}",
+             load.torque * view.travel, scale=size.behind, source="F_r/φ', F_r R of rollers"),
         calc("@rub", "Friction", "", force, rubbing, load.friction, scale=size.force,
              source="μ m g cos γ" if travels else ""),
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
              driven.fastest),
-        calc("@amax", "Greatest acceleration", "ÿ", "m/s²" if travels else "rad/s²",
+        calc("@amax", "Greatest acceleration", "ÿ", f"{driven.axis.base}/s²",
              f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
-        calc("@still", "Standstill: speeds up to", "", "m/s" if travels else "rad/s",
+        calc("@still", "Standstill: speeds up to", "", f"{driven.axis.base}/s",
              "=check_zero*@vmax*@omega", still, format="0E+00", scale=max(still, 1e-12)),
+        *by_angle.rows(driven),
     )  # fmt: skip

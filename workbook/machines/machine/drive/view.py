@@ -50,8 +50,18 @@ class DriveView:
 
     @property
     def rows(self) -> int:
-        """Rows of the table of intervals: one for each piece of the motion and each edge of a process force in it."""
-        return self.room
+        """Rows of the table of intervals: pieces of the motion, cut at edges of process forces and at even steps."""
+        return self.room + self.steps - 1
+
+    @property
+    def steps(self) -> int:
+        """Even steps that the cycle is cut into beside."""
+        return self.driven.by_angle.steps if self.driven.by_angle else 1
+
+    @property
+    def slides(self) -> bool:
+        """Whether the load travels while its axis turns."""
+        return self.driven.given.SLIDES
 
     @property
     def varies(self) -> bool:
@@ -147,11 +157,16 @@ class DriveView:
     @property
     def inertia(self) -> float:
         """Inertia at the motor, without it, the largest over the cycle (kg m²)."""
-        if not self.varies:
+        if not self.driven.train.inertia_varies:
             return self.driven.inertia
         m = self.driven.mechanism
         fixed = sum(m.at_motor(m.on_shaft(k), k) for k in range(m.last))
-        return float(fixed + m.on_shaft(m.last) / (m.stages[0].ratio * self.load.first.min()) ** 2)
+        return float(fixed + m.on_shaft(m.last) * (self.travel / m.stages[0].ratio) ** 2)
+
+    @property
+    def travel(self) -> float:
+        """The most that the load moves when the mechanism's shaft turns (m or 1)."""
+        return float(np.abs(self.load.slopes[0] / self.load.first).max())
 
     @property
     def inertia_ratio(self) -> float:

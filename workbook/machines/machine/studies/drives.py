@@ -20,6 +20,7 @@ from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
 from workbook.entries.units import KG_CM2, KW, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive.behind import load_of
+from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, with_motor
 from workbook.machines.machine.entries import AnyMachine, Axis
@@ -306,6 +307,8 @@ class Studied:
         motor = self.motors_used.__getitem__
         linked = self.axis.given.mechanism and self.axis.given.mechanism.kind in LINKED
         closes = {"ok_back": lambda: told(self.axis.motion.closes)} if linked else {}
+        if self.bases[0].driven.by_angle:
+            closes["ok_turns"] = lambda: told(ends_in_place(self.bases[0].driven))
         return closes | {
             "ok_rms": lambda: told(self.rms <= self.continuous),
             "ok_peak": lambda: told(self.extremes.peak <= motor("peak_torque")),

@@ -32,7 +32,7 @@ def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
 
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios."""
-    travels, m = driven.travels, driven.mechanism
+    travels, m = driven.axis.base == "m", driven.mechanism
     _, ratio, equation = ratio_of(driven.given.SIZE)
     return [
         calc("@i2", "Ratio of the mechanism", "i_2", "rad/m" if travels else "", ratio, m.ratio_from(1),

@@ -6,7 +6,7 @@ from typing import cast
 
 from workbook.book.declare import Quantity, check
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.mechanisms import constant, crank_slider, rocker, table
+from workbook.machines.machine.drive.mechanisms import constant, crank_slider, press_crank, rocker, table
 from workbook.machines.machine.drive.mechanisms.column import LinkagePage, MechanismPage
 
 LINKAGES: dict[str, LinkagePage] = {
@@ -18,7 +18,7 @@ LINKAGES: dict[str, LinkagePage] = {
 
 def page(driven: Driven) -> MechanismPage:
     """Return what the sheet of a drive's mechanism has."""
-    return LINKAGES.get(driven.given.kind, cast(MechanismPage, constant))
+    return LINKAGES.get(driven.given.kind, cast(MechanismPage, press_crank if driven.given.SLIDES else constant))
 
 
 def linkage_page(driven: Driven) -> LinkagePage:

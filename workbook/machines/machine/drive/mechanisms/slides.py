@@ -58,11 +58,8 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     one = slide_of(driven.linkage)
     x = one.zero + one.direction * position
     psi = lever_angle(one.lever, one.link, one.offset, one.side, x)
-    along, height = one.lever * np.cos(psi), one.lever * np.sin(psi)
-    first, second = slopes(one.lever, one.offset, psi, x)
     _, ratio, change = one.shaft(position)
     d = np.hypot(x, one.offset)
-    lean = (height - one.offset) / (x - along)
     return [
         calc("X", "slide from the shaft", "x", "m", "=@x0+@sense*[y]", of(x), scale=one.link, source="x_0 ± y"),
         calc("d", "to the shaft", "d", "m", "=SQRT([X]^2+@e^2)", of(d), scale=one.link, source="√(x² + e²)"),
@@ -70,18 +67,35 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
              scale=one.link**2, source="Heron"),
         calc("psi", "angle of the lever", "ψ", "rad", f"={ANGLE.format(x='[X]', d='[d]', k='[K]')}", of(psi),
              scale=1.0),
-        calc("c", "lever's end along the line", "c", "m", "=@r*COS([psi])", of(along), scale=one.lever,
-             source="r cos ψ"),
-        calc("above", "and above it", "s", "m", "=@r*SIN([psi])", of(height), scale=one.lever, source="r sin ψ"),
-        calc("tan", "slope of the link", "tan β", "", "=([above]-@e)/([X]-[c])", of(lean), scale=1.0,
-             source="(s − e)/(x − c)"),
-        calc("dx", "travel by angle", "dx/dψ", "m", "=0-[above]-[tan]*[c]", of(first), scale=one.lever,
-             source="−(s + c tan β)"),
-        calc("ddx", "its change", "d²x/dψ²", "m", "=[tan]*[above]-[c]-([c]+[tan]*[c]*[tan])*[c]/([X]-[c])",
-             of(second), scale=one.lever, source="s tan β − c − c² (1 + tan² β)/(x − c)"),
+        *pin(one.lever, psi, of),
+        *travel(one.lever, one.offset, psi, x, of),
         calc("g", "ratio", "φ'", "rad/m", "=1/ABS([dx])", of(ratio), source="1/|dx/dψ|"),
         calc("h", "its change", "φ''", "rad/m²", "=0-@sense*[ddx]/ABS([dx])^3", of(change),
              scale=float(np.abs(change).max()), source="dφ'/dy"),
+    ]  # fmt: skip
+
+
+def pin(lever: float, psi: Array, of: Column) -> list[Quantity]:
+    """Return the columns of the lever's end at the angles in the column ``psi``."""
+    return [
+        calc("c", "lever's end along the line", "c", "m", "=@r*COS([psi])", of(lever * np.cos(psi)), scale=lever,
+             source="r cos ψ"),
+        calc("above", "and above it", "s", "m", "=@r*SIN([psi])", of(lever * np.sin(psi)), scale=lever,
+             source="r sin ψ"),
+    ]  # fmt: skip
+
+
+def travel(lever: float, offset: float, psi: Array, x: Array, of: Column) -> list[Quantity]:
+    """Return the columns of dx/dψ and d²x/dψ², by the slope of the link, behind those of :func:`pin` and ``X``."""
+    lean = (lever * np.sin(psi) - offset) / (x - lever * np.cos(psi))
+    first, second = slopes(lever, offset, psi, x)
+    return [
+        calc("tan", "slope of the link", "tan β", "", "=([above]-@e)/([X]-[c])", of(lean), scale=1.0,
+             source="(s − e)/(x − c)"),
+        calc("dx", "travel by angle", "dx/dψ", "m", "=0-[above]-[tan]*[c]", of(first), scale=lever,
+             source="−(s + c tan β)"),
+        calc("ddx", "its change", "d²x/dψ²", "m", "=[tan]*[above]-[c]-([c]+[tan]*[c]*[tan])*[c]/([X]-[c])",
+             of(second), scale=lever, source="s tan β − c − c² (1 + tan² β)/(x − c)"),
     ]  # fmt: skip
 
 
