@@ -9,7 +9,7 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import chain, zip_longest
 from typing import Any
 
@@ -65,7 +65,7 @@ class Mutator:
             "literal": literals,
             "reference": shifts,
             "anchor": anchors,
-            "range": self._ranges,
+            "range": partial(ranges, self.targets),
             "name": self._names,
         }
 
@@ -87,19 +87,6 @@ class Mutator:
                 seen.add(mutated)
                 yield Mutant(address, "name", formula, mutated, at)
 
-    def _ranges(self, tokens: list[Token], at: int) -> Iterator[str]:
-        """Move one end of a range; a defined name of a range is spelled out first."""
-        text = str(tokens[at].value)
-        if tokens[at].type != Token.OPERAND:
-            return
-        found = REFERENCE.fullmatch(self.targets.get(text, text))
-        if not found or not found[7]:
-            return
-        sheet, first, last = found[1] or "", found[2], found[7]
-        for rows, columns in STEPS:
-            yield from ordered(sheet, first, moved(last, rows, columns))
-            yield from ordered(sheet, moved(first, rows, columns), last)
-
     def _names(self, tokens: list[Token], at: int) -> Iterator[str]:
         """Put the name of the input before or after in place of an input's."""
         if tokens[at].value in self.inputs:
@@ -115,6 +102,20 @@ class Mutator:
                 texts = [t.value for t in tokens]
                 texts[i], texts[j] = texts[j], texts[i]
                 yield i, "=" + "".join(texts)
+
+
+def ranges(targets: dict[str, str], tokens: list[Token], at: int) -> Iterator[str]:
+    """Move one end of a range; a defined name of a range is spelled out first."""
+    text = str(tokens[at].value)
+    if tokens[at].type != Token.OPERAND:
+        return
+    found = REFERENCE.fullmatch(targets.get(text, text))
+    if not found or not found[7]:
+        return
+    sheet, first, last = found[1] or "", found[2], found[7]
+    for rows, columns in STEPS:
+        yield from ordered(sheet, first, moved(last, rows, columns))
+        yield from ordered(sheet, moved(first, rows, columns), last)
 
 
 def operators(tokens: list[Token], at: int) -> Iterator[str]:

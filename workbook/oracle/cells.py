@@ -5,10 +5,12 @@ from __future__ import annotations
 import re
 
 from workbook.book.address import Address
+from workbook.dimensions.units import dimension_of
 from workbook.errors import ReadError
 from workbook.reading.files import BookFile
 
 CELL = re.compile(r"(?:(?P<sheet>'(?:[^']|'')+'|[^'!]+)!)?\$?(?P<column>[A-Za-z]{1,3})\$?(?P<row>\d{1,7})")
+BRACKETS = re.compile(r"[\[(]([^\])]{1,12})[\])]")
 NEAR = 6
 """columns right of a label in which its figure stands"""
 
@@ -66,12 +68,14 @@ def label_of(file: BookFile, cell: Address) -> str:
 
 
 def unit_of(file: BookFile, cell: Address) -> str:
-    """Return the unit beside a cell: a short text right of it, or the brackets of its label."""
-    right = file.contents.constants.get(cell._replace(column=cell.column + 1))
-    if isinstance(right, str) and 0 < len(right.strip()) <= 12 and " " not in right.strip():
-        return right.strip().strip("[]()")
-    found = re.search(r"[\[(]([^\])]{1,12})[\])]", label_of(file, cell))
-    return found[1] if found else ""
+    """Return the unit beside a cell: right of it, or in brackets in the text left of it, else in that above it."""
+    held = file.contents.constants
+    left = held.get(cell._replace(column=cell.column - 1)) if cell.column > 1 else None
+    above = held.get(cell._replace(row=cell.row - 1)) if cell.row > 1 else None
+    brackets = [one for text in (left, above) for one in BRACKETS.findall(str(text or ""))]
+    texts = [held.get(cell._replace(column=cell.column + 1)), *brackets]
+    units = (text.strip(" []()") for text in texts if isinstance(text, str))
+    return next((unit for unit in units if dimension_of(unit) is not None), "")
 
 
 def cells_of(file: BookFile, text: str) -> list[list[Address]]:

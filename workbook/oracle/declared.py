@@ -6,6 +6,7 @@ import inspect
 import runpy
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -30,13 +31,14 @@ class Input:
 
 @dataclass(eq=False)
 class Output:
-    """A cell that is compared: ``of`` gives its value; its parameters are called as the inputs' variables are."""
+    """A cell that is compared: ``of`` gives its value of ``inputs``, else of those called like its parameters."""
 
     cell: str
     of: Callable[..., Any]
     unit: str = ""
     tolerance: float = 1e-9
     source: str = ""
+    inputs: Sequence[Input] | None = None
 
 
 @dataclass(eq=False)
@@ -75,12 +77,13 @@ class Oracle:
         return self.inputs[-1]
 
     def output(
-        self, cell: str, unit: str = "", tolerance: float = 1e-9, source: str = ""
-    ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-        """Declare the decorated function as what gives a cell's value, to a relative ``tolerance``."""
+        self, cell: str, unit: str = "", tolerance: float = 1e-9, source: str = "",
+        inputs: Sequence[Input] | None = None,
+    ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:  # fmt: skip
+        """Declare the decorated function as what gives a cell's value of ``inputs``, to a relative ``tolerance``."""
 
         def declare(of: Callable[..., Any]) -> Callable[..., Any]:
-            self.outputs.append(Output(cell, of, unit, tolerance, source))
+            self.outputs.append(Output(cell, of, unit, tolerance, source, inputs))
             return of
 
         return declare
@@ -89,9 +92,17 @@ class Oracle:
         """Declare a range whose columns ``of`` gives, an array each."""
         self.tables.append(Table(cells, columns, of, tolerance))
 
-    def arguments(self, of: Callable[..., Any], skip: int = 0) -> list[Input]:
-        """Return the inputs that a function takes, by the names of its parameters behind the first ``skip``."""
-        return [self.names[name] for name in list(inspect.signature(of).parameters)[skip:]]
+    def arguments(self, one: Output | Table) -> Sequence[Input]:
+        """Return the inputs that a function takes: of an output those declared, else by the names of its parameters."""
+        if isinstance(one, Output) and one.inputs is not None:
+            return one.inputs
+        return [self.names[name] for name in parameters(one)]
+
+
+@cache
+def parameters(one: Output | Table) -> list[str]:
+    """Return the names of a function's parameters; of a table without the first, its column."""
+    return list(inspect.signature(one.of).parameters)[isinstance(one, Table) :]
 
 
 def load(path: Path) -> Oracle:
@@ -107,11 +118,13 @@ def load(path: Path) -> Oracle:
         raise ReadError(f"{path}: {len(oracles)} oracles; expected one, such as pump = Oracle('Pump sizing')")
     oracle = oracles[0]
     oracle.names = {name: value for name, value in found.items() if isinstance(value, Input)}
-    for function, skip in [*((one.of, 0) for one in oracle.outputs), *((one.of, 1) for one in oracle.tables)]:
-        unknown = [name for name in list(inspect.signature(function).parameters)[skip:] if name not in oracle.names]
+    declared: list[Output | Table] = [*oracle.outputs, *oracle.tables]
+    for one in declared:
+        named = isinstance(one, Output) and one.inputs is not None
+        unknown = [name for name in parameters(one) if name not in oracle.names and not named]
         if unknown:
             expected = ", ".join(oracle.names) or "none is declared"
-            raise ReadError(f"{path}: {function.__name__}({unknown[0]}): no input is called so; expected {expected}")
+            raise ReadError(f"{path}: {one.of.__name__}({unknown[0]}): no input is called so; expected {expected}")
     if not oracle.outputs and not oracle.tables:
         raise ReadError(f"{path}: no output is declared; expected @{next(iter(found), 'oracle')}.output(CELL)")
     return oracle

@@ -8,7 +8,7 @@ from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.formula import Area
-from workbook.dimensions.units import dimension_of
+from workbook.dimensions.units import POWERS, dimension_of
 from workbook.dimensions.walk import Dimensions, dimensions
 from workbook.oracle.cells import unit_of
 from workbook.oracle.values import is_number, same
@@ -16,7 +16,7 @@ from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreed import UNKNOWN
 
-SPELLINGS = str.maketrans("²³µ", "23μ", "·*^ ")
+SPELLINGS = POWERS | str.maketrans("µ", "μ", "·*^. -()[]")
 """of units: powers and products as people write them"""
 BLANK = frozenset(["ISBLANK", "COUNTA", "COUNT", "COUNTIF", "COUNTBLANK", "SUM", "SUMIF"])
 """functions for which a cell may be empty"""
@@ -98,4 +98,5 @@ class Looks:
 
 def spelled(unit: str) -> str:
     """Return a unit without what is written in different ways: blanks, brackets, powers, products."""
-    return unit.translate(SPELLINGS).strip("[]()")
+    text = unit.translate(SPELLINGS)
+    return text.casefold() if len(text) > 2 and text.isalpha() else text

@@ -14,7 +14,7 @@ from workbook.dimensions.walk import Dimensions
 from workbook.errors import ReadError, WitnessError
 from workbook.oracle.cases import Case, cases
 from workbook.oracle.cells import cells_of, find, label_of
-from workbook.oracle.declared import Input, Oracle
+from workbook.oracle.declared import Input, Oracle, Output, Table
 from workbook.oracle.findings import Looks, Wrong
 from workbook.oracle.values import close, is_number, same, size
 from workbook.reading.contents import Cells
@@ -75,42 +75,56 @@ class Judge:
         tried = cases(self.oracle.inputs, self.entered, number, seed)
         found = Judged(len(tried))
         found.wrong += self.deviating(tried, witnesses, found.notes)
-        inputs = list(self.cells.values())
-        units = {self.cells[one]: one.unit for one in self.oracle.inputs}
-        looks = Looks(self.file, self.formulas, units | {cell: one.unit for cell, one in self.outputs})
-        found.dimensions = looks.dimensions(self.model.order)
-        found.wrong += [*looks.stale(self.values(self.entered)), *looks.unread(inputs), *looks.other_units()]
-        found.wrong += [*looks.replaced(inputs), *looks.empty()]
+        found.dimensions = self.looks.dimensions(self.model.order)
+        found.wrong += self.looked()
         for cell, text in found.dimensions.wrong.items():
             found.wrong.append(Wrong(cell, "dimension", text, "one dimension"))
         found.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
         return found
 
+    @cached_property
+    def looks(self) -> Looks:
+        """What is looked at besides values."""
+        units = {self.cells[one]: one.unit for one in self.oracle.inputs}
+        return Looks(self.file, self.formulas, units | {cell: one.unit for cell, one in self.outputs})
+
+    def looked(self) -> Iterator[Wrong]:
+        """Yield what is wrong whatever the formulas should compute."""
+        inputs = list(self.cells.values())
+        yield from self.looks.stale(self.values(self.entered))
+        yield from self.looks.unread(inputs)
+        yield from self.looks.other_units()
+        yield from self.looks.replaced(inputs)
+        yield from self.looks.empty()
+
     @property
     def entered(self) -> Case:
-        """The inputs as the workbook has them; of a macro what was saved, else the low end of its range."""
-        held = self.file.contents.constants | {one: x for one, x in self.file.saved.items() if x is not None}
-        return {one: held.get(cell, one.low if one.macro else None) for one, cell in self.cells.items()}
+        """The inputs as the workbook has them; of a macro the number that was saved, else the low end of its range."""
+        saved, constants = self.file.saved, self.file.contents.constants
+        macros = {one: saved.get(cell) for one, cell in self.cells.items() if one.macro}
+        numbers = {one: value if is_number(value) else one.low for one, value in macros.items()}
+        return {one: constants.get(cell) for one, cell in self.cells.items()} | numbers
 
-    def deviating(self, tried: Sequence[Case], witnesses: Sequence[str], notes: list[str]) -> list[Wrong]:
-        """Return the outputs that are not what the oracle says, each at the first case and by the first witness."""
-        first: dict[Address, Wrong] = {}
+    def deviating(self, tried: Sequence[Case], witnesses: Sequence[str], notes: list[str]) -> Iterator[Wrong]:
+        """Yield the outputs that are not what the oracle says, each at the first case and by the first witness."""
+        named = set[Address]()
         for name in witnesses:
-            unable = set[Address]()
+            unable, by = set[Address](), "" if name == FIRST else f"{name}: "
             try:
                 for case, values in zip(tried, self.said(name, tried), strict=True):
-                    for wrong in self.compared(case, values):
-                        if name != FIRST and wrong.found in UNKNOWN:
-                            unable.add(wrong.cell)
+                    for cell, expected, allowed, one in self.expected(case, values):
+                        found = values.get(cell)
+                        if cell in named or close(found, expected, allowed):
+                            continue
+                        if found in UNKNOWN and name != FIRST:
+                            unable.add(cell)
                         else:
-                            by = "" if name == FIRST else f"{name}: "
-                            first.setdefault(wrong.cell, Wrong(wrong.cell, "value", wrong.found, wrong.expected,
-                                                               by + wrong.at))  # fmt: skip
+                            named.add(cell)
+                            yield Wrong(cell, "value", found, expected, by + self.told(one, case))
             except WitnessError as error:
                 notes.append(f"{name}: {error}")
             if unable:
                 notes.append(f"{name} cannot evaluate {len(unable)} of {len(self.targets)} compared cells")
-        return list(first.values())
 
     def said(self, name: str, tried: Sequence[Case]) -> Iterator[Cells]:
         """Yield what a witness computes at each case."""
@@ -130,34 +144,32 @@ class Judge:
         given = self.given(case)
         return self.file.contents.constants | self.model.evaluate(given | (others or {})) | given
 
-    def compared(self, case: Case, values: Cells) -> Iterator[Wrong]:
-        """Yield the outputs that are not what the oracle says of a case."""
-        at = ", ".join(f"{name} = {case[one]:.6g}" if isinstance(case[one], float) else f"{name} = {case[one]}"
-                       for name, one in self.oracle.names.items())  # fmt: skip
-        for cell, expected, allowed in self.expected(case, values):
-            if not close(values.get(cell), expected, allowed):
-                yield Wrong(cell, "value", values.get(cell), expected, at)
-
-    def expected(self, case: Case, values: Cells) -> Iterator[tuple[Address, Any, float]]:
-        """Yield each compared cell with what the oracle says of it, and the deviation that is allowed."""
+    def expected(self, case: Case, values: Cells) -> Iterator[tuple[Address, Any, float, Output | Table]]:
+        """Yield each compared cell with what the oracle says of it, the deviation that is allowed, and who says it."""
         for cell, one in self.outputs:
-            value = self.called(one.of, case)
-            yield cell, value, one.tolerance * size(value)
+            value = self.called(one, case)
+            yield cell, value, one.tolerance * size(value), one
         for rows, table in self.tables:
             first = np.array([values.get(row[0]) for row in rows], dtype=float)
-            columns = self.called(table.of, case, first)
+            columns = self.called(table, case, first)
             for j, column in enumerate(columns, 1):
                 allowed = table.tolerance * float(np.max(np.abs(column)))
                 for row, value in zip(rows, np.broadcast_to(column, first.shape).tolist(), strict=True):
-                    yield row[j], value, allowed
+                    yield row[j], value, allowed, table
 
-    def called(self, of: Callable[..., Any], case: Case, *first: Any) -> Any:
+    def called(self, one: Output | Table, case: Case, *first: Any) -> Any:
         """Return what a declared function gives; raise ReadError where it cannot be computed."""
         try:
-            return of(*first, *(case[one] for one in self.oracle.arguments(of, len(first))))
+            return one.of(*first, *(case[x] for x in self.oracle.arguments(one)))
         except (ArithmeticError, TypeError, ValueError) as error:
-            given = ", ".join(f"{name} = {case[one]}" for name, one in self.oracle.names.items())
-            raise ReadError(f"{of.__name__} of the declarations at {given}: {type(error).__name__}: {error}") from error
+            what = f"{one.of.__name__} of the declarations at {self.told(one, case)}"
+            raise ReadError(f"{what}: {type(error).__name__}: {error}") from error
+
+    def told(self, one: Output | Table, case: Case) -> str:
+        """Return the inputs of a function with their values at a case."""
+        names = {x: name for name, x in self.oracle.names.items()}
+        values = {names.get(x, x.cell): case[x] for x in self.oracle.arguments(one)}
+        return ", ".join(f"{name} = {x:.6g}" if is_number(x) else f"{name} = {x}" for name, x in values.items())
 
     @cached_property
     def targets(self) -> list[Address]:

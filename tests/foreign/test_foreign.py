@@ -1,0 +1,70 @@
+"""Workbooks that nobody here wrote, each declared in Python: what is found in them, and faults put into them."""
+
+from collections import Counter
+
+import pytest
+
+from tests.foreign.books import BOOKS, VARIABLE
+from tests.foreign.mutants import Trial, sample
+from workbook.oracle.declared import load
+from workbook.oracle.judge import Judge
+from workbook.reading.files import open_book
+from workbook.witnesses.libreoffice import convert, program
+
+every_book = pytest.mark.parametrize("book", BOOKS, ids=lambda book: book.name)
+
+
+@pytest.fixture
+def there(book):
+    """The workbook, where it is on this machine."""
+    if book.path is None:
+        pytest.skip(f"{book.address} is not in the folder that {VARIABLE} names")
+    return book
+
+
+@pytest.fixture
+def sound(there, tmp_path):
+    """The workbook without the faults that were found in it."""
+    return there.mend(tmp_path / "sound.xlsx")
+
+
+def judged(path, book, witnesses=("pycel", "formualizer")):
+    return Judge(open_book(path), load(book.declarations)).judge(100, witnesses=witnesses)
+
+
+@every_book
+def test_it_is_declared_in_a_hundred_lines(book):
+    assert len(book.declarations.read_text(encoding="utf-8").splitlines()) <= 100
+
+
+@every_book
+def test_what_is_wrong_in_it_is_named_and_all_of_it_is_covered(there):
+    found = judged(there.path, there)
+    assert Counter(one.kind for one in found.wrong) == there.kinds
+    assert found.covered == 100.0
+
+
+@every_book
+def test_without_these_faults_nothing_is_named(sound, book):
+    assert judged(sound, book).wrong == []
+
+
+@every_book
+@pytest.mark.nightly
+def test_nothing_is_named_of_what_libreoffice_saves_of_it(sound, book, tmp_path):
+    if program() is None:
+        pytest.skip("LibreOffice is not on this machine")
+    folder = tmp_path / "saved"
+    folder.mkdir()
+    assert judged(convert(sound, "xlsx", folder), book).wrong == []
+
+
+@every_book
+@pytest.mark.parametrize("size", [10, pytest.param(1000, marks=pytest.mark.nightly)])
+def test_faults_that_change_an_output_are_named(sound, book, size):
+    trial = Trial(open_book(sound), load(book.declarations))
+    outcomes = {fault: trial.outcome(fault) for fault in sample(trial.judge, size, seed=37)}
+    missed = [str(fault) for fault, outcome in outcomes.items() if outcome == "missed"]
+    named = Counter(outcomes.values())["named"]
+    assert named >= 0.95 * (named + len(missed)), missed
+    assert named > 0.5 * size
