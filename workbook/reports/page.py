@@ -75,6 +75,7 @@ body:has(#live) { max-width: 112rem; }
 #form { max-height: 48vh; overflow: auto; border-bottom: 1px solid #d5dae1; }
 #form h3, #form h4 { margin: .8rem 0 .2rem; } #form td, #form th { padding-right: .3rem; }
 .edge { fill: #fff; stroke: #1f3a5f; stroke-width: 2; cursor: ew-resize; } .edge:focus { fill: #1f3a5f; outline: none; }
+.lane { cursor: ew-resize; } .lane:focus { font-weight: 700; outline: none; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin: 1.2rem 0; }
 @media (max-width: 1200px) { .pictures { grid-template-columns: 1fr; } }
 button { margin: 0 .3rem; } td form { display: inline; }

@@ -2,67 +2,87 @@
 import { area as text, ask, changed, follow } from "./text.js";
 
 const panel = document.getElementById("live");
-let held = null; // the edge that is dragged, or moved by keys
+let held = null; // the edge or lane that is dragged, or moved by keys
 
 follow(async () => {
   const words = await ask("/live");
   if (words === null) return;
   panel.innerHTML = words;
-  if (held) find(held)?.focus({ preventScroll: true });
+  if (!held) return;
+  held.handle = find(held);
+  held.handle?.focus({ preventScroll: true });
 });
 
-// --- edges of phases
+// --- edges of phases, and lanes
 
 function edgeOf(handle) {
-  const { value, step, across, places, edge } = handle.dataset;
+  const { value, step, across, places, edge, before } = handle.dataset;
   const pairs = places.split(" ").map((place) => place.split("-").map(Number));
-  return { axis: edge.slice(0, edge.lastIndexOf(" ")), value: Number(value), step: Number(step), across: Number(across), places: pairs };
+  const axis = edge.slice(0, edge.lastIndexOf(" "));
+  const lane = handle.matches(".lane");
+  return { handle, axis, lane, before, value: Number(value), step: Number(step), across: Number(across), places: pairs };
 }
 
-function find(edge) {
-  const wanted = `${edge.axis} ${edge.value}`;
-  return [...panel.querySelectorAll(".edge")].find((one) => one.dataset.edge === wanted);
+function find({ axis, lane, value }) {
+  const wanted = `${axis} ${lane ? "lane" : value}`;
+  return [...panel.querySelectorAll("[data-edge]")].find((one) => one.dataset.edge === wanted);
+}
+
+/** Whether the numbers of an edge are still in the text where they were. */
+function stands({ places, value }) {
+  return places.every(([begin, end]) => Number(text.value.slice(begin, end)) === value);
+}
+
+/** The edge of an event's handle, with Shift the lane that it is on; null where the text has changed meanwhile. */
+function edgeAt(event) {
+  let handle = event.target.closest(".edge, .lane");
+  if (handle && event.shiftKey) handle = find({ ...edgeOf(handle), lane: true }) ?? handle;
+  if (!handle) return null;
+  const edge = held?.handle === handle && stands(held) ? held : edgeOf(handle);
+  return stands(edge) ? edge : null;
 }
 
 function move(edge, value) {
-  const steps = Math.max(0, Math.round(value / edge.step));
+  const steps = Math.max(edge.lane ? -Infinity : 0, Math.round(value / edge.step));
   const decimals = Math.max(1, Math.round(-Math.log10(edge.step)));
   const words = (steps * edge.step).toFixed(decimals);
   if (Number(words) === edge.value) return;
   let longer = 0;
   edge.places = edge.places.map(([begin, end]) => {
-    text.setRangeText(words, begin + longer, end + longer, "preserve");
-    const place = [begin + longer, begin + longer + words.length];
-    longer += words.length - (end - begin);
-    return place;
+    text.setRangeText(edge.before + words, begin + longer, end + longer, "preserve");
+    const first = begin + longer + edge.before.length;
+    longer += edge.before.length + words.length - (end - begin);
+    return [first, first + words.length];
   });
+  edge.before = "";
   edge.value = Number(words);
-  changed();
+  changed(edge.x === undefined);
 }
 
 panel.addEventListener("pointerdown", (event) => {
-  if (!event.target.matches(".edge")) return;
+  const edge = edgeAt(event);
+  if (!edge) return;
   event.preventDefault();
   panel.setPointerCapture(event.pointerId);
-  const svg = event.target.ownerSVGElement;
-  held = { ...edgeOf(event.target), x: event.clientX, from: Number(event.target.dataset.value), scale: svg.getScreenCTM().a };
+  held = Object.assign(edge, { x: event.clientX, from: edge.value, scale: edge.handle.ownerSVGElement.getScreenCTM().a });
 });
 
 panel.addEventListener("pointermove", (event) => {
-  if (!held || held.x === undefined) return;
-  move(held, held.from + ((event.clientX - held.x) / held.scale) * held.across);
+  if (held?.x !== undefined) move(held, held.from + ((event.clientX - held.x) / held.scale) * held.across);
 });
 
 panel.addEventListener("pointerup", () => {
-  if (held) delete held.x;
+  if (held?.x === undefined) return;
+  delete held.x;
+  changed();
 });
 
 panel.addEventListener("keydown", (event) => {
   const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  if (!way || !event.target.matches(".edge")) return;
+  const edge = way && edgeAt(event);
+  if (!edge) return;
   event.preventDefault();
-  const handle = edgeOf(event.target);
-  if (!held || find(held) !== event.target) held = handle;
+  held = edge;
   move(held, held.value + way * held.step);
 });
 

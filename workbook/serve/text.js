@@ -43,10 +43,11 @@ export function follow(show) {
   run();
 }
 
-export function changed() {
+/** Show a change; it can be undone as one step with those around it, unless more of the same is to come. */
+export function changed(whole = true) {
   showing ??= setTimeout(show, SHOWN);
   clearTimeout(keeping);
-  keeping = setTimeout(keep, KEPT);
+  if (whole) keeping = setTimeout(keep, KEPT);
   enable();
 }
 

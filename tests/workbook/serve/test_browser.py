@@ -18,6 +18,7 @@ SMALL = "\n[sizes]\ncycle = 12\nlaw = 4\nown_law = 4\n"
 SERIOUS = ("serious", "critical")
 NARROW, WIDE = 1024, 1600
 LONG = 60_000  # ms: a workbook is built, or verified
+STEP = 600  # ms without a change: what comes then is another step to be undone
 
 try:
     from axe_playwright_python.sync_playwright import Axe
@@ -113,6 +114,37 @@ def test_a_new_machine_is_dragged_built_verified_and_exported(page, server, tmp_
     command = ["export", server.root / "mine.xlsx", "--axis", "MC02", "--to", "siemens", "-o", tmp_path / "command.scl"]
     subprocess.run([sys.executable, "-m", "workbook", *map(str, command)], check=True, capture_output=True)
     assert (tmp_path / "browser.scl").read_bytes() == (tmp_path / "command.scl").read_bytes()
+
+
+def test_a_lane_is_shifted_by_its_name_and_by_keys_each_in_one_step(page, server):
+    opened(page, server, "/edit/live.toml")
+    before = text_of(page)
+    name = page.locator(".lane").first
+    axis = name.text_content()
+    box = name.bounding_box()
+    page.mouse.move(box["x"] + 5, box["y"] + 5)
+    page.mouse.down()
+    for far in (10, 20, 30):
+        page.mouse.move(box["x"] + 5 + far, box["y"] + 5)
+        page.wait_for_timeout(STEP)
+    page.mouse.up()
+    lane = page.locator(f'.lane[data-edge="{axis} lane"]')
+    expect(lane).not_to_have_attribute("aria-valuenow", "0", timeout=LONG)
+    shift = design("live.toml", text_of(page)).machine.axes[0].shift
+    assert 5.0 <= shift <= 60.0
+    page.wait_for_timeout(STEP)
+    lane.focus()
+    for _ in range(3):
+        page.keyboard.press("ArrowRight")
+    assert design("live.toml", text_of(page)).machine.axes[0].shift == shift + 3.0
+    page.wait_for_timeout(STEP)
+    edge = page.locator(f'.edge[data-edge^="{axis} "]').first
+    edge.focus()
+    page.keyboard.press("Shift+ArrowLeft")
+    assert design("live.toml", text_of(page)).machine.axes[0].shift == shift + 2.0
+    for _ in range(3):
+        page.locator("#undo").click()
+    assert text_of(page) == before
 
 
 def test_a_tampered_book_has_its_cell_named(page, server, tmp_path):
