@@ -6,7 +6,7 @@ import re
 import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree.ElementTree import Element, tostring
 
 import tomli_w
@@ -18,7 +18,7 @@ from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.intake import read_text
-from workbook.laws.entries import references
+from workbook.laws.entries import ENTRIES, references
 from workbook.reading.descriptions import parsed, template_named, write_machine
 from workbook.reports import study as page
 from workbook.reports.page import e
@@ -27,8 +27,8 @@ from workbook.serve.toml import differing, edited
 from workbook.studies.judged import machine_of
 from workbook.studies.model import Study
 from workbook.studies.named import Label, listed, require_names
-from workbook.studies.paths import written
-from workbook.studies.plan import PRODUCTS, Plan, lines_of, planned, read_study
+from workbook.studies.paths import held, written
+from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, planned, read_study
 from workbook.studies.summary import Summary
 from workbook.templates import TEMPLATES
 
@@ -41,22 +41,44 @@ BOUNDS = {"at least": "min", "at most": "max"}
 OFF = "off"
 
 
-def fields(base: Path) -> list[tuple[str, list[tuple[str, str, str]]]]:
-    """Return the entries that can vary by their tables: the key, the value now, what is proposed."""
-    machine = described(base)
+class Field(NamedTuple):
+    """An entry that can vary: its key, its value now, over what it is proposed to vary.
+
+    ``known`` are the words that it may be, ``givers`` the phases that can give the room that this one takes.
+    """
+
+    key: str
+    now: str
+    over: str
+    known: list[str]
+    givers: list[str]
+
+
+def fields(base: Path) -> dict[str, list[Field]]:
+    """Return the entries that can vary by their tables."""
+    machine: Any = described(base)
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
-    lawful = {one.key for one in references(machine)}
-    tables: dict[str, list[tuple[str, str, str]]] = {}
+    words = {one.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for one in references(machine)}
+    tables: dict[str, list[Field]] = {}
     for key, value in leaves(data, ""):
-        number = isinstance(value, float)
-        product = key.split(".")[-2:-1] in [[part] for part in PRODUCTS] and key.endswith(".name")
-        if number or key in lawful or product:
-            path = written(key.split("."))
-            row = path, page.figure(value), around(value) if number else ALL
-            first, row_number, *_ = *key.split("."), ""
-            named = data[first][int(row_number)].get("name", "") if row_number.isdigit() else ""
-            tables.setdefault(f"{path.rpartition('.')[0]} {named}".strip(), []).append(row)
-    return list(tables.items())
+        *above, last = key.split(".")
+        if last == "name" and above and above[-1] in PRODUCTS:
+            words[key] = [one.name for one in getattr(machine.selection, PRODUCTS[above[-1]])]
+        if isinstance(value, float) or key in words:
+            known = [ALL, *words[key]] if key in words else []
+            row = Field(written([*above, last]), page.figure(value), ALL if known else around(value), known,
+                        givers(data, above) if last in EDGES else [])  # fmt: skip
+            named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
+            tables.setdefault(f"{written(above)} {named}".strip(), []).append(row)
+    return tables
+
+
+def givers(data: Any, phase: list[str]) -> list[str]:
+    """Return the other phases beside one of a list."""
+    *above, number = phase
+    if not number.isdigit():
+        return []
+    return [written([*above, str(k)]) for k in range(len(held(data, tuple(above)))) if k != int(number)]
 
 
 def around(value: float) -> str:
@@ -101,7 +123,8 @@ def composed(base: str, asked: Mapping[str, list[str]]) -> str:
     kind = asked["way"][0]
     study["way"] = {"kind": kind} | ({} if kind == "full" else {"designs": int(value_of(asked["designs"][0]))})
     values = dict(zip(asked["key"], asked["values"], strict=True))
-    study["vary"] = [{"key": key} | varied(key, values[key]) for key in asked.get("vary", [])]
+    givers = {key: {"takes": phase} for key, phase in zip(asked["key"], asked.get("takes", []), strict=False) if phase}
+    study["vary"] = [{"key": key} | varied(key, values[key]) | givers.get(key, {}) for key in asked.get("vary", [])]
     return tomli_w.dumps(study)
 
 

@@ -36,7 +36,7 @@ class NewStudy(Page):
         """Write it under a name that is free, begin it and follow it."""
         base = self.folder.file(self.argument("name"))
         asked = {key: self.get_body_arguments(key) for key in self.request.body_arguments}
-        sent = {key: self.get_body_arguments(key) for key in ("result", "what", "value", "key", "values")}
+        sent = {key: self.get_body_arguments(key) for key in ("result", "what", "value", "key", "values", "takes")}
         text = studied.composed(base.name, asked | sent)
         await self.work.beside(studied.require_study, text, base)
         path = self.folder.free(f"{base.stem}-study.toml")
@@ -120,7 +120,7 @@ async def begin(page: Page, path: Path) -> None:
     page.redirect(f"/study/{path.name}")
 
 
-def form(name: str, tables: list[tuple[str, list[tuple[str, str, str]]]], results: list[tuple[str, Label]]) -> str:
+def form(name: str, tables: dict[str, list[studied.Field]], results: list[tuple[str, Label]]) -> str:
     """Return the page of what can vary in a description, and of the results to ask for."""
     asked = [e("p", e("label", "Result ", field("result", list="results"), " "), e("label", select(), " "),
                e("label", "bound ", field("value", size="8"))) for _ in range(ROWS)]  # fmt: skip
@@ -135,21 +135,25 @@ def form(name: str, tables: list[tuple[str, list[tuple[str, str, str]]]], result
                    e("datalist", *options, id="results"),
                    e("p", pages.label("Designs:", "way"), ways, pages.label(" not in full, how many", "designs"),
                      e("input", type="number", name="designs", id="designs", value="1000", min="1")),
-                   e("h2", "What varies"), *(varying(*one) for one in tables),
+                   e("h2", "What varies"), *(varying(*one) for one in tables.items()),
                    e("p", pages.button("Begin"))),
     ]  # fmt: skip
     return document(f"{name}: study", body)
 
 
-def varying(path: str, rows: list[tuple[str, str, str]]) -> Element:
+def varying(path: str, rows: list[studied.Field]) -> Element:
     """Return the entries of a table that can vary."""
     lines: list[list[Content]] = []
-    for key, value, proposed in rows:
-        tick = e("label", e("input", type="checkbox", name="vary", value=key), f" {key.rpartition('.')[2]}")
-        over = field("values", value=proposed, **{"aria-label": f"{key}: values"})
-        lines.append([tick, value, e("span", pages.hidden("key", key), over)])
-    inside = table(("Entry", "Now", "Over"), lines, (1,))
-    return e("details", e("summary", path or "The machine"), inside)
+    for one in rows:
+        tick = e("label", e("input", type="checkbox", name="vary", value=one.key), f" {one.key.rpartition('.')[2]}")
+        listed = e("datalist", *(e("option", value=word) for word in one.known), id=f"list-{one.key}")
+        over = field("values", value=one.over, list=f"list-{one.key}", **{"aria-label": f"{one.key}: values"})
+        givers = e("select", e("option", "–", value=""), *(e("option", phase, value=phase) for phase in one.givers),
+                   name="takes", **{"aria-label": f"{one.key}: takes its room from"})  # fmt: skip
+        room = givers if one.givers else pages.hidden("takes", "")
+        lines.append([tick, one.now, e("span", pages.hidden("key", one.key), over, listed), room])
+    last = "Takes its room from" if any(one.givers for one in rows) else ""
+    return e("details", e("summary", path or "The machine"), table(("Entry", "Now", "Over", last), lines, (1,)))
 
 
 def field(name: str, **attributes: str) -> Element:

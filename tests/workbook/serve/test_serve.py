@@ -19,6 +19,7 @@ from workbook.reports.differences import figure
 from workbook.reports.study import figure as figure_of
 from workbook.serve.live import design
 from workbook.serve.sheet import short
+from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 
@@ -159,6 +160,20 @@ def finished(server, name):
             return panel
         time.sleep(0.25)
     raise AssertionError(panel)
+
+
+def test_a_phase_that_varies_takes_its_room_from_another_one(server):
+    form = server.ask("/vary/live.toml").body.decode()
+    stop, other = "axes[3].phases[1].stop", "axes[3].phases[2]"
+    assert f'aria-label="{stop}: takes its room from"' in form
+    assert f'<option value="{read_machine(server.root / "live.toml").selection.motors[0].name}">' in form
+    asked = {"result": "axis3.y1.1", "what": "results", "value": "", "way": "full", "designs": "9", "key": [stop],
+             "values": ["200, 210"], "takes": [other], "vary": [stop]}  # fmt: skip
+    assert server.ask("/study", server.form(name="cutting.toml", **asked)).code == 302
+    assert read_study(server.root / "cutting-study.toml").space.dimensions[0].takes == ("axes", "2", "phases", "1")
+    finished(server, "cutting-study.toml")
+    for file in server.root.glob("cutting-study.*"):
+        file.unlink()
 
 
 def test_a_study_is_cancelled_and_goes_on(server):
