@@ -192,14 +192,46 @@ def tabbed(page, selector):
     raise AssertionError(f"Tab does not reach {selector}")
 
 
-PAGES = ("/", "/edit/live.toml", "/controller/cutting.xlsx", "/vary/live.toml", "/print/live.toml")
+def verify(page):
+    page.locator("tr", has_text="cutting.xlsx").get_by_role("button", name="Verify").click()
+    page.wait_for_selector("text=None: every formula cell computes what the engine computes")
 
 
-@pytest.mark.parametrize("path", PAGES)
-def test_a_page_fits_narrow_and_wide_windows_and_shuts_nobody_out(page, server, path):
-    for width in (NARROW, WIDE):
+def compare(page):
+    page.select_option("#old", "live.toml")
+    page.select_option("#new", "cutting.xlsx")
+    page.get_by_role("button", name="Compare").click()
+    page.wait_for_selector("h1")
+
+
+def export(page):
+    page.locator("tr", has_text="cutting.xlsx").get_by_role("link", name="Controller").click()
+    page.select_option("#axis", "MC03")
+    page.get_by_role("button", name="Export").click()
+    page.wait_for_selector("svg")
+
+
+def study(page):
+    page.locator("tr", has_text="live.toml").get_by_role("link", name="Study").click()
+    for k, name in enumerate(("drive1_rms", "axis1.j.1")):
+        page.get_by_label("Result").nth(k).fill(name)
+    page.locator("summary", has_text="axes[1].phases[1] ").click()
+    page.locator("input[name=vary][value='axes[1].phases[1].law']").check()
+    page.get_by_role("button", name="Begin").click()
+    page.wait_for_selector("#study svg", timeout=2 * LONG)
+
+
+PAGES = ("/", "/edit/live.toml", "/controller/cutting.xlsx", "/vary/live.toml", "/print/live.toml",
+         verify, compare, export, study)  # fmt: skip
+
+
+@pytest.mark.parametrize("what", PAGES)
+def test_a_page_fits_narrow_and_wide_windows_and_shuts_nobody_out(page, server, what):
+    opened(page, server, what if isinstance(what, str) else "/")
+    if callable(what):
+        what(page)
+    for width in (WIDE, NARROW):
         page.set_viewport_size({"width": width, "height": 900})
-        opened(page, server, path)
         assert page.evaluate("document.documentElement.scrollWidth") <= width
     found = Axe().run(page).response["violations"]
     assert [(one["id"], one["nodes"][0]["html"]) for one in found if one["impact"] in SERIOUS] == []
