@@ -188,6 +188,8 @@ def linked(said: list[Element], links: list[str]) -> list[Element]:
     """Return picture and table of the best designs, the points and the places in the table as links."""
     for one in said:
         points = [child for child in one if child.tag == "circle"]
+        if points:
+            one.set("role", "group")  # a picture by itself may have no links in it
         for point, link in zip(points, links, strict=False):
             at = list(one).index(point)
             one.remove(point)
