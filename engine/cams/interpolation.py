@@ -46,6 +46,16 @@ def parabolas(x: Array, y: Array) -> CamProfile:
     return hermite(x, y, np.concatenate([[2.0 * m[0] - inner[0]], inner, [2.0 * m[-1] - inner[-1]]]))
 
 
+def central(x: Array, y: Array) -> CamProfile:
+    """Return cubics whose slope at a point is that of the line between its neighbours, at an end that of the chord.
+
+    At equal steps the slopes inside are those of :func:`parabolas`. Where steps differ, what a mean of both chords'
+    slopes leaves is no more than the larger of what these two leave: it is their mean, and cubics are linear in slopes.
+    """
+    chords = np.diff(y) / np.diff(x)
+    return hermite(x, y, np.concatenate([chords[:1], (y[2:] - y[:-2]) / (x[2:] - x[:-2]), chords[-1:]]))
+
+
 def quintics(x: Array, y: Array, v: Array, a: Array) -> CamProfile:
     """Return the polynomial of degree 5 of each interval that has y, y' and y'' at both its ends."""
     h = np.diff(x)

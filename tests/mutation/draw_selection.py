@@ -37,6 +37,7 @@ def motor(i: int, drawn: random.Random) -> dict[str, Any]:
         "max_speed": top,
         "mass": maybe(drawn, drawn.uniform(0.1, 90)),
         "cost": maybe(drawn, drawn.uniform(50, 9000)),
+        "copper_losses": maybe(drawn, rated * drawn.uniform(0, 0.02)),
         "stall_torque": maybe(drawn, rated * drawn.uniform(0.9, 3)),
         "rated_speed": maybe(drawn, top * drawn.uniform(0.2, 1.2)),
     }

@@ -14,6 +14,8 @@ from workbook.errors import TargetError
 
 GROWTH = (1.25, 2.0)
 BETTER = 0.95  # times the best so far: more points are worth it
+LOST = 0.5
+"""of its peak: an order that the best misses by so much jumps, and no number of points helps it"""
 COARSE = 100
 DRAWN = 12
 IDLE = 3  # tries that were not: no more are made
@@ -56,7 +58,9 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     for orders in range(max(map(ORDERS.index, tolerance)), 0, -1):
         lower = {order: tolerance.get(order) or above(order, tolerance) for order in ORDERS[:orders]}
         other = nearest(tries, lower)
-        if other.excess(lower) < best.excess(lower) and not other.excess(tolerance) * BETTER > best.excess(tolerance):
+        lost = max(best.share(order) for order in tolerance) >= LOST
+        kept = other.excess(tolerance) * BETTER <= best.excess(tolerance)
+        if other.excess(lower) < best.excess(lower) and (lost or kept):
             best = other
         if best.excess(lower) <= 1.0:
             break

@@ -99,7 +99,7 @@ def _itself(table: Table) -> CamProfile:
     return table.profile
 
 
-LOCAL = "cubics by neighbours"
+LOCAL, CENTRAL = "cubics by neighbours", "cubics by the line between neighbours"
 
 RULES: dict[str, Rule] = {
     "straight lines": Rule(lambda t: interpolation.lines(t.x, t.y), 2),
@@ -108,6 +108,7 @@ RULES: dict[str, Rule] = {
     "not-a-knot cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "not-a-knot"), 4, 2),
     "periodic cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "periodic"), 4, 2),
     LOCAL: Rule(lambda t: interpolation.parabolas(t.x, t.y), 4, 2),
+    CENTRAL: Rule(lambda t: interpolation.central(t.x, t.y), 4, 2),
     "quintics": Rule(_quintics, 6),
     "polynomials": Rule(_itself, 6),
 }

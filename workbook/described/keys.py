@@ -66,7 +66,7 @@ EXAMPLES: dict[str, Any] = {
     "selection.motors": "committed", "selection.reducers": "committed", "selection.falling": True,
     "sizes.motion_pieces": 40, "laws.SPL.first_slope": 0.5, "laws.SPL.last_slope": 0.5,
     "selection.motors.*.full_torque_to": 3000.0, "selection.motors.*.end_torque": 6.4, "selection.motors.*.mass": 5.1,
-    "selection.motors.*.cost": 640.0, "overlap.tools.*.angle_out": 90.0,
+    "selection.motors.*.cost": 640.0, "selection.motors.*.copper_losses": 0.22, "overlap.tools.*.angle_out": 90.0,
 }  # fmt: skip
 """entries of a real machine that no committed description has"""
 PRODUCTS = {

@@ -33,6 +33,7 @@ class MotorRow(Model):
     max_speed: Positive  # rpm
     full_torque_to: NotNegative | None = None  # rpm
     end_torque: NotNegative | None = None  # Nm
+    copper_losses: NotNegative | None = None  # kW, of its winding at the rated torque
     mass: NotNegative | None = None  # kg
     cost: NotNegative | None = None
     source: Source | None = None

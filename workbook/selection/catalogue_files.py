@@ -37,6 +37,7 @@ MOTOR_COLUMNS = {
     "max_speed_rpm": "max_speed",
     "full_torque_to_rpm": "full_torque_to",
     "torque_at_max_speed_Nm": "end_torque",
+    "copper_losses_kW": "copper_losses",
     "mass_kg": "mass",
     "cost": "cost",
     "source": "source",

@@ -35,6 +35,7 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> Sh
         column("motors", n, "nmax", "max_speed", "largest speed", "n_M,max", "rpm", format="0.##"),
         column("motors", n, "knee", "full_torque_to", "peak torque up to, if less", "n_1", "rpm", format="0.##"),
         column("motors", n, "end", "end_torque", "peak torque at n_M,max, if less", "", "Nm", format="0.0##"),
+        column("motors", n, "pcu", "copper_losses", "copper losses at T_N", "P_Cu", "kW", format="0.0##"),
         column("motors", n, "mass", "mass", "mass", "", "kg", format="0.0##"),
         column("motors", n, "cost", "cost", "cost", format="0.##"),
         column("motors", n, "source", "source", "source", align="left"),

@@ -40,6 +40,7 @@ def motor(i: int, k: int) -> dict[str, Any]:
         "mass": 3.0 + 2.5 * i + 0.1 * k if i % 4 != 3 else None,
         "cost": 400.0 + 90 * i if k == 3 and i % 3 != 2 else None,
         "source": "a variation" if i % 2 else None,
+        "copper_losses": None if i % 3 else 0.01 * rated,
         "stall_torque": rated * (0.9 + 0.3 * (i % 4)) if (i + k) % 5 else None,
         "rated_speed": top * 0.35 * (i % 3) or None,
         **curve,

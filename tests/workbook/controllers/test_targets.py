@@ -14,6 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine import law
+from engine.cams import interpolation
+from engine.cams.certificate import certify
 from engine.cams.profile import CamProfile, profile_of_motion
 from engine.motion import Motion, Phase
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
@@ -406,3 +408,30 @@ def test_no_text_keeps_a_reader_busy(bomb: str) -> None:
         with pytest.raises(TargetError):
             parsed(BOMBS[bomb], target(name))
     assert time.process_time() - begin < 10.0
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_sew_is_bound_by_every_slope_that_a_cubic_may_have(seed: int) -> None:
+    """Parabolas, lines between neighbours and means of chords, by their own formulas: at equal steps one inside."""
+    sew, axis = target("sew"), random_axis(seed)
+    made = automatic(sew, axis, dict(sew.tolerance))
+    x, y = made.table.x, made.table.y
+    assert np.ptp(np.diff(x)) < 1e-9
+    h, m = np.diff(x), np.diff(y) / np.diff(x)
+    means = (m[1:] + m[:-1]) / 2
+    slopes = [(h[1:] * m[:-1] + h[:-1] * m[1:]) / (h[1:] + h[:-1]), (y[2:] - y[:-2]) / (x[2:] - x[:-2]), means]
+    for one in slopes:
+        inner = interpolation.hermite(x, y, np.concatenate([m[:1], one, m[-1:]]))
+        off = certify(axis.profile, inner).deviations
+        assert off[0].share <= made.share("y") + 1e-9
+        assert off[1].share <= made.share("v") + 1e-9
+    assert made.share("v") < 1e-3
+
+
+def test_a_mean_of_slopes_is_off_by_no_more_than_both_rules_of_sew_at_any_steps() -> None:
+    sew, axis = target("sew"), random_axis(4)
+    x = np.unique(np.concatenate([np.linspace(0, 360, 40), np.linspace(100, 101, 30)]))
+    made = certified(sew, filled(sew, axis.profile, x, ("°", "mm")), axis.profile)
+    m = np.diff(made.table.y) / np.diff(made.table.x)
+    means = interpolation.hermite(made.table.x, made.table.y, np.concatenate([m[:1], (m[1:] + m[:-1]) / 2, m[-1:]]))
+    assert certify(axis.profile, means).deviations[0].share <= made.share("y") * (1 + 1e-9)

@@ -84,15 +84,37 @@ def test_the_peaks_of_each_drive_are_those_of_its_power():
         assert KW * value(f"drive{k + 1}_pmax") == pytest.approx(supply.mains_peak * POWER.efficiency, rel=5e-3)
 
 
+def quick(start):
+    """A belt that goes 80 mm and back, each in 0.06 s of a cycle of 10 s, by CIC."""
+    belt = {"kind": "belt", "pulley_diameter": 60.0, "efficiency": 0.95}
+    return driven((start, start + 2.16, 80.0, "CIC"), (200.0, 202.16, -80.0, "CIC"), mechanism=belt)
+
+
+def slow_machine(axes, **sizes):
+    """A machine of six cycles a minute."""
+    made = small(axes, **sizes)
+    return made.model_copy(update={"master": made.master.model_copy(update={"rate": 6.0}), "power": POWER})
+
+
 def test_a_short_movement_in_a_long_cycle_has_its_exact_power_on_the_bus():
     """80 mm by CIC in 0.06 s of 10 s, between samples of the cycle: the bus of one drive is the drive alone."""
-    made = machine([driven((10.3, 12.46, 80.0, "CIC"), (200.0, 202.16, -80.0, "CIC"))])
-    made = made.model_copy(update={"master": made.master.model_copy(update={"rate": 6.0})})
+    made = slow_machine([quick(10.3)])
     value, exact = computed(TEMPLATE, made), together(made).supply(True)
     assert KW * value("bus_mains_peak") == pytest.approx(exact.mains_peak, rel=5e-3)
     assert value("bus_alone") == pytest.approx(value("bus_mains_peak"), rel=1e-12)
     assert KW * value("bus_mains") == pytest.approx(exact.mains_mean, rel=0.03)
     assert value("bus_year") == pytest.approx(value("power_year"), rel=1e-12)
+    assert (value("bus_off"), value("bus_fine")) == (0.0, "OK")
+
+
+def test_where_samples_miss_the_peaks_of_two_drives_a_check_fails():
+    """Both move between the same samples of 30°: their sum is between one drive's peak and twice that."""
+    made = slow_machine([quick(10.3), quick(10.3) | {"name": "A2"}], cycle=12)
+    value, exact = computed(TEMPLATE, made), together(made).supply(True)
+    assert disagreeing(TEMPLATE, made)[0] == []
+    assert value("bus_fine") == "FAIL"
+    at_most = KW * (value("bus_mains_peak") + value("bus_off"))
+    assert KW * value("bus_mains_peak") < 0.95 * exact.mains_peak < exact.mains_peak <= 1.005 * at_most
 
 
 def test_one_drive_is_its_own_bus():

@@ -37,6 +37,21 @@ def test_a_name_is_the_figures_of_the_catalogue_whatever_else_is_entered():
     assert entered(TEMPLATE, named) == (named, [])
 
 
+def test_copper_losses_of_the_catalogue_count_unless_others_are_entered():
+    """Mean power is that without them and P_Cu/T_N² T_rms²: 1.5 · 0.94 Ω · (10.6 A)² · 1.393 = 0.221 kW of BH20S."""
+    motor = next(one for one in committed_motors() if one.name.startswith("HDT BH20S"))
+    assert motor.copper_losses == pytest.approx(1.5 * 0.94 * 10.6**2 * (1 + 0.00393 * 100) / 1000, abs=5e-4)
+
+    def power(own):
+        """Mean power (kW) and T_rms (Nm) of a drive with this motor, and losses of one's own."""
+        value = computed(TEMPLATE, small([driven(*PHASES, motor={"name": motor.name, "copper_losses": own})]))
+        return value("drive1_power"), value("drive1_rms")
+
+    bare, rms = power(0.0)
+    for own, losses in ((None, motor.copper_losses), (0.5, 0.5)):
+        assert power(own)[0] - bare == pytest.approx(losses * (rms / motor.rated_torque) ** 2, rel=1e-9)
+
+
 def test_a_motor_by_name_needs_no_figures():
     machine = small([driven(*PHASES, motor={"name": MOTOR.name})])
     assert computed(TEMPLATE, machine)("drive1_jm") == pytest.approx(MOTOR.inertia * 1e-4, rel=1e-15)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from workbook.controllers.number import LREAL
-from workbook.controllers.table import LOCAL, Table
+from workbook.controllers.table import CENTRAL, LOCAL, Table
 from workbook.controllers.target import Claim, Handed, Target
 from workbook.controllers.text import joined, numbers
 
@@ -30,7 +30,7 @@ TARGET = Target(
     "SEW MOVI-C, cam points as text, cubic",
     ".txt",
     ("x", "y"),
-    (LOCAL,),
+    (LOCAL, CENTRAL),
     write,
     read,
     (
@@ -39,8 +39,13 @@ TARGET = Target(
         Claim(
             "cubic: the velocity is continuous, the acceleration jumps at points", "documented", "SEW help 57491440523"
         ),
-        Claim("the slope that a cubic has at a point: taken from its neighbours", "untested", "no document says it"),
+        Claim(
+            "the slope that a cubic has at a point: by its neighbours; at equal steps all such rules agree inside",
+            "untested",
+            "no document says it",
+        ),
     ),
     points=(2, 1024),
+    spacing="equal",
     signs=("separator", "decimal"),
 )

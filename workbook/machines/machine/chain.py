@@ -85,7 +85,8 @@ class AxisMotor(Model):
     peak_torque: Positive | None = None  # Nm
     max_speed: Positive | None = None  # rpm
     copper_losses: NotNegative | None = Field(
-        default=None, description="Losses of its winding at the rated torque, in kW; empty: none are counted"
+        default=None,
+        description="Losses of its winding at the rated torque, in kW; empty: as the catalogue has it, or none",
     )
     holding: Literal["motor", "brake"] = "motor"
     temperature: Temperature | None = Field(

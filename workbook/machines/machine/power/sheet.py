@@ -32,7 +32,7 @@ def supply(bus: Mains) -> list[Quantity]:
     return [
         result("about_peak", "Peak power from the mains", "P_max", "kW", f"=bus_mains_peak+{beside.format('peak')}",
                shown(peak, KW), scale=size, source="on a common DC bus"),
-        result("about_peak_off", "… may be higher by", "", "kW", "=bus_off+0", shown(float(bus.off.sum()), KW),
+        result("about_peak_off", "… may be higher by", "", "kW", "=bus_off+0", shown(bus.missed, KW),
                scale=size, source="between samples"),
         result("about_bus_year", "Energy a year", "E", "kWh", f"=bus_year+{beside.format('mains')}*power_hours",
                shown(together([bus.common, *others]).energy_a_year(hours), KWH), scale=size, format=YEAR,
@@ -59,11 +59,10 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.heading("Results: on a common DC bus", TOGETHER)
     sheet.note(APART.format(bus.over.period))
     sheet.rows(*common(bus))
-    missed = float(bus.off.sum())
     sheet.checks(check("bus_fine", "Power: peak power of the bus is known to 5 %",
                        f"bus_off<={FINE}*MAX(bus_mains_peak,bus_resistor_peak)+{shown(LEAST, KW)}",
                        bus.fine, "it may be higher by less",
-                       says=amount("bus_off", shown(missed, KW), "it may be higher by ",
+                       says=amount("bus_off", shown(bus.missed, KW), "it may be higher by ",
                                    " kW: build the book with more samples, sizes.cycle")))  # fmt: skip
     sheet.chart(lines_chart(bus.over), column=CHART_COLUMN, row=5, width=9, height=20)
     sheet.row += 1
@@ -93,6 +92,7 @@ def common(bus: Mains) -> list[Quantity]:
     """Return the results of drives on a common bus, and how far they may be off."""
     found, size = bus.common, shown(bus.size, KW)
     one = "SUMPRODUCT([power.bus]*[power.mains])"
+    added = "SUMPRODUCT([power.bus]*[power.{}])"
     sampled = "SUMPRODUCT([bus.w],[bus.sum],([bus.sum]>0)*1)"
     return [
         result("bus_alone", "Peak power from the mains without the bus", "", "kW",
@@ -113,8 +113,11 @@ def common(bus: Mains) -> list[Quantity]:
                shown(found.resistor, KW), scale=size, source="mains less losses and use"),
         result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours",
                shown(found.energy_a_year(bus.entered.hours), KWH), scale=size, format=YEAR, source="of these drives"),
-        result("bus_off", "The peaks may be higher by", "", "kW", f"={total('power.off')}",
-               shown(float(bus.off.sum()), KW), scale=size, source="what the samples miss of the drives' peaks"),
+        calc("bus_most", "The peaks may be higher by, as the drives' peaks add up", "", "kW",
+             f"=MAX({added.format('peak')}-bus_mains_peak,{added.format('burnt')}-bus_resistor_peak)",
+             shown(bus.added, KW), scale=size, source="0 of one drive"),
+        result("bus_off", "The peaks may be higher by", "", "kW", f"=MAX(0,MIN(bus_most,{total('power.off')}))",
+               shown(bus.missed, KW), scale=size, source="what the samples miss of the drives' peaks, if less"),
         calc("bus_net_off", "Error of the mean power of the samples", "", "kW",
              "=ABS(SUMPRODUCT([bus.w],[bus.sum])-bus_net)", shown(bus.net_off, KW), scale=size,
              source="beside that of the points"),

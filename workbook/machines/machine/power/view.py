@@ -130,9 +130,20 @@ class Mains:
         return np.asarray(self.on_bus * missed)
 
     @property
+    def added(self) -> float:
+        """By how much the peaks of all drives on the bus, added up, exceed those of the bus (W)."""
+        mains, resistor = (self.on_bus @ [getattr(one, name) for one in self.most] for name in ("mains", "resistor"))
+        return float(max(mains - self.peak, resistor - self.burnt_peak))
+
+    @property
+    def missed(self) -> float:
+        """By how much the peaks of the bus may be higher (W): by what the samples miss, or what peaks add up to."""
+        return max(0.0, min(float(self.off.sum()), self.added))
+
+    @property
     def fine(self) -> bool:
-        """Whether the samples tell the peaks, but for :data:`FINE` of them."""
-        return bool(self.off.sum() <= FINE * max(self.peak, self.burnt_peak) + LEAST)
+        """Whether the peaks of the bus are known, but for :data:`FINE` of them."""
+        return self.missed <= FINE * max(self.peak, self.burnt_peak) + LEAST
 
     @property
     def net_off(self) -> float:

@@ -67,7 +67,7 @@ def named(rows: Iterable[P], name: str) -> P | None:
 class MotorInUse(NamedTuple):
     """The motor that a drive has, in the units of entries but for its inertia, in kg m²; 0 if no speed is given.
 
-    ``copper`` are its losses over the square of its torque (W/(Nm)²).
+    ``losses`` are those of its winding at the rated torque, in kW; ``copper`` over the square of the torque (W/(Nm)²).
     """
 
     row: int
@@ -78,6 +78,7 @@ class MotorInUse(NamedTuple):
     stall_torque: float
     rated_speed: float
     rated_given: float
+    losses: float
     copper: float
 
     @property
@@ -122,8 +123,10 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
     inertia, rated, peak, fastest = (float(getattr(given, name)) for name in NEEDED)
     stall = max(rated, given.stall_torque or 0.0) * left
     speed = given.rated_speed or 0.0
-    copper = si(axis.motor.copper_losses or 0.0, KW) / rated**2
-    return MotorInUse(row, si(inertia, KG_CM2), rated * left, peak, fastest, stall, speed or fastest, speed, copper)
+    own = axis.motor.copper_losses
+    losses = (given.copper_losses if own is None else own) or 0.0
+    used = si(inertia, KG_CM2), rated * left, peak, fastest, stall, speed or fastest, speed
+    return MotorInUse(row, *used, losses, si(losses, KW) / rated**2)
 
 
 def falling_of(name: str, products: Products) -> Falling:
@@ -172,7 +175,8 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
     motor = axis.motor
     rows.append(
         given("@losses_rated", "Copper losses of the motor at the rated torque", "P_Cu", "kW",
-              motor.copper_losses if motor else None, f"{key}.motor.copper_losses", source="empty: none are counted")
+              motor.copper_losses if motor else None, f"{key}.motor.copper_losses",
+              source="empty: as the catalogue has it, or none")
     )  # fmt: skip
     rows.append(
         given("@holding", "At rest the load is held by", "", "", motor.holding if motor else None,
@@ -220,8 +224,11 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
         *(calc(IN_USE[name], f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={motor_figure(name, unit)}",
                getattr(motor, name), source=IN_USE_SOURCES.get(name, ""))
           for name, words, symbol, unit, _ in MOTOR),
+        calc("@losses", "Motor: copper losses at the rated torque", "P_Cu", "kW",
+             '=IF(@losses_rated<>"",@losses_rated,IF(@motor_row=0,0,INDEX([motors.pcu],@motor_row)))+0', motor.losses,
+             source="0: none are counted"),
         calc("@copper", "Motor: copper losses over the square of the torque", "", "kW/N²m²",
-             "=IF(@losses_rated*@motor_rated=0,0,@losses_rated/(@motor_rated/@derate)^2)", shown(motor.copper, KW),
+             "=IF(@losses*@motor_rated=0,0,@losses/(@motor_rated/@derate)^2)", shown(motor.copper, KW),
              source="P_Cu/T_N²"),
     ]  # fmt: skip
     return rows
