@@ -57,12 +57,13 @@ class Judge:
 
     def __init__(self, file: BookFile, oracle: Oracle) -> None:
         self.file, self.oracle = file, oracle
-        self.model = PycelModel(file.contents)
         self.cells = {one: self._input(one) for one in oracle.inputs}
         self.outputs = [(find(file, one.cell), one) for one in oracle.outputs]
         self.tables = [(cells_of(file, one.cells), one) for one in oracle.tables]
         formulas = file.contents.formula_cells
         self.formulas = [cell for cell in formulas if not oracle.sheets or cell.sheet in oracle.sheets]
+        asked = {*self.formulas, *self.targets}
+        self.model = PycelModel(file.contents, file.contents.needed(set(formulas) - asked, asked) | asked)
 
     def _input(self, one: Input) -> Address:
         cell = find(self.file, one.cell)

@@ -7,7 +7,7 @@ recursion (:mod:`workbook.witnesses.pycel.calculation`). Every value is computed
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
 from openpyxl import Workbook
@@ -21,13 +21,16 @@ from workbook.witnesses.witness import Answers, Turn
 class PycelModel:
     """A workbook's formulas, joined once, to be evaluated again and again with other inputs.
 
-    ``problems`` says in a line why a cell could not be evaluated; its value is an Excel error, or ``#CYCLE!``.
+    ``problems`` says in a line why a cell could not be evaluated; its value is an Excel error, or ``#CYCLE!``. The
+    formulas of ``cells`` are evaluated, all by default.
     """
 
-    def __init__(self, held: Workbook | Contents) -> None:
+    def __init__(self, held: Workbook | Contents, cells: Collection[Address] | None = None) -> None:
         contents = held if isinstance(held, Contents) else Contents(held)
         self.problems: dict[Address, str] = dict(contents.problems)
         self.constants, self.formulas = contents.constants, contents.formulas
+        if cells is not None:
+            self.formulas = {cell: self.formulas[cell] for cell in cells if cell in self.formulas}
         self._failed = contents.failed
         self._calculation = Calculation(self.constants | self._failed, self.formulas, self.problems)
 
