@@ -14,24 +14,33 @@ from engine.motion.pieces import MotionPiece
 from engine.motion.smoothness import JUMP, ORDERS, Joint, joints, scales_of, shortfalls
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
-from workbook.book.sentence import Said, Sentence, figure, first_text
+from workbook.book.sentence import Said, Sentence, figure
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.asked import ABOUT, Asked, in_time, timed
 from workbook.motion.cells import PieceRows
 from workbook.motion.sampled import at_begin, at_place, place_columns
 
 RATES = ("v", "a", "j")
+NONE = ('""', "0")
+"""what a text and a number are where nothing jumps"""
 WORDS = ",".join(f'"{word}"' for word in ORDERS)
 
 
 class Told(NamedTuple):
-    """What the table of joints tells of a jump: where it is, how large, between whom, slopes, and the sentence."""
+    """What is told of a jump: where it is, how large, between whom, slopes, and the sentence."""
 
-    x: float
-    jump: str
-    who: str
-    lines: str
-    says: str
+    x: float = 0.0
+    what: str = ""
+    size: float = 0.0
+    unit: str = ""
+    jump: str = ""
+    before: int = 0
+    after: int = 0
+    other: int = 0
+    who: str = ""
+    slopes: tuple[float, ...] = ()
+    lines: str = ""
+    says: str = ""
 
 
 def ended(n: int, joint: Joint) -> float:
@@ -85,13 +94,14 @@ class Joints:
         return self.rows.at.pieces.replace("_pieces", "_joints")
 
     def table(self, sheet: Sheet, title: str, room: int) -> None:
-        """Declare the table of what jumps at the begin of each piece, and what each row says of that."""
+        """Declare the table of what jumps at the begin of each piece, and rows on the first jump that is too much."""
         sheet.table(
             self.name, title, room,
             constant("r", "piece", "r", "", list(range(1, room + 1))),
-            *self._lasting(room), *self._ends(room), *self._rates(room), *self._jumps(room), *self._sentences(room),
+            *self._lasting(room), *self._ends(room), *self._rates(room), *self._jumps(room),
             blank=f"[r]>{self.rows.at.count}",
         )  # fmt: skip
+        sheet.rows(*self._first(room))
 
     def _of(self, figure: Callable[[Joint], Any], spare: Any, room: int) -> list[Any]:
         return filled((figure(joint) for joint in self.found), room, spare)
@@ -184,84 +194,110 @@ class Joints:
         jerk = f"IF(({asked}>2)*(ABS([dj])>{j}),3,0)"
         return f"=IF(ABS([dv])>{v},1,IF(({asked}>1)*(ABS([da])>{a}),2,{jerk}))"
 
-    def _sentences(self, room: int) -> list[Quantity]:
-        """Return where each jump is and how large, as sentences tell them, and the sentence itself."""
-        asked, pieces = self.asked, self.rows.at.pieces
-        x, size = in_time(asked, f"INDEX([{pieces}.begin],[r])", "ABS([size])", "[order]")
-        unit = f"CHOOSE([order],{','.join(formula for formula, _ in asked.units)})"
-        what = f"CHOOSE([order],{WORDS})"
-        straight = "&[lines]" if self.rows.at.ends else ""
-        says = f'[who]&"at "&ROUND([x],9)&{asked.place[0]}&": "&{what}&" jumps by "&[jump]&" "&{unit}{straight}'
-        told = [self._told(piece, joint) for piece, joint in zip(self.rows.pieces, self.found, strict=True)]
-        none = Told(0.0, "", "", "", "")
-        each = filled(told, room, none)
+    @property
+    def _worst(self) -> tuple[MotionPiece, Joint] | None:
+        """The first joint that is less smooth than asked, and the piece that begins there."""
+        both = zip(self.rows.pieces, self.found, strict=True)
+        return next(((piece, joint) for piece, joint in both if joint.order), None)
+
+    def _at_first(self, column: str) -> str:
+        """Return the formula of a column at the first joint that is less smooth than asked."""
+        return f"INDEX([{column}],{self.asked.order}_piece)"
+
+    def _first(self, room: int) -> list[Quantity]:
+        """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
+        asked, name, at, told = self.asked, self.asked.order, self._at_first, self._told()
+        order, after = at(f"{self.name}.order"), room + 1
+        x, size = in_time(asked, at(f"{self.rows.at.pieces}.begin"), f"ABS({at(f'{self.name}.size')})", order)
+        units = ",".join(formula for formula, _ in asked.units)
+        who, straight = self._who(), self._straight_lines(told)
+        number = self.found.index(self._worst[1]) + 1 if self._worst else 0
+        says = (
+            f'{f"{name}_who&" if who else ""}"at "&ROUND({name}_place,9)&{asked.place[0]}&": "&{name}_what'
+            f'&" jumps by "&{name}_jump&" "&{name}_unit{f"&{name}_lines" if straight else ""}'
+        )
+        phases = [
+            ("before", "Phase before", at(f"{self.name}.from"), told.before),
+            ("after", "Phase that begins or goes on", at(f"{self.name}.p"), told.after),
+            ("other", "Another phase begins: 1 yes, 0 no",
+             f"IF(OR({name}_before<>{name}_after,{at(f'{self.name}.n')}=1),1,0)", told.other),
+        ]  # fmt: skip
+        rows = [
+            ("place", "Where it begins", x, told.x),
+            ("what", "What jumps there", f"CHOOSE({order},{WORDS})", told.what),
+            ("size", "It jumps by", size, told.size),
+            ("unit", "in", f"CHOOSE({order},{units})", told.unit),
+            ("jump", "as told", f'IF({name}_size<1000000000,ROUND({name}_size,9)&"","beyond 1E9")', told.jump),
+            *(phases if who or straight else []),
+            *([("who", "Between", who, told.who)] if who else []),
+            *straight,
+            ("says", "What is less smooth than asked", says, told.says),
+        ]
+        last = f"{after}-SUMPRODUCT(MAX(([{self.name}.order]>0)*({after}-[{self.name}.r])))"
         return [
-            calc("x", "at, as told", "", "", f"=IF([order]=0,0,{x})", [one.x for one in each]),
-            calc("jump", "by, as told", "", "",
-                 f'=IF([order]=0,"",IF({size}<1000000000,ROUND({size},9)&"","beyond 1E9"))',
-                 [one.jump for one in each]),
-            calc("who", "between", "", "", self._who(), [one.who for one in each]),
-            *self._lines(each),
-            calc("says", "what is less smooth than asked", "", "", f'=IF([order]=0,"",{says})',
-                 [one.says for one in each]),
+            calc(f"{name}_piece", "First piece that begins less smoothly than asked", "", "",
+                 f"=IF(SUM([{self.name}.order])=0,0,{last})", number, format="0", source="0 where none does"),
+            *(calc(f"{name}_{mark}", label, "", "",
+                   f"=IF({name}_piece=0,{NONE[not isinstance(value, str)]},{formula})", value)
+              for mark, label, formula, value in rows),
         ]  # fmt: skip
 
     def _who(self) -> str:
-        """Return the formula of the rows, or phases, between which a jump is."""
-        asked, within = self.asked, "AND([from]=[p],[n]>1)"
+        """Return the formula of the rows, or phases, between which the first jump is."""
+        asked, name = self.asked, self.asked.order
         if asked.names:
-            one, other = (f"INDEX([{self.rows.at.phases}.what],{row})" for row in ("MAX([from],1)", "[p]"))
-            return f'=IF([order]=0,"",{one}&IF({within},""," to "&{other})&" ")'
-        if asked.rows:
-            return f'=IF([order]=0,"","row "&[from]&IF({within},""," to "&[p])&" ")'
-        return '=""'
+            one, two = (f"INDEX([{self.rows.at.phases}.what],{name}_{end})" for end in ("before", "after"))
+            return f'{one}&IF({name}_other=1," to "&{two},"")&" "'
+        return f'"row "&{name}_before&IF({name}_other=1," to "&{name}_after,"")&" "' if asked.rows else ""
 
-    def _lines(self, each: Sequence[Told]) -> list[Quantity]:
-        """Return the columns of the slopes, where the phases on both sides are straight."""
-        table = self.rows.at.asked
+    def _straight_lines(self, told: Told) -> list[tuple[str, str, str, Any]]:
+        """Return the rows of the slopes on both sides of the first jump, where both are straight."""
+        table, name = self.rows.at.asked, self.asked.order
         if not table:
             return []
-        slopes = (f"INDEX([{table}.slope],{row})" for row in ("MAX([from],1)", "[p]"))
-        one, other = (in_time(self.asked, "", slope, "1")[1] for slope in slopes)
-        both = f"INDEX([{table}.way],MAX([from],1))+INDEX([{table}.way],[p])=-2"
+        both = "+".join(f"INDEX([{table}.way],{name}_{end})" for end in ("before", "after"))
+        one, two = (f"{name}_straight*{in_time(self.asked, '', f'INDEX([{table}.slope],{name}_{end})', '1')[1]}"
+                    for end in ("before", "after"))  # fmt: skip
+        says = f'": straight lines of "&ROUND({name}_slope0,9)&" and "&ROUND({name}_slope1,9)'
         return [
-            calc("straight", "straight lines meet", "", "", f"=IF([order]=0,0,IF({both},1,0))",
-                 [int(bool(one.lines)) for one in each], format="0;;"),
-            calc("lines", "their slopes", "", "",
-                 f'=IF([straight]=0,"",": straight lines of "&ROUND({one},9)&" and "&ROUND({other},9))',
-                 [one.lines for one in each]),
-        ]  # fmt: skip
+            ("straight", "Two straight lines meet there", f"IF({both}=-2,1,0)", int(bool(told.slopes))),
+            ("slope0", "Slope of the first", one, told.slopes[0] if told.slopes else 0.0),
+            ("slope1", "Slope of the second", two, told.slopes[1] if told.slopes else 0.0),
+            ("lines", "as told", f'IF({name}_straight=1,{says},"")', told.lines),
+        ]
 
     def check(self, name: str, label: str) -> Quantity:
         """Return the check that the motion is as smooth as asked; it names joint, jump and phase."""
-        says, asked = f"[{self.name}.says]", self.asked
-        head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
-        told = [self._told(piece, joint).says for piece, joint in zip(self.rows.pieces, self.found, strict=True)]
-        first = next((f"{asked.of[1]} {one}".lstrip() for one in told if one), "")
-        return check(name, label, f'COUNTIF({says},"?*")=0', self._smooth, ABOUT,
-                     says=Said(f'{head}INDEX({says},{first_text(says)})', first))  # fmt: skip
-
-    def _told(self, piece: MotionPiece, joint: Joint) -> Told:
-        """Return what the row of a piece tells of the jump where it begins."""
         asked = self.asked
-        if not joint.order:
-            return Told(0.0, "", "", "", "")
+        head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
+        said = f"{asked.of[1]} {self._told().says}".lstrip() if self._worst else ""
+        return check(name, label, f"{asked.order}_piece=0", self._smooth, ABOUT,
+                     says=Said(f"{head}{asked.order}_says", said))  # fmt: skip
+
+    def _told(self) -> Told:
+        """Return what is told of the first joint that is less smooth than asked."""
+        asked = self.asked
+        if not self._worst:
+            return Told()
+        piece, joint = self._worst
         within = joint.before == piece.phase and joint.lasting > 1
         who = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if asked.rows else ""
         if asked.names:
             who = f"{asked.names[joint.before]}{'' if within else f' to {asked.names[piece.phase]}'} "
         degrees = self.rows.at.degrees and asked.speed is None
         at, size = timed(asked, piece.begin, abs(joint.size), joint.order)
-        x, jump, lines = shown(at, DEGREE) if degrees else at, figure(size), self._straight(piece, joint)
+        x, jump, slopes = shown(at, DEGREE) if degrees else at, figure(size), self._slopes(piece, joint)
+        lines = f": straight lines of {' and '.join(figure(one) for one in slopes)}" if slopes else ""
         what, unit = ORDERS[joint.order - 1], asked.units[joint.order - 1][1]
         says = f"{who}at {figure(x)}{asked.place[1]}: {what} jumps by {jump} {unit}{lines}"
-        return Told(x, Sentence(jump), who, Sentence(lines), Sentence(says))
+        phases = joint.before + 1, piece.phase + 1, int(not within)
+        return Told(x, what, size, unit, Sentence(jump), *phases, who, slopes, Sentence(lines), Sentence(says))
 
-    def _straight(self, piece: MotionPiece, joint: Joint) -> str:
-        """Return the end of the sentence where the phases on both sides are straight: their slopes."""
+    def _slopes(self, piece: MotionPiece, joint: Joint) -> tuple[float, ...]:
+        """Return the slopes of the phases on both sides, where both are straight."""
         if not self.rows.at.ends:
-            return ""
+            return ()
         used = sorted({one.phase for one in self.rows.pieces})
         slopes = [slope(self._phases[used.index(row)]) for row in (joint.before, piece.phase)]
-        straight = [figure(timed(self.asked, 0.0, one, 1)[1]) for one in slopes if one is not None]
-        return f": straight lines of {' and '.join(straight)}" if len(straight) > 1 else ""
+        straight = tuple(timed(self.asked, 0.0, one, 1)[1] for one in slopes if one is not None)
+        return straight if len(straight) > 1 else ()

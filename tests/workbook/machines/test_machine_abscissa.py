@@ -186,7 +186,7 @@ def test_positions_are_counted_from_where_the_axis_begins():
 def test_an_axis_that_begins_elsewhere_goes_out_so_and_open_ones_do_not_repeat():
     (one,) = MACHINE.axes(composed(position=2.0))
     (other,) = MACHINE.axes(composed(closes="open", over="mm"))
-    assert one.drive_cycle.at(np.array([0.0, 150.0, 300.0])).y == pytest.approx([2.0, 22.0, 2.0])
+    assert one.profile.at(np.array([0.0, 150.0, 300.0])).y == pytest.approx([2.0, 22.0, 2.0])
     assert one.repeats
     assert (other.x_unit, other.units[1], other.repeats) == ("mm", "°/mm", False)
 
