@@ -22,8 +22,8 @@ from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.sampled import FROM_START, arguments, sampled
 
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
-LOSS1 = "IF({0}*[dir]<0,@back1,1/@eta1)*{0}/@i1"
-BRAKED = 'AND([dir]=0,@holding="brake")'
+LOSS1 = "IF({0}*[dir]<0,@back1,@ahead1)*{0}"
+BRAKED = "([dir]=0)*@brake"
 
 
 class Ratio(NamedTuple):

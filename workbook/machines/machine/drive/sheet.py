@@ -307,9 +307,13 @@ def losses(view: DriveView) -> list[Quantity]:
     back = [1.0 / stage.efficiency if document else float(stage.back_efficiency or 0.0) for stage in (mechanism,)]
     held = 1.0 / mechanism.efficiency if document else held_factor(mechanism.efficiency, driven.back_efficiency)
     return [
-        calc("@back1", "Loss factor of the reducer, load driving", "f_1", "", '=IF(@method="document",1/@eta1,@eta1)',
-             1.0 / reducer.efficiency if document else reducer.efficiency,
-             source="η; by S4 1/η, as where it is driven"),
+        calc("@ahead1", "Motor torque for 1 Nm behind the reducer", "", "", "=1/@eta1/@i1",
+             1.0 / reducer.efficiency / reducer.ratio, source="1/(η i)"),
+        calc("@back1", "the same, load driving", "", "", '=IF(@method="document",1/@eta1,@eta1)/@i1',
+             (1.0 / reducer.efficiency if document else reducer.efficiency) / reducer.ratio,
+             source="η/i; by S4 1/(η i), as where it is driven"),
+        calc("@brake", "A brake holds it at rest", "", "", '=IF(@holding="brake",1,0)',
+             int(driven.holding == "brake"), format="0", source="1 yes, 0 no"),
         calc("@back2", "Loss factor of the mechanism, load driving", "f_2", "",
              f'=IF(@method="document",1/@eta2,IF(@eta2_back="",{back_default(driven.given.kind)},@eta2_back))',
              back[0], scale=1.0, source="0 or less: self-locking, driven down by the motor"),
