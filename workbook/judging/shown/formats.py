@@ -1,13 +1,12 @@
-"""What a number format shows of a value: the number itself with its sign, or something else.
+"""What a number format makes of a value: the number itself with its sign, which is taste, or anything else.
 
-A format is taken apart (ISO/IEC 29500-1, 18.8.31) and judged for every value that a cell may have, not for its present
-one alone. What may be done with a number is said here; all else is told.
+A format is taken apart (ISO/IEC 29500-1, 18.8.31) and judged for every value that a cell may have. The forms that are
+permitted are listed here; all others are told.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -19,87 +18,65 @@ from workbook.judging.shown.colours import UNSEEN, WHITE, contrast, parsed
 
 TOKEN = re.compile(
     r"""
-    "(?P<quoted>[^"]*)"? | \\(?P<escaped>.) | _(?P<room>.) | \*(?P<filled>.) | \[(?P<bracket>[^\]]*)\]? | (?P<end>;)
-    | (?P<code>(?i:General|Standard)|E[+-]|[0?\#]+|\.|,+|%|/|@) | (?P<date>AM/PM|A/P|[yYmMdDhHsSbBgGeE]+) | (?P<plain>.)
+    "(?P<quoted>[^"]*)"? | \\(?P<escaped>.) | (?P<room>_.|\*[ ]) | \*(?P<filled>.) | \[(?P<bracket>[^\]]*)\]?
+    | (?P<end>;) | (?P<text>@|(?i:General|Standard)) | (?P<code>E[+-]|[0?\#.,%/])
+    | (?P<date>AM/PM|A/P|[yYmMdDhHsSbBgGeE]) | (?P<plain>.)
     """,
     re.VERBOSE | re.DOTALL,
 )
+ADDED = r"((?:\0.)*)"
+NUMBER = re.compile(rf"{ADDED}(?P<number>@|(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?)(?P<percent>%?){ADDED}", re.DOTALL)
+FRACTION = re.compile(r"[#?0]*/(?:[#?0]|\0[0-9])+")
 CONDITION = re.compile(r"(<=|>=|<>|<|>|=)\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)")
-COLOUR = re.compile(r"black|white|red|green|blue|yellow|magenta|cyan|color ?([0-9]{1,2})", re.IGNORECASE)
-COLOURS = {"white": "FFFFFF", "yellow": "FFFF00", "cyan": "00FFFF"}
-"""of those by name, that cannot be read on white"""
-DIGITS = re.compile(r"(?P<whole>[#?0,]*)(?P<parts>\.[#?0]*)?(?P<divided>,*)(?P<power>E[+-][#?0]+)?(?P<percent>%*)")
-FRACTION = re.compile(r"[#?0]*/[#?0-9]+")
+COLOUR = re.compile(r"(black|white|red|green|blue|yellow|magenta|cyan)|color ?([0-9]{1,2})", re.IGNORECASE)
+BRIGHT = {"white": "FFFFFF", "yellow": "FFFF00", "cyan": "00FFFF"}
+LANGUAGE = re.compile(r"\$([^-]*)(?:-(?!F800|F400)[0-9A-F]*)?", re.IGNORECASE)
 NEARLY = frozenset({"", "+", "≈", "~", "ca.", "approx."})
-"""what may stand before a number, besides its symbol"""
-DASHES = frozenset("-−–—")
+"""what may stand before a number, besides its sign and its symbol"""
+DASHES = "-−–—"
 
 Judged = tuple[str, str]
-"""the kind of what is told of a format, and what; both empty where nothing is"""
+"""the kind of what is told, and what; both empty where nothing is"""
 FINE: Judged = ("", "")
 
 
-class Part(NamedTuple):
-    """One of the parts of a format: the codes of its digits, and the texts before, among and behind them."""
+class Section(NamedTuple):
+    """A part of a format: ``form`` has its codes, D for those of dates, and each sign that is added behind a NUL."""
 
-    codes: str = ""
-    before: str = ""
-    among: str = ""
-    behind: str = ""
-    date: bool = False
-    odd: str = ""
-    condition: str = ""
-    colour: str = ""
+    form: str = ""
+    brackets: tuple[str, ...] = ()
 
     @property
-    def literal(self) -> str:
-        """All that the part adds."""
-        return (self.before + self.among + self.behind).strip()
+    def added(self) -> str:
+        """The signs that the part adds."""
+        return "".join(re.findall(r"\0(.)", self.form, re.DOTALL)).strip()
 
     @property
-    def signed(self) -> bool:
-        """Whether the part shows a number as negative."""
-        return self.before.strip()[:1] in DASHES | {"("}
+    def condition(self) -> re.Match[str] | None:
+        """The condition under which the part is used."""
+        return next(filter(None, map(CONDITION.fullmatch, self.brackets)), None)
 
-    def with_text(self, text: str) -> Part:
-        """Return it with a literal text more."""
-        if text.isdecimal() and re.search(r"/[0-9]*$", self.codes):  # a denominator
-            return self._replace(codes=self.codes + text)
-        return self._replace(behind=self.behind + text) if self.codes else self._replace(before=self.before + text)
-
-    def with_code(self, code: str) -> Part:
-        """Return it with a code more: what stood behind the digits stands among them now."""
-        return self._replace(codes=self.codes + code, among=self.among + self.behind, behind="")
-
-    def with_bracket(self, text: str) -> Part:
-        """Return it with what stands in brackets: a condition, a colour, a currency, time that has passed, a script."""
-        if CONDITION.fullmatch(text):
-            return self._replace(condition=text)
-        if COLOUR.fullmatch(text):
-            return self._replace(colour=text.casefold())
-        if text.startswith("$"):
-            currency, _, place = text[1:].partition("-")
-            dated = place.upper().startswith(("F800", "F400"))
-            return self.with_text(currency)._replace(date=self.date or dated)
-        return self._replace(date=True) if re.fullmatch("[hHmMsS]+", text) else self._replace(odd=f"[{text}]")
+    @property
+    def negative(self) -> bool:
+        """Whether its condition lets the part show negative numbers alone."""
+        return bool(self.condition and self.condition[1].startswith("<") and float(self.condition[2]) <= 0)
 
 
 @lru_cache(maxsize=4_000)
-def parts(code: str) -> tuple[Part, ...]:
+def sections(code: str) -> tuple[Section, ...]:
     """Return the parts of a number format."""
-    found = [Part()]
+    found = [Section()]
     for token in TOKEN.finditer(code):
-        kind, text = str(token.lastgroup), str(token[str(token.lastgroup)])
+        kind, said = str(token.lastgroup), token[str(token.lastgroup)]
+        language = LANGUAGE.fullmatch(said) if kind == "bracket" else None
         if kind == "end":
-            found.append(Part())
-        elif kind == "code":
-            found[-1] = found[-1].with_code("@" if text.casefold() in ("general", "standard") else text)
-        elif kind == "bracket":
-            found[-1] = found[-1].with_bracket(text)
-        elif kind == "date":
-            found[-1] = found[-1]._replace(date=True)
+            found.append(Section())
+        elif kind == "bracket" and language is None:
+            found[-1] = found[-1]._replace(brackets=(*found[-1].brackets, said))
         elif kind != "room":
-            found[-1] = found[-1].with_text(text)
+            texts = language[1] if language else said
+            more = {"code": said, "date": "D", "text": "@"}.get(kind, "".join(f"\0{sign}" for sign in texts))
+            found[-1] = found[-1]._replace(form=found[-1].form + more)
     return tuple(found)
 
 
@@ -112,92 +89,56 @@ def judged(
     ``declared`` is the one that it has as built; ``text`` is whether it holds a text, and ``zeros`` whether there are
     numbers that round to 0.
     """
-    if code == declared:
-        return FINE
-    held, ours = parts(code), parts(declared)
-    last = held[3] if len(held) > 3 else held[-1] if "@" in held[-1].codes else None
+    held, ours = sections(code), sections(declared)
+    last = held[3] if len(held) > 3 else held[-1] if "@" in held[-1].form else None
     if text:
-        return FINE if last is None or last == ours[-1] else worst(of_text(last))
-    numeric = held[:3] if last is None or len(held) in (1, 4) else held[:-1]
-    conditional = any(part.condition for part in numeric)
-    others = [(n, part) for n, part in enumerate(numeric) if n >= len(ours) or part != ours[n]]
-    return worst(one for n, part in others for one in of_number(part, n, unit, symbol, zeros, conditional))
-
-
-def worst(found: Iterable[Judged]) -> Judged:
-    """Return the first finding, else the first notice."""
-    listed = list(found)
-    return next((one for one in listed if one[0] == SHOWN), listed[0] if listed else FINE)
-
-
-def of_text(part: Part) -> Iterator[Judged]:
-    """Yield what is to be told of how a text is shown."""
-    if part.codes != "@" or part.date or part.odd:
-        yield SHOWN, f"replaced by {part.literal!r}" if part.literal else "hidden by its number format"
-    elif part.literal:
-        yield SHOWN, f"shown with {part.literal!r} added"
-    yield from coloured(part)
-
-
-def of_number(part: Part, n: int, unit: str, symbol: str, zeros: bool, conditional: bool) -> Iterator[Judged]:
-    """Yield what is to be told of how numbers are shown by the ``n``-th part: positive, negative ones, and zero."""
-    yield from coloured(part)
-    if conditional:
-        yield NOTICE, "shown by conditions"
-        found = CONDITION.fullmatch(part.condition)
-        n = int(found is not None and part.condition.startswith("<") and float(found[2]) <= 0)
-    elif n == 2 and set(part.literal) <= DASHES and part.literal and not part.codes.strip("?"):
-        return
-    if part.date:
-        yield SHOWN, "shown as a date or a time"
-    elif not part.codes:
-        yield SHOWN, f"replaced by {part.literal!r}" if part.literal else "hidden by its number format"
-    elif part.among.strip() or part.odd:
-        yield SHOWN, f"shown with {(part.among.strip() or part.odd)!r} among its digits"
+        kinds = {of_text(last)} if last is not None and last != ours[-1] else set()
     else:
-        yield from of_digits(part.codes, unit, zeros)
-        if part.signed and (n == 0 or n == 2):
-            yield SHOWN, "shown as negative"
-        if n == 1 and not part.signed and part.codes != "@":
-            yield SHOWN, "shown without its sign"
-        yield from added(part, unit, symbol)
+        numeric = held[:3] if last is None or len(held) in (1, 4) else held[:-1]
+        others = [(n, one) for n, one in enumerate(numeric) if n >= len(ours) or one != ours[n]]
+        conditional = any(one.condition for one in numeric)
+        kinds = {NOTICE} if conditional else set()
+        kinds |= {of_number(one, one.negative if conditional else n, unit, symbol, zeros) for n, one in others}
+    kind = SHOWN if SHOWN in kinds else NOTICE if NOTICE in kinds else ""
+    return (kind, f"the number format {code}") if kind else FINE
 
 
-def of_digits(codes: str, unit: str, zeros: bool) -> Iterator[Judged]:
-    """Yield what is to be told of the digits."""
-    found = DIGITS.fullmatch(codes)
-    if codes == "@":
-        return
-    if FRACTION.fullmatch(codes):
-        yield NOTICE, "shown in fractions"
-    elif found is None:
-        yield SHOWN, f"shown as {codes}"
-    elif found["divided"] or (found["whole"].endswith(",") and not found["parts"]):
-        yield SHOWN, "shown in thousands or millions"
-    elif len(found["percent"]) > 1 or (found["percent"] and unit):
-        yield SHOWN, "shown as a percentage"
-    elif "0" not in codes:
-        yield SHOWN if zeros else NOTICE, "hidden by its number format where it rounds to 0"
+def of_text(part: Section) -> str:
+    """Return of which kind a part is that shows texts: they may have a colour."""
+    return "" if part.form == "@" and all(map(is_ink, part.brackets)) else SHOWN
 
 
-def added(part: Part, unit: str, symbol: str) -> Iterator[Judged]:
-    """Yield what is to be told of the texts before and behind the digits: all but a sign, the symbol and the unit."""
-    before = part.before.strip()
-    rest = before[1:].strip() if part.signed else before
-    if rest not in NEARLY and rest.rstrip("= ") != symbol:
-        yield SHOWN, f"shown with {rest!r} added"
-    behind = part.behind.strip()
-    behind = behind.removesuffix(")").strip() if before[:1] == "(" else behind
-    if behind and (not unit or units.compared(behind, unit) != "same"):
-        yield SHOWN, f"shown with {behind!r} added"
+def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str:
+    """Return of which kind the ``n``-th part is, which shows positive numbers, negative ones, or zero."""
+    if not all(is_ink(one) or CONDITION.fullmatch(one) for one in part.brackets):
+        return SHOWN
+    if n == 2 and part.added in list(DASHES) and not re.sub(r"\0.", "", part.form).strip("?"):
+        return ""
+    form = re.sub(r"(?<=[#?0])\0 (?=[#?0])", "", part.form)
+    found = NUMBER.fullmatch(form)
+    if found is None or not found["number"]:
+        return NOTICE if FRACTION.fullmatch(form) else SHOWN
+    before, behind = (found[i].replace("\0", "").strip() for i in (1, 4))
+    signed = before[:1] in [*DASHES, "("]
+    sign = signed if n != 1 else not signed and found["number"] != "@"
+    rest, behind = before[signed:].strip(), behind.removesuffix(")" if before[:1] == "(" else "").strip()
+    named = rest in NEARLY or rest.rstrip("= ") == symbol
+    if sign or not named or (found["percent"] and unit) or (behind and not (unit and same_unit(behind, unit))):
+        return SHOWN
+    return "" if set("0@") & set(found["number"]) else SHOWN if zeros else NOTICE
 
 
-def coloured(part: Part) -> Iterator[Judged]:
-    """Yield that a colour cannot be read on white."""
-    found = COLOUR.fullmatch(part.colour)
-    if found is not None:
-        number = int(found[1] or 0) + 7
-        code = COLOR_INDEX[number][-6:] if found[1] and number < len(COLOR_INDEX) else COLOURS.get(part.colour, "0" * 6)
-        ink = parsed(code)
-        if ink is not None and contrast(ink, WHITE) < UNSEEN:
-            yield SHOWN, f"written in {part.colour}"
+def same_unit(text: str, unit: str) -> bool:
+    """Whether a text is the unit of a number."""
+    return units.compared(text, unit) == "same"
+
+
+def is_ink(bracket: str) -> bool:
+    """Whether what stands in brackets is a colour that can be read on white."""
+    found = COLOUR.fullmatch(bracket)
+    if found is None:
+        return False
+    number = int(found[2] or 0) + 7
+    code = COLOR_INDEX[number][-6:] if found[2] and number < len(COLOR_INDEX) else BRIGHT.get(bracket.lower(), "0" * 6)
+    ink = parsed(code)
+    return ink is None or contrast(ink, WHITE) >= UNSEEN

@@ -19,7 +19,7 @@ from workbook.entries.rules import validation
 from workbook.judging.matching import Match
 from workbook.judging.report import FAIL, NOTICE, SHOWN, Report
 from workbook.judging.shown.colours import Look
-from workbook.judging.shown.formats import Judged, judged, parts
+from workbook.judging.shown.formats import Judged, judged, sections
 from workbook.judging.shown.looks import Looks, of_colours
 from workbook.judging.shown.seen import Seen, Told
 from workbook.writing.style import Marked, marks
@@ -113,7 +113,7 @@ class Rules:
         return (
             palette.colour(font.color, None) if font else None,
             ground,
-            parts(code_of(rule)),
+            sections(code_of(rule)),
             bool(font and font.strike),
         )
 
@@ -176,7 +176,7 @@ def code_of(rule: Rule) -> str:
 
 def hides(code: str) -> bool:
     """Whether a number format shows nothing of anything."""
-    return len(parts(code)) == 4 and not any(part.codes or part.literal for part in parts(code))
+    return len(sections(code)) == 4 and not any(part.form for part in sections(code))
 
 
 def meets_fail(placed: Placed) -> bool:
