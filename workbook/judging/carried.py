@@ -92,7 +92,7 @@ def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[
     cells = sheet._cells.values()
     notes = [cell.coordinate for cell in cells if isinstance(cell, Cell) and cell.comment is not None]
     held = list(drawn(match, sheet.title))
-    paired_charts = {id(found) for _, found in paired(match, declared, held)}
+    paired_charts = {id(found) for *_, found in paired(match, declared, held)}
     charts = [chart.at.a1 for chart in held if id(chart) not in paired_charts]
     rules = [str(a.sqref) for a in sheet.conditional_formatting if any(id(rule) not in known for rule in a.rules)]
     return {"texts and numbers": kept, "notes": notes, "charts": charts, "conditional formats": rules}

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from workbook.book.address import Address, Place, Strip
 from workbook.book.declare import Block, Book, Cell
 from workbook.book.formula import Area, FormulaError, area_of, read
+from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, Words, find_places
 
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
@@ -131,7 +132,7 @@ class Match:
         if (declared.shape, declared.anchors) != (held.shape, held.anchors):
             return False
         arguments = zip(declared.arguments, held.arguments, strict=True)
-        return all(self._same(one, other) for one, other in arguments)
+        return all(self.same(one, other) for one, other in arguments)
 
     def apart(self, pair: Pair) -> Iterator[tuple[tuple[str, int, int], tuple[str, int, int]]]:
         """Yield the corners by which a formula of the declared shape differs: declared, and held."""
@@ -142,7 +143,7 @@ class Match:
             return
         if (declared.shape, declared.anchors) == (held.shape, held.anchors):
             for one, other in zip(declared.arguments, held.arguments, strict=True):
-                if not isinstance(one, str) and not isinstance(other, str) and not self._same(one, other):
+                if not isinstance(one, str) and not isinstance(other, str) and not self.same(one, other):
                     for ours, theirs in zip(corners(one), corners(other), strict=True):
                         yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
 
@@ -164,9 +165,20 @@ class Match:
         """Return the shape of the formula that is declared for a cell."""
         return read(pair.cell.content, pair.cell.block.sheet.title, self.declared_area).shape
 
-    def _same(self, declared: Area | str, held: Area | str) -> bool:
+    def lost(self, area: Area | None) -> bool:
+        """Whether the file has not the column that a declared area is."""
+        name, _, j = self._declared_index[area.first] if area is not None else ("", 0, 0)
+        return name not in self.file.places or not self.file.places[name].cell(0, j).column
+
+    def declared_value(self, address: Address) -> Any:
+        """Return what a declared cell has, at its address in the declaration."""
+        name, i, j = self._declared_index[address]
+        block = self.declared.blocks[name]
+        return as_rows(block.quantities[j].value, block.size, name)[i]
+
+    def same(self, declared: Area | str | None, held: Area | str | None) -> bool:
         """Whether two arguments mean the same: every cell is named by its block and its place in the block."""
-        if isinstance(declared, str) or isinstance(held, str):
+        if not isinstance(declared, Area) or not isinstance(held, Area):
             return declared == held
         ours, theirs = (
             [index.get(corner, corner) for corner in corners(area)]

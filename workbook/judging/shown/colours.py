@@ -10,7 +10,6 @@ from openpyxl import Workbook
 from openpyxl.styles.colors import COLOR_INDEX
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
-UNSEEN, FAINT = 1.3, 2.0  # contrasts below which a text is hidden, or hard to see; ours have 2.5 and more
 GREEN = (75 / 360, 165 / 360)  # hues
 COLOURED = 0.2  # saturation and depth from which a colour is one
 THEME = ("lt1", "dk1", "lt2", "dk2", "accent1", "accent2", "accent3", "accent4", "accent5", "accent6", "hlink")

@@ -13,8 +13,8 @@ from typing import NamedTuple
 from openpyxl.styles.colors import COLOR_INDEX
 
 from workbook.judging.report import NOTICE, SHOWN
-from workbook.judging.shown import units
-from workbook.judging.shown.colours import UNSEEN, WHITE, contrast, parsed
+from workbook.judging.shown import taste, units
+from workbook.judging.shown.colours import WHITE, contrast, parsed
 
 TOKEN = re.compile(
     r"""
@@ -25,15 +25,14 @@ TOKEN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 ADDED = r"((?:\0.)*)"
-NUMBER = re.compile(rf"{ADDED}(?P<number>@|(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?)(?P<percent>%?){ADDED}", re.DOTALL)
+NUMBER = re.compile(
+    rf"{ADDED}(?P<number>@|(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?)(?P<percent>%?){ADDED}", re.DOTALL
+)
 FRACTION = re.compile(r"[#?0]*/(?:[#?0]|\0[0-9])+")
 CONDITION = re.compile(r"(<=|>=|<>|<|>|=)\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)")
 COLOUR = re.compile(r"(black|white|red|green|blue|yellow|magenta|cyan)|color ?([0-9]{1,2})", re.IGNORECASE)
 BRIGHT = {"white": "FFFFFF", "yellow": "FFFF00", "cyan": "00FFFF"}
 LANGUAGE = re.compile(r"\$([^-]*)(?:-(?!F800|F400)[0-9A-F]*)?", re.IGNORECASE)
-NEARLY = frozenset({"", "+", "≈", "~", "ca.", "approx."})
-"""what may stand before a number, besides its sign and its symbol"""
-DASHES = "-−–—"
 
 Judged = tuple[str, str]
 """the kind of what is told, and what; both empty where nothing is"""
@@ -112,17 +111,17 @@ def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str
     """Return of which kind the ``n``-th part is, which shows positive numbers, negative ones, or zero."""
     if not all(is_ink(one) or CONDITION.fullmatch(one) for one in part.brackets):
         return SHOWN
-    if n == 2 and part.added in list(DASHES) and not re.sub(r"\0.", "", part.form).strip("?"):
+    if n == 2 and part.added in list(taste.DASHES) and not re.sub(r"\0.", "", part.form).strip("?"):
         return ""
     form = re.sub(r"(?<=[#?0])\0 (?=[#?0])", "", part.form)
     found = NUMBER.fullmatch(form)
     if found is None or not found["number"]:
         return NOTICE if FRACTION.fullmatch(form) else SHOWN
     before, behind = (found[i].replace("\0", "").strip() for i in (1, 4))
-    signed = before[:1] in [*DASHES, "("]
+    signed = before[:1] in [*taste.DASHES, "("]
     sign = signed if n != 1 else not signed and found["number"] != "@"
     rest, behind = before[signed:].strip(), behind.removesuffix(")" if before[:1] == "(" else "").strip()
-    named = rest in NEARLY or rest.rstrip("= ") == symbol
+    named = rest in taste.NEARLY or rest.rstrip("= ") == symbol
     if sign or not named or (found["percent"] and unit) or (behind and not (unit and same_unit(behind, unit))):
         return SHOWN
     return "" if set("0@") & set(found["number"]) else SHOWN if zeros else NOTICE
@@ -141,4 +140,4 @@ def is_ink(bracket: str) -> bool:
     number = int(found[2] or 0) + 7
     code = COLOR_INDEX[number][-6:] if found[2] and number < len(COLOR_INDEX) else BRIGHT.get(bracket.lower(), "0" * 6)
     ink = parsed(code)
-    return ink is None or contrast(ink, WHITE) >= UNSEEN
+    return ink is None or contrast(ink, WHITE) >= taste.UNSEEN

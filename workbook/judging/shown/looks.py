@@ -11,24 +11,13 @@ from pydantic import BaseModel
 from workbook.book.address import Address
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, SHOWN
-from workbook.judging.shown.colours import BLACK, FAINT, UNSEEN, WHITE, Look, Palette, contrast
+from workbook.judging.shown import taste
+from workbook.judging.shown.colours import BLACK, WHITE, Look, Palette, contrast
 from workbook.judging.shown.formats import Judged, judged
 from workbook.judging.shown.seen import Seen, Told, value_of
 from workbook.writing.write import format_of
 
-LEAST_SIZE, SMALL = 4.0, 6.0  # points of a font that cannot be read, and that can hardly
-MOST_INDENT = 15  # steps of about three spaces
-SIGNS = ("wingdings", "webdings", "symbol", "marlett", "opensymbol", "zapfdingbats", "bookshelf symbol")
-"""fonts that show other signs for letters"""
-FONTS = frozenset([
-    "aptos", "arial", "arialmt", "bahnschrift", "calibri", "cambria", "candara", "carlito", "caladea", "consolas",
-    "constantia", "corbel", "courier", "dejavu", "franklin", "garamond", "georgia", "gill", "helvetica", "inter",
-    "liberation", "lucida", "meiryo", "microsoft", "ms", "noto", "open", "palatino", "roboto", "segoe", "simsun",
-    "source", "tahoma", "times", "trebuchet", "ubuntu", "verdana", "yu", "century", "book", "cantarell", "lato",
-])  # fmt: skip
-"""by their first words, those in which people write"""
 INKS = UNKNOWN, HIDDEN, FADED = "in colours that cannot be known", "in the colour of its ground", "in a faint colour"
-SYMBOLS = 2  # the character set of fonts of signs
 
 
 class Looks:
@@ -98,13 +87,13 @@ def of_font(font: Any, palette: Palette, ground: Any) -> Iterator[Judged]:
     name = str(getattr(font, "rFont", None) or getattr(font, "name", None) or "calibri").casefold()
     if font.strike:
         yield SHOWN, "struck out"
-    if name.startswith(SIGNS) or font.charset == SYMBOLS:
+    if name.startswith(taste.SIGNS) or font.charset == taste.SYMBOLS:
         yield SHOWN, f"in the signs of {name}"
-    elif name.split()[0] not in FONTS:
+    elif name.split()[0] not in taste.FONTS:
         yield NOTICE, f"in the font {name}"
-    size = font.sz or SMALL
-    if size < SMALL:
-        yield SHOWN if size < LEAST_SIZE else NOTICE, f"{size:g} points high"
+    size = font.sz or taste.SMALL
+    if size < taste.SMALL:
+        yield SHOWN if size < taste.LEAST_SIZE else NOTICE, f"{size:g} points high"
     effects = ("outline", "shadow", "condense", "extend", "vertAlign")
     for effect in (one for one in effects if getattr(font, one) not in (None, False, "baseline")):
         yield NOTICE, f"written with the effect {effect}"
@@ -115,8 +104,8 @@ def of_colours(ink: Any, ground: Any) -> Iterator[Judged]:
     """Yield what is to be told of an ink on a ground; None is a colour that cannot be known, as of a gradient."""
     if ink is None or ground is None:
         yield NOTICE, UNKNOWN
-    elif contrast(ink, ground) < FAINT:
-        hidden = contrast(ink, ground) < UNSEEN
+    elif contrast(ink, ground) < taste.FAINT:
+        hidden = contrast(ink, ground) < taste.UNSEEN
         yield (SHOWN, HIDDEN) if hidden else (NOTICE, FADED)
 
 
@@ -124,7 +113,7 @@ def of_alignment(alignment: Any) -> Iterator[Judged]:
     """Yield what is to be told of an alignment."""
     if alignment.horizontal == "fill":
         yield SHOWN, "repeated over its cell"
-    if (alignment.indent or 0) > MOST_INDENT:
+    if (alignment.indent or 0) > taste.MOST_INDENT:
         yield SHOWN, "indented out of its cell"
     if alignment.horizontal in ("distributed", "justify"):
         yield NOTICE, "spread over its cell"

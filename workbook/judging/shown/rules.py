@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from openpyxl.formatting.rule import Rule
+from openpyxl.formula.translate import Translator
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
 from workbook.book.address import Address
-from workbook.book.formula import REFERENCE, TOKEN
 from workbook.entries.rules import validation
 from workbook.judging.matching import Match
 from workbook.judging.report import FAIL, NOTICE, SHOWN, Report
@@ -24,7 +24,6 @@ from workbook.judging.shown.looks import Looks, of_colours
 from workbook.judging.shown.seen import Seen, Told
 from workbook.writing.style import Marked, marks
 
-CELL = re.compile(r"(\$?[A-Za-z]{1,3})(\$?)([0-9]+)")
 SAID = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTitle", "error", "errorTitle")
 """what a validation does, and says to whom enters something"""
 
@@ -39,6 +38,12 @@ class Placed(NamedTuple):
     def first(self) -> tuple[int, int]:
         """Row and column of the cell for which the formulas of the rule are written."""
         return min(top for top, *_ in self.ranges), min(left for _, left, *_ in self.ranges)
+
+    def covers(self, one: Seen, whole: bool = False) -> bool:
+        """Whether the rule covers some of a column's cells, or all of them."""
+        column, ends = one.at.column, (one.last, one.at.row) if not whole else (one.at.row, one.last)
+        return any(top <= ends[0] and ends[1] <= bottom and left <= column <= right
+                   for top, left, bottom, right in self.ranges)  # fmt: skip
 
 
 class Rules:
@@ -58,12 +63,15 @@ class Rules:
             by_column[one.at.sheet, one.at.column].append(one)
         for sheet in self._match.file.workbook.worksheets:
             columns = [column for title, column in by_column if title == sheet.title]
-            for placed in placed_on(sheet):
-                for column in columns:
-                    spans = [(top, bottom) for top, left, bottom, right in placed.ranges if left <= column <= right]
-                    for one in by_column[sheet.title, column] if spans else ():
-                        if any(top <= one.last and one.at.row <= bottom for top, bottom in spans):
-                            self._judge(placed, one)
+            for group in sheet.conditional_formatting:
+                ranges = [(r.min_row, r.min_col, r.max_row, r.max_col) for r in group.sqref.ranges]
+                wide = [c for c in columns if any(left <= c <= right for _, left, _, right in ranges)]
+                for placed in (Placed(rule, ranges) for rule in group.rules):
+                    for one in (one for column in wide for one in by_column[sheet.title, column]):
+                        if placed.covers(one) and not self._is_known(placed, one):
+                            what = f"a conditional format, {one.what}"
+                            for said in self._of_rule(placed, one):
+                                self._told.add(one.at, said, "no such rule", what, one.counts)
         self._gone()
 
     def has_verdicts(self, one: Seen) -> bool:
@@ -71,26 +79,18 @@ class Rules:
         name = one.pairs[0].cell.block.name
         return all((name, n) in self._met for n in range(len(self._fresh[name])))
 
-    def _judge(self, placed: Placed, one: Seen) -> None:
-        """Enter what is to be told of a rule that covers some cells."""
-        if one.pairs and self._is_known(placed, one):
-            return
-        what = f"a conditional format, {one.what}"
-        for kind, said in self._of_rule(placed, one):
-            self._told.add(one.at, (kind, said), "no such rule", what, one.counts)
-
     def _is_known(self, placed: Placed, one: Seen) -> bool:
         """Whether a fresh build has this rule for the cells."""
-        cell = one.pairs[0].cell
-        block = self._match.declared.blocks[cell.block.name]
+        if not one.pairs:
+            return False
+        block, name = one.pairs[0].cell.block, one.pairs[0].cell.quantity.name
         for n, mark in enumerate(self._fresh[block.name]):
-            if cell.quantity.name in {q.name for q in mark.quantities} and self._same(mark, placed, one):
-                if any(top <= one.at.row and one.last <= bottom for top, _, bottom, _ in placed.ranges):
-                    self._met.add((block.name, n))
+            if name in {q.name for q in mark.quantities} and self._same(mark, placed, one):
+                self._met |= {(block.name, n)} if placed.covers(one, whole=True) else set()
                 self.known.add(id(placed.rule))
                 return True
-        code = code_of(placed.rule)
-        return self._torn and bool(code) and cell.quantity.name in {q.name for q in block.blanked} and hides(code)
+        blanked = self._match.declared.blocks[block.name].blanked
+        return self._torn and name in {q.name for q in blanked} and hides(code_of(placed.rule))
 
     def _same(self, mark: Marked, placed: Placed, one: Seen) -> bool:
         """Whether a rule of a file is one of a fresh build, in condition and look."""
@@ -100,28 +100,22 @@ class Rules:
         texts = [str(text).removeprefix("=") for text in held.formula]
         if ours.type != "expression":
             return bool(texts == ours.formula)
-        place = self._match.file.places[block.name]
-        text = moved(texts[0], place.row - placed.first[0]) if texts else ""
-        declared = f"={ours.formula[0]}"
-        return text == declared or self._match.same_formula(declared, block, text, place.sheet)
+        place, declared = self._match.file.places[block.name], f"={ours.formula[0]}"
+        moved = Translator(f"={texts[0]}", f"A{placed.first[0]}").translate_formula(f"A{place.row}") if texts else ""
+        return moved == declared or self._match.same_formula(declared, block, moved, place.sheet)
 
     def _look(self, rule: Rule) -> tuple[Any, ...]:
         """Return what a rule makes of a cell: ink, ground, and the parts of its number format."""
         palette, look = self._looks.palette, rule.dxf
-        font = look.font if look is not None else None
-        ground = palette.ground(look.fill, None, conditional=True) if look is not None and look.fill else None
-        return (
-            palette.colour(font.color, None) if font else None,
-            ground,
-            sections(code_of(rule)),
-            bool(font and font.strike),
-        )
+        font, fill = (look.font, look.fill) if look is not None else (None, None)
+        ink = palette.colour(font.color, None) if font else None
+        ground = palette.ground(fill, None, conditional=True) if fill else None
+        return ink, ground, sections(code_of(rule)), bool(font and font.strike)
 
     def _of_rule(self, placed: Placed, one: Seen) -> Iterator[Judged]:
         """Yield what is to be told of a rule that no fresh build has."""
         rule, base = placed.rule, self._looks.base(one)
-        code = code_of(rule)
-        if code:
+        if code := code_of(rule):
             q = one.pairs[0].cell.quantity if one.pairs else None
             yield judged(code, "General", q.unit if q else "", q.symbol if q else "", one.text)
         if any(sign is not None and sign.showValue is False for sign in (rule.dataBar, rule.iconSet)):
@@ -139,11 +133,8 @@ class Rules:
         if font and font.strike:
             yield SHOWN, "struck out"
         if (font and font.color) or fill:
-            yield from (
-                (SHOWN if verdict and ink != base.ink else kind, said) for kind, said in of_colours(ink, ground)
-            )
-            if verdict and ground is None:
-                yield SHOWN, "on a ground that cannot be known"
+            sure = verdict and (ink != base.ink or ground is None)
+            yield from ((SHOWN if sure else kind, said) for kind, said in of_colours(ink, ground))
             if verdict and Look(ink, ground).green:
                 yield SHOWN, "FAIL coloured as passed"
 
@@ -151,21 +142,10 @@ class Rules:
         """Enter the rules of a fresh build that the file has no more."""
         for name, fresh in self._fresh.items() if not self._torn else ():
             place = self._match.file.places.get(name)
-            for n, mark in enumerate(fresh):
-                if place is not None and (name, n) not in self._met:
-                    blank = mark.rule.type == "expression"
-                    expected = f"a rule that {'leaves unused rows blank' if blank else 'colours them'}"
-                    self._told.add(
-                        place.cell(0, 0), (NOTICE, "no such rule"), expected, f"the cells of {name}", group=""
-                    )
-
-
-def placed_on(sheet: Worksheet) -> Iterator[Placed]:
-    """Yield the rules of a sheet with what they cover."""
-    for group in sheet.conditional_formatting:
-        ranges = [(r.min_row, r.min_col, r.max_row, r.max_col) for r in group.sqref.ranges]
-        for rule in group.rules if ranges else ():
-            yield Placed(rule, ranges)
+            for mark in (one for n, one in enumerate(fresh) if place is not None and (name, n) not in self._met):
+                does = "leaves unused rows blank" if mark.rule.type == "expression" else "colours them"
+                at, what = place.cell(0, 0), f"the cells of {name}"  # type: ignore[union-attr]
+                self._told.add(at, (NOTICE, "no such rule"), f"a rule that {does}", what, group="")
 
 
 def code_of(rule: Rule) -> str:
@@ -191,52 +171,23 @@ def meets_fail(placed: Placed) -> bool:
     return not (rule.type == "expression" and re.fullmatch(own, first))
 
 
-def moved(formula: str, down: int) -> str:
-    """Return the formula of a rule as it is so many rows further down."""
-
-    def shifted(cell: re.Match[str]) -> str:
-        column, fixed, row = cell.groups()
-        return cell[0] if fixed else f"{column}{int(row) + down}"
-
-    def replaced(token: re.Match[str]) -> str:
-        word = token[0]
-        if token.lastgroup != "reference" or not REFERENCE.fullmatch(word):
-            return word
-        sheet, mark, cells = word.rpartition("!")
-        return f"{sheet}{mark}{CELL.sub(shifted, cells)}"
-
-    return "=" + TOKEN.sub(replaced, formula.removeprefix("="))
-
-
 def validations(match: Match, model: type[BaseModel], report: Report) -> None:
     """Enter as a notice for each sheet how many inputs have no validation any more, or another one."""
     held = {sheet.title: list(validated(sheet)) for sheet in match.file.workbook.worksheets}
-    counted: Counter[tuple[str, str]] = Counter()
-    first: dict[tuple[str, str], Address] = {}
+    told: dict[tuple[str, str], list[Address]] = defaultdict(list)
     for pairs in match.by_column():
-        q = pairs[0].cell.quantity
-        if q.role != "input":
-            continue
-        fresh = validation(model, q)
-        for pair in pairs:
-            at = pair.address
-            rules = [rule for rule, (top, left, bottom, right) in held[at.sheet]
-                     if top <= at.row <= bottom and left <= at.column <= right]  # fmt: skip
-            said = "no validation" if not rules else "" if same_rule(rules[0], fresh) else "another validation"
-            if said:
-                counted[at.sheet, said] += 1
-                first.setdefault((at.sheet, said), at)
-    for (title, said), count in counted.items():
-        what = f"{count} inputs of the sheet {title}"
-        report.say(first[title, said], NOTICE, said, "a rule for what is entered", what)
+        fresh = validation(model, pairs[0].cell.quantity) if pairs[0].cell.quantity.role == "input" else None
+        for at in (pair.address for pair in pairs if fresh is not None):
+            rule = next((rule for rule, (left, top, right, bottom) in held[at.sheet]
+                         if top <= at.row <= bottom and left <= at.column <= right), None)  # fmt: skip
+            if rule is None or any((getattr(rule, name) or "") != (getattr(fresh, name) or "") for name in SAID):
+                told[at.sheet, "another validation" if rule else "no validation"].append(at)
+    for (title, said), cells in told.items():
+        what = f"{len(cells)} inputs of the sheet {title}"
+        report.say(cells[0], NOTICE, said, "a rule for what is entered", what)
 
 
 def validated(sheet: Worksheet) -> Iterator[tuple[Any, tuple[int, int, int, int]]]:
     """Yield the validations of a sheet with each range that they cover."""
     for rule in sheet.data_validations.dataValidation:
-        yield from ((rule, (r.min_row, r.min_col, r.max_row, r.max_col)) for r in rule.sqref.ranges)
-
-
-def same_rule(held: Any, fresh: Any) -> bool:
-    """Whether a validation does and says what that of a fresh build does."""
-    return all((getattr(held, name) or "") == (getattr(fresh, name) or "") for name in SAID)
+        yield from ((rule, cells.bounds) for cells in rule.sqref.ranges)

@@ -73,23 +73,15 @@ def is_unit(text: str) -> bool:
 
 
 def symbol(name: str) -> tuple[float, str] | None:
-    """Return size and dimension of a symbol, its prefix included; None for what is none."""
-    if name in SYMBOLS:
-        return SYMBOLS[name]
-    for cut in range(1, len(name)):
-        first, rest = name[:cut], name[cut:]
-        if first in PREFIXES and rest in SYMBOLS and rest not in PLAIN:
-            return PREFIXES[first] * SYMBOLS[rest][0], SYMBOLS[rest][1]
-    joined = [(name[:cut], name[cut:]) for cut in range(1, len(name))]  # Nm, kgm
-    for first, rest in joined:
-        one, other = simple(first), simple(rest)
-        if one and other:
-            return one[0] * other[0], f"{one[1]} {other[1]}"
-    return None
+    """Return size and dimension of a symbol, or of two that are joined, such as Nm; None for what is none."""
+    if (known := simple(name)) is not None:
+        return known
+    joined = ((simple(name[:cut]), simple(name[cut:])) for cut in range(1, len(name)))
+    return next(((one[0] * other[0], f"{one[1]} {other[1]}") for one, other in joined if one and other), None)
 
 
 def simple(name: str) -> tuple[float, str] | None:
-    """Return size and dimension of a symbol that is not joined with another."""
+    """Return size and dimension of one symbol, with its prefix."""
     if name in SYMBOLS:
         return SYMBOLS[name]
     first, rest = name[:1], name[1:]

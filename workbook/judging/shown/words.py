@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from typing import Literal, NamedTuple
 
@@ -10,15 +9,12 @@ from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Sheet, Text
 from workbook.judging.matching import MOST_BETWEEN, Match
 from workbook.judging.report import LAYOUT, NOTICE, SHOWN, Report
-from workbook.judging.shown import units
+from workbook.judging.shown import taste, units
 
 Kind = Literal["label", "symbol", "unit", "header", "units", "equation", "note"]
 ABOVE = ("header", "units", "equation")
-QUIET = ("equation", "note")  # reworded, these are nobody's concern; exchanged, they are
 HEADINGS = ("heading", "subheading")
 MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
-TELLING = re.compile(r"[0-9]+|[%‰]|\b(?:OK|FAIL)\b")
-"""what a translation leaves as it is"""
 
 
 class Word(NamedTuple):
@@ -36,7 +32,7 @@ class Word(NamedTuple):
     @property
     def counts(self) -> bool:
         """Whether it is a label, a symbol or a unit."""
-        return self.text.style not in QUIET
+        return self.text.style not in taste.QUIET
 
 
 class Found(NamedTuple):
@@ -48,36 +44,27 @@ class Found(NamedTuple):
 
 def words(match: Match, report: Report) -> list[Found]:
     """Enter texts that say something else of a cell, and as notices those that are reworded; return where they are."""
-    named = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
+    misled = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
     for name in match.headless:
         at = match.file.places[name].cell(0, 0)
         report.say(at, LAYOUT, "no headings", "its headings above it: move them together", f"the table {name}")
-    titles(match, report)
-    everything, there = [], match.file.places.keys() - match.headless
+    everything, titles = [], {sheet.title.casefold() for sheet in match.declared.sheets}
     for sheet in match.declared.sheets:
-        known = [word for word in declared(sheet) if word.block.name in there]
+        title = sheet_of(match, sheet)
+        if title is not None and title.casefold() != sheet.title.casefold():
+            kind = SHOWN if title.casefold() in titles else NOTICE
+            report.say(Address(title, 1, 1), kind, title, sheet.title, "the name of the sheet")
+        known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - match.headless]
         found = list(standing(match, known))
-        texts: dict[str, set[str]] = {}
-        for word in known:
-            texts.setdefault(word.text.style, set()).add(word.text.text)
         for one in found:
             first = match.file.places[one.word.block.name].cell(0, 0)
-            if not first.column or (first.sheet, first.a1) not in named:  # column 0: the first one is gone
-                judge(match, one, texts[one.word.text.style], report)
+            if not first.column or (first.sheet, first.a1) not in misled:  # column 0: the first one is gone
+                others = {word.text.text for word in known if word.text.style == one.word.text.style}
+                judge(match, one, others, report)
         unnamed(match, sheet, report)
         headings(match, sheet, report)
         everything += found
     return everything
-
-
-def titles(match: Match, report: Report) -> None:
-    """Enter sheets that are called as another of the book's own, and as notices those that are renamed."""
-    declared = {sheet.title.casefold() for sheet in match.declared.sheets}
-    for sheet in match.declared.sheets:
-        held = sheet_of(match, sheet)
-        if held is not None and held.casefold() != sheet.title.casefold():
-            kind = SHOWN if held.casefold() in declared else NOTICE
-            report.say(Address(held, 1, 1), kind, held, sheet.title, "the name of the sheet")
 
 
 def sheet_of(match: Match, sheet: Sheet) -> str | None:
@@ -113,10 +100,11 @@ def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
         furthest = MOST_BETWEEN + 4 if line[0].above else MOST_ASIDE
         aside = range(furthest) if offset > 0 else range(0, -furthest, -1)
         places = ([place(match, word, offset + more) for word in line] for more in aside)
-        most = next((found for found in places if found and most_are_there(match, line, found)), None)
-        for word, at in zip(line, most or [place(match, word, offset) for word in line], strict=True):
-            if at.column > 0 and at.row > 0:
-                yield Found(at, word)
+        there = ([at.row > 0 < at.column and same(match.file.value(at), word.text.text)
+                  for word, at in zip(line, found, strict=True)] for found in places)  # fmt: skip
+        more = next((more for more, held in zip(aside, there, strict=True) if 2 * sum(held) > len(line)), 0)
+        found = [Found(place(match, word, offset + more), word) for word in line]
+        yield from (one for one in found if one.at.column > 0 and one.at.row > 0)
 
 
 def place(match: Match, word: Word, offset: int) -> Address:
@@ -124,15 +112,7 @@ def place(match: Match, word: Word, offset: int) -> Address:
     block, held = word.block, match.file.places[word.block.name]
     if not word.above:
         return held.cell(0, offset)
-    column = held.cell(0, word.text.column - block.column).column
-    return Address(held.sheet, held.row + offset, column)
-
-
-def most_are_there(match: Match, line: list[Word], found: list[Address]) -> bool:
-    """Whether more than half of some texts stand in these cells."""
-    there = sum(at.row > 0 and at.column > 0 and same(match.file.value(at), word.text.text)
-                for word, at in zip(line, found, strict=True))  # fmt: skip
-    return 2 * there > len(line)
+    return Address(held.sheet, held.row + offset, held.cell(0, word.text.column - block.column).column)
 
 
 def judge(match: Match, found: Found, others: set[str], report: Report) -> None:
@@ -142,38 +122,34 @@ def judge(match: Match, found: Found, others: set[str], report: Report) -> None:
     if same(value, expected):
         return
     held = "" if value is None else str(value)
-    kind = reworded(held, expected, others)
-    if style in ("unit", "units"):
-        kind = unit_kind(style, held, expected, others)
-    if kind == SHOWN or (kind == NOTICE and style not in QUIET):
+    kind = unit_kind(held, expected, others) if style in ("unit", "units") else reworded(held, expected, others)
+    if kind == SHOWN or (kind == NOTICE and style not in taste.QUIET):
         report.say(found.at, kind, held or None, expected, found.word.what)
 
 
 def reworded(held: str, expected: str, others: Iterable[str]) -> str:
     """Return of which kind other words are: another's name misleads, and so do figures, translated words do not."""
-    more = set(TELLING.findall(held)) - set(TELLING.findall(expected))
+    more = set(taste.TELLING.findall(held)) - set(taste.TELLING.findall(expected))
     return SHOWN if more or any(same(held, other) for other in others) else NOTICE
 
 
-def unit_kind(style: str, held: str, expected: str, others: set[str]) -> str:
-    """Return of which kind a changed unit is; a column's stands in brackets behind its symbol. Nothing for the same."""
-    if style == "unit":
-        return changed(held, expected, others)
-    symbol, unit = parted(held)
-    ours, expected = parted(expected)
-    if symbol != ours and any(parted(other)[0] == symbol for other in others):
+def unit_kind(held: str, expected: str, others: set[str]) -> str:
+    """Return of which kind a changed unit is: another misleads, and so does one that has changed places with it.
+
+    That of a column stands in brackets behind the symbol.
+    """
+    (symbol, unit), (ours, declared), known = parted(held), parted(expected), [parted(other) for other in others]
+    stands = units.compared(unit, declared)
+    exchanged = bool(unit) and stands != "same" and any(same(unit, other) for _, other in known)
+    if stands == "other" or exchanged or (symbol != ours and any(symbol == other for other, _ in known)):
         return SHOWN
-    found = changed(unit, expected, {parted(other)[1] for other in others})
-    return NOTICE if not found and symbol != ours else found
+    return NOTICE if stands != "same" or symbol != ours else ""
 
 
-def changed(held: str, expected: str, others: set[str]) -> str:
-    """Return of which kind a changed unit is: one of the sheet's other units has changed places with it."""
-    stands = units.compared(held, expected)
-    if stands == "same":
-        return ""
-    exchanged = bool(held.strip()) and any(same(held, other) for other in others)
-    return SHOWN if exchanged or stands == "other" else NOTICE
+def parted(text: str) -> tuple[str, str]:
+    """Return symbol and unit of ``s [mm]``; a text without brackets is a unit."""
+    symbol, bracket, unit = text.partition("[")
+    return (" ".join(symbol.split()), unit.strip().removesuffix("]").strip()) if bracket else ("", text.strip())
 
 
 def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
@@ -189,12 +165,6 @@ def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
             report.say(at, SHOWN, text, None, f"unit of {q.label}")
 
 
-def parted(text: str) -> tuple[str, str]:
-    """Return symbol and unit of ``s [mm]``."""
-    symbol, _, unit = text.partition("[")
-    return " ".join(symbol.split()), unit.strip().removesuffix("]").strip()
-
-
 def same(held: object, expected: str) -> bool:
     """Whether a cell holds a text, however its lines and spaces are broken."""
     return isinstance(held, str) and held.split() == expected.split()
@@ -202,36 +172,20 @@ def same(held: object, expected: str) -> bool:
 
 def headings(match: Match, sheet: Sheet, report: Report) -> None:
     """Enter headings that stand over another part of their sheet, and as notices those that are gone."""
-    title = sheet_of(match, sheet)
-    if title is None:
-        return
-    sheets = {place.sheet for place in map(match.file.places.get, names_of(sheet)) if place}
-    known = {name: rows_of(match, name) for name in sheets}
-    blocks = sorted(sheet.blocks, key=lambda block: block.row)
-    for text in sheet.texts:
-        if text.style not in HEADINGS or not text.text:
-            continue
-        low, high = bounds(match, blocks, text.row)
-        if leads(match, blocks, text, known):
-            continue
-        rows = known[title]
-        held = rows.get(" ".join(text.text.split()), [])
-        if len(held) <= sum(same(text.text, t.text) for t in sheet.texts if t.style not in HEADINGS):
-            held = []  # what is there stands for something else
-        if not any(low < row < high for row in held):
-            at = Address(title, held[0] if held else max(low + 1, 1), text.column)
-            found = "over another part" if held else None
-            report.say(
-                at, SHOWN if held else NOTICE, found, f"over {below(blocks, text.row)}", f"heading {text.text!r}"
-            )
+    title, blocks = sheet_of(match, sheet), sorted(sheet.blocks, key=lambda block: block.row)
+    for text in sheet.texts if title is not None else ():
+        if text.style in HEADINGS and text.text and not stands_over(match, blocks, text):
+            rows = rows_of(match, str(title), text.text)
+            gone = len(rows) <= sum(same(text.text, t.text) for t in sheet.texts if t.style not in HEADINGS)
+            low, high = bounds(match, blocks, text)
+            if gone or not any(low < row < high for row in rows):
+                below = next((b.title or b.quantities[0].label for b in blocks if b.row > text.row), "nothing")
+                at = Address(str(title), max(low + 1, 1) if gone else rows[0], text.column)
+                found = None if gone else "over another part"
+                report.say(at, NOTICE if gone else SHOWN, found, f"over {below}", f"heading {text.text!r}")
 
 
-def names_of(sheet: Sheet) -> list[str]:
-    """Return the names of a sheet's blocks."""
-    return [block.name for block in sheet.blocks]
-
-
-def leads(match: Match, blocks: list[Block], text: Text, known: dict[str, dict[str, list[int]]]) -> bool:
+def stands_over(match: Match, blocks: list[Block], text: Text) -> bool:
     """Whether a heading stands over the block that it is declared for, wherever they have been moved together."""
     block = next((b for b in blocks if b.row > text.row), None)
     place = match.file.places.get(block.name) if block is not None else None
@@ -240,28 +194,18 @@ def leads(match: Match, blocks: list[Block], text: Text, known: dict[str, dict[s
     others = [
         p.row for b in blocks if b is not block and (p := match.file.places.get(b.name)) and p.sheet == place.sheet
     ]
-    above = [row for row in known[place.sheet].get(" ".join(text.text.split()), []) if row < place.row]
+    above = [row for row in rows_of(match, place.sheet, text.text) if row < place.row]
     return bool(above) and not any(above[-1] < row < place.row for row in others)
 
 
-def bounds(match: Match, blocks: list[Block], row: int) -> tuple[int, float]:
+def bounds(match: Match, blocks: list[Block], text: Text) -> tuple[int, float]:
     """Return the rows of the file between which a heading belongs: below the block before it, above the next."""
-    places = match.file.places
-    low = max((places[b.name].row for b in blocks if b.row < row and b.name in places), default=0)
-    high = min((places[b.name].row for b in blocks if b.row > row and b.name in places), default=float("inf"))
-    return low, high
+    rows = [(b.row, match.file.places[b.name].row) for b in blocks if b.name in match.file.places]
+    low = max((held for row, held in rows if row < text.row), default=0)
+    return low, min((held for row, held in rows if row > text.row), default=float("inf"))
 
 
-def below(blocks: list[Block], row: int) -> str:
-    """Return in words what stands below a row."""
-    block = next((b for b in blocks if b.row > row), None)
-    return "nothing" if block is None else block.title or block.quantities[0].label
-
-
-def rows_of(match: Match, title: str) -> dict[str, list[int]]:
-    """Return the rows in which each text of a sheet stands."""
-    found: dict[str, list[int]] = {}
-    for (row, _), cell in match.file.workbook[title]._cells.items():
-        if cell.data_type == "s" and isinstance(cell.value, str):
-            found.setdefault(" ".join(cell.value.split()), []).append(row)
-    return found
+def rows_of(match: Match, title: str, text: str) -> list[int]:
+    """Return the rows of a sheet in which a text stands."""
+    cells = match.file.workbook[title]._cells.items()
+    return [row for (row, _), cell in cells if cell.data_type == "s" and same(cell.value, text)]
