@@ -12,8 +12,8 @@ from workbook.judging.report import LAYOUT, NOTICE, SHOWN, Report
 from workbook.judging.shown import taste, units
 
 Kind = Literal["label", "symbol", "unit", "header", "units", "equation", "note"]
-ABOVE = ("header", "units", "equation")
 HEADINGS = ("heading", "subheading")
+ABOVE = (*HEADINGS, "header", "units", "equation")
 MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
 
 
@@ -26,13 +26,13 @@ class Word(NamedTuple):
 
     @property
     def above(self) -> bool:
-        """Whether it stands above a column."""
+        """Whether it stands above its cells."""
         return self.text.style in ABOVE
 
     @property
     def counts(self) -> bool:
         """Whether it is a label, a symbol or a unit."""
-        return self.text.style not in taste.QUIET
+        return self.text.style not in (*taste.QUIET, *HEADINGS)
 
 
 class Found(NamedTuple):
@@ -62,7 +62,6 @@ def words(match: Match, report: Report) -> list[Found]:
                 others = {word.text.text for word in known if word.text.style == one.word.text.style}
                 judge(match, one, others, report)
         unnamed(match, sheet, report)
-        headings(match, sheet, report)
         everything += found
     return everything
 
@@ -76,8 +75,13 @@ def declared(sheet: Sheet) -> Iterator[Word]:
     """Yield the texts of a sheet that say what its cells are."""
     rows = {b.row: b for b in sorted(sheet.blocks, key=lambda b: -b.column) if not b.is_table}
     tables = sorted((block for block in sheet.blocks if block.is_table), key=lambda block: block.row)
+    ordered = sorted(sheet.blocks, key=lambda block: (block.row, block.column))
     for text in sheet.texts:
-        if text.text and text.style in ABOVE:
+        if text.text and text.style in HEADINGS:
+            below = next((b for b in ordered if b.row > text.row), None)
+            if below is not None:
+                yield Word(text, below, f"{text.style} over {below.title or below.quantities[0].label}")
+        elif text.text and text.style in ABOVE:
             block = next((b for b in tables if 0 < b.row - text.row <= 4 and text.column in b.columns.values()), None)
             if block is not None:
                 yield Word(text, block, f"{block.title}, {text.style}")
@@ -168,44 +172,3 @@ def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
 def same(held: object, expected: str) -> bool:
     """Whether a cell holds a text, however its lines and spaces are broken."""
     return isinstance(held, str) and held.split() == expected.split()
-
-
-def headings(match: Match, sheet: Sheet, report: Report) -> None:
-    """Enter headings that stand over another part of their sheet, and as notices those that are gone."""
-    title, blocks = sheet_of(match, sheet), sorted(sheet.blocks, key=lambda block: block.row)
-    for text in sheet.texts if title is not None else ():
-        if text.style in HEADINGS and text.text and not stands_over(match, blocks, text):
-            rows = rows_of(match, str(title), text.text)
-            gone = len(rows) <= sum(same(text.text, t.text) for t in sheet.texts if t.style not in HEADINGS)
-            low, high = bounds(match, blocks, text)
-            if gone or not any(low < row < high for row in rows):
-                below = next((b.title or b.quantities[0].label for b in blocks if b.row > text.row), "nothing")
-                at = Address(str(title), max(low + 1, 1) if gone else rows[0], text.column)
-                found = None if gone else "over another part"
-                report.say(at, NOTICE if gone else SHOWN, found, f"over {below}", f"heading {text.text!r}")
-
-
-def stands_over(match: Match, blocks: list[Block], text: Text) -> bool:
-    """Whether a heading stands over the block that it is declared for, wherever they have been moved together."""
-    block = next((b for b in blocks if b.row > text.row), None)
-    place = match.file.places.get(block.name) if block is not None else None
-    if place is None:
-        return False
-    others = [
-        p.row for b in blocks if b is not block and (p := match.file.places.get(b.name)) and p.sheet == place.sheet
-    ]
-    above = [row for row in rows_of(match, place.sheet, text.text) if row < place.row]
-    return bool(above) and not any(above[-1] < row < place.row for row in others)
-
-
-def bounds(match: Match, blocks: list[Block], text: Text) -> tuple[int, float]:
-    """Return the rows of the file between which a heading belongs: below the block before it, above the next."""
-    rows = [(b.row, match.file.places[b.name].row) for b in blocks if b.name in match.file.places]
-    low = max((held for row, held in rows if row < text.row), default=0)
-    return low, min((held for row, held in rows if row > text.row), default=float("inf"))
-
-
-def rows_of(match: Match, title: str, text: str) -> list[int]:
-    """Return the rows of a sheet in which a text stands."""
-    cells = match.file.workbook[title]._cells.items()
-    return [row for (row, _), cell in cells if cell.data_type == "s" and same(cell.value, text)]
