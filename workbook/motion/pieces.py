@@ -92,7 +92,7 @@ def pieces_table(
                  filled(rows.shares, room, 1.0), source="spare rows: 1")  # fmt: skip
     block = sheet.table(
         at.pieces, title, room,
-        constant("r", "piece", "r", "", list(range(1, room + 1))),
+        constant("r", "piece", "k", "", list(range(1, room + 1))),
         calc("p", "phase", "", "",
              f'=COUNTIF([{at.phases}.before],"<="&{place})', of(lambda piece: piece.phase + 1), format="0",
              source="the last with no more before it"),

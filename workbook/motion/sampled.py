@@ -12,7 +12,7 @@ from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import amplitude, from_power
 
-POSITION = "c0 + c1 u + … + A sin x"
+POSITION = "c0 + c1 u + … + A sin ζ"
 SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"
 """the same by the amplitude of each derivative"""
 FROM_START = "from its start; never 0, so that u⁰ is 1"
@@ -42,7 +42,7 @@ def arguments(
     """Return the columns of the arguments of the sines at places u of pieces, whose row ``q`` names."""
     at = rows.at
     return [
-        calc(f"x{mark}{suffix}", f"{of}argument of the {which}sine", "x", "rad",
+        calc(f"x{mark}{suffix}", f"{of}argument of the {which}sine", "ζ", "rad",
              f"=INDEX({at.named(f'om{mark}')},{q})*[u{suffix}]+INDEX({at.named(f'ph{mark}')},{q})", angles[k],
              source="ωu + φ")
         for k, ((*_, mark), which) in enumerate(zip(rows.sines, ("", "second "), strict=False))

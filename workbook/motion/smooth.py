@@ -97,7 +97,7 @@ class Joints:
         """Declare the table of what jumps at the begin of each piece, and rows on the first jump that is too much."""
         sheet.table(
             self.name, title, room,
-            constant("r", "piece", "r", "", list(range(1, room + 1))),
+            constant("r", "piece", "k", "", list(range(1, room + 1))),
             *self._lasting(room), *self._ends(room), *self._rates(room), *self._jumps(room),
             blank=f"[r]>{self.rows.at.count}",
         )  # fmt: skip

@@ -117,7 +117,7 @@ def figures(view: Choosing) -> list[Quantity]:
              of([one.inertia for one in each])),
         *(calc(name, label, symbol, unit, there(f"INDEX([@reducers.{name}],MAX(1,[r]))"), of(values))
           for (name, label, symbol, unit), values in zip(OF_REDUCER, list(own) or [()] * 4, strict=True)),
-        calc("mixed", "mean of α S, with losses", "", "W/s", there("INDEX([@reducers.mixed],MAX(1,[r]))"),
+        calc("mixed", "mean of ω̇ S, with losses", "", "W/s", there("INDEX([@reducers.mixed],MAX(1,[r]))"),
              of([float(view.mixed[k]) for _, k in pairs]), scale=view.shaft.product),
         calc("square", "mean square torque of the load at the motor", "", "N²m²",
              there("INDEX([@reducers.square],MAX(1,[r]))"), of([float(view.square[k]) for _, k in pairs]),

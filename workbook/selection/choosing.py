@@ -102,7 +102,7 @@ class Choosing:
 
     @cached_property
     def mixed(self) -> Array:
-        """The mean of α S before each reducer, with its losses (W/s)."""
+        """The mean of ω̇ S before each reducer, with its losses (W/s)."""
         return self.load.mixed(self._reducers)
 
     @cached_property

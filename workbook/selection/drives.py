@@ -54,7 +54,7 @@ def held(view: Choosing) -> Sequence[Quantity]:
     own, load = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}, view.load
     pair = gears(0.0, *(view.held(name) for name in ("i", "eta", "no_load")))
     return [
-        calc("@held_mixed", "Mean of α S at its motor, with losses", "", "W/s", f"={MIXED.format(**own)}",
+        calc("@held_mixed", "Mean of ω̇ S at its motor, with losses", "", "W/s", f"={MIXED.format(**own)}",
              float(load.mixed(pair)[0]), scale=view.shaft.product),
         calc("@held_square", "Mean square torque at its motor, without inertia", "", "N²m²",
              f"={SQUARE.format(**own)}", float(load.square(pair)[0]), scale=view.shaft.torque**2),
@@ -75,7 +75,7 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
         "@points", "The points of its cycle", len(rows),
         constant("k", "number", "", "", rows),
         *named(view, "dir", "direction", "", "", view.load.load.direction, format="0"),
-        *named(view, "al", "acceleration", "α", "rad/s²", load.acceleration, "@turns*{}", scale=shaft.turning),
+        *named(view, "al", "acceleration", "ω̇", "rad/s²", load.acceleration, "@turns*{}", scale=shaft.turning),
         *named(view, "S", "output torque of the reducer", "S", "Nm", load.driving + load.driven,
                "IF(AND([dir]=0,@brake=1),0,{})", scale=behind, source="0 where a brake holds the motor"),
         *named(view, "n", "speed of the shaft", "|n|", "rpm", shown(load.speed, RPM), shaft.rpm,

@@ -7,7 +7,7 @@ from typing import Any
 from workbook.selection.choosing import Choosing
 
 MIXED = "@product/{eta}+@product_back*{eta}+{i}*{own}*@way_turning"
-"""the mean of α S, of the shaft's acceleration and the load's torque before the reducer's losses, with its own"""
+"""the mean of ω̇ S, of the shaft's acceleration and the load's torque before the reducer's losses, with its own"""
 SQUARE = "(@square/{eta}^2+@square_back*{eta}^2)/{i}^2+2*{own}*(@way_behind/{eta}+@way_back*{eta})/{i}+{own}^2*@way"
 """the mean square of the load's torque at the motor, with the reducer's own"""
 
@@ -33,5 +33,5 @@ def peak_of(inertia: str, ratio: str, out: str, back: str, own: str) -> str:
 
 
 def rms_of(inertia: str, ratio: str, mixed: str, square: str) -> str:
-    """Return the formula of the RMS torque of a motor: √((J i)² α_rms² + 2 J mean(α S') + mean(S'²)/i²)."""
+    """Return the formula of the RMS torque of a motor: √((J i)² ω̇_rms² + 2 J mean(ω̇ S') + mean(S'²)/i²)."""
     return f"SQRT(MAX(0,({inertia}*{ratio})^2*@own+2*{inertia}*{mixed}+{square}))"

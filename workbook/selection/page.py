@@ -70,7 +70,7 @@ def entries(sheet: Sheet, view: Choosing, first: Sequence[Quantity]) -> None:
               format="0.0##", source="motor's peak torque / largest torque"),
         given("@least_speed", "Least margin of speed", "", "", s.least_speed_margin, "selection.least_speed_margin",
               format="0.0##", source="motor's largest speed / largest speed"),
-        given("@factor", "Factor on the reducer's torque", "f", "", s.torque_factor, "selection.torque_factor",
+        given("@factor", "Factor on the reducer's torque", "K_A", "", s.torque_factor, "selection.torque_factor",
               format="0.0##", source="for shocks or many cycles an hour, as its maker says"),
     )  # fmt: skip
 
@@ -81,7 +81,7 @@ def asked(sheet: Sheet, view: Choosing) -> None:
     scale = view.shaft.torque
     sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")
     sheet.rows(
-        calc("@wrms", "RMS acceleration", "α_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),
+        calc("@wrms", "RMS acceleration", "ω̇_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),
         calc("@trms", "RMS torque", "S_rms", "Nm", "=SQRT(@square+@square_back)", load.torque_rms, scale=scale),
         calc("@wmax", "Largest speed", "ω", "rad/s", "=@speed+0", load.max_speed),
         calc("@tmax", "Torque that the reducer must carry", "f S_max", "Nm", "=@factor*@smax", view.grid.behind,
@@ -89,7 +89,7 @@ def asked(sheet: Sheet, view: Choosing) -> None:
         calc("@most", "Largest share of the continuous torque", "", "", "=1/@least", 1.0 / view.given.least_margin),
         calc("@little", "Least share of it", "", "", "=1/@greatest", 1.0 / view.given.greatest_margin),
         result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
-               view.grid.load_factor, scale=view.beta_scale, source="2 (α_rms S_rms + mean α S); S5, eq. (15)"),
+               view.grid.load_factor, scale=view.beta_scale, source="2 (ω̇_rms S_rms + mean ω̇ S); S5, eq. (15)"),
     )  # fmt: skip
 
 

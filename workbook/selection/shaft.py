@@ -30,7 +30,7 @@ class Shaft:
 
     ``title`` is the formula of its axis' name. ``columns`` begins the names of the columns of its points in the book
     (``dir``, ``al``, ``S``, ``n``); they have ``rows`` intervals, spare ones among them. ``rpm`` makes |speed| of the
-    shaft (rpm) of the column ``n``. ``turning`` is the scale of α (rad/s²), ``torque`` that of S (Nm).
+    shaft (rpm) of the column ``n``. ``turning`` is the scale of ω̇ (rad/s²), ``torque`` that of S (Nm).
     """
 
     name: str
@@ -51,7 +51,7 @@ class Shaft:
 
     @property
     def product(self) -> float:
-        """The scale of means of α S (W/s)."""
+        """The scale of means of ω̇ S (W/s)."""
         return self.turning * self.torque
 
     def by_point(self, values: Array) -> list[float]:

@@ -1,7 +1,11 @@
 """A symbol stands for one thing on the sheets of a machine."""
 
+import re
+from collections import defaultdict
+
 import pytest
 
+from workbook.build import committed
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -25,3 +29,33 @@ def test_a_symbol_stands_for_one_quantity(name):
     assert {symbol: found for symbol, found in units.items() if not found <= ONE[symbol]} == {}
     assert "J_1" not in {q.symbol for q in shown}
     assert [q.label for q in shown if q.symbol in LIMITS and LIMITS[q.symbol] not in q.label] == []
+
+
+ALIKE = {"mm": "m", "m/min": "m/s", "kWh": "J", "kg cm²": "kg m²", "h": "s", "1/min": "rpm", "cycles/min": "rpm"}
+"""units of one kind of quantity"""
+OF_AXES = frozenset([
+    "A", "F", "c0", "c1", "c2", "c3", "c4", "c5", "h", "j", "j_max", "y", "y'", "y''", "y'''", "y_0", "ÿ", "ÿmax",
+    "ÿrms", "Δy", "δ", "ω", "ẏ", "ẏmax",
+])  # fmt: skip
+"""what an axis has in m or in rad, and over a master that turns, travels or counts seconds"""
+SCALED = frozenset(["s", "u"])
+"""of a law's motion without units, and of the tool's"""
+LAWS = frozenset(["Laws", "Inverse", "S-curve", "ACS", "CIC", "CUB", "LIN", "MSN", "MTP", "OWN", "PO5", "TVP"])
+"""sheets of laws without units, with symbols of their own"""
+
+
+def kind(unit, symbol):
+    """What a unit measures; of a quantity of axes, how often it has a length or an angle."""
+    found = ALIKE.get(unit, unit).replace("mm", "m").replace("°", "rad")
+    return re.sub(r"rad|m|s|N", "_", found.partition(",")[0]).replace("__", "_") if symbol in OF_AXES else found
+
+
+@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+def test_a_symbol_measures_one_kind_of_quantity_in_every_book(path):
+    book = TEMPLATES[read_machine(path).template].declare(read_machine(path))
+    kinds = defaultdict(lambda: defaultdict(set))
+    for block in book.blocks.values():
+        for q in block.quantities if block.sheet.title not in LAWS else ():
+            if q.symbol and (q.unit or q.symbol not in SCALED):
+                kinds[q.symbol][kind(q.unit, q.symbol)].add(f"{q.label} [{q.unit}]")
+    assert {symbol: dict(found) for symbol, found in kinds.items() if len(found) > 1} == {}

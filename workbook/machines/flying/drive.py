@@ -231,7 +231,7 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         calc("left", "left below the motor's curve", "", "Nm",
              "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])", of(view.left),
              scale=max(view.motor_torque, view.motor.peak_torque), source="T_max − f (n − n_1) − |T|"),
-        calc("stop", "stands at this share of the step", "x", "",
+        calc("stop", "stands at this share of the step", "w", "",
              "=IF([s]=0,0,IF(AND([v]*[v-1]<0,ABS([v])>@still,ABS([v-1])>@still),[v-1]/([v-1]-[v]),0))", of(stands),
              scale=1.0, source="v_0/(v_0 − v); 0: not at all"),
         calc("far", "position there", "", "m",

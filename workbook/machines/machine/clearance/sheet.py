@@ -123,10 +123,10 @@ def positions(one: Apart, end: int, angles: Array) -> list[Quantity]:
     place = sampled(rows.pieces, 0, mark)
     own = f"({place})*1000" if metres else f"DEGREES({place})"
     return [
-        calc(f"n{mark}", f"{of}cycles of its phases begun before", "n", "",
+        calc(f"n{mark}", f"{of}cycles of its phases begun before", "n_c", "",
              f"=INT((MIN([theta],timing_end)-{late}+timing_eps)/360)", told.cycles, format="0"),
         calc(f"p{mark}", f"{of}angle of its phases", "", "°", f"=[theta]-{late}-360*[n{mark}]", shown(told.x, DEGREE),
-             format="0.0##", scale=TURN, source="θ − shift − 360 n"),
+             format="0.0##", scale=TURN, source="θ − shift − 360 n_c"),
         *finding(rows.pieces, f"p{mark}", told.x, of, mark),
         calc(f"y{mark}", f"{of}position", "y", axis.given.unit, f"={own}+[n{mark}]*[axes.travel.{i}]",
              one.positions(end, angles), scale=one.size),
@@ -176,14 +176,14 @@ def points(sheet: Sheet, one: Apart) -> None:
         velocity(one, 0), velocity(one, 1),
         calc("slope", "slope of the gap", "", f"{one.unit}/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", one.slopes,
              scale=float(np.abs(one.slopes).max()), source="factor · y' + factor · y'"),
-        calc("fall", "by the slope before, it rises", "a", one.unit,
+        calc("fall", "by the slope before, it rises", "g_0", one.unit,
              first.format("[slope-1]*RADIANS([theta]-[theta-1])"), low.fall, scale=size),
-        calc("rise", "it rises", "b", one.unit, first.format("[gap]-[gap-1]"), low.rise, scale=size),
+        calc("rise", "it rises", "g_1", one.unit, first.format("[gap]-[gap-1]"), low.rise, scale=size),
         calc("share", "lowest at this share of the way", "z", "",
              f"=IF(AND([fall]<0-{lost},[fall]<2*[rise]),[fall]/(2*([fall]-[rise])),1)", low.share,
-             source="a/(2(a − b)) between both points, else 1"),
+             source="g_0/(2(g_0 − g_1)) between both points, else 1"),
         calc("low", "lowest gap on the way", "", one.unit, "=IF([share]<1,[gap-1]+[fall]*[share]/2,[gap])", low.gap,
-             scale=size, source="gap before + a z/2"),
+             scale=size, source="gap before + g_0 z/2"),
         *(calc(near, f"{words} is the least of all", "", "",
                f"=IF([{name}]<=MIN([clear{n}_points.{name}])+{lost},1,0)", one.near(values), format="0")
           for near, name, words, values in (("nearest", "gap", "gap", one.gaps(angles)),
@@ -210,5 +210,5 @@ def cuts(sheet: Sheet, one: Apart) -> None:
     room = one.rows[0].machine.room
     sheet.table(
         f"clear{one.number}_cuts", "The pieces of both axes over the turn", room,
-        constant("r", "piece", "r", "", list(range(1, room + 1))), *columns,
+        constant("r", "piece", "k", "", list(range(1, room + 1))), *columns,
     )  # fmt: skip

@@ -19,7 +19,7 @@ NOTE = "exact at the rate that is entered; elsewhere to about 1 %"
 ABOUT = (
     "At rest a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times the rate the "
     "torque is T_s + x I; of each limit, 1/x is the share that grows so and is used. T_rms meets its limit where "
-    "A + 2 B x + C x² = (M − D √x)², with √x ≤ (e + x/e)/2."
+    "A_s + 2 B_s x + C_s x² = (M − ΔM √x)², with √x ≤ (x_s + x/x_s)/2."
 )
 SPEEDS = ("motor speed", "reducer input speed")
 
@@ -75,18 +75,18 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
     stall, fall, near, half = line(points, view.driven.motor)
     sheet.heading("Workings: the highest rate", ABOUT)
     sheet.rows(
-        calc("@stand", "Mean of T_s²", "A", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),
-        calc("@mixed", "Mean of T_s I", "B", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
+        calc("@stand", "Mean of T_s²", "A_s", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),
+        calc("@mixed", "Mean of T_s I", "B_s", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
              scale=size),
-        calc("@grow", "Mean of I²", "C", "Nm²", "=SUMPRODUCT([@pt.share],([@pt.T]-[@pt.T0])^2)", growing, scale=size),
+        calc("@grow", "Mean of I²", "C_s", "Nm²", "=SUMPRODUCT([@pt.share],([@pt.T]-[@pt.T0])^2)", growing, scale=size),
         calc("@line", "Continuous torque at no speed", "M", "Nm",
              "=IF(@continuous>@motor_rated,@motor_stall,@motor_rated)", stall, source="T_N beyond n_N"),
-        calc("@sink", "Its fall to that at the mean speed", "D", "Nm", "=@line-@continuous", fall, scale=stall),
-        calc("@near", "Rate at which T_s alone is as large", "e", "",
+        calc("@sink", "Its fall to that at the mean speed", "ΔM", "Nm", "=@line-@continuous", fall, scale=stall),
+        calc("@near", "Rate at which T_s alone is as large", "x_s", "",
              "=IF(@sink>0,MIN(1,(@line-SQRT(@stand))/@sink),1)", near, source="over the present one, at most 1"),
-        calc("@half", "What grows with x, and half the fall", "b", "Nm²",
+        calc("@half", "What grows with x, and half the fall", "b_s", "Nm²",
              "=@mixed+IF(@near>0,@sink*(@line/@near-@sink)/2,0)", half, scale=size + stall**2,
-             source="B + D (M/e − D)/2"),
+             source="B_s + ΔM (M/x_s − ΔM)/2"),
         calc("@smean0", "Mean output torque of the reducer, without inertia", "", "Nm", f"={cubic('S0')}",
              points.cubic_mean(view.load.standing_behind), scale=view.scales.behind),
     )  # fmt: skip

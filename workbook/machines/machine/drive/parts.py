@@ -35,7 +35,7 @@ def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
         given("shaft", "on the shaft of", "", "", entered("shaft"), f"{key}.shaft", source="motor, or mechanism"),
         given("driver", "teeth of the driver", "n1", "", entered("teeth_driver"), f"{key}.teeth_driver", format="0"),
         given("driven", "teeth of the driven", "n2", "", entered("teeth_driven"), f"{key}.teeth_driven", format="0"),
-        given("diameter", "diameter", "d", "mm", entered("diameter"), f"{key}.diameter", format="0.0##"),
+        given("diameter", "diameter", "d_a", "mm", entered("diameter"), f"{key}.diameter", format="0.0##"),
         given("length", "length", "L", "mm", entered("length"), f"{key}.length", format="0.0##"),
         given("density", "density", "ρ", "kg/m³", entered("density"), f"{key}.density", format="0",
               source="steel: 7800"),

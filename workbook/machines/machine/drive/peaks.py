@@ -16,7 +16,7 @@ from workbook.machines.machine.drive.view import DriveView
 
 ABOUT = (
     "y at the largest point, y_0 and y_1 at its neighbours, a and b degrees away: the parabola's top is "
-    "f + m² (a + b)/4(s_0 − s_1), s_0 and s_1 the slopes on both sides, m = (s_0 b + s_1 a)/(a + b)."
+    "w + m² (Δ_0 + Δ_1)/4(s_0 − s_1), s_0 and s_1 the slopes on both sides, m = (s_0 b + s_1 a)/(a + b)."
 )
 
 
@@ -72,21 +72,21 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         calc("at", "the first such point", "", "",
              of(f"={last + 1}-SUMPRODUCT(MAX(([sign]*{{y}}>=[most]-check_zero*{size_of})*({last + 1}-[@pt.k])))"),
              [one.at + 1 for one in found], format="0", source="to a rounding"),
-        calc("y0", "before it", "f_0", "", of("=INDEX({y},MAX([at]-1,1))"), [n[0] for n in neighbours], scale=size),
-        calc("y", "there", "f", "", of("=INDEX({y},[at])"), [n[1] for n in neighbours], scale=size),
-        calc("y1", "after it", "f_1", "", of(f"=INDEX({{y}},MIN([at]+1,{last}))"), [n[2] for n in neighbours],
+        calc("y0", "before it", "w_0", "", of("=INDEX({y},MAX([at]-1,1))"), [n[0] for n in neighbours], scale=size),
+        calc("y", "there", "w", "", of("=INDEX({y},[at])"), [n[1] for n in neighbours], scale=size),
+        calc("y1", "after it", "w_1", "", of(f"=INDEX({{y}},MIN([at]+1,{last}))"), [n[2] for n in neighbours],
              scale=size),
-        calc("a", "to the point before", "a", "°",
+        calc("a", "to the point before", "Δ_0", "°",
              f"=IF({inner},INDEX([@pt.theta],[at])-INDEX([@pt.theta],[at]-1),0)", [one.before for one in found],
              scale=360.0, source="0 at an end"),
-        calc("b", "to the point after", "b", "°",
+        calc("b", "to the point after", "Δ_1", "°",
              f"=IF({inner},INDEX([@pt.theta],[at]+1)-INDEX([@pt.theta],[at]),0)", [one.after for one in found],
              scale=360.0),
         calc("s0", "slope before", "s_0", "", "=IF([a]>0,([y]-[y0])/[a],0)", slopes(each, found, 0), scale=size),
         calc("s1", "slope after", "s_1", "", "=IF([b]>0,([y1]-[y])/[b],0)", slopes(each, found, 1), scale=size),
         calc("top", "peak", "", "", "=IF([s0]=[s1],[y],[y]+([s0]*[b]+[s1]*[a])^2/([a]+[b])/4/([s0]-[s1]))",
              [sign * one.top for (_, sign), one in zip(each, found, strict=True)], scale=size,
-             source="f + m² (a + b)/4(s_0 − s_1)"),
+             source="w + m² (Δ_0 + Δ_1)/4(s_0 − s_1)"),
     )  # fmt: skip
 
 

@@ -104,10 +104,10 @@ def found(one: AxisRows) -> list[Quantity]:
     """Return where the samples of an axis lie: in which cycle, at which angle of its phases, in which piece."""
     told = one.axis.told(one.machine.samples)
     return [
-        calc("n", "cycles of its phases begun before", "c", "",
+        calc("n", "cycles of its phases begun before", "n_c", "",
              "=INT((MIN([theta],timing_end)-@late+timing_eps)/360)", told.cycles, format="0",
              source="the end of the turn has the left limit"),
         calc("p", "angle of its phases", "", "°", "=[theta]-@late-360*[n]", shown(told.x, DEGREE), format="0.0##",
-             source="θ − shift − 360 c", scale=360.0),
+             source="θ − shift − 360 n_c", scale=360.0),
         *finding(one.pieces, "p", told.x),
     ]  # fmt: skip

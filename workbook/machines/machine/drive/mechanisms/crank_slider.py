@@ -50,7 +50,7 @@ def sizes(driven: Driven) -> list[Quantity]:
         calc("@r", "Lever", "r", "m", "=@crank_radius/1000", one.lever),
         calc("@l", "Link", "l", "m", "=@rod_length/1000", one.link),
         calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
-        calc("@side", "Lever ahead (1) or behind (−1)", "s", "", '=IF(@branch="behind",0-1,1)', one.side, format="0"),
+        calc("@side", "Lever ahead (1) or behind (−1)", "σ", "", '=IF(@branch="behind",0-1,1)', one.side, format="0"),
         calc("@sense", "Positions grow away from the shaft (1)", "", "", '=IF(@zero="outer",0-1,1)', one.direction,
              format="0"),
         calc("@x0", "Slide from the shaft where the motion begins", "x_0", "m",

@@ -62,7 +62,7 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     d = np.hypot(x, one.offset)
     return [
         calc("X", "slide from the shaft", "x", "m", "=@x0+@sense*[y]", of(x), scale=one.link, source="x_0 ± y"),
-        calc("d", "to the shaft", "d", "m", "=SQRT([X]^2+@e^2)", of(d), scale=one.link, source="√(x² + e²)"),
+        calc("d", "to the shaft", "r_B", "m", "=SQRT([X]^2+@e^2)", of(d), scale=one.link, source="√(x² + e²)"),
         calc("K", "four areas of the triangle", "K", "m²", f"={AREA.format(d='[d]')}", of(area(one, d)),
              scale=one.link**2, source="Heron"),
         calc("psi", "angle of the lever", "ψ", "rad", f"={ANGLE.format(x='[X]', d='[d]', k='[K]')}", of(psi),
@@ -78,9 +78,9 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
 def pin(lever: float, psi: Array, of: Column) -> list[Quantity]:
     """Return the columns of the lever's end at the angles in the column ``psi``."""
     return [
-        calc("c", "lever's end along the line", "c", "m", "=@r*COS([psi])", of(lever * np.cos(psi)), scale=lever,
+        calc("c", "lever's end along the line", "x_A", "m", "=@r*COS([psi])", of(lever * np.cos(psi)), scale=lever,
              source="r cos ψ"),
-        calc("above", "and above it", "s", "m", "=@r*SIN([psi])", of(lever * np.sin(psi)), scale=lever,
+        calc("above", "and above it", "y_A", "m", "=@r*SIN([psi])", of(lever * np.sin(psi)), scale=lever,
              source="r sin ψ"),
     ]  # fmt: skip
 
@@ -91,11 +91,11 @@ def travel(lever: float, offset: float, psi: Array, x: Array, of: Column) -> lis
     first, second = slopes(lever, offset, psi, x)
     return [
         calc("tan", "slope of the link", "tan β", "", "=([above]-@e)/([X]-[c])", of(lean), scale=1.0,
-             source="(s − e)/(x − c)"),
+             source="(y_A − e)/(x − x_A)"),
         calc("dx", "travel by angle", "dx/dψ", "m", "=0-[above]-[tan]*[c]", of(first), scale=lever,
-             source="−(s + c tan β)"),
+             source="−(y_A + x_A tan β)"),
         calc("ddx", "its change", "d²x/dψ²", "m", "=[tan]*[above]-[c]-([c]+[tan]*[c]*[tan])*[c]/([X]-[c])",
-             of(second), scale=lever, source="s tan β − c − c² (1 + tan² β)/(x − c)"),
+             of(second), scale=lever, source="y_A tan β − x_A − x_A² (1 + tan² β)/(x − x_A)"),
     ]  # fmt: skip
 
 
