@@ -8,8 +8,10 @@ from tests.workbook.machines.test_machine_forces import small
 from workbook.build import build, failing
 from workbook.judging.verify import verify
 from workbook.machines.machine.chain import UNTOLD
-from workbook.reading.descriptions import checked
+from workbook.reading.descriptions import checked, read_machine
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
+from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
 
 PHASES = ((30, 90, 2.0, "CIC"), (180, 200, -2.0, "MTP"))
 MOTOR, REDUCER = committed_motors()[3], committed_reducers()[4]
@@ -95,3 +97,10 @@ def test_the_torque_behind_a_reducer_without_losses_is_what_the_load_asks_for():
     machine = small([driven((90.3, 95.8, 2.0, "CIC"), (180, 200, -2.0, "CIC"), reducer={"ratio": 3.0})])
     value = computed(TEMPLATE, machine)
     assert value("drive1_smax") == pytest.approx(20.0 * value("axes", "a")[0] * 0.01 / 6.283185307179586, rel=1e-12)
+
+
+@pytest.mark.parametrize(("name", "block"), [("machine", "drive1_motor_rated"), ("flying-cutter", "drive_motor_rated")])
+def test_the_figures_in_use_are_printed_before_the_results(name, block):
+    book = TEMPLATES[name].declare(read_machine(FOLDER / f"{name}.toml"))
+    used, result = book.blocks[block], book.blocks[block.replace("motor_rated", "tmax")]
+    assert used.row < result.row <= result.sheet.print_rows
