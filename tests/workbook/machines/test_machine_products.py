@@ -100,7 +100,6 @@ def test_the_torque_behind_a_reducer_without_losses_is_what_the_load_asks_for():
 
 
 @pytest.mark.parametrize(("name", "block"), [("machine", "drive1_motor_rated"), ("flying-cutter", "drive_motor_rated")])
-def test_the_figures_in_use_are_printed_before_the_results(name, block):
-    book = TEMPLATES[name].declare(read_machine(FOLDER / f"{name}.toml"))
-    used, result = book.blocks[block], book.blocks[block.replace("motor_rated", "tmax")]
-    assert used.row < result.row <= result.sheet.print_rows
+def test_the_figures_in_use_are_printed(name, block):
+    used = TEMPLATES[name].declare(read_machine(FOLDER / f"{name}.toml")).blocks[block]
+    assert used.row <= used.sheet.print_rows

@@ -78,7 +78,7 @@ def declared(sheet: Sheet) -> Iterator[Word]:
     ordered = sorted(sheet.blocks, key=lambda block: (block.row, block.column))
     for text in sheet.texts:
         if text.text and text.style in HEADINGS:
-            below = next((b for b in ordered if b.row > text.row), None)
+            below = next((b for b in ordered if b.row > text.row and b.column >= text.column), None)
             if below is not None:
                 yield Word(text, below, f"{text.style} over {below.title or below.quantities[0].label}")
         elif text.text and text.style in ABOVE:
@@ -116,7 +116,10 @@ def place(match: Match, word: Word, offset: int) -> Address:
     block, held = word.block, match.file.places[word.block.name]
     if not word.above:
         return held.cell(0, offset)
-    return Address(held.sheet, held.row + offset, held.cell(0, word.text.column - block.column).column)
+    column = held.cell(0, word.text.column - block.column).column
+    line = [Address(held.sheet, held.row + offset, one) for one in range(held.column, 0, -1)]
+    moved = next((at for at in line if same(match.file.value(at), word.text.text)), None)
+    return moved if moved and word.text.style in HEADINGS else Address(held.sheet, held.row + offset, column)
 
 
 def judge(match: Match, found: Found, others: set[str], report: Report) -> None:

@@ -27,11 +27,11 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
     sheet = book.sheet("Drive", "Motor and reducer on the tool's shaft: what a cycle asks of them.")
     with sheet.scoped("drive_"):
         entries(sheet, view)
-        in_use(sheet, view)
         outcome(sheet, view)
         sheet.checks(*checks(view))
         charts(sheet)
         sheet.row = max(sheet.row, BELOW_CHARTS)
+        in_use(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Workings: the motor's limits in the chart")
         limits_table(sheet, view.corners, "MIN([@pt.dir])<0", falls=True)

@@ -42,14 +42,14 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet = begun(book, driven)
     with sheet.scoped(f"drive{driven.number}_"):
         entries(sheet, driven, page.entries(driven, f"axes.{driven.number - 1}"))
-        sheet.heading("Motor and reducer in use")
-        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *curve_rows(view))
         outcome(sheet, view)
         sheet.checks(*checks(view), *windows_check(view), *(linkage_checks(view) if view.varies else ()),
                      *by_angle.checks(view))  # fmt: skip
         charts(sheet, view)
         page.entered(sheet, driven, sizes.positions)
         tables(sheet, view)
+        sheet.heading("Motor and reducer in use")
+        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *curve_rows(view))
         sheet.not_printed_below()
         workings(sheet, view, page.sizes(driven))
         page.table(sheet, driven, sizes.positions)
