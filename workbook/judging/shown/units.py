@@ -8,10 +8,13 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
-PREFIXED = frozenset("m g s N W J Pa Hz V A bar l rad K sec".split())  # noqa: SIM905
+PREFIXED = frozenset(["m", "g", "s", "N", "W", "J", "Pa", "Hz", "V", "A", "bar", "l", "rad", "K", "sec"])
 """symbols that may have a prefix before them"""
 PREFIXES = frozenset(["", "k", "M", "G", "d", "c", "m", "µ", "μ", "n"])
-OTHERS = frozenset("min h rev ° deg rpm % ‰ °C °F t in inch inches ft mil lb lbf oz hp kp kgf PS".split())  # noqa: SIM905
+OTHERS = frozenset([
+    "min", "h", "rev", "°", "deg", "rpm", "%", "‰", "°C", "°F", "t", "in", "inch", "inches", "ft", "mil", "lb",
+    "lbf", "oz", "hp", "kp", "kgf", "PS",
+])  # fmt: skip
 TURNS = dict.fromkeys((
     "1/min", "min⁻¹", "min-1", "min^-1", "/min", "u/min", "upm", "umdr./min", "r/min", "rev/min", "rpm", "r.p.m.",
     "giri/min", "tr/min", "tr/mn", "cpm", "c/min", "cycles/min", "cycles per minute", "revolutions per minute",
