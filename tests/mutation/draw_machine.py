@@ -9,7 +9,7 @@ from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.laws.registry import FAMILY
 from workbook.machines.machine.entries import Closes
-from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS
+from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.switches.entries import TIMES
 from workbook.machines.machine.time_based import in_units_of
 from workbook.machines.machine.variations import drives, of_shapes
@@ -77,11 +77,11 @@ def times(drawn: random.Random) -> list[dict[str, Any]]:
 
 def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int) -> None:
     """Draw a drive of the same kind: loads that resist or drive, limits far off."""
-    travels = axis["unit"] == "mm"
+    kind, viscous, arm = axis["mechanism"]["kind"], axis["load"]["viscous"], axis["load"]["arm"]
+    travels = axis["unit"] == "mm" or kind in SLIDING
     axis["rate"] = drawn.choice((None, drawn.uniform(5, 600)))
     often = drawn.uniform(0, 1)
     force = drawn.choice((0.0, drawn.uniform(-900, 900)))
-    kind, viscous = axis["mechanism"]["kind"], axis["load"]["viscous"]
     sized = MECHANISMS[kind].SIZE
     axis["mechanism"] |= ({sized: drawn.uniform(2, 300)} if sized else {}) | {
         "efficiency": drawn.uniform(0.3, 1),
@@ -91,6 +91,10 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         axis["mechanism"]["belt_mass"] = drawn.choice((None, drawn.uniform(0, 30)))
     if kind in LINKED:
         linked(axis, drawn, kind, positions)
+    if kind in SLIDING:
+        crank, share = drawn.uniform(5, 200), drawn.choice((0.0, drawn.uniform(-0.8, 0.8)))
+        axis["mechanism"] |= {"crank_radius": crank, "rod_length": crank * drawn.uniform(1.9, 8),
+                              "offset": crank * share or None, "start_angle": drawn.uniform(-400, 400)}  # fmt: skip
     axis["load"] = {
         "mass": drawn.choice((0.0, drawn.uniform(0.1, 80))), "friction": drawn.choice((0.0, often)),
         "slope": drawn.choice((0.0, drawn.uniform(-90, 90))), "force": force,
@@ -98,6 +102,8 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         "inertia": drawn.choice((0.0, 1e4 * often)), "torque": drawn.choice((0.0, force)), "friction_torque": often,
     }  # fmt: skip
     axis["load"]["viscous"] = None if viscous is None else drawn.choice((0.0, drawn.uniform(0, 200)))
+    axis["load"]["arm"] = arm and {"mass": drawn.uniform(0, 50), "radius": drawn.uniform(0, 900),
+                                   "angle": drawn.uniform(-400, 400)}  # fmt: skip
     axis["parts"] = [
         {
             "name": f"part {i}", "count": float(drawn.randint(0, 5)), "shaft": drawn.choice(("motor", "mechanism")),

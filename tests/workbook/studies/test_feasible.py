@@ -52,7 +52,9 @@ def test_what_excludes_a_design_is_what_fails_in_its_book(tmp_path):
             assert not (verdict and found)
 
 
-@pytest.mark.parametrize("template", ["machine", "cutting-machine", "machine-linkages", "machine-seconds"])
+@pytest.mark.parametrize(
+    "template", ["machine", "cutting-machine", "machine-linkages", "crank-press", "machine-seconds"]
+)
 def test_every_check_that_entries_do_not_decide_is_asked_without_a_book(template):
     machine = read_machine(FOLDER / f"{template}.toml")
     kind = TEMPLATES[machine.template]

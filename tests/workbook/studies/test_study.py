@@ -77,7 +77,7 @@ def test_every_result_without_a_book_is_what_the_book_says(tmp_path, changes):
         assert {"drive1_highest", "about_binds", "power_year", "MTP_cj", "axis1.j.1", "timing_cycle"} < set(pairs)
 
 
-@pytest.mark.parametrize("template", ["machine", "machine-linkages"])
+@pytest.mark.parametrize("template", ["machine", "machine-linkages", "crank-press"])
 def test_every_result_of_a_whole_machine_is_what_its_book_says(tmp_path, template):
     data = as_entered(read_machine(TEMPLATES["machine"].description.with_name(f"{template}.toml")))
     data["sizes"] |= SIZES
