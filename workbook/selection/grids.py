@@ -25,11 +25,12 @@ NOTE = (
 def grids(sheet: Sheet, view: Choosing) -> None:
     """Declare what pairs fail or not, what they use of the rated torque, and their peak torques."""
     g = view.grid
-    sheet.not_printed_below()
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
     torque = max(float(g.peak.max()), 1e-3)
     grid(sheet, view, "word", "Which pairs can do it", ("on", "nmax", "peak"), verdict, view.spread(g.verdicts, "–"),
          align="center")  # fmt: skip
+    sheet.print_columns = max(sheet.blocks[-1].columns.values())
+    sheet.not_printed_below()
     grid(sheet, view, "wanted", "What is wanted of a pair", ("on", "jmax"), within,
          view.spread(g.wanted_verdicts, LARGE), align="center")  # fmt: skip
     grid(sheet, view, "share", "RMS torque of the motor over its continuous torque",

@@ -40,7 +40,7 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Q
         uses(sheet, view)
     if axis:
         book.column_names["sel_axes"] = ("sel_drives", "axis")
-    sheet.print_columns = 20
+    sheet.print_columns = max(20, sheet.print_columns)
     return sheet
 
 

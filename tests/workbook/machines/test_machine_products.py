@@ -103,3 +103,12 @@ def test_the_torque_behind_a_reducer_without_losses_is_what_the_load_asks_for():
 def test_the_figures_in_use_are_printed(name, block):
     used = TEMPLATES[name].declare(read_machine(FOLDER / f"{name}.toml")).blocks[block]
     assert used.row <= used.sheet.print_rows
+
+
+@pytest.mark.parametrize("name", ["machine", "flying-cutter"])
+def test_the_table_of_what_each_pair_fails_is_printed_whole(name):
+    blocks = TEMPLATES[name].declare(read_machine(FOLDER / f"{name}.toml")).blocks
+    matrix = [block for called, block in blocks.items() if called.startswith("sel_word")]
+    sheet = matrix[0].sheet
+    assert max(block.row + block.size - 1 for block in matrix) <= sheet.print_rows
+    assert max(max(block.columns.values()) for block in matrix) <= sheet.print_columns
