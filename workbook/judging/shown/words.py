@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from typing import Literal, NamedTuple
 
@@ -55,12 +56,13 @@ def words(match: Match, report: Report) -> list[Found]:
             kind = SHOWN if title.casefold() in titles else NOTICE
             report.say(Address(title, 1, 1), kind, title, sheet.title, "the name of the sheet")
         known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - match.headless]
-        found = list(standing(match, known))
+        found, others = list(standing(match, known)), defaultdict[str, set[str]](set)
+        for word in known:
+            others[word.text.style].add(word.text.text)
         for one in found:
             first = match.file.places[one.word.block.name].cell(0, 0)
             if not first.column or (first.sheet, first.a1) not in misled:  # column 0: the first one is gone
-                others = {word.text.text for word in known if word.text.style == one.word.text.style}
-                judge(match, one, others, report)
+                judge(match, one, others[one.word.text.style], report)
         unnamed(match, sheet, report)
         everything += found
     return everything
