@@ -6,11 +6,13 @@ loads, losses   masses on guides, forces, cylinders; efficiency by the direction
 motor           its limits, derating; torque_curve and falling_peak: its peak torque over the speed
 drive           a motor on a mechanism of constant ratio: torque, speed and power for any motion
 train           a motor, gears and a mechanism of any ratio, and the forces of the process
+curves          forces within a piece as powers and sines
 cycle           a train over a motion, cut into stretches in which nothing changes its formula
 results         peaks, RMS torque and energy of a cycle, exact
 limits          how near a cycle comes to the limits of motor and reducer
 max_rate        the highest rate at which all limits are met, exact
-quadrature      torque and speed at points of a cycle, as the sheets have them; rate_by_points: their highest rate
+quadrature      a load at points of a cycle, as the sheets have it
+drive_points    its motor there; rate_by_points: the highest rate by these points
 dc_bus          power of several drives, on a common DC bus and without one
 lossless        mean squares in closed form, where nothing is lost
 search          extremes and integrals where there is no closed form; piece_rows: many pieces at once

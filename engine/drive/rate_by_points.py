@@ -13,9 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive import Motor
+from engine.drive.drive_points import DrivePoints
 from engine.drive.falling_peak import Falling
 from engine.drive.limits import ReducerLimits
-from engine.drive.quadrature import DrivePoints
 from engine.laws.base import Array
 
 

@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.cycle import DriveCycle, Stretch, position, trimmed
+from engine.drive.curves import position, trimmed
+from engine.drive.cycle import DriveCycle, Stretch
 from engine.drive.search import Function, extremes, integral
 from engine.laws.base import Array
 from engine.laws.ladder import zeros

@@ -1,6 +1,6 @@
 """Many motors behind many reducers on one load, at the points of its cycle: found for all of them at once. SI units.
 
-Each is what :class:`engine.drive.quadrature.DrivePoints` says of it alone.
+Each is what :class:`engine.drive.drive_points.DrivePoints` says of it alone.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.drive.quadrature import TIED
+from engine.drive.drive_points import TIED
 from engine.drive.results import Energies
 from engine.laws.base import Array
 from engine.selection.point_load import Gears, PointLoad
@@ -78,7 +78,7 @@ class DriveBatch:
 
 
 def tops(values: Array, place: Array) -> Array:
-    """Return the largest of each row of values at the points, as :func:`engine.drive.quadrature.peak` finds it.
+    """Return the largest of each row of values at the points, as :func:`engine.drive.drive_points.peak` finds it.
 
     ``place`` is an array of intervals by points, each row of values its points in a line.
     """

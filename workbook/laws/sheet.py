@@ -44,6 +44,19 @@ def laws_sheet(
     stack(sheet, rows, stacked.second_sine)
 
 
+COEFFICIENTS = (
+    ("cv", "velocity coefficient", "C_v"),
+    ("ca_max", "acceleration coefficient", "C_a+"),
+    ("ca_min", "deceleration coefficient", "C_a−"),
+    ("ca_rms", "rms acceleration coefficient", "C_a,rms"),
+    ("cj", "jerk coefficient", "C_j"),
+    ("va_max", "largest v·a", "max(v·a)"),
+    ("va_min", "lowest v·a", "min(v·a)"),
+)
+"""of a law: name, label and symbol of each"""
+ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
+
+
 def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
     """Declare the table of laws: name, coefficients, values at both ends."""
     ends, reaches = meeting(laws) if hands_over else [], [reach(one.law) for one in laws]
@@ -66,13 +79,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
              [one.page.name_entered(one.family.entry, one.entered) for one in laws]),
         constant("no", "number", "", "", [one.number for one in laws]),
         calc("code", "name", "", "", [one.listed for one in laws], [one.name for one in laws]),
-        coefficient("cv", "velocity coefficient", "C_v"),
-        coefficient("ca_max", "acceleration coefficient", "C_a+"),
-        coefficient("ca_min", "deceleration coefficient", "C_a−"),
-        coefficient("ca_rms", "rms acceleration coefficient", "C_a,rms"),
-        coefficient("cj", "jerk coefficient", "C_j"),
-        coefficient("va_max", "largest v·a", "max(v·a)"),
-        coefficient("va_min", "lowest v·a", "min(v·a)"),
+        *(coefficient(*one) for one in COEFFICIENTS),
         calc("start", "velocity it begins with", "", "",
              [one.own(one.page.start) for one in laws], [one.law.start.v for one in laws]),
         calc("v_low", "lowest velocity", "", "",
@@ -80,12 +87,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
              [slowest(one.law) for one in laws], scale=1.0),
         calc("wrong", "step of v the wrong way", "", "",
              [one.own(one.page.wrong) for one in laws], [one.page.stepping(one.law, sizes) for one in laws]),
-        end("s", "position", "first"),
-        end("s", "position", "last"),
-        end("v", "velocity", "first"),
-        end("v", "velocity", "last"),
-        end("a", "acceleration", "first"),
-        end("a", "acceleration", "last"),
+        *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
         *(calc(name, f"{word} position", f"s_{end.lower()}", "",
                [one.own(one.page.reached(end)) for one in laws],
                [one[i] for one in reaches], scale=1.0)
@@ -120,6 +122,45 @@ TRAVELLED = "=[s0]-[s]+SUMPRODUCT([s1:c5]/{1,2,6,12,20,30,42},[d]^{1,2,3,4,5,6,7
 SWUNG2 = "-[ps2]*SIN([omega2]*[d]+[phi2])"
 
 
+POWERS = ("constant", "slope", "quadratic", "cubic", "quartic", "quintic")
+"""what the coefficients of a piece's acceleration are called"""
+
+
+def amplitudes(rows: list[Row], second: bool) -> list[Quantity]:
+    """Return the amplitudes of the sines in position, velocity and jerk."""
+    first = [
+        ("ps", "sine of position", "P/ω²", "=IF([omega]>0,[P]/[omega]^2,0)"),
+        ("pv", "cosine of velocity", "P/ω", "=IF([omega]>0,[P]/[omega],0)"),
+        ("pj", "cosine of jerk", "P ω", "=[P]*[omega]"),
+    ]
+    other = [
+        ("pj2", "second cosine of jerk", "P₂ ω₂", "=[P2]*[omega2]"),
+        ("ps2", "second sine of position", "P₂/ω₂²", "=IF([omega2]>0,[P2]/[omega2]^2,0)"),
+        ("pv2", "second cosine of velocity", "P₂/ω₂", "=IF([omega2]>0,[P2]/[omega2],0)"),
+    ]
+    return [
+        calc(name, label, symbol, "", formula, [getattr(row, name) for row in rows])
+        for name, label, symbol, formula in (*first, *(other if second else []))
+    ]
+
+
+def carried(rows: list[Row], second: bool) -> list[Quantity]:
+    """Return velocity and position with which each piece begins, and what it adds to them."""
+    gained, travelled = (one + more if second else one for one, more in ((GAINED, TURNED2), (TRAVELLED, SWUNG2)))
+
+    def column(name: str) -> list[float]:
+        return [getattr(row, name) for row in rows]
+
+    return [
+        calc("v", "velocity carried", "v_k", "",
+             "=IF([k]=1,INDEX(law_start,[number]),[v-1]+[dv-1])", column("v"), source="v + ∫a of the piece before"),
+        calc("dv", "gain of velocity", "Δv", "", gained, column("dv"), source="∫a over the piece"),
+        calc("s", "position carried", "s_k", "",
+             "=IF([k]=1,0,[s-1]+[ds-1])", column("s"), source="s + ∫v of the piece before"),
+        calc("ds", "gain of position", "Δs", "", travelled, column("ds"), scale=RISE, source="∫v over the piece"),
+    ]  # fmt: skip
+
+
 def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
     """Declare the stacked pieces: entries taken from the laws' pages, position and velocity carried on.
 
@@ -148,12 +189,7 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
              both("=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])"), column("s0"), source="s_k + P/ω² sin φ"),
         calc("s1", "slope of position", "S1", "",
              both("=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])"), column("s1"), source="v_k + P/ω cos φ"),
-        entry("c0", "constant", "c0"),
-        entry("c1", "slope", "c1"),
-        entry("c2", "quadratic", "c2"),
-        entry("c3", "cubic", "c3"),
-        entry("c4", "quartic", "c4"),
-        entry("c5", "quintic", "c5"),
+        *(entry(f"c{power}", label, f"c{power}") for power, label in enumerate(POWERS)),
         entry("P", "amplitude", "P"),
         entry("omega", "frequency", "ω"),
         entry("phi", "phase", "φ"),
@@ -163,22 +199,8 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
             entry("phi2", "its phase", "φ₂"),
         ),
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", column("xi")),
-        calc("ps", "sine of position", "P/ω²", "", "=IF([omega]>0,[P]/[omega]^2,0)", column("ps")),
-        calc("pv", "cosine of velocity", "P/ω", "", "=IF([omega]>0,[P]/[omega],0)", column("pv")),
-        calc("pj", "cosine of jerk", "P ω", "", "=[P]*[omega]", column("pj")),
-        *only(
-            calc("pj2", "second cosine of jerk", "P₂ ω₂", "", "=[P2]*[omega2]", column("pj2")),
-            calc("ps2", "second sine of position", "P₂/ω₂²", "", "=IF([omega2]>0,[P2]/[omega2]^2,0)", column("ps2")),
-            calc("pv2", "second cosine of velocity", "P₂/ω₂", "", "=IF([omega2]>0,[P2]/[omega2],0)", column("pv2")),
-        ),
-        calc("v", "velocity carried", "v_k", "",
-             "=IF([k]=1,INDEX(law_start,[number]),[v-1]+[dv-1])", column("v"), source="v + ∫a of the piece before"),
-        calc("dv", "gain of velocity", "Δv", "", both(GAINED, TURNED2), column("dv"), source="∫a over the piece"),
-        calc("s", "position carried", "s_k", "",
-             "=IF([k]=1,0,[s-1]+[ds-1])", column("s"), source="s + ∫v of the piece before"),
-        calc("ds", "gain of position", "Δs", "",
-             both(TRAVELLED, SWUNG2),
-             column("ds"), scale=RISE, source="∫v over the piece"),
+        *amplitudes(rows, second),
+        *carried(rows, second),
         calc("key", "key", "", "",
              "=2*[number]+MIN(1,MAX(0,[xi]))", column("key"), source="2 · number + ξ_k, within its law"),
     )  # fmt: skip

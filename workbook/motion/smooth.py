@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -41,16 +40,6 @@ class Told(NamedTuple):
     slopes: tuple[float, ...] = ()
     lines: str = ""
     says: str = ""
-
-
-def ended(n: int, joint: Joint) -> float:
-    """Return the n-th derivative at the end of what lasts up to a joint."""
-    return joint.end[n - 1]
-
-
-def jumped(n: int, joint: Joint) -> float:
-    """Return the jump of the n-th derivative at a joint."""
-    return joint.jump[n - 1]
 
 
 class Joints:
@@ -105,6 +94,10 @@ class Joints:
 
     def _of(self, figure: Callable[[Joint], Any], spare: Any, room: int) -> list[Any]:
         return filled((figure(joint) for joint in self.found), room, spare)
+
+    def _each(self, name: str, n: int, spare: float, room: int) -> list[float]:
+        """Return the ends or jumps of the n-th derivative at the joints."""
+        return filled((getattr(joint, name)[n - 1] for joint in self.found), room, spare)
 
     def _lasting(self, room: int) -> list[Quantity]:
         """Return which pieces last, and which phases meet where they begin."""
@@ -165,7 +158,7 @@ class Joints:
                    source="at its begin") for n, (name, word) in enumerate(names, 1)),
             *(calc(f"{name}1", f"{word} reached", "", "",
                    f"=IF([d]>0,{at_place(rows, n, '1', '[r]')},IF([r]=1,0,[{name}1-1]))",
-                   self._of(partial(ended, n), last.end[n - 1], room), scale=self._scales[n - 1], source="at its end")
+                   self._each("end", n, last.end[n - 1], room), scale=self._scales[n - 1], source="at its end")
               for n, (name, word) in enumerate(names, 1)),
         ]  # fmt: skip
 
@@ -180,7 +173,7 @@ class Joints:
 
         return [
             *(calc(f"d{name}", f"jump of {word}", f"Δy{mark}", "", f"=IF([d]>0,[{name}0]-{before(name)},0)",
-                   self._of(partial(jumped, n), 0.0, room), scale=self._scales[n - 1], source="at its begin")
+                   self._each("jump", n, 0.0, room), scale=self._scales[n - 1], source="at its begin")
               for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, marks, strict=True), 1)),
             calc("order", "what jumps", "", "", self._order(), self._of(lambda joint: joint.order, 0, room),
                  format="0", source="1 y', 2 y'', 3 y" "'''"),

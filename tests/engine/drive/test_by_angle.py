@@ -9,9 +9,10 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Motor, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
+from engine.drive.drive_points import DrivePoints
 from engine.drive.limits import Judged, Limits
 from engine.drive.mechanisms.by_angle import Arm, PressCrank
-from engine.drive.quadrature import Cycle, DrivePoints
+from engine.drive.quadrature import Cycle
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
 from engine.laws import Dwell, law

@@ -9,7 +9,7 @@ import pytest
 
 from engine.drive import Load
 from engine.drive.cycle import DriveCycle, MotionPieces
-from engine.drive.quadrature import DrivePoints
+from engine.drive.drive_points import DrivePoints
 from engine.drive.results import DriveResults
 from engine.flying import Cut, flying_saw, rotary_drum
 from engine.flying.pieces import cut_pieces

@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from engine.drive.drive_points import DrivePoints, peak
 from engine.drive.falling_peak import Falling
-from engine.drive.quadrature import Cycle, DrivePoints, peak
+from engine.drive.quadrature import Cycle
 from engine.motion.pieces import motion_pieces
 from engine.selection.batch import DriveBatch, Limits, tops
 from engine.selection.point_load import Gears, PointLoad

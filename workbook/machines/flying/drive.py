@@ -189,9 +189,21 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
     )  # fmt: skip
 
 
+def motor(view: ToolDrive) -> list[Quantity]:
+    """Return speed and torque of the motor at the points."""
+    drive, of = view.points, view.by_point
+    return [
+        result("n", "speed of the motor", "n", "rpm", "=@i*[w]*30/PI()", of(shown(drive.speed, RPM)),
+               scale=shown(view.speed, RPM), source="ω_L/τ"),
+        result("T", "torque of the motor", "T", "Nm",
+               "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]+@no_load*[dir]", of(drive.torque),
+               scale=view.motor_torque, source="τ T*/η + J ω̇/τ ± T_nl; τ T* η where the load drives"),
+    ]  # fmt: skip
+
+
 def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare tool, shaft and motor at the points of each interval."""
-    load, drive, of, room = view.load, view.points, view.by_point, view.machine.room
+    load, of, room = view.load, view.by_point, view.machine.room
     scale, numbers = view.machine.scales, list(range(room))
     pieces = filled([piece for piece in rows.pieces for _ in SHARES], room * COUNT, rows.pieces[-1])
     u = np.array(of(load.place - np.array([[piece.origin] for piece in rows.pieces])))
@@ -220,11 +232,7 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
              scale=view.before.shaft.turning),
         calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.behind), scale=view.torque,
              source="T_L + J_L ω̇_L"),
-        result("n", "speed of the motor", "n", "rpm", "=@i*[w]*30/PI()", of(shown(drive.speed, RPM)),
-               scale=shown(view.speed, RPM), source="ω_L/τ"),
-        result("T", "torque of the motor", "T", "Nm",
-               "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]+@no_load*[dir]", of(drive.torque),
-               scale=view.motor_torque, source="τ T*/η + J ω̇/τ ± T_nl; τ T* η where the load drives"),
+        *motor(view),
         calc("share", "share of the cycle", "", "",
              "=[g]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/fly_tc", of(load.share, 0.0), scale=1.0,
              source="what it counts in a mean"),

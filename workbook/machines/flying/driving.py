@@ -6,9 +6,10 @@ from functools import cached_property
 
 import numpy as np
 
+from engine.drive.drive_points import DrivePoints
 from engine.drive.falling_peak import Falling
 from engine.drive.motor import Corners, Motor, Reserve, reserve
-from engine.drive.quadrature import DrivePoints, LoadPoints
+from engine.drive.quadrature import LoadPoints
 from engine.flying.points import CutCycle, cycle_of, furthest, train_of
 from engine.laws.base import Array
 from engine.selection.pair_matrix import Pair

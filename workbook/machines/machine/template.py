@@ -29,6 +29,7 @@ from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import rates, truths
+from workbook.machines.machine.from_names import fixed, laid_out
 from workbook.machines.machine.motion.tables import AxisRows, pieces_sheet
 from workbook.machines.machine.power.sheet import power_sheet, supply
 from workbook.machines.machine.power.view import Mains
@@ -40,7 +41,7 @@ from workbook.machines.machine.timing.cycle import cycle_sheets, exportable
 from workbook.machines.machine.timing.sheet import positions, timing_sheet
 from workbook.machines.machine.timing.sheet import rates as units_of_rates
 from workbook.machines.machine.variations import variants
-from workbook.machines.machine.view import MovingAxis, Whole, fixed, laid_out
+from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import export_sheet
 from workbook.selection.catalogue_sheet import catalogue_sheet
 from workbook.selection.choosing import Choosing

@@ -206,6 +206,21 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         crank = 20.0 + 9 * k + i
         axis["mechanism"] |= {"crank_radius": crank, "rod_length": crank * (5.0 - 0.5 * k), "start_angle": 50.0 * k,
                               "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3]}  # fmt: skip
+    load(axis, i, k, travels)
+    axis["parts"] = parts(k, sizes["rotors"])
+    axis["reducer"] = {
+        "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
+        "ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX), "inertia": 1.0 * k,
+        "no_load_torque": 0.07 * ((i + k) % 3),
+        "peak_torque": (None, 1e-3, 1e6)[k % 3], "mean_torque": (1e-3, 1e6, None)[k % 3],
+        "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
+    }  # fmt: skip
+    motor(axis["motor"], i, k)
+    axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
+
+
+def load(axis: dict[str, Any], i: int, k: int, travels: bool) -> None:
+    """Give an axis another load, of what travels or of what turns."""
     viscous = None if axis["load"]["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k]
     arm = axis["load"]["arm"] and {"mass": 4.0 * k, "radius": 90.0 + 70.0 * i, "angle": 77.0 * k - 90.0}
     axis["load"] = {
@@ -216,7 +231,11 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         "windows": forces(i, k, 6.0),
     }  # fmt: skip
     axis["load"] |= {"viscous": viscous, "arm": arm}
-    axis["parts"] = [
+
+
+def parts(k: int, room: int) -> list[dict[str, Any]]:
+    """Return parts on the motor's shaft and on the mechanism's, by inertia or as cylinders; once ``room`` of them."""
+    return [
         {
             "name": f"part {j + 1}",
             "count": 1.0 + j,
@@ -228,27 +247,21 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
             "shaft": ("motor", "mechanism")[(j + k) % 2],
             **({"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}),
         }
-        for j in range(sizes["rotors"] if k == 0 else k % 3)
+        for j in range(room if k == 0 else k % 3)
     ]
-    axis["reducer"] = {
-        "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
-        "ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX), "inertia": 1.0 * k,
-        "no_load_torque": 0.07 * ((i + k) % 3),
-        "peak_torque": (None, 1e-3, 1e6)[k % 3], "mean_torque": (1e-3, 1e6, None)[k % 3],
-        "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
-    }  # fmt: skip
+
+
+def motor(entries: dict[str, Any], i: int, k: int) -> None:
+    """Give an axis another motor, whose limits are far or near."""
     limits = ("rated_torque", "peak_torque", "max_speed")
-    axis["motor"] |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
-    axis["motor"] |= {"inertia": 0.0 if k == 4 else 10.0 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor"}
-    axis["motor"] |= {
+    entries |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
+    entries |= {
+        "inertia": 0.0 if k == 4 else 10.0 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor",
         "temperature": (None, 35.0, 20.0, 90.5, None, 60.0)[(i + k) % SIX], "rated_at": 25.0 + k, "limit": 150.0 + k,
-    }  # fmt: skip
-    axis["motor"] |= {
-        "stall_torque": axis["motor"]["rated_torque"] * 1.6 if (i + k) % 2 else None,
-        "rated_speed": axis["motor"]["max_speed"] * 0.4 if (i + k) % 4 else None,
+        "stall_torque": entries["rated_torque"] * 1.6 if (i + k) % 2 else None,
+        "rated_speed": entries["max_speed"] * 0.4 if (i + k) % 4 else None,
         "copper_losses": (None, 2e-5, 30.0)[(i + k) % 3],
     }  # fmt: skip
-    axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 
 
 def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:

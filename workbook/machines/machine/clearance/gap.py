@@ -14,8 +14,8 @@ from workbook.entries.texts import place_of
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.clearance.entries import ClearanceEntry
+from workbook.machines.machine.from_names import clearance_name
 from workbook.machines.machine.motion.tables import AxisRows
-from workbook.machines.machine.view import clearance_name
 
 PARTS = 2
 """parts into which each piece of a motion is cut"""

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from engine.drive.quadrature import COUNT, Peak, peak
+from engine.drive.drive_points import Peak, peak
+from engine.drive.quadrature import COUNT
 from engine.laws.base import Array
 from workbook.book.declare import Sheet, calc, constant
 from workbook.entries.units import DEGREE, KW, RPM, shown

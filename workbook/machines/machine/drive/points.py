@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.quadrature import COUNT, DrivePoints, LoadPoints
+from engine.drive.drive_points import DrivePoints
+from engine.drive.quadrature import COUNT, LoadPoints
 from engine.drive.rate_by_points import falling_use
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST, NOT_ZERO

@@ -22,9 +22,9 @@ from workbook.machines.machine.drive.reach import back_check, reach_check, reach
 from workbook.machines.machine.drive.samples import samples_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.windows import windows_check, windows_table
+from workbook.machines.machine.from_names import kind_name
 from workbook.machines.machine.mechanism import BELTED, SCREWS, UNSIZED
 from workbook.machines.machine.selection import in_use
-from workbook.machines.machine.view import kind_name
 
 CHART_COLUMN = 10
 MACHINES, OWN = "the machine's rate", "a rate of its own"

@@ -9,10 +9,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from engine.drive.drive_points import Between, DrivePoints, between
 from engine.drive.limits import Judged, Limits
 from engine.drive.max_rate import highest_rate
 from engine.drive.motor import LimitCheck, Reserve, reserve
-from engine.drive.quadrature import COUNT, Between, Cycle, DrivePoints, Interval, LoadPoints, between
+from engine.drive.quadrature import COUNT, Cycle, Interval, LoadPoints
 from engine.drive.rate_by_points import Share, shares
 from engine.laws.base import Array
 from workbook.book.rows import filled

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -14,17 +14,15 @@ from engine.drive.falling_peak import Falling
 from engine.drive.motor import continuous
 from engine.drive.results import Energies
 from engine.laws.base import Array
-from engine.selection.batch import DriveBatch, Extremes, Limits, mean_power
-from engine.selection.point_load import Gears, PointLoad, shares_of
+from engine.selection.batch import DriveBatch, Extremes, Limits
+from engine.selection.point_load import Gears, PointLoad
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
-from workbook.entries.units import KG_CM2, KW, PER_MINUTE, RPM, shown, si
+from workbook.entries.units import PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive.behind import load_of
-from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, with_motor
 from workbook.machines.machine.entries import AnyMachine, Axis
-from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.selection.in_use import (
     MotorInUse,
@@ -178,7 +176,7 @@ class Studied:
     def within(self, limit: str, value: Any) -> Any:
         """Return whether what is asked of the reducer is within its limit, 0 for none."""
         limits = self.reducers_used[limit]
-        return told((limits == 0.0) | (value <= limits))
+        return in_words((limits == 0.0) | (value <= limits))
 
     def pair(self, figure: str) -> Array:
         """Return mass or cost of motor and reducer together."""
@@ -234,90 +232,7 @@ class Studied:
     def below_curve(self) -> Any:
         """Whether torques stay below the motor's curve; of a curve that the book does not know they do not."""
         level = self.motors_used["fall"] == 0.0
-        return told(level | (self.extremes.spare >= 0.0) if self.products.knows_falling else level)
-
-    @property
-    def results(self) -> dict[str, Callable[[], Any]]:
-        """All of them by name, each worked out when it is called."""
-        each = self._asked | self._products
-        return {f"drive{self.axis.number}_{name}": value for name, value in each.items()}
-
-    @property
-    def checks(self) -> dict[str, Callable[[], Any]]:
-        """The checks of its sheet that entries do not decide."""
-        return {f"drive{self.axis.number}_{name}": value for name, value in self._checks.items()}
-
-    @property
-    def _asked(self) -> dict[str, Callable[[], Any]]:
-        """What the cycle asks of motors and reducers."""
-        motor = self.motors_used.__getitem__
-        found: dict[str, Callable[[], Any]] = {
-            "rate": lambda: self.rates.each,
-            "jtot": lambda: shown(self.at_motor, KG_CM2),
-            "inertias": lambda: shares_of(self.at_motor, motor("inertia")),
-            "tmax": lambda: self.extremes.torque,
-            "tmin": lambda: self.extremes.torque_low,
-            "rms": lambda: self.rms,
-            "speed": lambda: self.speed,
-            "mean": lambda: self.mean,
-            "continuous": lambda: self.continuous,
-            "res_rms": lambda: shares_of(self.continuous, self.rms),
-            "res_peak": lambda: shares_of(motor("peak_torque"), self.extremes.peak),
-            "res_speed": lambda: shares_of(motor("max_speed"), self.speed),
-            "smax": lambda: self.behind,
-            "smean": lambda: self.mean_behind,
-            "energy": lambda: self.works.driving,
-            "returned": lambda: self.works.regenerated,
-            "power": lambda: shown(mean_power(self.works, self.time), KW),
-            "pmax": lambda: shown(np.maximum(0.0, self.extremes.power), KW),
-            "pmin": lambda: shown(np.minimum(0.0, self.extremes.power_low), KW),
-            "highest": lambda: self.highest,
-            "binds": lambda: self.binds,
-        }
-        return found | ({"spare": lambda: self.extremes.spare} if self.products.knows_falling else {})
-
-    @property
-    def _products(self) -> dict[str, Callable[[], Any]]:
-        """The figures of motors and reducers themselves."""
-        motor = {"motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
-                 "motor_nmax": "max_speed", "motor_stall": "stall_torque", "motor_nn": "rated_speed"}  # fmt: skip
-        reducer = {"reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia",
-                   "no_load": "no_load_torque",
-                   "reducer_peak": "peak_torque", "reducer_mean": "mean_torque",
-                   "reducer_nmax": "max_speed"}  # fmt: skip
-        found: dict[str, Callable[[], Any]] = {}
-        for name, figure in motor.items():
-            found[name] = partial(self._figure, "motors_used", figure)
-        for name, figure in reducer.items():
-            found[name] = partial(self._figure, "reducers_used", figure)
-        for figure in WEIGHED:
-            found[f"motor_{figure}"] = partial(self._figure, "motors_used", figure)
-            found[f"reducer_{figure}"] = partial(self._figure, "reducers_used", figure)
-            found[f"pair_{figure}"] = partial(self.pair, figure)
-        return found
-
-    def _figure(self, products: str, figure: str) -> Array:
-        """Return a figure of the motors or the reducers in use."""
-        found: dict[str, Array] = getattr(self, products)
-        return found[figure]
-
-    @property
-    def _checks(self) -> dict[str, Callable[[], Any]]:
-        """The checks of the drive's sheet."""
-        motor = self.motors_used.__getitem__
-        linked = self.axis.given.mechanism and self.axis.given.mechanism.kind in LINKED
-        closes = {"ok_back": lambda: told(self.axis.motion.closes)} if linked else {}
-        if self.bases[0].driven.by_angle:
-            closes["ok_turns"] = lambda: told(ends_in_place(self.bases[0].driven))
-        return closes | {
-            "ok_rms": lambda: told(self.rms <= self.continuous),
-            "ok_peak": lambda: told(self.extremes.peak <= motor("peak_torque")),
-            "ok_speed": lambda: told(self.speed <= motor("max_speed")),
-            "ok_curve": lambda: self.below_curve,
-            "ok_reducer_peak": lambda: self.within("peak_torque", self.behind),
-            "ok_reducer_mean": lambda: self.within("mean_torque", self.mean_behind),
-            "ok_reducer_speed": lambda: self.within("max_speed", self.speed),
-        }
+        return in_words(level | (self.extremes.spare >= 0.0) if self.products.knows_falling else level)
 
 
 def figures(
@@ -348,6 +263,6 @@ def speed_of(rate: float) -> float:
     return shaft_speed(si(rate, PER_MINUTE))
 
 
-def told(ok: Any) -> Any:
+def in_words(ok: Any) -> Any:
     """Return verdicts in words."""
     return np.where(ok, OK, FAIL)

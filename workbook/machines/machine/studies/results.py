@@ -23,7 +23,8 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.power.sheet import KWH
 from workbook.machines.machine.power.view import Mains
-from workbook.machines.machine.studies.drives import ONE, Studied, told
+from workbook.machines.machine.studies import drive_results
+from workbook.machines.machine.studies.drives import ONE, Studied, in_words
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling, Worked
 from workbook.selection.choosing import Choosing
@@ -56,8 +57,8 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         checks |= checks_of_axis(axis, rows)
         if axis.given.mechanism and axis.given.motor:
             drives.append(Studied(axis, machine, columns, partial(rows.of, axis.number)))
-            found |= drives[-1].results
-            checks |= drives[-1].checks
+            found |= drive_results.results(drives[-1])
+            checks |= drive_results.checks(drives[-1])
     for k in range(1, len(machine.clearances) + 1):
         found |= of_clearance(rows, k)
         checks[f"clear{k}_kept"] = partial(kept, rows, k)
@@ -142,9 +143,9 @@ def checks_of_axis(axis: MovingAxis, rows: Rows) -> Worked:
     """Return the checks of an axis alone that its entries do not decide."""
     i, given = axis.number, axis.given
     found: Worked = {
-        f"axis{i}_position": lambda: told(axis.motion.complete),
-        f"axis{i}_smooth": lambda: told(not shortfalls(axis.motion, given.smoothness, given.repeats)),
-        f"axis{i}_closes": lambda: told(axis.axis.closes),
+        f"axis{i}_position": lambda: in_words(axis.motion.complete),
+        f"axis{i}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),
+        f"axis{i}_closes": lambda: in_words(axis.axis.closes),
     }
     ends = rows.of(i).ends if rows.hands_over else None
     return found | ({q.name: partial(np.array, q.value) for q in ends.checks(f"axis{i}", "")} if ends else {})
@@ -170,7 +171,7 @@ def of_clearance(rows: Rows, k: int) -> Worked:
 
 def kept(rows: Rows, k: int) -> Any:
     """Return whether the gap of a clearance is left."""
-    return told(rows.apart[k - 1].kept)
+    return in_words(rows.apart[k - 1].kept)
 
 
 def checks_of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
@@ -188,7 +189,7 @@ def bus_fine(machine: AnyMachine, drives: list[Studied]) -> Any:
     for design in dict.fromkeys(designs):
         views = [one.views[own] for one, own in zip(drives, design, strict=True)]
         fine[design] = Mains(views, machine.power).fine
-    return told(np.array([fine[design] for design in designs]))
+    return in_words(np.array([fine[design] for design in designs]))
 
 
 def lined(designs: list[list[Any]]) -> list[list[Any]]:
@@ -200,7 +201,7 @@ def lined(designs: list[list[Any]]) -> list[list[Any]]:
 def choice_found(machine: AnyMachine, drive: Studied) -> Any:
     """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
     each = [Choosing(machine.selection, machine.sizes, [shaft_of(base)]).proposed is not None for base in drive.bases]
-    return told(np.array(each)[drive.rates.places])
+    return in_words(np.array(each)[drive.rates.places])
 
 
 def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:

@@ -6,10 +6,11 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.abscissa import TAKEN, in_unit
 from workbook.entries.units import shown
+from workbook.machines.machine.from_names import unit_name
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.switches.view import named
 from workbook.machines.machine.timing.phases import axis_checks, phases_table
-from workbook.machines.machine.view import MovingAxis, Whole, unit_name
+from workbook.machines.machine.view import MovingAxis, Whole
 
 LANE_SHARE = 0.8
 PHASE, PHASE_MEASURED, PASSING = 13, 12, 4

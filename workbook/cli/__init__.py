@@ -1,0 +1,65 @@
+"""The command ``motionbook``: what can be asked of it. What is done stands in :mod:`workbook.commands`.
+
+A command's module is loaded when it is called, so that help and a wrong option are told at once.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from typer.exceptions import TyperException
+
+from workbook.cli import books, cams, tools
+from workbook.cli.application import app
+from workbook.errors import MotionbookError
+from workbook.exits import AGREES, UNREADABLE
+from workbook.reports.terminal import ERR, lasting, say
+
+__all__ = ["app", "books", "cams", "main", "tools"]
+
+
+def main() -> None:
+    """Run the command; what the file or the engineer can mend is said in lines, without a traceback.
+
+    A terminal that takes no more, as ``| head -1`` leaves one, does not change the exit code; a file that is full does.
+    """
+    with lasting() as faults:
+        code = ran()
+        fault = faults().out
+        if fault is not None and not isinstance(fault, BrokenPipeError):
+            say(ERR, f"what was to be printed could not be written: {fault.strerror}", "red")
+            code = UNREADABLE
+    sys.exit(code)
+
+
+def ran() -> int:
+    """Return the exit code of the command, its faults told."""
+    try:
+        return int(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped
+    except TyperException as error:
+        say(ERR, f"{error.format_message()} See --help.", "red")
+    except MotionbookError as error:
+        for line in str(error).splitlines():
+            say(ERR, line, "red")
+    except Exception as error:  # to whoever runs it, a fault of ours is no verdict either
+        if sys.flags.dev_mode:
+            raise
+        say(ERR, fault_of(error), "red")
+    return UNREADABLE
+
+
+def fault_of(error: Exception) -> str:
+    """Return a line about what nobody has foreseen, or about a folder that was removed while one is in it."""
+    if isinstance(error, FileNotFoundError) and not here_is_a_folder():
+        return "the folder in which this runs is no longer there; go to another one"
+    said = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
+    return f"motionbook failed inside ({said[:200]}); please report this"
+
+
+def here_is_a_folder() -> bool:
+    """Whether the folder in which this runs is there."""
+    try:
+        return Path.cwd().is_dir()
+    except OSError:
+        return False

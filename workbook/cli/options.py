@@ -1,0 +1,78 @@
+"""Arguments and options that several commands have."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from workbook.controllers.names import TARGETS
+from workbook.witnesses.names import ALL, NAMES
+
+
+def to(metavar: str, words: str) -> Any:
+    """Return the option that names an output file."""
+    return typer.Option("-o", "--output", metavar=metavar, help=words)
+
+
+def report_to(option: str, metavar: str, words: str) -> Any:
+    """Return the option that names a report's file."""
+    return typer.Option(option, metavar=metavar, help=words)
+
+
+def catalogue(metavar: str, words: str) -> Any:
+    """Return the option that names a catalogue; the name of its parameter is the option's."""
+    return typer.Option(metavar=metavar, help=words)
+
+
+def witness_named(name: str) -> str:
+    """Return the name of a witness; raise BadParameter where there is none of that name."""
+    if name not in (*NAMES, ALL):
+        raise typer.BadParameter(f"no witness is named {name!r}; expected one of {', '.join((*NAMES, ALL))}")
+    return name
+
+
+def named_place(name: str) -> Path:
+    """Return the file or folder of a name; raise BadParameter for an empty one, which Python takes for this folder."""
+    if not name:
+        raise typer.BadParameter("the name is empty; expected that of a workbook or a folder")
+    return Path(name)
+
+
+Machine = Annotated[
+    Path | None,
+    typer.Argument(metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named."),
+]
+Book = Annotated[Path, typer.Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
+Books = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="BOOK|FOLDER...", parser=named_place, help="Workbooks built by motionbook, or folders of them."
+    ),
+]
+Force = Annotated[bool, typer.Option("--force", help="Replace the output file if it exists.")]
+Json = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table.")]
+With = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--with",
+        metavar="|".join((*NAMES, ALL)),
+        parser=witness_named,
+        help="Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that are "
+        "on this machine.",
+    ),
+]
+Scheduler = Annotated[
+    str | None,
+    typer.Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
+]
+Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")]
+Of = Annotated[
+    str, typer.Option(metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft.")
+]
+Fresh = Annotated[
+    bool, typer.Option("--fresh", help="Verify the book again, also where these bytes were verified before.")
+]
+Source = Annotated[str, typer.Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
+CamFile = Annotated[Path, typer.Argument(metavar="FILE", help="A controller's cam table.")]
