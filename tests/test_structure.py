@@ -1,5 +1,6 @@
-"""The house keeps its rules: lines can be read."""
+"""Lines, functions and files are short enough to be read."""
 
+import ast
 import subprocess
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 LONGEST = 120
+FUNCTION, FILE = 50, 330  # lines
 
 
 def named(path: Path) -> str:
@@ -27,3 +29,22 @@ def test_no_line_is_too_long() -> None:
     lines = ((path, n, line) for path in tracked() for n, line in enumerate(path.read_text("utf-8").splitlines(), 1))
     found = [f"{named(path)}:{n}: {len(line)} characters" for path, n, line in lines if len(line) > LONGEST]
     assert not found, "\n".join(found)
+
+
+def sources() -> list[Path]:
+    return [path for path in tracked() if path.relative_to(ROOT).parts[0] in ("engine", "workbook")]
+
+
+def test_no_function_is_too_long() -> None:
+    found = [
+        f"{named(path)}: {one.name} has {lines} lines"
+        for path in sources()
+        for one in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(one, ast.FunctionDef) and (lines := (one.end_lineno or 0) - one.lineno + 1) > FUNCTION
+    ]
+    assert not found, "\n".join(found)
+
+
+def test_no_file_is_too_long() -> None:
+    lines = {named(path): len(path.read_text("utf-8").splitlines()) for path in sources()}
+    assert {name: count for name, count in lines.items() if count > FILE} == {}

@@ -9,7 +9,8 @@ from typing import Protocol
 
 import workbook
 from workbook.book.checks import NONE, failing, mended
-from workbook.book.declare import FIRST, TITLES, Book, Quantity, Sheet, Text, calc, constant, given
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given
+from workbook.book.sheet import TITLES
 
 TITLE = "Summary"
 SOURCES = {

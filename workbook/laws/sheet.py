@@ -162,10 +162,7 @@ def carried(rows: list[Row], second: bool) -> list[Quantity]:
 
 
 def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
-    """Declare the stacked pieces: entries taken from the laws' pages, position and velocity carried on.
-
-    ``second`` says whether they have the columns of a second sine.
-    """
+    """Declare the stacked pieces, entries taken from the laws' pages; ``second`` adds the columns of a second sine."""
 
     def column(name: str) -> list[Any]:
         return [getattr(row, name) for row in rows]

@@ -1,0 +1,299 @@
+"""A sheet as it is laid out: texts, rows, tables, checks and charts, each below the last."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple
+
+from workbook.book.block import Block
+from workbook.book.chart import Chart, in_scope
+from workbook.book.limits import (
+    MESSAGES,
+    SPARE,
+    USED,
+    Guard,
+    Limit,
+    RowRule,
+    all_empty,
+    beside,
+    full,
+    of_cells,
+    of_rows,
+)
+from workbook.book.quantity import Quantity, sentence
+from workbook.book.rows import as_rows
+
+if TYPE_CHECKING:
+    from workbook.book.declare import Book
+
+
+class Text(NamedTuple):
+    """A label on the sheet, with the style it takes; ``link`` names a sheet to jump to."""
+
+    row: int
+    column: int
+    text: str
+    style: str
+    link: str = ""
+
+
+LONG = 40
+"""rows of a table that is not printed below others, and of which a page is printed where it stands alone"""
+TITLES = 3
+"""rows of a sheet's title, purpose and overall verdict"""
+DEEPEST = 14
+"""a table that begins farther down than this is not alone on its sheet"""
+MOST_COLUMNS = 40
+"""of a sheet"""
+FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
+
+
+@dataclass
+class Sheet:
+    """A sheet as it is laid out: each call places the next thing below the last one."""
+
+    book: Book
+    title: str
+    purpose: str
+    row: int = 5
+    texts: list[Text] = field(default_factory=list)
+    blocks: list[Block] = field(default_factory=list)
+    charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
+    print_columns: int = 0
+    print_rows: int = 0
+    folded: int = 0
+    """the column from which on there are workings alone: an outline of them is folded"""
+    unprinted: bool = False
+    """whether it is for the screen alone: its print area is an empty cell"""
+    one_page: bool = False
+    portrait: bool = False
+    widths: dict[int, float] = field(default_factory=dict)
+    """of columns that differ from those of other sheets"""
+    scope: str = ""
+    messages: list[tuple[Block, tuple[Quantity, ...]]] = field(default_factory=list)
+    """of tables of inputs: what is expected of each entry"""
+    section: int = 0
+    """row of the heading above"""
+    called: str = ""
+    """what its checks begin with, if not with its title; on the sheet itself they go without"""
+
+    @property
+    def head(self) -> int:
+        """The last row that stays in sight and stands on each printed page: that of a long table's heads over it."""
+        top = next(iter(self.blocks), None)
+        return top.row - 1 if top and top.size > LONG and top.row <= DEEPEST else TITLES
+
+    @contextmanager
+    def scoped(self, scope: str) -> Iterator[None]:
+        """Let ``@`` stand for ``scope`` in the names and formulas of what is placed meanwhile."""
+        before, self.scope = self.scope, scope
+        try:
+            yield
+        finally:
+            self.scope = before
+
+    def not_printed_below(self) -> None:
+        """End what is printed above the next thing: long tables are for the screen."""
+        self.print_rows = self.row
+
+    def heading(self, text: str, note: str = "") -> None:
+        """Begin a section."""
+        self.row += 1
+        self.section = self.row
+        self.texts.append(Text(self.row, FIRST, text, "heading"))
+        self.row += 1
+        if note:
+            self.note(note)
+
+    def note(self, text: str, link: str = "") -> None:
+        """Write a line of explanation, or a link to the sheet that ``link`` names."""
+        self.texts.append(Text(self.row, FIRST, text, "link" if link else "note", link))
+        self.row += 1
+
+    def rows(self, *quantities: Quantity) -> None:
+        """Place quantities one below the other: label, symbol, value, unit, source.
+
+        Beside an input with limits stands what is expected where it is beyond them, and below all a check.
+        """
+        own = self._own(quantities)
+        watched = self._limited(own)
+        self._rows(own, {q.name: beside(q, limit) for q, limit in watched})
+        if watched:
+            name = f"{watched[0][0].name}_entries"
+            guard, verdict = of_cells(name, f"{self.called or self.title}: entries within limits", watched)
+            self.book.guards.append(guard)
+            self.checks(verdict)
+
+    def _limited(self, quantities: Sequence[Quantity]) -> list[tuple[Quantity, Limit]]:
+        """Return the inputs that have limits, with these."""
+        inputs = [(q, self.book.limit(q.key)) for q in quantities if q.role == "input"]
+        return [(q, limit) for q, limit in inputs if limit is not None]
+
+    def _rows(self, quantities: Sequence[Quantity], messages: Mapping[str, Quantity] = MappingProxyType({})) -> None:
+        """Place quantities one below the other, beside some a message in place of their source."""
+        for q in quantities:
+            message = messages.get(q.name)
+            for column, text, style in (
+                (FIRST, q.label, "label"),
+                (FIRST + 1, q.symbol, "symbol"),
+                (FIRST + 3, q.unit, "unit"),
+                (FIRST + 4, "" if message else q.source, "note"),
+            ):
+                if text:
+                    self.texts.append(Text(self.row, column, text, style))
+            self.put(q, self.row, FIRST + 2)
+            if message:
+                self.put(message, self.row, FIRST + 4)
+            self.row += 1
+
+    def put(self, quantity: Quantity, row: int, column: int) -> None:
+        """Place a quantity in a cell of its own."""
+        self._place(Block(quantity.name, self, row, column, (quantity,), 1, is_table=False))
+
+    def checks(self, *quantities: Quantity) -> None:
+        """Place checks, and enter them in the book's list, on which the overall verdict rests.
+
+        Beside each stands what it says.
+        """
+        for q in self._own(quantities):
+            here = q._replace(label=self._without(q.label))
+            said = sentence(here)
+            self.put(said, self.row, FIRST + 4)
+            self._rows([here._replace(source="")])
+            self.book.checks.append((self, q))
+
+    def _without(self, label: str) -> str:
+        """Return what a check is about without the sheet's own name before it."""
+        name = self.called or self.title
+        rest = label.removeprefix(f"{name}: ").removeprefix(f"{name}, ")
+        return f"{rest[0].upper()}{rest[1:]}" if rest != label else label
+
+    def table(
+        self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (), blank: str = ""
+    ) -> Block:  # fmt: skip
+        """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
+
+        A table of inputs gets messages to its right, and a check below that counts them: which entries are beyond their
+        limits or break one of ``rules``. A row without any entry shows nothing, of other tables one for which ``blank``
+        holds.
+        """
+        inputs = [q for q in quantities if q.role == "input"]
+        blank = blank or all_empty(inputs)
+        block = self._table(name, title, size, blank, *quantities)
+        watched = self._limited(quantities)
+        if watched:
+            last = max(block.columns.values()) + len(watched) + len(rules) + 2
+            each = 1 if last <= MOST_COLUMNS else 2
+            guard = Guard(f"{block.name}_entries", tuple(watched), tuple(rules), block.name, size, each)
+            self._guard(block, guard, inputs)
+        return block
+
+    def _guard(self, block: Block, guard: Guard, inputs: Sequence[Quantity]) -> None:
+        """Place the check of a table of inputs, and keep its messages until all of the sheet is placed."""
+        named = re.split(r"[:;(]", block.title)[0].strip()
+        label = f"{self.called or self.title}, {named}: entries within limits"
+        rows = self.book.limit(inputs[0].key.partition(".*")[0])
+        columns, verdict = of_rows(guard, label, inputs, rows is not None and rows.required)
+        self.book.guards.append(guard)
+        self.messages.append((block, tuple(columns)))
+        if columns[0].name == USED:
+            room = full(guard, as_rows(columns[0].value, block.size, USED))
+            under = block.columns[inputs[0].name]
+            self.put(room, block.row + block.size, under)
+        self.checks(verdict)
+        self.row += 1
+
+    def place_messages(self) -> None:
+        """Place the messages of tables of inputs: to the right of each, where its rows are free."""
+        for block, columns in self.messages:
+            runs = SPARE if block.quantities[-1].align == "left" else 0
+            self.workings(
+                block, f"{block.name}{MESSAGES}", "What is expected", self._free(block, len(columns), runs), *columns
+            )
+
+    def _free(self, block: Block, wide: int, runs: int) -> int:
+        """Return the first column right of a table from which on so many are free, ``runs`` left for its texts.
+
+        It is one that is not printed, if the sheet has such.
+        """
+        top, end = block.row - 4, block.row + block.size
+        blocks = (one for one in self.blocks if one.row - 4 < end and top < one.row + one.size)
+        charts = (range(left, left + width) for _, row, left, width, height in self.charts
+                  if row < end and top < row + height)  # fmt: skip
+        taken = {column for columns in (*(one.columns.values() for one in blocks), *charts) for column in columns}
+        behind, printed = max(block.columns.values()) + 1 + runs, self.print_columns + 1
+        free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]
+        return next((c for c in free if printed <= c <= MOST_COLUMNS + 1 - wide), free[0])
+
+    def _table(self, name: str, title: str, size: int, blank: str, *quantities: Quantity) -> Block:
+        if size > LONG and not self.print_rows:
+            above = self.section if self.row < self.section + 4 else self.row
+            self.print_rows = above - 1 if self.blocks else self.row + LONG
+        explained = any(q.source for q in quantities)
+        self._heads(title, FIRST, explained, quantities)
+        top = self.row + (4 if explained else 3)
+        name = in_scope(name, self.scope)
+        unused = in_scope(blank, self.scope)
+        block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
+        self.row = top + size + 1
+        return block
+
+    def _heads(self, title: str, first: int, explained: bool, quantities: Sequence[Quantity]) -> None:
+        """Write the title of a table and the heads of its columns."""
+        self.texts.append(Text(self.row, first, title, "subheading"))
+        for column, q in enumerate(quantities, first):
+            unit = f"{q.symbol} [{q.unit}]" if q.unit else q.symbol
+            lines = [(q.label, "header"), (unit, "units")]
+            if explained:
+                lines.append((q.source, "equation"))
+            self.texts += [Text(self.row + k, column, text, style) for k, (text, style) in enumerate(lines, 1)]
+
+    def workings(self, block: Block, name: str, title: str, column: int, *quantities: Quantity) -> None:
+        """Place a table in the rows of another, at a column to its right: what is worked out from each of its rows."""
+        explained, after = any(q.source for q in block.quantities), self.row
+        self.row = block.row - (4 if explained else 3)
+        self._heads(title, column, explained, quantities)
+        self.row, own = after, self._own(quantities)
+        placed = self._place(
+            Block(in_scope(name, self.scope), self, block.row, column, own, block.size, title,
+                  blank=block.blank, lead=block)
+        )  # fmt: skip
+        block.workings = block.workings or placed
+
+    def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
+        """Place a table of one column beside a table without equations: where a size tells how many columns there are.
+
+        Each has a name of its own, so that a file tells how many it has. Rows for which ``blank`` holds show nothing.
+        """
+        column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
+        self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
+        self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))
+        own = self._own((quantity,))
+        self._place(Block(in_scope(name, self.scope), self, block.row, column, own, block.size, block.title,
+                          blank=in_scope(blank, self.scope), lead=block))  # fmt: skip
+
+    def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:
+        """Place a chart with its corner at a cell, ``width`` columns by ``height`` rows large."""
+        self.charts.append((chart.within(self.scope), row, column, width, height))
+
+    def chart_row(self, *charts: Chart, width: int = 5, height: int = 17) -> None:
+        """Place charts side by side below what is there."""
+        column = FIRST
+        for i, chart in enumerate(charts):
+            self.chart(chart, column, self.row, width if i else width - 2, height)
+            column += width if i else width - 2
+        self.row += height + 1
+
+    def _own(self, quantities: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
+        return tuple(q.within(self.scope) for q in quantities) if self.scope else quantities
+
+    def _place(self, block: Block) -> Block:
+        if block.name in self.book.blocks or block.name in self.book.column_names:
+            raise ValueError(f"{block.name} is declared twice")
+        self.book.blocks[block.name] = block
+        self.blocks.append(block)
+        return block
