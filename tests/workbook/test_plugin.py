@@ -8,7 +8,7 @@ import tomli_w
 from tests.mutation.bench import Bench
 from tests.mutation.examine import Tally, examined, names_it_first
 from tests.workbook.cells import disagreeing, entered
-from tests.workbook.dimensions.test_dimensions import declared
+from tests.workbook.dimensions.test_dimensions import Labelled, not_named
 from tests.workbook.serve.test_fields import entries, parts, values
 from workbook.build import build, inputs
 from workbook.judging.matching import is_formula
@@ -59,7 +59,8 @@ def test_every_mutant_is_found_and_its_cell_named_first(hoist):
 
 
 def test_its_cells_have_the_units_of_their_labels():
-    assert declared(TEMPLATE).wrong == {}
+    assert Labelled(TEMPLATE).came().wrong == {}
+    assert not_named(TEMPLATE, 20) == ([], 6)
 
 
 def test_a_study_of_it_says_what_its_books_say(hoist, tmp_path):

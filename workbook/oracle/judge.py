@@ -92,7 +92,8 @@ class Judge:
     def looked(self) -> Iterator[Wrong]:
         """Yield what is wrong whatever the formulas should compute."""
         inputs = list(self.cells.values())
-        yield from self.looks.stale(self.values(self.entered))
+        saved = {one: self.file.saved.get(cell) for one, cell in self.cells.items() if one.macro}
+        yield from self.looks.stale(self.values(self.entered | saved))
         yield from self.looks.unread(inputs)
         yield from self.looks.other_units()
         yield from self.looks.replaced(inputs)

@@ -102,8 +102,8 @@ class Contents:
                 self.constants[address] = entered(cell.value, self._epoch)
             return
         value = cell.value
-        if isinstance(value, ArrayFormula) and value.ref == address.a1:
-            # arrays are computed in every formula, and of a result the first cell is taken
+        if isinstance(value, ArrayFormula) and value.ref in (address.a1, f"{address.a1}:{address.a1}"):
+            # arrays are computed in every formula, and of a result the first cell is taken; LibreOffice writes A1:A1
             value = self.arrays[address] = str(value.text)
         try:
             if not isinstance(value, str):

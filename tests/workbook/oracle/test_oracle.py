@@ -5,6 +5,7 @@ import json
 
 import openpyxl
 import pytest
+from openpyxl.worksheet.formula import ArrayFormula
 
 from workbook.book.address import Address
 from workbook.commands.oracle import against
@@ -13,6 +14,7 @@ from workbook.oracle.declared import load
 from workbook.oracle.draft import draft
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
+from workbook.witnesses.pycel.model import PycelModel
 from workbook.witnesses.registry import WITNESSES
 from workbook.witnesses.varied import varied
 
@@ -128,6 +130,12 @@ def test_a_number_stands_in_for_a_macro_and_some_sheets_are_counted(tmp_path):
     found = Judge(open_book(path), load(tmp_path / "p.py")).judge(20, witnesses=("pycel", "formualizer"))
     assert found.wrong == []
     assert (len(found.coverage), found.notes) == (12, [])
+
+
+def test_an_array_formula_of_one_cell_is_evaluated_as_libreoffice_writes_it(tmp_path):
+    path = build(tmp_path / "p.xlsx", B7=ArrayFormula("B7:B7", "=SUM(B1:B2*B1:B2)"))
+    file = open_book(path)
+    assert PycelModel(file.contents).evaluate()[Address("Sheet", 7, 2)] == 40**2 + 20**2
 
 
 def test_an_input_that_a_function_cannot_take_is_named(judged):
