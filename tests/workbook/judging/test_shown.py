@@ -135,7 +135,21 @@ def test_a_changed_unit_is_found(unit, book):
 
 @pytest.mark.parametrize(
     "unit",
-    ["1/min", "min⁻¹", " rpm ", "giri/min", "U/min", "Upm", "RPM", "tr/mn", "r.p.m.", "cpm", "cycles per minute"],
+    [
+        "1/min",
+        "min⁻¹",
+        " rpm ",
+        "giri/min",
+        "U/min",
+        "Upm",
+        "RPM",
+        "tr/mn",
+        "r.p.m.",
+        "cpm",
+        "cycles per minute",
+        "Takte/min",
+        "cicli/min",
+    ],
 )
 def test_the_same_unit_in_another_spelling_is_not(unit, book):
     silent(beside(book, "speed", 1, unit))

@@ -28,9 +28,7 @@ class Look(NamedTuple):
     @property
     def green(self) -> bool:
         """Whether it looks like a check that passes: on green, or in green ink on no colour."""
-        if self.ground is not None and coloured(self.ground):
-            return is_green(self.ground)
-        return self.ink is not None and coloured(self.ink) and is_green(self.ink)
+        return next((is_green(one) for one in (self.ground, self.ink) if one is not None and coloured(one)), False)
 
 
 class Palette:
@@ -54,11 +52,9 @@ class Palette:
 
     def ground(self, fill: Any, otherwise: Colour | None, conditional: bool = False) -> Colour | None:
         """Return the colour of a fill; of a conditional format's, the background is the one that is seen."""
-        if fill is None:
-            return otherwise
-        if not hasattr(fill, "patternType"):  # a gradient
-            return None
-        kind = fill.patternType
+        kind = getattr(fill, "patternType", None)
+        if fill is None or not hasattr(fill, "patternType"):
+            return otherwise if fill is None else None  # a gradient
         if conditional and kind in (None, "solid"):
             unset = fill.bgColor is None or (fill.bgColor.type == "rgb" and fill.bgColor.rgb == "00000000")
             return self.colour(fill.fgColor if unset and kind else None if unset else fill.bgColor, otherwise)
@@ -70,11 +66,11 @@ class Palette:
 def theme_of(data: bytes | None) -> dict[str, str]:
     """Return the colours that a theme defines; "" for one that is not given by its digits."""
     try:
-        root = fromstring(data) if data else None
+        root = fromstring(data or b"<none/>")
     except ParseError:
-        root = None
+        return {}
     colours = {}
-    for element in root.iter() if root is not None else ():
+    for element in root.iter():
         name = element.tag.rpartition("}")[2]
         if name in OFFICE and len(element):
             given = element[0].get("lastClr") or element[0].get("val") or ""

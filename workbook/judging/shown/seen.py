@@ -49,10 +49,8 @@ def seen(match: Match, found: list[Found]) -> Iterator[Seen]:
 
 def is_verdict(pair: Pair) -> bool:
     """Whether a cell says OK or FAIL."""
-    return pair.cell.quantity.role == "check" or (pair.cell.block.name, pair.cell.quantity.name) == (
-        "checks",
-        "verdict",
-    )
+    cell = pair.cell
+    return cell.quantity.role == "check" or (cell.block.name, cell.quantity.name) == ("checks", "verdict")
 
 
 def is_overall(match: Match, pair: Pair) -> bool:

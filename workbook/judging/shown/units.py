@@ -18,6 +18,7 @@ OTHERS = frozenset([
 TURNS = dict.fromkeys((
     "1/min", "min⁻¹", "min-1", "min^-1", "/min", "u/min", "upm", "umdr./min", "r/min", "rev/min", "rpm", "r.p.m.",
     "giri/min", "tr/min", "tr/mn", "cpm", "c/min", "cycles/min", "cycles per minute", "revolutions per minute",
+    "takte/min", "hübe/min", "cicli/min", "coups/min",
 ), "rpm")  # fmt: skip
 """turns and cycles a minute in all spellings: which of them is meant, the label says"""
 SPELT = {"sec": "s", "deg": "°", "μm": "µm", "Pa": "N/m²", "MPa": "N/mm²", "Hz": "1/s", "W": "J/s", "l": "dm³"}
