@@ -71,14 +71,15 @@ code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .
 body:has(#live) { max-width: 112rem; }
 .beside { display: grid; grid-template-columns: minmax(30rem, 2fr) 3fr; gap: 2rem; align-items: start; }
 .beside textarea { box-sizing: border-box; width: 100%; font: 10pt/1.4 Consolas, "DejaVu Sans Mono", monospace; }
-.beside .left { position: sticky; top: 1rem; } .beside textarea { height: 36vh; } #live h2 { margin-top: 1rem; }
-#form { max-height: 48vh; overflow: auto; border-bottom: 1px solid #d5dae1; }
+.left { position: sticky; top: 0; height: calc(100vh - 8rem); display: flex; flex-direction: column; } .left form { margin: 0; }
+.beside textarea { height: 34vh; white-space: pre; } #live h2 { margin-top: 1rem; }
+#form { flex: 1; overflow: auto; border-bottom: 1px solid #d5dae1; }
 #form h3, #form h4 { margin: .8rem 0 .2rem; } #form td, #form th { padding-right: .3rem; }
 .edge { fill: #fff; stroke: #1f3a5f; stroke-width: 2; cursor: ew-resize; } .edge:focus { fill: #1f3a5f; outline: none; }
 .lane { cursor: ew-resize; } .lane:focus { font-weight: 700; outline: none; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin: 1.2rem 0; }
 @media (max-width: 1200px) { .pictures { grid-template-columns: 1fr; } }
-button { margin: 0 .3rem; } td form { display: inline; }
+button { margin: 0 .3rem; } .busy::after { content: " … at work"; } td form { display: inline; }
 .entry label:first-child { display: inline-block; min-width: 15rem; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr)); gap: 1rem; }
 .gallery img { max-width: 100%; }

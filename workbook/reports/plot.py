@@ -132,13 +132,14 @@ def draw(svg: Element, line: Line, x: Array, y: Array, colour: str) -> None:
 
 
 def grid(svg: Element, across: Scale, up: Scale, labels: tuple[str, str]) -> None:
-    """Draw the lines at the numbers of both axes, these, and what they are of."""
+    """Draw the lines at the numbers of both axes, these, and what they are of; no numbers of what has no name."""
     for value, place in zip(across.ticks, across.at(np.array(across.ticks)), strict=True):
         rule(svg, place, TOP, place, HEIGHT - BOTTOM)
         text(svg, figure(value), place, HEIGHT - BOTTOM + 17, anchor="middle")
     for value, place in zip(up.ticks, up.at(np.array(up.ticks)), strict=True):
         rule(svg, across.begin, place, across.end, place)
-        text(svg, figure(value), LEFT - 7, place + 4, anchor="end")
+        if labels[1]:
+            text(svg, figure(value), LEFT - 7, place + 4, anchor="end")
     text(svg, labels[0], (across.begin + across.end) / 2, HEIGHT - 12, anchor="middle")
     middle = (TOP + HEIGHT - BOTTOM) / 2
     text(svg, labels[1], 16, middle, anchor="middle").set("transform", f"rotate(-90 16 {middle})")

@@ -28,7 +28,9 @@ from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 from workbook.writing.place import replace
 
-STATIC = {name: name for name in ("form.js", "home.js", "live.js", "study.js", "text.js")} | {"favicon.ico": "icon.svg"}
+STATIC = {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")} | {
+    "favicon.ico": "icon.svg"
+}
 
 
 class Home(Page):
@@ -156,7 +158,7 @@ class Save(Page):
         if done.code:
             self.finish(pages.editor(name, text, state(path), done.text))
         else:
-            self.finish(pages.printed(name, done.text, "", pages.link(f"/file/{target.name}", "Download")))
+            self.finish(pages.printed(name, done.text, "", path, target))
 
 
 class Build(Page):
@@ -166,8 +168,7 @@ class Build(Page):
         """Build it under a name that is free."""
         path = self.folder.file(self.argument("name"))
         done, target = await built(self.work, self.folder, path)
-        links = [] if done.code else [pages.link(f"/file/{target.name}", "Download")]
-        self.finish(pages.printed(path.name, done.text, "", *links))
+        self.finish(pages.printed(path.name, done.text, "", path, *([] if done.code else [target])))
 
 
 class Verify(Page):

@@ -8,7 +8,7 @@ from xml.etree.ElementTree import Element
 
 from workbook.build import inputs
 from workbook.controllers.names import TARGETS
-from workbook.reports.page import Content, document, e
+from workbook.reports.page import Content, e
 from workbook.serve import pages
 from workbook.serve.folder import Folder, plain, state
 from workbook.serve.handler import REPORT, Page
@@ -107,7 +107,7 @@ def page(name: str, axes: list[str]) -> str:
             "is compared with the engine over the whole cycle; beyond a limit nothing is written.")  # fmt: skip
     body = [e("h1", f"{name}: controller"), pages.back(), e("p", said), export, e("h2", "Read a controller's file"),
             read()]  # fmt: skip
-    return document(f"{name}: controller", body)
+    return pages.page(f"{name}: controller", body)
 
 
 def read() -> Element:

@@ -65,7 +65,7 @@ def called(part: Place, data: dict[str, Any]) -> str:
         return "machine"
     rows_ = data.get(part[0])
     row = rows_[int(part[1])] if part[1:] and rows_ else {}
-    return f"{part[0]} {row.get('name', '')}".strip()
+    return f"{counted(part)} {row.get('name', '')}".strip()
 
 
 def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:
@@ -107,7 +107,7 @@ def rows(of: Table, said: dict[str, str], data: dict[str, Any]) -> list[Element]
 def line(key: Key, place: Place, value: Any, said: dict[str, str], data: dict[str, Any]) -> list[Content]:
     """Return the row of an entry: what it means, its field, its unit, what is expected or what is wrong."""
     wrong = said.get(".".join(place), "")
-    expected = "" if key.expected.startswith("a text") else key.expected
+    expected = "" if key.expected.startswith("a text") or choices(key, data) else key.expected
     limits = e("span", wrong or expected, css="disagrees" if wrong else "quiet")
     return [key.meaning, field(key, place, value, wrong, data), key.unit, limits]
 

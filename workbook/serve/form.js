@@ -1,5 +1,5 @@
 // The form beside the text: what is entered in a field changes the text, and the text fills the fields.
-import { ask, follow, replace } from "./text.js";
+import { area, ask, follow, replace } from "./text.js";
 
 const form = document.getElementById("form");
 let part = "";
@@ -31,19 +31,39 @@ function fill(words) {
 }
 
 async function show() {
+  const asked = part;
   const words = await ask("/fields", { part });
-  if (words !== null) fill(words);
+  if (words !== null && part === asked) fill(words); // else another part was chosen meanwhile
 }
 
 async function enter(path, what, value) {
   const words = await ask("/set", { path, do: what, value });
-  if (words !== null) replace(words);
+  if (words === null) return;
+  const place = JSON.parse(path);
+  if (what === "Add") part = path;
+  if (what === "Copy" && place.length === 2) part = next(path);
+  replace(words);
+}
+
+/** The part behind the last row of a list: that of a copy. */
+function next(path) {
+  const list = path.slice(0, path.lastIndexOf(" ") + 1);
+  return `${list}"${form.querySelectorAll(`option[value^='${list}']`).length}"]`;
+}
+
+/** Scroll the text to the part that is shown. */
+function turn() {
+  const [name, row = 0] = JSON.parse(part);
+  const lines = area.value.split("\n");
+  const heads = [...lines.keys()].filter((k) => lines[k].startsWith(`[${name}]`) || lines[k].startsWith(`[[${name}]]`));
+  area.scrollTop = ((heads[row] ?? 0) / lines.length) * area.scrollHeight;
 }
 
 form.addEventListener("change", (event) => {
   if (event.target.id === "part") {
     part = event.target.value;
     show();
+    turn();
   } else {
     event.target.defaultValue = event.target.value;
     enter(event.target.dataset.path, "Set", event.target.value);

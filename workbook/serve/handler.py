@@ -62,7 +62,7 @@ class Page(Guarded):
         elif path.suffix == ".toml":
             self.redirect(f"/edit/{path.name}")
         else:
-            self.finish(pages.printed(title, done.text, "", pages.link(f"/file/{path.name}", "Download")))
+            self.finish(pages.printed(title, done.text, "", path))
 
     async def reported(self, path: Path, name: str, *links: Element) -> None:
         """Verify a workbook and answer with its report, links above it."""

@@ -24,28 +24,28 @@ def home(folder: Folder, verdicts: Mapping[str, str], waiting: int) -> str:
         e("h2", "New machine"), gallery(),
         e("h2", "Verify a workbook from elsewhere"), upload(),
         e("h2", "Compare two"), comparison([path.name for path in folder.files()]),
-        e("script", src="/home.js", type="module"),
     ]  # fmt: skip
-    return document("motionbook", body)
+    return page("motionbook", body, "home")
 
 
 def row(path: Path, verdicts: Mapping[str, str]) -> list[Content]:
     """Return what the table says of a file, and what can be done with it."""
     changed = f"{datetime.fromtimestamp(path.stat().st_mtime).astimezone():%Y-%m-%d %H:%M}"
-    if path.suffix.lower() == ".toml":
-        links = [link(f"/edit/{path.name}", "Edit"), post("/build", path.name, "Build"),
-                 link(f"/vary/{path.name}", "Study"), link(f"/print/{path.name}", "Print")]  # fmt: skip
-        if is_study(path):
-            links = [link(f"/study/{path.name}", "Study")]
-    else:
-        links = [
-            post("/verify", path.name, "Verify"),
-            link(f"/controller/{path.name}", "Controller"),
-            link(f"/file/{path.name}", "Download"),
-        ]
     described = path.suffix.lower() == ".toml" and not is_study(path)
     short = e("span", css="quiet", **({"data-short": path.name} if described else {}))
-    return [path.name, changed, short, verdicts.get(path.name, "–"), e("span", *links)]
+    return [path.name, changed, short, verdicts.get(path.name, "–"), e("span", *actions(path))]
+
+
+def actions(path: Path) -> list[Element]:
+    """Return what can be done with a description, a study or a workbook."""
+    name = path.name
+    if path.suffix.lower() != ".toml":
+        return [post("/verify", name, "Verify"), link(f"/controller/{name}", "Controller"),
+                link(f"/file/{name}", "Download")]  # fmt: skip
+    if is_study(path):
+        return [link(f"/study/{name}", "Study")]
+    return [link(f"/edit/{name}", "Edit"), post("/build", name, "Build"), link(f"/vary/{name}", "Study"),
+            link(f"/print/{name}", "Print")]  # fmt: skip
 
 
 def is_study(path: Path) -> bool:
@@ -89,9 +89,8 @@ def editor(name: str, words: str, state: str, said: str = "", target: str = "") 
                 button("Save and build", "build"))]  # fmt: skip
     live = e("div", e("p", "…", css="quiet"), id="live")
     left = e("div", e("div", id="form"), form("/save", *fields), css="left")
-    scripts = [e("script", src=f"/{one}.js", type="module") for one in ("form", "live")]
     beside = e("div", left, live, css="beside")
-    return document(name, [e("h1", name), back(), e("pre", said, id="said", role="status"), beside, *scripts])
+    return page(name, [e("h1", name), back(), e("pre", said, id="said", role="status"), beside], "form", "live")
 
 
 def framed(report: str, *links: Element) -> str:
@@ -100,9 +99,16 @@ def framed(report: str, *links: Element) -> str:
     return report.replace("<body>", f"<body>{above}", 1)
 
 
-def printed(title: str, words: str, verdict: str, *links: Element) -> str:
-    """Return the page of what a command printed."""
-    return document(title, [e("h1", title), back(), e("p", verdict), e("pre", words), *links])
+def printed(title: str, words: str, verdict: str, *files: Path) -> str:
+    """Return the page of what a command printed, and what can be done with the files of it."""
+    rows: list[list[Content]] = [[path.name, e("span", *actions(path))] for path in files]
+    done = [table(("File", ""), rows, ())] if rows else []
+    return page(title, [e("h1", title), back(), e("p", verdict), e("pre", words), *done])
+
+
+def page(title: str, body: Sequence[Element], *scripts: str) -> str:
+    """Return a page with its scripts, and the one that says when the server is at work."""
+    return document(title, [*body, *(e("script", src=f"/{one}.js", type="module") for one in ("busy", *scripts))])
 
 
 def back() -> Element:

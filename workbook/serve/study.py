@@ -7,7 +7,7 @@ from xml.etree.ElementTree import Element, tostring
 
 from workbook.build import write_text
 from workbook.cluster import cores
-from workbook.reports.page import Content, document, e, table
+from workbook.reports.page import Content, e, table
 from workbook.serve import pages, studied
 from workbook.serve.handler import Page
 from workbook.serve.jobs import Job
@@ -71,7 +71,7 @@ class Study(Page):
         """Show it; the script fetches how far it is."""
         self.folder.file(name)
         panel = e("div", e("p", "…", css="quiet"), id="study", **{"data-name": name})
-        self.finish(document(name, [e("h1", name), pages.back(), panel, e("script", src="/study.js", type="module")]))
+        self.finish(pages.page(name, [e("h1", name), pages.back(), panel], "study"))
 
 
 class Progress(Page):
@@ -138,7 +138,7 @@ def form(name: str, tables: dict[str, list[studied.Field]], results: list[tuple[
                    e("h2", "What varies"), *(varying(*one) for one in tables.items()),
                    e("p", pages.button("Begin"))),
     ]  # fmt: skip
-    return document(f"{name}: study", body)
+    return pages.page(f"{name}: study", body)
 
 
 def varying(path: str, rows: list[studied.Field]) -> Element:
