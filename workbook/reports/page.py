@@ -71,7 +71,7 @@ code, .cell { font-family: Consolas, "DejaVu Sans Mono", monospace; font-size: .
 body:has(#live) { max-width: 112rem; }
 .beside { display: grid; grid-template-columns: minmax(30rem, 2fr) 3fr; gap: 2rem; align-items: start; }
 .beside textarea { box-sizing: border-box; width: 100%; font: 10pt/1.4 Consolas, "DejaVu Sans Mono", monospace; }
-.left { position: sticky; top: 0; height: calc(100vh - 8rem); display: flex; flex-direction: column; } .left form { margin: 0; }
+.left { position: sticky; top: 0; height: calc(100vh - 8rem); display: flex; flex-direction: column; }
 .beside textarea { height: 34vh; white-space: pre; } #live h2 { margin-top: 1rem; }
 #form { flex: 1; overflow: auto; border-bottom: 1px solid #d5dae1; }
 #form h3, #form h4 { margin: .8rem 0 .2rem; } #form td, #form th { padding-right: .3rem; }

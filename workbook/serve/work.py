@@ -20,10 +20,8 @@ from workbook.serve.live import fragment
 
 LONGEST = 600.0
 """seconds of a command"""
-PATIENCE = 20.0
-"""seconds of a panel beside what is edited"""
-
-
+PATIENCE = 60.0
+"""seconds of what is worked out beside the server"""
 REMEMBERED = 48
 """things of each kind that the process for what is edited remembers: those of two of the largest books"""
 T = TypeVar("T")
