@@ -79,7 +79,7 @@ body:has(#live) { max-width: 112rem; }
 .lane { cursor: ew-resize; } .lane:focus { font-weight: 700; outline: none; }
 .pictures { display: grid; grid-template-columns: 1fr 1fr; gap: .8rem; margin: 1.2rem 0; }
 @media (max-width: 1200px) { .pictures { grid-template-columns: 1fr; } }
-button { margin: 0 .3rem; } .busy::after { content: " … at work"; } td form { display: inline; }
+button { margin: 0 .3rem; } .busy::after { content: " … at work"; } td form, .above form { display: inline; }
 .entry label:first-child { display: inline-block; min-width: 15rem; }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(22rem, 1fr)); gap: 1rem; }
 .gallery img { max-width: 100%; }
@@ -121,7 +121,7 @@ def document(title: str, body: Sequence[Element]) -> str:
     head = e("head", e("meta", charset="utf-8"), e("title", title), e("style", STYLE),
              e("meta", name="viewport", content="width=device-width, initial-scale=1"))  # fmt: skip
     html = e("html", head, e("body", *body), lang="en")
-    return "<!DOCTYPE html>\n" + tostring(html, encoding="unicode", method="html") + "\n"
+    return f"<!DOCTYPE html>\n{markup(html)}\n"
 
 
 def summary(outcomes: Sequence[Outcome]) -> Element:
@@ -300,6 +300,11 @@ def e(tag: str, *children: Content, css: str = "", **attributes: str) -> Element
         else:
             element.text = (element.text or "") + legal(child)
     return element
+
+
+def markup(*elements: Element) -> str:
+    """Return elements as HTML."""
+    return "".join(tostring(one, encoding="unicode", method="html") for one in elements)
 
 
 def legal(text: str) -> str:

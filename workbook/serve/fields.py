@@ -6,14 +6,14 @@ import json
 import re
 from pathlib import Path
 from typing import Any
-from xml.etree.ElementTree import Element, tostring
+from xml.etree.ElementTree import Element
 
 from workbook.described.keys import PRODUCTS, Key
 from workbook.described.words import default_of, toml
 from workbook.errors import InputError, MotionbookError
 from workbook.laws.entries import ENTRIES
 from workbook.reading.descriptions import checked, parsed, template_named
-from workbook.reports.page import Content, e, table
+from workbook.reports.page import Content, e, markup, table
 from workbook.selection.entries import COMMITTED
 from workbook.serve.live import design
 from workbook.serve.tables import Place, Table, changed, part_of, tables_of, written
@@ -30,7 +30,7 @@ def form(name: str, text: str, part: str) -> str:
         data = parsed(text, Path(name))
         template = template_named(data.get("template"), "template")
     except MotionbookError as error:
-        return markup([e("p", line) for line in str(error).splitlines()])
+        return markup(*(e("p", line) for line in str(error).splitlines()))
     tables = tables_of(template.name, data)
     parts = dict.fromkeys(part_of(one.place) for one in tables)
     chosen = next((one for one in parts if written(one) == part), ())
@@ -38,7 +38,7 @@ def form(name: str, text: str, part: str) -> str:
                for one in parts]  # fmt: skip
     said = faults(name, text, data)
     shown = [row for one in tables if part_of(one.place) == chosen for row in rows(one, said, data)]
-    return markup([e("label", "Part ", e("select", *options, id="part")), e("div", *shown)])
+    return markup(e("label", "Part ", e("select", *options, id="part")), e("div", *shown))
 
 
 def entered(name: str, text: str, path: str, do: str, value: str) -> str:
@@ -52,11 +52,6 @@ def entered(name: str, text: str, path: str, do: str, value: str) -> str:
     if not isinstance(place, list) or not place or not all(isinstance(part, str) for part in place):
         raise InputError([f"{path!r}: expected the names of an entry"])
     return changed(text, template.name, data, tuple(place), do, value)
-
-
-def markup(body: list[Element]) -> str:
-    """Return elements as HTML."""
-    return "".join(tostring(one, encoding="unicode", method="html") for one in body)
 
 
 def called(part: Place, data: dict[str, Any]) -> str:

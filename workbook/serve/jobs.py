@@ -8,6 +8,7 @@ import signal
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 from workbook.errors import MotionbookError
 
@@ -64,17 +65,21 @@ class Jobs:
         busy = next((other for other, job in self._known.items() if job.code is None), None)
         if busy is not None:
             raise BusyError(f"{busy} is at work; cancel it, or wait for its end")
-        process = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "workbook", *map(str, arguments), stdin=asyncio.subprocess.DEVNULL,
-            stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT, env=os.environ | {"COLUMNS": "120"},
-            start_new_session=True, preexec_fn=limit_memory if POSIX else None,
-        )  # fmt: skip
-        self._known[name] = Job(process, before)
+        self._known[name] = Job(await started(*arguments, start_new_session=True), before)
 
     def stop(self) -> None:
         """End all of them."""
         for job in self._known.values():
             job.kill()
+
+
+async def started(*arguments: str | Path, **more: Any) -> asyncio.subprocess.Process:
+    """Start a command of motionbook with a limit of memory, its errors among what it prints."""
+    return await asyncio.create_subprocess_exec(
+        sys.executable, "-m", "workbook", *map(str, arguments), stdin=asyncio.subprocess.DEVNULL,
+        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT, env=os.environ | {"COLUMNS": "120"},
+        preexec_fn=limit_memory if POSIX else None, **more,
+    )  # fmt: skip
 
 
 def limit_memory() -> None:

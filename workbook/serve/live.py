@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
-from xml.etree.ElementTree import Element, tostring
+from xml.etree.ElementTree import Element
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from workbook.differences.design import Design, Figure, Key
 from workbook.errors import MotionbookError
 from workbook.reading.descriptions import checked, counted, parsed, template_named
 from workbook.reports.differences import figure
-from workbook.reports.page import Content, e, table
+from workbook.reports.page import Content, e, markup, table
 from workbook.reports.plot import Line, plot, scales
 from workbook.serve.edges import Edge, add_handles, edges
 
@@ -58,7 +58,7 @@ def fragment(name: str, text: str, saved: str) -> str:
         body = panel(new, before(name, saved), list(edges(text, new.machine)))
     except MotionbookError as error:
         body = [e("h2", "Not yet a machine"), *(e("p", line) for line in str(error).splitlines())]
-    return "".join(tostring(one, encoding="unicode", method="html") for one in body)
+    return markup(*body)
 
 
 @lru_cache(KEPT)

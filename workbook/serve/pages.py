@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
-from xml.etree.ElementTree import Element, tostring
+from xml.etree.ElementTree import Element
 
-from workbook.reports.page import Content, document, e, table
+from workbook.reports.page import Content, document, e, markup, table
 from workbook.serve.folder import Folder
 from workbook.templates import TEMPLATES
 
@@ -95,8 +95,7 @@ def editor(name: str, words: str, state: str, said: str = "", target: str = "") 
 
 def framed(report: str, *links: Element) -> str:
     """Return a report of a command with links above it."""
-    above = "".join(tostring(one, encoding="unicode", method="html") for one in (back(), *links))
-    return report.replace("<body>", f"<body>{above}", 1)
+    return report.replace("<body>", f"<body>{markup(back(), e('div', *links, css='above'))}", 1)
 
 
 def printed(title: str, words: str, verdict: str, *files: Path) -> str:

@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
-from xml.etree.ElementTree import Element, tostring
+from xml.etree.ElementTree import Element
 
 import tomli_w
 from pydantic import ValidationError
@@ -21,7 +21,7 @@ from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.reading.descriptions import parsed, template_named, write_machine
 from workbook.reports import study as page
-from workbook.reports.page import e
+from workbook.reports.page import e, markup
 from workbook.scaling import Results
 from workbook.serve.toml import differing, edited
 from workbook.studies.judged import machine_of
@@ -172,7 +172,7 @@ def front(path: Path, results: Path) -> str:
     links = [f"/edit/{plan.study.base}?study={path.name}&pick={n}" for n in range(1, len(found.best) + 1)]
     body = [e("p", counts), *(e("p", line) for line in page.unranked(found)),
             *linked(page.best(plan, found, named), links), *page.constraints(plan, found, named)]  # fmt: skip
-    return "".join(tostring(one, encoding="unicode", method="html") for one in body)
+    return markup(*body)
 
 
 def found_in(path: Path, results: Path) -> tuple[Plan, Summary]:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from xml.etree.ElementTree import Element, tostring
+from xml.etree.ElementTree import Element
 
 from workbook.build import write_text
 from workbook.cluster import cores
-from workbook.reports.page import Content, e, table
+from workbook.reports.page import Content, e, markup, table
 from workbook.serve import pages, studied
 from workbook.serve.handler import Page
 from workbook.serve.jobs import Job
@@ -82,17 +82,12 @@ class Progress(Page):
         path = self.folder.file(name)
         job, table = self.work.jobs.get(path.name), path.with_suffix(".csv")
         if job is not None and job.code is None:
-            self.finish(told(working(path.name, *progress(table), job)))
+            self.finish(markup(working(path.name, *progress(table), job)))
         elif path.with_suffix(".json").exists():
             found = await self.work.beside(studied.front, path, path.with_suffix(".json"))
-            self.finish(found + told(pages.link(f"/file/{table.name}", "Download all designs")))
+            self.finish(found + markup(pages.link(f"/file/{table.name}", "Download all designs")))
         else:
-            self.finish(told(*waiting(path.name, *progress(table), job.text if job else "")))
-
-
-def told(*said: Element) -> str:
-    """Return elements as a part of a page."""
-    return "".join(tostring(one, encoding="unicode", method="html") for one in said)
+            self.finish(markup(*waiting(path.name, *progress(table), job.text if job else "")))
 
 
 def working(name: str, done: int, size: int, job: Job) -> Element:

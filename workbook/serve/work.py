@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import gc
 import os
-import sys
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -15,7 +14,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from workbook.errors import MotionbookError
 from workbook.latest import remember
-from workbook.serve.jobs import POSIX, Jobs, limit_memory
+from workbook.serve.jobs import POSIX, Jobs, limit_memory, started
 from workbook.serve.live import fragment
 
 LONGEST = 600.0
@@ -79,16 +78,12 @@ class Work:
         self.waiting += 1
         try:
             async with self._turns:
-                return await self._run([str(one) for one in arguments], folder)
+                return await self._run(arguments, folder)
         finally:
             self.waiting -= 1
 
-    async def _run(self, arguments: list[str], folder: str | None) -> Done:
-        process = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "workbook", *arguments, stdin=asyncio.subprocess.DEVNULL,
-            stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT, env=os.environ | {"COLUMNS": "120"},
-            cwd=folder, preexec_fn=limit_memory if POSIX else None,
-        )  # fmt: skip
+    async def _run(self, arguments: tuple[str | Path, ...], folder: str | None) -> Done:
+        process = await started(*arguments, cwd=folder)
         self._running.add(process)
         try:
             printed, _ = await asyncio.wait_for(process.communicate(), LONGEST)
