@@ -85,7 +85,8 @@ def test_a_new_machine_is_dragged_built_verified_and_exported(page, server, tmp_
     page.locator(".gallery > div", has_text="Machine").first.get_by_label("Name").fill("mine")
     page.locator(".gallery > div", has_text="Machine").first.get_by_role("button").click()
     page.wait_for_selector("#live .edge")
-    page.locator("#text").fill(re.sub(r"(?s)\[selection\].*?\n\n", "", text_of(page)) + SMALL)
+    with page.expect_response("**/live"):
+        page.locator("#text").fill(re.sub(r"(?s)\[(selection|sizes)\].*?\n\n", "", text_of(page)) + SMALL)
     shown(page, "Highest rate")
     edge = page.locator('.edge[data-edge="MC02 135"]')
     box = edge.bounding_box()
