@@ -73,7 +73,7 @@ class PressCrank(ByAngle):
     rod: float
     offset: float = 0.0
     start: float = 0.0
-    steps = 12
+    steps = 24
     slides = True
 
     def __post_init__(self) -> None:

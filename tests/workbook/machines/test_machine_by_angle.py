@@ -4,6 +4,8 @@ import math
 
 import pytest
 
+from tests.mutation.bench import Bench
+from tests.mutation.examine import examined
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from tests.workbook.machines.test_machine_linked import MOTOR
@@ -160,3 +162,21 @@ def test_a_book_of_both_is_clean(tmp_path):
     path = tmp_path / "book.xlsx"
     build(small(AXES["press"], AXES["arm"] | {"name": "Arm"}), path)
     assert verify(path).findings == []
+
+
+@pytest.mark.parametrize(
+    ("name", "cells", "least"),
+    [
+        ("press", {"psi", "c", "above", "X", "tan", "dx", "ddx", "vs", "as", "R", "F", "psi0", "ok_turns"}, 40),
+        ("arm", {"arm", "R", "ok_turns"}, 10),
+    ],
+)
+def test_every_mutant_of_the_new_cells_is_found(name, cells, least):
+    bench = Bench(TEMPLATE, small(AXES[name]))
+    sheet = bench.declared.blocks["drive1_pt"].sheet.title
+    places = {(c.row, c.column) for c in bench.declared.cells()
+              if c.block.sheet.title == sheet and c.quantity.name.removeprefix("drive1_") in cells}  # fmt: skip
+    sample = [one for one in bench.orchard.sample(6000, 7) if one.address.sheet == sheet]
+    mutants = [one for one in sample if (one.address.row, one.address.column) in places]
+    assert len(mutants) > least
+    assert [str(v.mutant) for v in examined(bench, mutants, []) if not v.found(False) and not v.equivalent] == []

@@ -125,7 +125,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         result("@inertias", "Inertia ratio", "", "",
                "=IF(@jm>0,@jtot/10000/@jm,0)", view.inertia_ratio, source="load at the motor's shaft / motor"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", points.top(torque),
-               scale=size.torque, source="to 0.5 %" if driven.by_angle else PEAKS),
+               scale=size.torque, source="to 1 %" if driven.by_angle else PEAKS),
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -points.top(-torque),
                scale=size.torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
