@@ -81,7 +81,8 @@ def show(file: BookFile, found: Judged) -> None:
     say(OUT, f"Dimensions: {found.dimensions.known} of {found.dimensions.formulas} formula cells known from the units")
     for note in found.notes:
         say(OUT, note)
-    say(OUT, f"{len(found.wrong)} findings" if found.wrong else "Every compared cell is what the declarations give")
+    count = f"{len(found.wrong)} {'finding' if len(found.wrong) == 1 else 'findings'}"
+    say(OUT, count if found.wrong else "Every compared cell is what the declarations give")
 
 
 def figure(value: Any) -> str:
