@@ -45,6 +45,8 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool 
     if WHOLE.fullmatch(kept[0][1]):
         if int(kept[0][1][:9]) != len(kept) - 1:
             raise TargetError(f"line {kept[0][0]}: {kept[0][1][:9]} points are told, {len(kept) - 1} follow")
+        if len(kept) == 1:
+            raise TargetError(f"line {kept[0][0]}: it tells of no points; expected two or more")
         kept = kept[1:]
     decimals: set[str] = set()
     separator = found_separator(line for _, line in kept)
