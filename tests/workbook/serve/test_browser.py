@@ -184,6 +184,20 @@ def test_a_design_is_edited_by_the_keyboard_alone(page, server):
     assert read_machine(server.root / "keys.toml").master.rate == 150.0
 
 
+def test_a_copied_row_is_the_part_that_is_shown_and_the_text_is_scrolled_to_it(page, server):
+    opened(page, server, "/edit/live.toml")
+    page.select_option("#part", label="axes[2] MC02")
+    page.get_by_role("button", name='Copy ["axes", "1"]').click()
+    copied = len(read_machine(server.root / "live.toml").axes)
+    expect(page.locator(f"""#form input[data-path='["axes", "{copied}", "name"]']""")).to_have_value("MC02")
+    assert page.locator("#part").input_value() == f'["axes", "{copied}"]'
+    page.select_option("#part", label="axes[3] MC03")
+    lines = text_of(page)[: text_of(page).index('name = "MC03"')].count("\n") - 1
+    assert page.locator("#text").evaluate("t => t.scrollTop / t.scrollHeight * t.value.split('\\n').length") == (
+        pytest.approx(lines, abs=2.0)
+    )
+
+
 def tabbed(page, selector):
     """Press Tab until an element is focused that a selector finds."""
     for _ in range(400):

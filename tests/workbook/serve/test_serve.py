@@ -36,6 +36,7 @@ def test_a_new_machine_is_described_built_downloaded_and_verified(server):
     text = (server.root / "cutting.toml").read_text(encoding="utf-8").replace('title = "', 'title = "Faster ')
     saved = server.ask("/save", server.form(**SAVED, state=state, text=text))
     assert "/file/cutting-2.xlsx" in saved.body.decode()  # the book that was there stays
+    assert 'action="/verify"' in saved.body.decode()
     book = server.ask("/file/cutting-2.xlsx")
     (server.root / "downloaded.xlsx").write_bytes(book.body)
     report = server.ask("/verify", server.form(name="downloaded.xlsx")).body.decode()
