@@ -13,7 +13,7 @@ from workbook.controllers import certificates
 from workbook.controllers.automatic import automatic, curve
 from workbook.controllers.handing import ORDERS, Made, rules_of
 from workbook.controllers.target import Target
-from workbook.reports.page import document, e, table
+from workbook.reports.html import document, e, table
 from workbook.reports.plot import Line, plot
 
 FLOOR = 1e-12  # of the peak: what is less is drawn there

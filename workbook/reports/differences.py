@@ -12,7 +12,7 @@ from rich.table import Table
 
 from workbook.differences.compare import Change, Differences
 from workbook.differences.design import Design
-from workbook.reports.page import document, e, table
+from workbook.reports.html import document, e, table
 from workbook.reports.plot import Line, plot
 from workbook.reports.terminal import say, shown
 from workbook.templates import TEMPLATES

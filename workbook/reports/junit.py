@@ -8,7 +8,8 @@ from xml.etree.ElementTree import Element, indent, tostring
 
 from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Report
-from workbook.reports.page import by_sheet, e, exact, own_verdict, told, where, witness
+from workbook.reports.html import e
+from workbook.reports.page import by_sheet, exact, own_verdict, told, where, witness
 
 DESIGN = "the machine's own checks"
 

@@ -13,7 +13,7 @@ import numpy as np
 
 import workbook
 from workbook.reports.front import Point, front_picture
-from workbook.reports.page import Content, document, e, table
+from workbook.reports.html import Content, document, e, table
 from workbook.studies.judged import Judged
 from workbook.studies.model import Bound, Study
 from workbook.studies.named import Label, Named

@@ -8,7 +8,7 @@ from xml.etree.ElementTree import Element
 
 from workbook.build import inputs
 from workbook.controllers.names import TARGETS
-from workbook.reports.page import Content, e
+from workbook.reports.html import Content, e
 from workbook.serve import pages
 from workbook.serve.folder import Folder, plain, state
 from workbook.serve.handler import REPORT, Page

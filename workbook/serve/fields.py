@@ -13,7 +13,7 @@ from workbook.described.words import default_of, toml
 from workbook.errors import InputError, MotionbookError
 from workbook.laws.entries import ENTRIES
 from workbook.reading.descriptions import checked, parsed, template_named
-from workbook.reports.page import Content, e, markup, table
+from workbook.reports.html import Content, e, markup, table
 from workbook.selection.entries import COMMITTED
 from workbook.serve.live import design
 from workbook.serve.tables import Place, Table, changed, part_of, tables_of, written

@@ -9,7 +9,7 @@ from collections.abc import Awaitable
 
 from tornado.web import HTTPError, RequestHandler
 
-from workbook.reports.page import STYLE
+from workbook.reports.html import STYLE
 
 COOKIE = "motionbook"
 STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()

@@ -18,7 +18,7 @@ from workbook.differences.design import Design, Figure, Key
 from workbook.errors import MotionbookError
 from workbook.reading.descriptions import checked, counted, parsed, template_named
 from workbook.reports.differences import figure
-from workbook.reports.page import Content, e, markup, table
+from workbook.reports.html import Content, e, markup, table
 from workbook.reports.plot import Line, plot, scales
 from workbook.serve.edges import Edge, add_handles, edges
 

@@ -7,7 +7,7 @@ from datetime import datetime
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
-from workbook.reports.page import Content, document, e, markup, table
+from workbook.reports.html import Content, document, e, markup, table
 from workbook.serve.folder import Folder
 from workbook.templates import TEMPLATES
 

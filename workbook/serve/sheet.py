@@ -6,7 +6,7 @@ from xml.etree.ElementTree import Element, tostring
 
 from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError
-from workbook.reports.page import Content, document, e, table
+from workbook.reports.html import Content, document, e, table
 from workbook.serve.live import Shown, design, failing, pictures, results
 from workbook.template import FOLDER
 

@@ -21,7 +21,7 @@ from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.reading.descriptions import parsed, template_named, write_machine
 from workbook.reports import study as page
-from workbook.reports.page import e, markup
+from workbook.reports.html import e, markup
 from workbook.scaling import Results
 from workbook.serve.toml import differing, edited
 from workbook.studies.judged import machine_of

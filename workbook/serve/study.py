@@ -7,7 +7,7 @@ from xml.etree.ElementTree import Element
 
 from workbook.build import write_text
 from workbook.cluster import cores
-from workbook.reports.page import Content, e, markup, table
+from workbook.reports.html import Content, e, markup, table
 from workbook.serve import pages, studied
 from workbook.serve.handler import Page
 from workbook.serve.jobs import Job
