@@ -8,18 +8,18 @@ What both back ends promise, beside the help texts:
 - ``p`` holds the law's parameters in the order of its page, a row or a column, read left to right, top to bottom;
   blank cells count as 0, and where the motion turns round, ``start`` and ``end`` count as −1 and 1, ``none`` as 0.
   Left out, and where all of it is 0 or blank, the law is as delivered. Else another number of cells than
-  :data:`workbook.functions.taken.PARAMETERS` says is #VALUE!, impossible values are #NUM!: what the engine's law
-  refuses. OWN takes rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of an empty or zero duration are
-  passed over; left out, it is the polynomial 3-4-5. DWL and LIN ignore p.
+  :data:`workbook.functions.taken.PARAMETERS` says is #VALUE!, values that the engine refuses are #NUM!. OWN takes
+  rows of eight (duration, c0, c1, c2, c3, P, ω, φ), of which those of an empty or zero duration are passed over; left
+  out, it is the polynomial 3-4-5. DWL and LIN ignore p.
 - ξ is right-continuous at breaks, with a tolerance of 2e-9; at ξ = 1 the left limit counts.
 - An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
   1,000 rad in one piece. What only evaluates the law, at ξ or in a phase, takes any sine.
-- A row of a table of phases: code, duration, lift, then the law's parameters, as p takes them; what stands beyond is
-  ignored. OWN takes its pieces side by side, eight cells a piece, as many as the table has room for, which
-  is (columns − 3)/8 rounded down; no room for any is #VALUE!, and what p refuses is refused here with the same error.
-  Rows at the end whose first three cells are empty are ignored. A table of fewer than three columns, or without rows:
-  #VALUE!. A duration that is not positive, or a dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the
-  total: #NUM!; as near to a joint as 2e-9 of the total counts as on it.
+- A row of a table of phases: code, duration, lift, then the law's parameters, as p takes them; what is beyond is
+  ignored. OWN takes its pieces side by side, eight cells a piece, as many as the table has room for, which is (columns
+  − 3)/8 rounded down; no room for any is #VALUE!, and what p refuses is refused here. Rows at the end whose first
+  three cells are empty are ignored. A table of fewer than three columns, or without rows: #VALUE!. A duration that is
+  not positive, or a dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the total: #NUM!; as near to a
+  joint as 2e-9 of the total counts as on it.
 - Phases hand over: beside a straight line (LIN) a curved phase takes its velocity, beside a dwell and where nothing
   stands beside it, it rests. A row VIA with velocity, acceleration and jerk (per x, x², x³) in place of duration, lift
   and first parameter prescribes them between two curved phases, or where the motion begins or ends; else they are 0
@@ -39,10 +39,8 @@ from typing import Literal
 from workbook.functions.taken import Text, spelled, taken
 
 NAMESPACE = "MOTION"
-Kind = Literal["code", "number", "cells", "table"]
-
-
 CATEGORY = Text("Machine motion", "Moto delle macchine", "Maschinenbewegung")
+Kind = Literal["code", "number", "cells", "table"]
 
 
 @dataclass(frozen=True)
