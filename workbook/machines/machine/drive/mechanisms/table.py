@@ -22,6 +22,8 @@ from workbook.machines.machine.drive.linkages import FALLS
 from workbook.machines.machine.drive.mechanisms.column import Column
 from workbook.machines.machine.mechanism import Table
 
+LEVEL = 1e-6
+"""1/m, or 1/rad: of the ratio; a smaller change of it is none, as of a table of a straight line"""
 SIZED = "@count>=2"
 FITS = "SUM([@curve.falls])=0"
 HOLDS = "angle and position rise from point to point"
@@ -203,7 +205,7 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
         calc("g", "ratio", "φ'", "", f"=SUMPRODUCT({D},{{1,2,3,4,5}},[t]^{{0,1,2,3,4}})/{width}", of(first),
              source="dφ/dy"),
         calc("h", "its change", "φ''", "", f"=SUMPRODUCT({D},{{0,2,6,12,20}},[t]^{{0,0,1,2,3}})/{width}^2", of(second),
-             scale=float(np.abs(second).max()) or 1.0, source="d²φ/dy²"),
+             scale=max(float(np.abs(second).max()), LEVEL * float(first.max())), source="d²φ/dy²"),
     ]  # fmt: skip
 
 
