@@ -53,7 +53,7 @@ def peak(values: Array, place: Array) -> Peak:
     """Return the first largest of values over their places, and the top of the parabola through it and its neighbours.
 
     Arrays of intervals by points. Of values that differ by less than 1e-9 of the largest size the first counts. At an
-    end of an interval the value itself is the top.
+    end of an interval the value itself is the top, and the largest value where it is not between the neighbours.
     """
     y, x = values.ravel(), place.ravel()
     limit = y.max() - TIED * np.abs(y).max()
@@ -64,8 +64,10 @@ def peak(values: Array, place: Array) -> Peak:
         return Peak(k, three, 0.0, 0.0, three[1])
     before, after = float(x[k] - x[low]), float(x[high] - x[k])
     rise, fall = (three[1] - three[0]) / before, (three[1] - three[2]) / after
-    lean = (rise * after - fall * before) ** 2 / (4.0 * (rise + fall) * (before + after)) if rise + fall else 0.0
-    return Peak(k, three, before, after, three[1] + lean)
+    bend, lean = rise + fall, rise * after - fall * before
+    if not (bend > 0.0 and -2.0 * before * bend <= lean <= 2.0 * after * bend):
+        return Peak(k, three, before, after, float(y.max()))
+    return Peak(k, three, before, after, three[1] + lean**2 / (4.0 * bend * (before + after)))
 
 
 @dataclass(frozen=True)

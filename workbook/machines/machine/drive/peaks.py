@@ -15,6 +15,8 @@ from workbook.book.declare import Sheet, calc, constant
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.drive.view import DriveView
 
+BEYOND = "[sign]*([s0]-[s1])<=0,[sign]*([s0]*(2*[a]+[b])-[s1]*[a])<0,[sign]*([s1]*([a]+2*[b])-[s0]*[b])>0"
+"""where the parabola's top is not between the neighbours: points on a line that tie with the largest"""
 ABOUT = (
     "y at the largest point, y_0 and y_1 at its neighbours, a and b degrees away: the parabola's top is "
     "w + m² (Δ_0 + Δ_1)/4(s_0 − s_1), s_0 and s_1 the slopes on both sides, m = (s_0 b + s_1 a)/(a + b)."
@@ -85,7 +87,8 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
              scale=360.0),
         calc("s0", "slope before", "s_0", "", "=IF([a]>0,([y]-[y0])/[a],0)", slopes(each, found, 0), scale=size),
         calc("s1", "slope after", "s_1", "", "=IF([b]>0,([y1]-[y])/[b],0)", slopes(each, found, 1), scale=size),
-        calc("top", "peak", "", "", "=IF([s0]=[s1],[y],[y]+([s0]*[b]+[s1]*[a])^2/([a]+[b])/4/([s0]-[s1]))",
+        calc("top", "peak", "", "",
+             f"=IF([a]=0,[y],IF(OR({BEYOND}),[sign]*[most],[y]+([s0]*[b]+[s1]*[a])^2/([a]+[b])/4/([s0]-[s1])))",
              [sign * one.top for (_, sign), one in zip(each, found, strict=True)], scale=size,
              source="w + m² (Δ_0 + Δ_1)/4(s_0 − s_1)"),
     )  # fmt: skip
