@@ -26,8 +26,7 @@ What both back ends promise, beside the help texts:
   there. Laws of two pulses meet a velocity, CUB, PO5 and PO7 of the share ½ one, two or three of these; what a law
   cannot meet is #NUM!, and so is a VIA beside another or one that a straight line contradicts, and a motion of VIA
   alone. Two straight lines beside each other keep their velocities.
-- JRED and RMS: two ranges of unequal rows or columns: #VALUE!, as in SUMPRODUCT. A negative inertia: #NUM!. A negative
-  duration, or durations that sum to 0: #NUM!.
+- JRED and RMS: ranges of unequal size are #VALUE!; a negative inertia or duration, or durations of sum 0, are #NUM!.
 - MOTION.XI: the first ξ that reaches s; s = 0 gives 0 and the law's end value 1. A law that moves backwards: #NUM!.
 """
 
