@@ -15,20 +15,20 @@ from engine.laws.base import Array
 Ends = Literal["natural", "not-a-knot", "periodic"]
 
 
-def _course(x: Array, *c: Array) -> CamProfile:
+def _profile(x: Array, *c: Array) -> CamProfile:
     return CamProfile(x, x[:-1], np.column_stack(c), np.zeros((len(x) - 1, 0, 3)))
 
 
 def lines(x: Array, y: Array) -> CamProfile:
     """Return straight lines from point to point."""
-    return _course(x, y[:-1], np.diff(y) / np.diff(x))
+    return _profile(x, y[:-1], np.diff(y) / np.diff(x))
 
 
 def hermite(x: Array, y: Array, v: Array) -> CamProfile:
     """Return the cubic of each interval that has y and y' at both its ends."""
     h = np.diff(x)
     m = np.diff(y) / h
-    return _course(x, y[:-1], v[:-1], (3.0 * m - 2.0 * v[:-1] - v[1:]) / h, (v[:-1] + v[1:] - 2.0 * m) / h**2)
+    return _profile(x, y[:-1], v[:-1], (3.0 * m - 2.0 * v[:-1] - v[1:]) / h, (v[:-1] + v[1:] - 2.0 * m) / h**2)
 
 
 def parabolas(x: Array, y: Array) -> CamProfile:
@@ -62,7 +62,7 @@ def quintics(x: Array, y: Array, v: Array, a: Array) -> CamProfile:
     d = np.diff(y) - (v[:-1] + 0.5 * a[:-1] * h) * h
     e = (np.diff(v) - a[:-1] * h) * h
     f = np.diff(a) * h**2
-    return _course(
+    return _profile(
         x, y[:-1], v[:-1], 0.5 * a[:-1],
         (10.0 * d - 4.0 * e + 0.5 * f) / h**3, (-15.0 * d + 7.0 * e - f) / h**4, (6.0 * d - 3.0 * e + 0.5 * f) / h**5,
     )  # fmt: skip
@@ -145,4 +145,4 @@ def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArr
             first = ends[0] if low == 0 else float(slope[low - 1])
             last = ends[1] if high == len(slope) else float(slope[high])
             c[low:high] = spline(x[low : high + 1], y[low : high + 1], (first, last)).c
-    return _course(x, *c.T)
+    return _profile(x, *c.T)

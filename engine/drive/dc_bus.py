@@ -86,7 +86,7 @@ def together(found: Sequence[Means]) -> Means:
 
 @dataclass(frozen=True)
 class Drivetrains:
-    """Courses over one cycle, and the efficiency of their drives between the motors' shafts and the bus or the mains.
+    """Drives over one cycle, and the efficiency of their drives between the motors' shafts and the bus or the mains.
 
     A drive takes P/η where its motor drives, and gives back η P where the motor is driven. The times count from the
     begin of the cycle; shifts are in them. Raises ValueError for no cycles, cycles that differ, or an efficiency

@@ -114,8 +114,8 @@ DESCRIPTIONS = {
         ["laws.MTP.durations", "expected 7 entries"],
     ),
     "more phases than rows": (
-        "[selection]",
-        "[sizes]\nphases = 2\n\n[selection]",
+        "[sizes]",
+        "[sizes]\nphases = 2",
         ["axes[2].phases", "5 rows", "raise sizes.phases"],
     ),
     "formula for a name": ('name = "MC02"', 'name = "=1+1"', ["axes[2].name", "'=1+1'", "does not begin with ="]),
@@ -149,7 +149,7 @@ CELLS = {
     "text for a number": ("timing_cycle", "timing_cycle", 0, "fast", ["'fast'", "expected a number greater than 0"]),
     "logical value": ("timing_cycle", "timing_cycle", 0, True, ["TRUE", "expected a number"]),
     "unknown law": ("axis1", "law", 1, "MPT", ["'MPT'", "expected MTP"]),
-    "number for a name": ("axes", "name", 0, 12, ["found 12", "expected a text"]),
+    "logical value for a name": ("axes", "name", 0, True, ["TRUE", "expected a text"]),
     "error value": ("timing_cycle", "timing_cycle", 0, "#DIV/0!", ["#DIV/0!", "expected a number"]),
 }  # fmt: skip
 TRIED = [(name, "inputs") for name in CELLS] + [("unknown law", "verify"), ("unknown law", "regenerate")]
