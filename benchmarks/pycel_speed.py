@@ -44,7 +44,7 @@ class Wrapper(ExcelOpxWrapperNoData):
 def book(cycle: int, law: int) -> Workbook:
     template = TEMPLATES["machine"]
     machine = read_machine(template.description)
-    sizes = machine.sizes.model_copy(update={"cycle": cycle, "law": law, "own_law": law})
+    sizes = machine.sizes.model_copy(update={"cycle": cycle, "law": law})
     declared = template.declare(machine.model_copy(update={"sizes": sizes}))
     return load_workbook(io.BytesIO(archive.zipped(parts(declared, template.model))))
 

@@ -90,7 +90,7 @@ def books(count: int, jobs: int, book: Path, folder: Path) -> float:
 def small(folder: Path) -> Path:
     """Build a book of about a thousand formula cells."""
     machine = read_machine(FOLDER / "motion-composer.toml")
-    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4, "own_law": 4})
+    sizes = machine.sizes.model_copy(update={"cycle": 4, "law": 4})
     build(machine.model_copy(update={"sizes": sizes}), folder / "book.xlsx")
     return folder / "book.xlsx"
 

@@ -22,6 +22,6 @@ def small(**sizes: int) -> AnyMachine:
 
 def too_weak() -> AnyMachine:
     """Return it in tables that are smaller still, with a motor too weak: checks of the drive FAIL."""
-    data = small(cycle=12, law=4, own_law=4).model_dump()
+    data = small(cycle=12, law=4).model_dump()
     data["axes"][0]["motor"]["peak_torque"] = data["axes"][0]["motor"]["rated_torque"] = 0.01
     return TEMPLATE.model.model_validate(data)

@@ -66,7 +66,7 @@ def work(job: Job) -> Result:
 def misnamed(job: Job) -> list[tuple[str, bool]]:
     """Judge one share of the faults in a template's names: each in words, and whether it is found."""
     name, given, share = job
-    bench = bench_of(name, cycle=12, law=4, own_law=4)
+    bench = bench_of(name, cycle=12, law=4)
     count = len(names.blocks(bench)) if given.all else given.names
     faults = chain(
         names.shifted(bench, names.blocks(bench), count, given.seed),

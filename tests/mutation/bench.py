@@ -27,7 +27,7 @@ from workbook.templates import Template
 from workbook.witnesses.pycel.calculation import Calculation
 from workbook.witnesses.pycel.model import PycelModel
 
-SMALL = {"cycle": 24, "law": 8, "own_law": 8}
+SMALL = {"cycle": 24, "law": 8}
 
 
 @dataclass(frozen=True)

@@ -44,7 +44,7 @@ class Looks:
 
     def __init__(self, name: str, folder: Path) -> None:
         template, machine = committed_as(name)
-        machine = smaller(machine, cycle=12, law=4, own_law=4)
+        machine = smaller(machine, cycle=12, law=4)
         self.model, self.template, self.path = type(machine), template, folder / f"{template.name}.xlsx"
         build(machine, self.path)
         self.declared = template.declare(machine)

@@ -22,7 +22,7 @@ pytestmark = pytest.mark.usefixtures("press")
 @cache
 def bench(name: str) -> Bench:
     template, machine = (TEMPLATE, read_machine(TEMPLATE.description)) if name == "press" else committed_as(name)
-    return Bench(template, smaller(machine, cycle=12, law=4, own_law=4))
+    return Bench(template, smaller(machine, cycle=12, law=4))
 
 
 @and_press

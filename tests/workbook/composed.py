@@ -9,7 +9,7 @@ COMPOSED = "motion-composer"
 """the committed description of one axis: the book that is soonest verified"""
 DESCRIBED = (*TEMPLATES, COMPOSED)
 """committed descriptions: that of each template, and the small one"""
-SMALL = {"cycle": 12, "law": 4, "own_law": 12}
+SMALL = {"cycle": 12, "law": 4}
 EXERCISE = (("DWL", 0.0, 60.0), ("CIC", 20.0, 60.0), ("DWL", 0.0, 60.0), ("MTP", -20.0, 60.0), ("DWL", 0.0, 120.0))
 """S3's: dwell, cycloidal rise to 20°, dwell, modified trapezoidal return, dwell"""
 RATES = ("velocity", "acceleration")
@@ -24,7 +24,7 @@ def committed_as(name):
 def small(**sizes):
     """The small committed machine, with tables as small as they may be."""
     _, machine = committed_as(COMPOSED)
-    least = {"cycle": 4, "law": 4, "own_law": 4} | sizes
+    least = {"cycle": 4, "law": 4} | sizes
     return machine.model_copy(update={"sizes": machine.sizes.model_copy(update=least)})
 
 

@@ -91,7 +91,7 @@ BETWEEN = [("motion-composer", "axis1"), ("motion-composer", "OWN_pieces"), ("ac
 @pytest.mark.sample(2)
 def test_a_row_left_blank_above_another_is_told_in_one_line(name, table, tmp_path):
     template, machine = committed_as(name)
-    short = {"cycle": 12, "law": 10, "own_law": 20}
+    short = {"cycle": 12, "law": 10}
     roomy = machine.model_copy(update={"sizes": machine.sizes.model_copy(update=short)})
     build(roomy, tmp_path / "book.xlsx")
     place = template.declare(roomy).blocks[table]

@@ -182,7 +182,7 @@ def test_arguments_of_a_call_are_told_apart():
 def scaled(duration):
     """S3's exercise, in so much of its abscissa."""
     phases = [(law, lift, share * duration / 360.0) for law, lift, share in EXERCISE]
-    return composed(phases, sizes={"cycle": 360, "law": 100, "own_law": 120})
+    return composed(phases, sizes={"cycle": 360, "law": 100})
 
 
 @pytest.mark.parametrize("total", [1.0, 0.25, 1e-3, 1e-6])

@@ -151,7 +151,7 @@ SLOW = ("machine", "cutting-machine", "actuator-sizing", "flying-cutter")
 TRIED = [pytest.param(name, case, marks=[pytest.mark.nightly] if n % 3 or name in SLOW else [])
          for name, cases in CASES.items() for n, case in enumerate(cases)]  # fmt: skip
 """every third of those that are soon verified by day, and all by night"""
-SMALL = {"cycle": 12, "law": 10, "own_law": 20}
+SMALL = {"cycle": 12, "law": 10}
 
 
 def small(name):

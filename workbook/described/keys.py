@@ -33,7 +33,6 @@ WORDS = {
     "template": "The kind of machine",
     "sizes.cycle": "Intervals of the table over the cycle",
     "sizes.law": "Intervals of the table of each law",
-    "sizes.own_law": "Of no account: an own law has nine points on each piece",
     "sizes.export": "Intervals of the table of the sheet Export",
     "sizes.phases": "Rows for phases of an axis or a motion",
     "sizes.rotors": "Rows for rotating parts",

@@ -6,24 +6,19 @@ from collections.abc import Mapping
 from datetime import date
 from typing import Annotated, Any, NamedTuple, Self
 
-from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from workbook.entries.texts import Text
 from workbook.entries.types import EntryError, Model
 from workbook.laws.entries import Laws, key_of, resolve
 from workbook.laws.pages.spline import ROOM
 
-STILL = 120
-"""what an entry is read as that is of no account any more"""
-
 
 class Sizes(Model):
-    """How large the tables are built: intervals of a cycle, a law, an exported axis; points of an own law; rows."""
+    """How large the tables are built: intervals of a cycle, a law, an exported axis; rows."""
 
     cycle: Annotated[int, Field(ge=4, le=7200)] = 360
     law: Annotated[int, Field(ge=4, le=1000)] = 60
-    own_law: Annotated[int, Field(ge=4, le=1000), AfterValidator(lambda n: STILL)] = STILL
-    """of no account any more: an own law has nine points on each piece"""
     export: Annotated[int, Field(ge=1, le=7200)] = 360
     phases: Annotated[int, Field(ge=2, le=60)] = 8
     rotors: Annotated[int, Field(ge=2, le=60)] = 6

@@ -63,7 +63,7 @@ class Entries:
         for key, value in self.template.fixed(default).items():
             put(self.data, key.split("."), value)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
-        small = roomy | {"cycle": 4, "law": 4, "own_law": 4}
+        small = roomy | {"cycle": 4, "law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
         self._fit(layout, {size for k, size in roomy.items() if size > self.data["sizes"].get(k, size)})
         self.moved = mend(file, layout, self.template.model_for(self.data))

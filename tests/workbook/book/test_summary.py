@@ -117,7 +117,7 @@ def test_every_check_is_printed(template):
 
 def test_the_first_page_tells_the_rate_that_the_drives_figures_hold_at():
     """A drive that is sized at a rate of its own is told so."""
-    data = cutting.small(cycle=12, law=4, own_law=4).model_dump()
+    data = cutting.small(cycle=12, law=4).model_dump()
     data["axes"][0]["rate"] = 80.0
     book = TEMPLATES["machine"].declare(TEMPLATES["machine"].model.model_validate(data))
     assert book.blocks["about_rate"].quantities[0].value == 200.0

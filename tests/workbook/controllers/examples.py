@@ -45,7 +45,6 @@ rate = 60.0
 [sizes]
 cycle = 4
 law = 4
-own_law = 12
 phases = 2
 [[axes]]
 name = "Press"

@@ -28,7 +28,7 @@ def machine_of(data):
 @pytest.fixture(scope="module")
 def data():
     """The cutting machine in small tables, as entries."""
-    return cutting.small(cycle=12, law=4, own_law=4).model_dump()
+    return cutting.small(cycle=12, law=4).model_dump()
 
 
 @pytest.fixture(scope="module")

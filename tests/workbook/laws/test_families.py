@@ -18,7 +18,7 @@ def one_of_each(turn, **sizes):
         found = FAMILY[code].page.variations
         laws[f"One {code}"] = {"family": code} | (found[turn % len(found)] if found else {})
     phases = [(f"one {code}", 10.0 + k, 20.0 + k) for k, code in enumerate(NAMED) if code != "DHM"]  # two sines
-    room = {"cycle": 48, "law": 10, "own_law": 120, "motion_pieces": 90} | sizes
+    room = {"cycle": 48, "law": 10, "motion_pieces": 90} | sizes
     return composed(phases, laws, room, closes="open")
 
 

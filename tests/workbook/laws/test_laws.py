@@ -24,7 +24,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 ROOT = Path(__file__).parents[3]
-SMALL = {"cycle": 12, "law": 4, "own_law": 8, "phases": 8}
+SMALL = {"cycle": 12, "law": 4, "phases": 8}
 FLYING = TEMPLATES["flying-cutter"]
 
 

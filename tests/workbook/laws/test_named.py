@@ -23,7 +23,7 @@ from workbook.writing import archive
 from workbook.writing.write import parts
 
 MACHINE = TEMPLATES["machine"]
-SMALL = {"cycle": 12, "law": 4, "own_law": 8}
+SMALL = {"cycle": 12, "law": 4}
 SOFT = {"family": "MTP", "durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]}
 HARD = {"family": "MTP", "durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]}
 

@@ -12,7 +12,7 @@ UP = [{"duration": 1.0, "c0": 4.0}]
 
 def machine(**laws):
     own = {name: {"family": "OWN", "pieces": pieces} for name, pieces in laws.items()}
-    return composed(laws=own, sizes={"law": 10, "own_law": 120})
+    return composed(laws=own, sizes={"law": 10})
 
 
 @pytest.fixture(scope="module")

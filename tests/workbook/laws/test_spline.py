@@ -21,7 +21,7 @@ def points(*pairs):
 def machine(laws, phases=None, more=None, axis=None, **sizes):
     known = {name: {"family": "SPL"} | entry for name, entry in laws.items()} | (more or {})
     moving = ((name, (-1) ** k * 10.0, 20.0 + k) for k, name in enumerate(laws))
-    room = {"law": 6, "own_law": 120, "motion_pieces": 120} | sizes
+    room = {"law": 6, "motion_pieces": 120} | sizes
     return composed(phases or [*moving, REST], known, room, **(axis or {}))
 
 

@@ -31,7 +31,7 @@ def described(rate=DRIVE, laws=("MTP", "MTP", "MTP"), selection=None, **feed):
 
     Without a sheet Selection, unless an axis is named for it.
     """
-    data = cutting.small(cycle=12, law=4, own_law=4).model_dump()
+    data = cutting.small(cycle=12, law=4).model_dump()
     data["master"]["rate"] = rate
     data["selection"] = {name: data["selection"][name] for name in ("motors", "reducers")} | {"axis": selection}
     data["axes"][0] |= {"rate": None, "smoothness": "acceleration"} | feed

@@ -19,7 +19,7 @@ from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["flying-cutter"]
 SAW = TEMPLATE.description.with_name("flying-cutter-saw.toml")
-SMALL = {"cycle": 24, "law": 8, "own_law": 8, "lengths": 6}
+SMALL = {"cycle": 24, "law": 8, "lengths": 6}
 RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02  # of the committed drum
 L0, LT = 2 * pi / 3 * RADIUS, pi / 6 * RADIUS
 LIMIT = (2 * L0 - LT) * 1e3  # mm: S5's limit length of a law with C_v = 2

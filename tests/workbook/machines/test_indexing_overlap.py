@@ -15,7 +15,7 @@ from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["indexing-overlap"]
-SMALL = {"cycle": 24, "law": 8, "own_law": 8, "margins": 5}
+SMALL = {"cycle": 24, "law": 8, "margins": 5}
 
 
 def entries(**changed):

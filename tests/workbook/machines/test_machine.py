@@ -13,7 +13,7 @@ from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
-SMALL = {"cycle": 12, "law": 4, "own_law": 60}
+SMALL = {"cycle": 12, "law": 4}
 
 
 def described(axes=None, **sizes):

@@ -16,7 +16,7 @@ from workbook.templates import TEMPLATES
 
 MACHINE = TEMPLATES["machine"]
 NAMED = ("LIN", "PO5", "PO7", "MSN", "SCV")
-SMALL = {"cycle": 36, "law": 4, "own_law": 4, "phases": 6}
+SMALL = {"cycle": 36, "law": 4, "phases": 6}
 DRIVE = {
     "mechanism": {"kind": "lead screw", "lead": 20.0, "efficiency": 0.8},
     "load": {"mass": 30.0, "friction": 0.05, "force": 40.0},

@@ -11,7 +11,7 @@ TEMPLATE = TEMPLATES["machine"]
 
 
 def at_rate(rate):
-    machine = sized(TEMPLATE, cycle=12, law=4, own_law=4)
+    machine = sized(TEMPLATE, cycle=12, law=4)
     master = machine.master.model_copy(update={"rate": rate})
     return machine.model_copy(update={"axes": machine.axes[1:2], "master": master, "clearances": [], "switches": []})
 

@@ -20,7 +20,7 @@ from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
 SCREW, CONVEYOR = (FOLDER / f"actuator-sizing{name}.toml" for name in ("", "-conveyor"))
-SMALL = {"cycle": 24, "law": 8, "own_law": 8, "motors": 5, "reducers": 5, "phases": 3}
+SMALL = {"cycle": 24, "law": 8, "motors": 5, "reducers": 5, "phases": 3}
 PINION = {"kind": "rack and pinion", "pinion_diameter": 30.0}
 THERE_AND_BACK = [
     {"start": 0.0, "stop": 0.1, "lift": 160.0, "law": "TVP"},

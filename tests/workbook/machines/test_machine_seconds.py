@@ -21,7 +21,7 @@ from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
 
 MACHINE = TEMPLATES["machine"]
-SMALL = {"cycle": 12, "law": 4, "own_law": 60, "phases": 3}
+SMALL = {"cycle": 12, "law": 4, "phases": 3}
 OUT, BACK = {"start": 0.05, "stop": 0.095, "lift": 20.0, "law": "MTP"}, {
     "start": 0.2, "stop": 0.29, "lift": -20.0, "law": "CIC"
 }  # fmt: skip
@@ -50,7 +50,7 @@ def small(name):
     """A committed machine with small tables, told in degrees."""
     given = read_machine(MACHINE.description.with_name(f"{name}.toml"))
     data = given.model_dump()
-    data["sizes"] |= {"cycle": 12, "law": 4, "own_law": 60}
+    data["sizes"] |= {"cycle": 12, "law": 4}
     return type(given).model_validate(data)
 
 

@@ -18,7 +18,7 @@ from workbook.template import FOLDER
 
 DESCRIPTION = FOLDER / "motion-composer.toml"
 EXAMPLES = [FOLDER / f"motion-composer-example-{k}.toml" for k in (1, 2, 3)]
-SMALL = {"cycle": 12, "law": 4, "own_law": 4}
+SMALL = {"cycle": 12, "law": 4}
 
 
 def described(path=DESCRIPTION, **sizes):
@@ -195,7 +195,7 @@ def test_pycel_agrees_with_each_law(law):
 
 def test_every_check_of_the_motion_that_can_fail_does_so_in_some_variant():
     verdicts = {}
-    for machine in MACHINE.variants(composed(EXERCISE, sizes={"own_law": 120})):
+    for machine in MACHINE.variants(composed(EXERCISE)):
         for _, q in MACHINE.declare(machine).checks:
             verdicts.setdefault(q.name, set()).add(q.value)
     for name in ("axis1_position", "axis1_smooth", "axis1_closes"):
@@ -222,7 +222,7 @@ def drawn(dice):
         lift = 0.0 if law == "DWL" else dice.choice((0.0, dice.uniform(-size, size), dice.uniform(-size, size)))
         phases.append((law, lift, 10 ** dice.uniform(-2, 2)))
     over, unit = dice.choice(("°", "rad", "mm", "s")), dice.choice(("mm", "°"))
-    sizes = {"cycle": dice.choice((7, 24)), "motion_pieces": 220, "own_law": 120}
+    sizes = {"cycle": dice.choice((7, 24)), "motion_pieces": 220}
     closes = dice.choice(("position", "open"))
     return composed(phases, laws, sizes, over=over, unit=unit, closes=closes, position=dice.uniform(-size, size))
 

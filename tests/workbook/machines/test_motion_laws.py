@@ -10,7 +10,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["motion-laws"]
-SMALL = {"cycle": 4, "law": 4, "own_law": 4}
+SMALL = {"cycle": 4, "law": 4}
 FIGURES = {  # C_v, C_a+, C_a,rms, (va)+, E, order at ends and inside: the laws compared with each other at λ = 1/2
     "CUB": (1.5, 6, 3.464101615138, 3.464101615138, 1, "velocity", "jerk"),
     "Simple harmonic": (1.570796326795, 4.934802200545, 3.489432099819, 3.875784585037, 1.014678031604, "velocity",

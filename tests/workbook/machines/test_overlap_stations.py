@@ -20,7 +20,7 @@ from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["indexing-overlap"]
 STATIONS = FOLDER / "indexing-overlap-stations.toml"
-SMALL = {"cycle": 24, "law": 8, "own_law": 8, "margins": 5}
+SMALL = {"cycle": 24, "law": 8, "margins": 5}
 OWN_PLACE = {"lane_a", "lane_b", "x"}  # columns that say where a tool is drawn among the others
 WORKED_OUT_ONCE = {"lane_t"}  # of the transfer, in the table of the first tool
 

@@ -21,7 +21,7 @@ from workbook.reading.descriptions import checked, read_machine, write_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
-SIZES = {"cycle": 24, "law": 8, "own_law": 8, "phases": 8, "rotors": 6, "pieces": 8, "motors": 2, "reducers": 2}
+SIZES = {"cycle": 24, "law": 8, "phases": 8, "rotors": 6, "pieces": 8, "motors": 2, "reducers": 2}
 
 
 def shares(dice, count, zeros=0.0):

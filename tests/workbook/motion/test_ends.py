@@ -20,7 +20,7 @@ from workbook.machines.machine.motion import extremes
 from workbook.machines.machine.view import Whole
 
 IN_STEP = tomllib.loads((Path(__file__).parent / "in_step.toml").read_text(encoding="utf-8"))
-SMALL = {"cycle": 36, "law": 4, "own_law": 4}
+SMALL = {"cycle": 36, "law": 4}
 FAMILIES = ("LIN", "MSN", "MTS", "SCC", "SCV", "SHM", "SRT", "SGS", "HAC", "PO5", "PO7", "DHM")
 DRAWN = ("ACS", "TVP", "CIC", "CUB", "MTP", "LIN", "DWL", "OWN", "shifted", *FAMILIES, "LIN", "PO5", "PO7")
 STEP = [("PO5", 30.0, 90.0), ("LIN", 20.0, 40.0), ("PO5", -50.0, 170.0), ("DWL", 0.0, 60.0)]

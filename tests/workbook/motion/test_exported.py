@@ -12,7 +12,7 @@ from workbook.reading.descriptions import checked, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
-SMALL = {"cycle": 12, "law": 4, "own_law": 60, "export": 30}
+SMALL = {"cycle": 12, "law": 4, "export": 30}
 AXES = {"cutting-machine": 3, "machine": 4, "motion-composer": 1, "actuator-sizing": 1, "flying-cutter": 2,
         "indexing-overlap": 2, "indexing-overlap-stations": 4}  # fmt: skip
 ALL = [(name, number) for name, count in AXES.items() for number in range(1, count + 1)]

@@ -73,7 +73,7 @@ BOXES = [
 def machine(**choice):
     """A heavy drum in small tables, with a choice."""
     data = read_machine(TEMPLATE.description).model_dump()
-    data["sizes"] |= {"cycle": 72, "law": 4, "own_law": 20, "motors": 4, "reducers": 4}
+    data["sizes"] |= {"cycle": 72, "law": 4, "motors": 4, "reducers": 4}
     data["cutter"] |= HEAVY
     data["selection"] = {"motors": STRONG, "reducers": BOXES} | choice
     return TEMPLATE.model.model_validate(data)

@@ -76,7 +76,7 @@ def server(tmp_path_factory):
     root = tmp_path_factory.mktemp("serve") / "machines"
     root.mkdir()
     (root.parent / "secret.toml").write_text("outside")
-    machine = cutting.small(cycle=12, law=4, own_law=4)
+    machine = cutting.small(cycle=12, law=4)
     write_inputs(machine, root / "cutting.toml")
     write_inputs(machine, root / "live.toml")
     build(machine, root / "cutting.xlsx")

@@ -64,7 +64,7 @@ def test_a_hundred_commands_wait_for_their_turn(monkeypatch):
 
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="the processes of a machine are listed in /proc")
 def test_a_study_ends_with_the_server_and_its_parts_stay(tmp_path):
-    write_inputs(cutting.small(cycle=12, law=4, own_law=4), tmp_path / "long.toml")
+    write_inputs(cutting.small(cycle=12, law=4), tmp_path / "long.toml")
     with serving(tmp_path) as server:
         server.ask("/study", server.form(name="long.toml", **LONG))
         while not [*tmp_path.glob("*.parts/part-*.json")]:

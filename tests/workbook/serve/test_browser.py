@@ -14,7 +14,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.serve.live import design
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-SMALL = "\n[sizes]\ncycle = 12\nlaw = 4\nown_law = 4\n"
+SMALL = "\n[sizes]\ncycle = 12\nlaw = 4\n"
 SERIOUS = ("serious", "critical")
 NARROW, WIDE = 1024, 1600
 LONG = 60_000  # ms: a workbook is built, or verified

@@ -8,7 +8,7 @@ from workbook.reading.descriptions import write_machine
 from workbook.serve.live import design
 from workbook.serve.toml import edited
 
-TEXT = write_machine(cutting.small(cycle=12, law=4, own_law=4))
+TEXT = write_machine(cutting.small(cycle=12, law=4))
 DRIVE = ("axes", "0", "motor", "inertia")
 EDITS = [
     [(("axes", "1", "phases", "0", "stop"), 130.0)],

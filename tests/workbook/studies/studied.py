@@ -7,7 +7,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
 
-SIZES = {"cycle": 90, "law": 4, "own_law": 4}
+SIZES = {"cycle": 90, "law": 4}
 FEED = "axes.MC01.phases[1]"
 
 

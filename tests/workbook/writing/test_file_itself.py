@@ -59,7 +59,7 @@ def book(template, tmp_path_factory):
 
 def shortened(name):
     template, machine = committed_as(name)
-    sizes = machine.sizes.model_copy(update=dict.fromkeys(("law", "own_law", "cycle"), 12))
+    sizes = machine.sizes.model_copy(update=dict.fromkeys(("law", "cycle"), 12))
     return template, machine.model_copy(update={"sizes": sizes})
 
 
