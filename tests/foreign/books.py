@@ -78,6 +78,11 @@ def radiator(sheet: str, cell: str, formula: str) -> str:
     return formula.replace("*albedo*absorp*", "*solar*albedo*absorp*")
 
 
+def receiver(sheet: str, cell: str, formula: str) -> str:
+    """A stage of 0 dB is one: only a blank is none. All sheets have the temperature of reference from a cell."""
+    return re.sub(r"IF\(([DE]\d+),", r"IF(ISNUMBER(\1),", formula).replace("290*", "General!$C$4*")
+
+
 BOOKS = [
     Foreign(
         "stepper",
@@ -103,5 +108,13 @@ BOOKS = [
         "47623946065ad1af9d384a704b842d656ea06113466f208a43ef000c57bbc613",
         radiator,
         {"value": 509, "dimension": 429},
+    ),
+    Foreign(
+        "receiver",
+        "https://github.com/oresat/oresat-c3-rf, link-models/Friis_noise_temp_calculators.xlsx at 8c5ae7d",
+        "MIT",
+        "1432c6fe0c8c2a553e710c60ed936db75181fa66bd56f9bf41984486f9019a42",
+        receiver,
+        {"value": 104, "dimension": 9},
     ),
 ]

@@ -15,7 +15,7 @@ NONE = Dimension({})
 """of numbers, angles, shares and counts"""
 POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 FACTOR = re.compile(r"(?P<word>1|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
-BETWEEN = re.compile(r"[ ·*.×-]*")
+BETWEEN = re.compile(r"(?! - )[ ·*.×-]*")
 WORDS = {
     "1": "", "%": "", "‰": "", "°": "", "cycles": "", "pieces": "", "rpm": "1/min", "C": "K", "°C": "K", "°F": "K",
     "Ω": "ohm", "µm": "m", "μm": "m", "Nm": "N m", "kNm": "N m", "mNm": "N m", "Ncm": "N m", "Nmm": "N m",

@@ -29,7 +29,7 @@ def test_units_are_read_as_people_write_them(unit, same):
     assert dimension_of(unit) == dimension_of(same) is not None
 
 
-@pytest.mark.parametrize("unit", ["", "SI", "Teeth", "m, rad", "kg or price", "yes/no", "+"])
+@pytest.mark.parametrize("unit", ["", "SI", "Teeth", "m, rad", "kg or price", "yes/no", "+", "F - 1"])
 def test_what_is_no_unit_is_not_known(unit):
     assert dimension_of(unit) is None
 

@@ -116,6 +116,15 @@ def _pv(rate: float, nper: float, pmt: float, fv: float = 0, type_: float = 0) -
     return excellib.pv(rate, nper, pmt, fv, type_) if abs(nper) <= MOST_PERIODS else NUM_ERROR
 
 
+def product(*factors: Any) -> Any:
+    """Return PRODUCT, which pycel does not have: of numbers as SUM takes them, 0 of none."""
+    numbers = excellib._numerics(*factors)
+    if isinstance(numbers, str):
+        return numbers
+    result = math.prod(map(float, numbers)) if numbers else 0.0
+    return result if math.isfinite(result) else NUM_ERROR
+
+
 def _sumproduct(*arrays: Any) -> Any:
     """Return a number of Python's: pycel's ROUND and others fail on NumPy's; a single cell is a range of one."""
     result = excellib.sumproduct(*(array if is_array_arg(array) else ((array,),) for array in arrays))
