@@ -15,7 +15,7 @@ from workbook.templates import AnyTemplate
 
 WIDTH, COLUMN = 116, 32
 AXES = 2
-RARE = ("clearances", "switches")
+RARE = ("clearances", "sizes", "switches")
 """what the example has and a first machine does not need"""
 HEAD = "A machine to begin with: change what differs. What is rarely needed stands below, in comments."
 REST = (
