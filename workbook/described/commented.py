@@ -16,7 +16,7 @@ from workbook.templates import AnyTemplate
 WIDTH, COLUMN = 116, 32
 AXES = 2
 RARE = ("clearances", "sizes", "switches")
-"""what the example has and a first machine does not need"""
+"""what an example of a machine has and a first machine does not need"""
 HEAD = "A machine to begin with: change what differs. What is rarely needed stands below, in comments."
 REST = (
     "Rarely needed. Move a line up into its table and take the # away. A table of several kinds takes the keys of its "
@@ -37,7 +37,7 @@ def shortened(data: dict[str, Any]) -> dict[str, Any]:
     return {
         name: value[:AXES] if name == "axes" and isinstance(value, list) else value
         for name, value in data.items()
-        if name not in RARE
+        if name not in RARE or "axes" not in data
     }
 
 
