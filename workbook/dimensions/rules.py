@@ -146,8 +146,10 @@ class Reading:
                 return self.power(*parts)
             case "SUMSQ":
                 return self.power(self.like(name, parts), Term(number=2.0))
-            case "PRODUCT" | "SUMPRODUCT":
+            case "SUMPRODUCT":
                 return product(parts, (1,) * len(parts))
+            case "PRODUCT":  # of a range it has the power of its size, which a term does not tell
+                return Term(NONE) if all(part.dimension == NONE for part in parts) else UNKNOWN
             case "IF" | "CHOOSE":
                 return self.like(f"the branches of {name}", parts[1:])
             case "LOOKUP":

@@ -85,6 +85,7 @@ def test_what_cannot_be_is_named(formula, units, says):
         ("=ROUND(MAX(a,0)/b^(1/2),2)", {"a": "m", "b": "m²", "x": "%"}),
         ("=a+273.15", {"a": "°C", "x": "K"}),
         ("=SUMPRODUCT(A1:A1,B1:B1)*c%", {"a": "m", "b": "N", "c": "", "x": "J"}),
+        ("=PRODUCT(a:b)+c", {"a": "m", "b": "m", "c": "m²", "x": "m²"}),
         ("=(a>b)*c-(-c)", {"a": "m", "b": "m", "c": "W", "x": "kW"}),
     ],
 )  # fmt: skip
