@@ -19,8 +19,10 @@ from workbook.templates import TEMPLATES
 
 LONGEST, MOST, HALF = 200, 130, 60
 """characters of any formula, of 95 % of a book's formulas and of half of them"""
-DEEPEST, WIDEST, STEPS = 4, 40, 8
-"""functions within each other, columns of a sheet, precedents from a result to an entry"""
+DEEPEST, WIDEST, STEPS, LONG = 4, 40, 8, 40
+"""functions within each other, columns of a sheet, precedents from a result to an entry, rows of a long table"""
+LISTS = ("pieces", "checks", "switch_lanes")
+"""pieces of all laws from their sheets, all checks, the corners of switches' lanes from their times"""
 CALL = re.compile(r'"[^"]*"|([A-Z][A-Z0-9]*)\(|[()]')
 NUMBER = re.compile(r"(?<![\w.$])\d+\.?\d*(?:[eE][+-]?\d+)?(?![\w.$(])")
 PLAIN = re.compile(r"\d{1,6}(\.\d{1,6})?|1E[+-]?\d+|10{9}", re.I)
@@ -111,38 +113,73 @@ def test_depth_counts_functions_alone():
     assert depth('=IF(([a]+(1))>0,MAX(0,"IF(("),SUM(ABS(1)))') == 3
 
 
-def precedents(book, at):
+@pytest.mark.parametrize("name", BOOKS)
+def test_a_column_of_a_long_table_has_one_formula(name):
+    """Rows of samples, points and pairs differ by their references alone; lists gather what stands elsewhere."""
+    long = [b for b in declared(name).blocks.values() if b.size >= LONG and b.name not in LISTS]
+    columns = {(b.name, column[0].quantity.name): column for b in long for column in b.by_column()}
+    forms = {
+        at: {re.sub(r"\d+", "#", c.content) for c in cells if is_formula(c.content)} for at, cells in columns.items()
+    }
+    assert {at: sorted(found) for at, found in forms.items() if len(found) > 1} == {}
+
+
+@cache
+def cells_of(name):
+    """The declared cells of a book by their places."""
+    return {(c.block.sheet.title, c.row, c.column): c for c in declared(name).cells()}
+
+
+@cache
+def named(name):
+    """The defined names of a book as a pattern, and what each stands for."""
+    names = {one: defined.attr_text for one, defined in written(name).defined_names.items()}
+    either = "|".join(re.escape(one) for one in sorted(names, key=len, reverse=True))
+    return re.compile(rf"(?<![\w!'])(?:{either})(?![\w(!])"), names
+
+
+@cache
+def precedents(name, at):
     """The cells that a formula refers to, of a range the first; names are the places that they stand for."""
     title, row, column = at
-    text = TEXT.sub("", str(book[title].cell(row, column).value))
-    for name in sorted(book.defined_names, key=len, reverse=True):
-        text = re.sub(rf"(?<![\w!']){re.escape(name)}(?![\w(!])", book.defined_names[name].attr_text, text)
-    for found in REFERENCE.finditer(text):
-        low, top, *_ = range_boundaries(found[2].replace("$", ""))
-        yield (found[1] or title).strip("'"), top, low
+    pattern, names = named(name)
+    text = TEXT.sub("", str(written(name)[title].cell(row, column).value))
+    text = pattern.sub(lambda found: names[found[0]], text)
+    return [
+        ((found[1] or title).strip("'"), *reversed(range_boundaries(found[2].replace("$", ""))[:2]))
+        for found in REFERENCE.finditer(text)
+    ]
 
 
 def way(name, start):
-    """The shortest way from a result to an entry: cells, each a precedent of the one before."""
-    book, block = written(name), declared(name).blocks[start]
-    held = {(c.block.sheet.title, c.row, c.column): c for c in declared(name).cells()}
-    first = next(iter(block.cells()))
-    ways = [[(block.sheet.title, first.row, first.column)]]
-    seen = set(ways[0])
+    """The shortest way from a place to an entry, as cells; the place alone where its formula refers to nothing."""
+    held, ways, seen = cells_of(name), [[start]], {start}
     while ways:
         one = ways.pop(0)
-        if held[one[-1]].quantity.role == "input":
+        before = [at for at in precedents(name, one[-1]) if at in held]
+        if held[one[-1]].quantity.role == "input" or (one == [start] and not before):
             return [held[at] for at in one]
-        for at in precedents(book, one[-1]):
-            if at not in seen and at in held:
-                seen.add(at)
-                ways.append([*one, at])
+        ways += [[*one, at] for at in dict.fromkeys(before) if at not in seen]
+        seen.update(before)
     raise AssertionError(f"{start} leads to no entry")
 
 
 @pytest.mark.parametrize("name", ["machine", "cutting-machine", "machine-linkages"])
 def test_from_the_rms_torque_to_an_entry_it_is_not_far(name):
-    steps = way(name, "drive1_rms")
+    first = next(iter(declared(name).blocks["drive1_rms"].cells()))
+    steps = way(name, (first.block.sheet.title, first.row, first.column))
     print("\n  ← ".join([name, *(f"{c.block.sheet.title}: {c.quantity.label}" for c in steps)]))
+    assert steps[-1].quantity.role == "input"
     assert all(c.quantity.label for c in steps)
     assert len(steps) - 1 <= STEPS
+
+
+@pytest.mark.parametrize(
+    "name", ["machine", "cutting-machine", "flying-cutter", "indexing-overlap", "machine-linkages"]
+)
+def test_from_any_result_on_the_summary_to_an_entry_it_is_not_far(name):
+    summary = declared(name).sheets[0].title
+    starts = [at for at, cell in cells_of(name).items() if at[0] == summary and is_formula(cell.content)]
+    ways = {at: way(name, at) for at in starts}
+    assert {at: len(steps) - 1 for at, steps in ways.items() if len(steps) - 1 > STEPS} == {}
+    assert [at for at, steps in ways.items() if not all(cell.quantity.label for cell in steps)] == []
