@@ -2,6 +2,7 @@
 
 import itertools
 import random
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -66,8 +67,8 @@ def moved(phases, **more):
 
 def course_of(one):
     """The drive of a machine's first axis over its motion."""
-    whole = Whole(one, laws(one.laws))
-    return Driven(whole.axes[0], one).results.drive_cycle
+    axis = Whole(one, laws(one.laws)).axes[0]
+    return replace(Driven(axis, one).results.drive_cycle, motion=axis.motion)
 
 
 @pytest.mark.sample(1)
