@@ -90,7 +90,7 @@ class Joints:
             *self._lasting(room), *self._ends(room), *self._rates(room), *self._jumps(room),
             blank=f"[r]>{self.rows.at.count}",
         )  # fmt: skip
-        sheet.rows(*self._first(room))
+        sheet.rows(*self._first())
 
     def _of(self, figure: Callable[[Joint], Any], spare: Any, room: int) -> list[Any]:
         return filled((figure(joint) for joint in self.found), room, spare)
@@ -197,10 +197,10 @@ class Joints:
         """Return the formula of a column at the first joint that is less smooth than asked."""
         return f"INDEX([{column}],{self.asked.order}_piece)"
 
-    def _first(self, room: int) -> list[Quantity]:
+    def _first(self) -> list[Quantity]:
         """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
         asked, name, at, told = self.asked, self.asked.order, self._at_first, self._told()
-        order, after = at(f"{self.name}.order"), room + 1
+        order = at(f"{self.name}.order")
         x, size = in_time(asked, at(f"{self.rows.at.pieces}.begin"), f"ABS({at(f'{self.name}.size')})", order)
         units = ",".join(formula for formula, _ in asked.units)
         who, straight = self._who(), self._straight_lines(told)
@@ -226,10 +226,10 @@ class Joints:
             *straight,
             ("says", "What is less smooth than asked", says, told.says),
         ]
-        last = f"{after}-SUMPRODUCT(MAX(([{self.name}.order]>0)*({after}-[{self.name}.r])))"
+        first = f"ROUND(1/SUMPRODUCT(MAX(([{self.name}.order]>0)/[{self.name}.r])),0)"
         return [
             calc(f"{name}_piece", "First piece that begins less smoothly than asked", "", "",
-                 f"=IF(SUM([{self.name}.order])=0,0,{last})", number, format="0", source="0 where none does"),
+                 f"=IF(SUM([{self.name}.order])=0,0,{first})", number, format="0", source="0 where none does"),
             *(calc(f"{name}_{mark}", label, "", "",
                    f"=IF({name}_piece=0,{NONE[not isinstance(value, str)]},{formula})", value)
               for mark, label, formula, value in rows),

@@ -92,7 +92,9 @@ def designed(book):
     for block in book.blocks.values():
         for cell in block.cells():
             q, place = cell.quantity, f"{block.sheet.title}!{get_column_letter(cell.column)}{cell.row}"
-            shown = SHOWN if q.role == "sentence" or q.name == "jump" else set()  # a jump as its sentence tells it
+            shown = (
+                SHOWN if q.role == "sentence" or q.name.endswith("_jump") else set()
+            )  # a jump as its sentence tells it
             closed = DRIVES if block.sheet.title.startswith("Drive ") else CLOSED.get(block.sheet.title, set())
             numbers[place] = shown | closed | guarded.get(f"{block.name}.{q.name}" if block.is_table else q.name, set())
             by_row = q.formula is not None and not isinstance(q.formula, str)  # one for each row: each law, each part

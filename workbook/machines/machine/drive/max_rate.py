@@ -17,8 +17,8 @@ from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 NO_LIMIT = "–"
 NOTE = "exact at the rate that is entered; elsewhere to about 1 %"
 ABOUT = (
-    "At rest a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times the rate the "
-    "torque is T_s + x I; of each limit, 1/x is the share that grows so and is used. T_rms meets its limit where "
+    "At rest a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times it the "
+    "torque is T_s + x I; of each limit, 1/x is the share that grows so and is used. T_rms is at its limit where "
     "A_s + 2 B_s x + C_s x² = (M − ΔM √x)², with √x ≤ (x_s + x/x_s)/2."
 )
 SPEEDS = ("motor speed", "reducer input speed")
