@@ -61,7 +61,7 @@ DESCRIPTIONS = {
     "an integer of 5,000 digits": (TEXT.replace("200.0", "9" * 5_000), "digits"),
     "an integer of 4,300 digits": (TEXT.replace("200.0", "9" * 4_300), "master.rate"),
     "an integer of 100,000 hexadecimal digits": (TEXT.replace("200.0", "0x" + "f" * 100_000), "master.rate"),
-    "an integer of 2,000 digits as a size": (TEXT.replace("[sizes]\n", "[sizes]\nlaw = " + "9" * 2_000 + "\n"), "sizes.law"),
+    "an integer of 2,000 digits as a size": (TEXT.replace("[sizes]", "[sizes]\nlaw = " + "9" * 2_000), "sizes.law"),
     "two million characters": (TEXT + "#" * 2_000_000, "2,00"),
     "a list as the template": (TEXT.replace('"machine"', '["machine"]'), "template"),
     "a table as the template": (TEXT.replace('template = "machine"', "template = {a = 1}"), "template"),
