@@ -28,11 +28,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
     e, key = driven.of_kind(CrankSlider), f"{key}.mechanism"
     return [
-        given("@crank_radius", "Radius of the crank", "r", "mm", e.crank_radius, f"{key}.crank_radius", format="0.0##"),
-        given("@rod_length", "Length of the connecting rod", "l", "mm", e.rod_length, f"{key}.rod_length",
-              format="0.0##", source="its mass: a share to the load, the rest to the parts"),
-        given("@offset", "Offset of the slide's line from the shaft", "e", "mm", e.offset, f"{key}.offset",
-              format="0.0##", source="0 if empty"),
+        *slides.crank(e, key, "load"),
         given("@zero", "Positions grow from the dead centre", "", "", e.zero, f"{key}.zero", align="left",
               source="inner, or outer; inner if empty"),
         given("@branch", "The crank is, of the line from shaft to slide", "", "", e.branch, f"{key}.branch",

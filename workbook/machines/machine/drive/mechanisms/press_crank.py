@@ -20,11 +20,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
     e, key = driven.of_kind(PressCrank), f"{key}.mechanism"
     return [
-        given("@crank_radius", "Radius of the crank", "r", "mm", e.crank_radius, f"{key}.crank_radius", format="0.0##"),
-        given("@rod_length", "Length of the connecting rod", "l", "mm", e.rod_length, f"{key}.rod_length",
-              format="0.0##", source="its mass: a share to the slide, the rest to the parts"),
-        given("@offset", "Offset of the slide's line from the shaft", "e", "mm", e.offset, f"{key}.offset",
-              format="0.0##", source="0 if empty"),
+        *slides.crank(e, key, "slide"),
         given("@start_angle", "Angle of the crank where the axis is at 0", "φ_0", "°", e.start_angle,
               f"{key}.start_angle", format="0.0##", source="from the slide's line outwards; 0 if empty"),
     ]  # fmt: skip

@@ -14,9 +14,10 @@ from engine.drive.mechanisms.rocker import farther
 from engine.drive.mechanisms.slide import SlideLinkage, lever_angle, slopes
 from engine.drive.mechanisms.variable_ratio import Linkage, near_end
 from engine.laws.base import Array
-from workbook.book.declare import Quantity, Sheet, calc
+from workbook.book.declare import Quantity, Sheet, calc, given
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.mechanisms.column import Column
+from workbook.machines.machine.mechanism import CrankSlider, PressCrank
 
 AREA = "SQRT(MAX(0,(@l+@r-{d})*(@l-@r+{d})*({d}+@r-@l)*({d}+@r+@l)))"
 """4 times the area of the triangle of shaft, lever's end and slide, by Heron's formula"""
@@ -47,6 +48,17 @@ def area(one: SlideLinkage, d: Array | float) -> Any:
     """Return four areas of the triangle where the slide is at d from the shaft (m²), by its sides."""
     r, rod = one.lever, one.link
     return np.sqrt(np.maximum(0.0, (rod + r - d) * (rod - r + d) * (d + r - rod) * (d + r + rod)))
+
+
+def crank(e: CrankSlider | PressCrank, key: str, moved: str) -> list[Quantity]:
+    """Return the rows of crank, rod and offset as they are entered; ``moved`` is what has a share of the rod's mass."""
+    return [
+        given("@crank_radius", "Radius of the crank", "r", "mm", e.crank_radius, f"{key}.crank_radius", format="0.0##"),
+        given("@rod_length", "Length of the connecting rod", "l", "mm", e.rod_length, f"{key}.rod_length",
+              format="0.0##", source=f"its mass: a share to the {moved}, the rest to the parts"),
+        given("@offset", "Offset of the slide's line from the shaft", "e", "mm", e.offset, f"{key}.offset",
+              format="0.0##", source="0 if empty"),
+    ]  # fmt: skip
 
 
 def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
