@@ -1,7 +1,5 @@
 """What descriptions say of rotating parts, and of efficiencies."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Annotated
 

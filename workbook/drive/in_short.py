@@ -1,7 +1,5 @@
 """The axes of a machine in short, for its first sheet: travel, greatest rates, and what each drive is used to."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 

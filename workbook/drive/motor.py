@@ -3,8 +3,6 @@
 The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and ``@mean`` (rpm).
 """
 
-from __future__ import annotations
-
 from engine.drive.motor import CORNERS, Corners, Motor, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, result

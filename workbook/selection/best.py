@@ -1,17 +1,16 @@
-"""The list of the best pairs on the sheet Selection, and how it is found."""
-
-from __future__ import annotations
+"""The list of the best pairs on the sheet Selection, how it is found, and the chart of what they use."""
 
 from typing import Any
 
 import numpy as np
 
-from engine.selection.pair_matrix import falling
+from engine.selection.pair_matrix import Used, falling
+from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.choosing import BEST, Choosing
-from workbook.selection.formulas import rms_of, through, torque_of, whole
+from workbook.selection.shaft import rms_of, through, torque_of
 
 DASH = '0.0##;-0.0##;"–"'
 
@@ -36,7 +35,7 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
 
     def pair(table: str) -> str:
         row, column = (f"MAX(1,INDEX([@order.{one}],[place]))" for one in "mr")
-        return there(f"INDEX({whole(view, table)},{row},{column})")
+        return there(f"INDEX({view.whole(table)},{row},{column})")
 
     sheet.row += 1
     sheet.table(
@@ -74,7 +73,7 @@ def order_table(sheet: Sheet, view: Choosing) -> None:
     sheet.table(
         "@order", "Which pairs the best are", BEST,
         constant("place", "place", "", "", list(range(1, BEST + 1))),
-        calc("key", "sorted by", "", "", there(f"SMALL({whole(view, 'key')},[place])"),
+        calc("key", "sorted by", "", "", there(f"SMALL({view.whole('key')},[place])"),
              filled([float(view.keys[pair]) for pair in pairs], BEST), format="0"),
         calc("at", "pair", "", "", f"=[key]-{rows}*INT(([key]+0.5)/{rows})",
              filled([view.place(pair) for pair in pairs], BEST, 0), format="0", source="motor by motor, from 0"),
@@ -133,3 +132,47 @@ def figures(view: Choosing) -> list[Quantity]:
              there("[tp]-MAX(INDEX([@best.peak],[place]),[asked])"), of([one.spare for one in view.listed]),
              scale=scale),
     ]  # fmt: skip
+
+
+NAMED = 6
+"""pairs that a chart shows"""
+
+
+def uses(sheet: Sheet, view: Choosing) -> None:
+    """Declare the points of the chart: left of its edge where there is no pair."""
+    names = view.named(NAMED)
+    sheet.heading("Workings: as drawn in the chart")
+    sheet.rows(*(
+        calc(f"@name{k}", f"Pair {k}", "", "",
+             f'=IF([@order.m.{k}]>0,[@best.motor.{k}]&" + "&[@best.reducer.{k}],"–")', names[k - 1], align="left")
+        for k in range(1, NAMED + 1)
+    ))  # fmt: skip
+    for k in range(1, NAMED + 1):
+        row, there = f"INDEX([motors.nmax],MAX(1,[@order.m.{k}]))", f"[@order.m.{k}]>0"
+        point(sheet, k, f"=IF({there},[@best.n.{k}]/{row},0-1)",
+              f"=IF({there},[@best.share.{k}],0-1)", view.used(k - 1))  # fmt: skip
+    point(sheet, 0, "=@own_speed/@held_nmax", "=@own_rms/@held_rated", view.own_use)
+
+
+def point(sheet: Sheet, k: int, speed: str, torque: str, used: Used) -> None:
+    """Declare a point."""
+    sheet.table(
+        f"@use{k}", f"Pair {k}" if k else "The drive's pair", 1,
+        calc("speed", "speed", "", "", speed, [used.speed]),
+        calc("torque", "RMS torque", "", "", torque, [used.torque]),
+    )  # fmt: skip
+
+
+def chart(sheet: Sheet) -> None:
+    """Place the chart, whose series are named by their pairs."""
+    shown = [Series(f"=@name{k}", f"[@use{k}.speed]", f"[@use{k}.torque]", points=True, marker="circle")
+             for k in range(1, NAMED + 1)]  # fmt: skip
+    series = (*shown, Series("the drive's pair", "[@use0.speed]", "[@use0.torque]", points=True, marker="diamond",
+                             color="374151"))  # fmt: skip
+    sheet.chart(
+        Chart("What the best pairs use of their motors", "largest speed / motor's largest speed",
+              "RMS torque / continuous torque", series,
+              "RMS torque over continuous torque against speed over largest speed, of the best pairs and the drive's",
+              (0, None, None), (0, None, None)),
+        column=13, row=5, width=8, height=24,
+    )  # fmt: skip

@@ -1,7 +1,5 @@
 """One product of a catalogue: what is known of it, and the rules that its figures obey."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Annotated
 

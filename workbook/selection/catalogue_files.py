@@ -1,7 +1,5 @@
 """Catalogues of motors and reducers as CSV: one product a line, figures in the units that the column heads name."""
 
-from __future__ import annotations
-
 import csv
 import re
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """The sheet of motors and reducers, from which drives take theirs by name."""
 
-from __future__ import annotations
-
 from workbook.book.declare import Book, Quantity, Sheet, given
 from workbook.book.rows import filled
 from workbook.selection.catalogue import FALLING, HALF

@@ -1,7 +1,5 @@
 """The engine's view of a choice of motor and reducer for one axis of a machine: units to SI, tables as on the sheet."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from functools import cached_property
@@ -205,6 +203,10 @@ class Choosing:
         inertias = (inertia - motor + self.load.inertia / ratio**2) / motor if motor else 0.0
         margin = held("rated") / rms if rms else 0.0
         return Figures(rms, margin, held("top"), shown(ratio * self.load.speed, RPM), inertias, held("spare"))
+
+    def whole(self, table: str) -> str:
+        """Return the range of a table of all pairs."""
+        return f"[@{table}1.v.first]:[@{table}{self.rooms[1]}.v.last]"
 
     def spread(self, table: NDArray[Any], spare: Any) -> list[list[Any]]:
         """Return a table of the pairs by columns, ``spare`` where a row or a column of the sheet is."""

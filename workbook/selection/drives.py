@@ -1,7 +1,5 @@
 """What the drives tell the sheet Selection: a row each, the named one by its cells, and its points."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 
@@ -12,7 +10,7 @@ from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import RPM, shown
 from workbook.selection.choosing import AS_ENTERED, Choosing
-from workbook.selection.formulas import MIXED, SQUARE
+from workbook.selection.shaft import MIXED, SQUARE
 
 
 def drives_table(sheet: Sheet, view: Choosing) -> None:

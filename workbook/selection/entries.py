@@ -1,7 +1,5 @@
 """Motor and reducer from catalogues (S5, steps 1 to 7): what an engineer enters, and the rules it obeys."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Self
 

@@ -1,7 +1,5 @@
 """Every pair of the catalogue on the sheet Selection: motors down, reducers across."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -11,7 +9,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.choosing import Choosing
-from workbook.selection.formulas import MIXED, SQUARE, peak_of, rms_of, through
+from workbook.selection.shaft import MIXED, SQUARE, peak_of, rms_of, through
 
 LARGE = "large"
 """beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing"""

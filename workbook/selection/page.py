@@ -1,18 +1,15 @@
 """The sheet Selection of a machine: motors by reducers for the axis that is named on it, within limits, ranked."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
-from workbook.selection.best import best_table, order_table
+from workbook.selection.best import best_table, chart, order_table, uses
 from workbook.selection.choosing import Choosing
 from workbook.selection.drives import chosen, drives_table, known, points_table
 from workbook.selection.entries import UNCHOSEN
-from workbook.selection.formulas import rms_of, whole
 from workbook.selection.grids import grids, products
-from workbook.selection.uses import chart, uses
+from workbook.selection.shaft import rms_of
 
 TITLE = "Selection"
 ABOUT = (
@@ -106,8 +103,8 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
                view.motors.names[pair[0]] if pair else "none", align="left"),
         result("@reducer", "Proposed reducer", "", "", f'=IF({there},"none",{first.format("reducer")})',
                view.reducers.names[pair[1]] if pair else "none", align="left"),
-        result("@usable", "Usable pairs", "", "", f'=COUNTIF({whole(view, "word")},"yes")', usable, format="0"),
-        calc("@count", "… of these, ranked", "", "", f"=COUNT({whole(view, 'key')})", len(view.ranked), format="0",
+        result("@usable", "Usable pairs", "", "", f'=COUNTIF({view.whole("word")},"yes")', usable, format="0"),
+        calc("@count", "… of these, ranked", "", "", f"=COUNT({view.whole('key')})", len(view.ranked), format="0",
              source="those that have the mass or cost they are ranked by"),
     )  # fmt: skip
     sheet.checks(

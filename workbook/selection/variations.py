@@ -1,8 +1,6 @@
 """Other catalogues and choices at which ``verify`` evaluates a Selection sheet: every rank, proposed and named
 pairs, figures that are missing, limits that are not given, and no pair at all."""
 
-from __future__ import annotations
-
 from typing import Any
 
 CHOICES: tuple[dict[str, Any], ...] = (

@@ -1,7 +1,5 @@
 """The axes of a machine over a turn of the master shaft, each as late as it is entered: mm or ° over degrees."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 

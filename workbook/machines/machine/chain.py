@@ -1,7 +1,5 @@
 """What drives an axis of a machine beside its mechanism: load, parts, motor and reducer, as an engineer enters them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Annotated, Literal
 

@@ -1,7 +1,5 @@
 """What only the engine can say of the entries of a machine."""
 
-from __future__ import annotations
-
 from workbook.entries.types import DesignError
 from workbook.laws.library import laws
 from workbook.machines.machine.drive.linkages import apart, linkage_of

@@ -1,7 +1,5 @@
 """A machine of any axes: what an engineer enters."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Annotated, Any, Literal, Self
 

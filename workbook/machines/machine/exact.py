@@ -1,7 +1,5 @@
 """What is true of results by points: the exact engine's, where a sheet is farther off than it states."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from workbook.book.sentence import rounded

@@ -1,7 +1,5 @@
 """A machine as the defined names of a file tell it: its axes, mechanisms, clearances and switches."""
 
-from __future__ import annotations
-
 from collections.abc import Container
 from itertools import permutations
 from typing import Any, Literal

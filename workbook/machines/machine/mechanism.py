@@ -1,7 +1,5 @@
 """The mechanisms of an axis' drive as an engineer enters them: a model for each kind, with its own sizes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Annotated, Any, ClassVar, Literal, get_args
 

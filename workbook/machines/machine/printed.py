@@ -1,7 +1,5 @@
 """The sheet S4: what the document prints of its two machines beside this book's figures, and what is misprinted."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import NamedTuple

@@ -1,24 +1,23 @@
 """Any machine: laws, and the timing diagram of 1 to 24 axes at one rate, or over any abscissa."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import partial
 
 from engine.timing import turn_time
 from workbook.book.again import again
+from workbook.book.checks import summed_up
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
 from workbook.drive.in_short import NO_DRIVE, InShort, axes_in_short
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.entries.texts import place_of
+from workbook.entries.turn import TurnPhase
 from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.latest import latest
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, shelf_of
 from workbook.machines.machine.axes import axes, switches
-from workbook.machines.machine.axis_verdicts import judge_axes
 from workbook.machines.machine.check import check
 from workbook.machines.machine.clearance.gap import Apart
 from workbook.machines.machine.clearance.sheet import clearances_sheet
@@ -201,3 +200,35 @@ TEMPLATE = Template(
     switches=switches,
     others={"master.cycle": Other(TimedMachine, told_in_seconds)},
 )
+
+
+SEVERAL, DWELL = "several", 1
+"""what stands for laws that differ, and the number of the dwell, which spare rows have too"""
+OTHERS = f"SUMPRODUCT(([axis{{0}}.no]<>{DWELL})*([axis{{0}}.no]<>MAX([axis{{0}}.no])))>0"
+LAW = f'=IF({OTHERS},"{SEVERAL}",IF(MAX([axis{{0}}.no])={DWELL},"{NO_DRIVE}",INDEX(law_code,MAX([axis{{0}}.no]))))'
+
+
+def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> None:
+    """Declare two more columns of the table: the law of all movements of an axis, and whether all its checks hold.
+
+    ``names`` are those of the book's laws.
+    """
+    block = book.blocks["axes_short"]
+    laws = [law_of(axis.given.phases, names) for axis in axes]
+    block.sheet.workings(
+        block, "axes_judged", "", max(block.columns.values()) + 1,
+        result("law", "law", "", "", [LAW.format(axis.number) for axis in axes], laws, align="right"),
+        summed_up(book, "axes_judged", "its checks", [of_axis(book, axis.number) for axis in axes]),
+    )  # fmt: skip
+
+
+def of_axis(book: Book, number: int) -> list[int]:
+    """Return which checks are those of an axis: of its phases, and of its drive."""
+    own = (f"axis{number}_", f"drive{number}_")
+    return [k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)]
+
+
+def law_of(phases: Sequence[TurnPhase], names: Sequence[str]) -> str:
+    """Return the law of all movements, as the sheet Laws has it."""
+    moving = {names.index(phase.law) for phase in phases} - {DWELL - 1}
+    return SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE

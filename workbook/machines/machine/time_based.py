@@ -3,8 +3,6 @@
 Or over another abscissa, that does not tell how time passes: an angle, the travel of a product.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, Any, Protocol, Self, TypeVar
 

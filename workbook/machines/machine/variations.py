@@ -1,7 +1,5 @@
 """Other inputs at which ``verify`` evaluates a machine's book: every law, axis by axis, rests of every kind, shifts."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 

@@ -1,9 +1,8 @@
 """The engine's view of a machine of any axes, in SI units."""
 
-from __future__ import annotations
-
 from copy import copy
 from functools import cached_property, partial
+from typing import Self
 
 import numpy as np
 
@@ -33,7 +32,7 @@ class MovingAxis:
     ``given`` has its places in degrees of one turn, ``typed`` as they are entered, ``over`` what.
     """
 
-    twin: MovingAxis | None = None
+    twin: Self | None = None
     """an axis of the same motion at another speed, if there is one: the motion is worked out once"""
 
     def __init__(
@@ -46,11 +45,11 @@ class MovingAxis:
         self.library = library
 
     @property
-    def sized(self) -> MovingAxis:
+    def sized(self) -> Self:
         """The axis at the rate that its drive is sized at."""
         return self if self.given.rate is None else self.at_speed(shaft_speed(si(self.given.rate, PER_MINUTE)))
 
-    def at_speed(self, speed: float, given: entered.Axis | None = None) -> MovingAxis:
+    def at_speed(self, speed: float, given: entered.Axis | None = None) -> Self:
         """Return the axis at a speed (rad/s), ``given`` with another drive: of the same motion over a turn."""
         other = copy(self)
         other.given, other.speed, other.twin = given or self.given, speed, self

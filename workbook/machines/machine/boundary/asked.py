@@ -1,7 +1,5 @@
 """What a step takes from the steps beside it, in cells: the velocity of a straight line, a dwell's rest, an entry."""
 
-from __future__ import annotations
-
 from engine.laws.ends import ROUNDING, Ends
 from engine.motion.handover import KEEPS, LINE, STRAIGHT, Handover
 from engine.motion.joining import Rates, agrees

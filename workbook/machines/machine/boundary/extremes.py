@@ -3,8 +3,6 @@
 Velocity and acceleration of a law of two pulses are exact by the heights of its pulses, its jerk by its pieces' ends.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cached_property
 from math import isfinite

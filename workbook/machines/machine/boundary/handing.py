@@ -6,8 +6,6 @@ between the pulses. A polynomial is the one of its degree by Hermite's condition
 D_C_ and C_D_ laws, POLY_3, POLY_5, POLY_7.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cached_property

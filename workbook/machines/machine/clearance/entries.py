@@ -1,7 +1,5 @@
 """Two axes that must stay apart, as an engineer enters them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any
 

@@ -1,7 +1,5 @@
 """Two axes that must stay apart: their gap at points of the cycle, and where it is least."""
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import NamedTuple
 

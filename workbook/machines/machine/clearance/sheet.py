@@ -1,7 +1,5 @@
 """The sheet Clearances: how near axes come to each other that must stay apart, and where."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from engine.laws.base import Array

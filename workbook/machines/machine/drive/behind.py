@@ -5,13 +5,11 @@ drives it, d the direction: the squares of T are sums of means of α, S and d ov
 Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from engine.selection.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
-from workbook.machines.machine.drive.parts import on_shaft
+from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.view import DriveView
 from workbook.selection.shaft import Figure, Shaft

@@ -1,7 +1,5 @@
 """A load that follows the angle of its axis, in cells: a slide on a crank, the weight of a swinging arm."""
 
-from __future__ import annotations
-
 from engine.drive.mechanisms.by_angle import Arm
 from workbook.book.declare import Quantity, calc, check
 from workbook.book.sentence import amount, quoted

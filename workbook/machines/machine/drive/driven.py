@@ -1,7 +1,5 @@
 """The engine's view of the drive of one axis."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cached_property, partial
 from math import radians

@@ -1,7 +1,5 @@
 """The mechanisms whose ratio depends on the position, as they are entered; what is wrong with their sizes."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from engine.drive.mechanisms import by_angle

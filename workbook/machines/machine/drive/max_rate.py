@@ -3,8 +3,6 @@
 With T_s the torque without motion and I = T − T_s, a rate √x times the present one asks for T_s + x I.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

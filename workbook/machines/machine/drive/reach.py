@@ -1,7 +1,5 @@
 """Whether a mechanism reaches every position of its axis: by row and amount, in cells."""
 
-from __future__ import annotations
-
 from engine.drive.mechanisms.variable_ratio import Linkage, Reach
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled

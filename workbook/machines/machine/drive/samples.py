@@ -1,8 +1,8 @@
-"""The drive at the samples of the cycle, for its charts and for the sheet Power: between points by straight lines."""
+"""The charts of a drive, and the drive at the samples of the cycle, for them and for the sheet Power."""
 
-from __future__ import annotations
-
+from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.drive.motor import plane
 from workbook.entries.units import KW, RPM, shown
 from workbook.machines.machine.drive.view import DriveView
 
@@ -45,3 +45,35 @@ def shaft(view: DriveView) -> list[Quantity]:
         calc("n", "speed of the motor", "n", "rpm", line("n"), shown(view.between.of(view.points.speed), RPM),
              scale=view.scales.rpm),
     ]  # fmt: skip
+
+
+CHART_COLUMN = 10
+
+
+def charts(sheet: Sheet, view: DriveView) -> None:
+    """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
+    sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=CHART_COLUMN, row=5, width=8, height=22)
+    sheet.chart(over_cycle(view), column=CHART_COLUMN, row=28, width=8, height=11)
+    if view.varies:
+        sheet.chart(angles(view), column=CHART_COLUMN, row=40, width=8, height=11)
+
+
+def x_of(view: DriveView) -> str:
+    """Return the column that charts over the cycle are drawn over."""
+    return f"[cycle{view.driven.number}.{view.one.machine.over.column}]"
+
+
+def over_cycle(view: DriveView) -> Chart:
+    """Return the chart of the motor's torque over the cycle."""
+    over = view.one.machine.over
+    lines = (Series("torque", x_of(view), "[@cycle.torque]"),)
+    return Chart("Torque of the motor over the cycle", over.title, "T [Nm]", lines,
+                 f"Torque of the motor over {over.cycle}", over.axis(60))  # fmt: skip
+
+
+def angles(view: DriveView) -> Chart:
+    """Return the chart of the mechanism's shaft over the cycle."""
+    over = view.one.machine.over
+    lines = (Series("angle", x_of(view), "[@cycle.phi]"),)
+    return Chart("Angle of the mechanism's shaft", over.title, "φ [rad]", lines,
+                 f"Angle of the mechanism's shaft over {over.cycle}", over.axis(60))  # fmt: skip

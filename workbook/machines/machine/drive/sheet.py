@@ -1,26 +1,19 @@
 """The sheet of a drive: entries, results, checks, and the table of points from which all results come."""
 
-from __future__ import annotations
-
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said, amount, exceeding
 from workbook.drive.motor import continuous, limit_checks, limits_table, rms_point
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine.drive import behind, by_angle, max_rate
-from workbook.machines.machine.drive.charts import charts
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.intervals import cuts_table, intervals_table
-from workbook.machines.machine.drive.loads import loads
+from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import registry
-from workbook.machines.machine.drive.parts import parts_table
-from workbook.machines.machine.drive.peaks import peaks_table, top
-from workbook.machines.machine.drive.points import points_table
+from workbook.machines.machine.drive.points import cuts_table, intervals_table, points_table
 from workbook.machines.machine.drive.reach import back_check, reach_check, reach_table
-from workbook.machines.machine.drive.samples import samples_table
+from workbook.machines.machine.drive.samples import charts, samples_table
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.drive.windows import windows_check, windows_table
-from workbook.machines.machine.drive.workings import workings
+from workbook.machines.machine.drive.workings import peaks_table, top, workings
 from workbook.machines.machine.from_names import kind_name
 from workbook.machines.machine.mechanism import SCREWS, UNSIZED
 from workbook.machines.machine.selection import in_use

@@ -1,7 +1,5 @@
 """The engine's view of a drive at the points of its cycle, in the order of its sheet."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from functools import cached_property

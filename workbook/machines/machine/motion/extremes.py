@@ -1,7 +1,5 @@
 """A motion whose phases with prescribed ends have the extremes that are found at points, as the cells find them."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """The sheet Power: what the drives take from the mains and burn in their resistors, each alone and on a common bus."""
 
-from __future__ import annotations
-
 from engine.drive.dc_bus import together
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result

@@ -1,7 +1,5 @@
 """The engine's view of drives on a common DC bus: their power at the samples of the cycle, and its sum."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import cached_property
 

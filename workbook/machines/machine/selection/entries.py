@@ -1,7 +1,5 @@
 """Catalogues of a machine, and what its sheet Selection ranks the pairs of for an axis: what an engineer enters."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator

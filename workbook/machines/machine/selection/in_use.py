@@ -1,7 +1,5 @@
 """Motor and reducer of a drive: by name from the sheet Catalogue, or as entered; one entry decides, the name."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from typing import NamedTuple, TypeVar

@@ -1,7 +1,5 @@
 """The results of many designs of a drive by the names of their cells."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 from typing import Any

@@ -1,7 +1,5 @@
 """The drive of an axis with many motors and reducers at many rates: its results by the names of the book."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any

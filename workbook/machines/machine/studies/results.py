@@ -1,7 +1,5 @@
 """The results of a machine by the names of its book, without a book: of many motors, reducers and rates at once."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection, Mapping
 from functools import cached_property, partial

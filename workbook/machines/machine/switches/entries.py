@@ -1,7 +1,5 @@
 """Switches that are on or off over the cycle, as an engineer enters them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any
 

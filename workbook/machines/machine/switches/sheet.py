@@ -1,7 +1,5 @@
 """The sheet Switches: when each is on, what that comes to, checks; the corners of their lanes in the timing diagram."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result

@@ -1,7 +1,5 @@
 """The engine's view of the switches of a machine, in SI units, each time at its place in their table."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import chain

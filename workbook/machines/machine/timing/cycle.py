@@ -1,7 +1,5 @@
 """The sheets Cycle: each axis over one turn of the master shaft, sample by sample."""
 
-from __future__ import annotations
-
 from functools import partial
 
 from workbook.book.again import again

@@ -1,7 +1,5 @@
 """The phases of one axis on the Timing sheet: what is entered, what each movement comes to, and the checks."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The Timing sheet: the axes over one turn of the master shaft or a cycle, their phases, movements and diagram."""
 
-from __future__ import annotations
-
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.abscissa import TAKEN, in_unit

@@ -1,7 +1,5 @@
 """What a mechanism's page gives to the table of points, and to that of samples."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Protocol
 

@@ -1,7 +1,5 @@
 """A mechanism of a constant ratio in cells: its size, and its ratio."""
 
-from __future__ import annotations
-
 from workbook.book.declare import Quantity, Sheet, calc, given
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.mechanism import Belted

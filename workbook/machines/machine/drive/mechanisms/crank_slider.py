@@ -1,7 +1,5 @@
 """A crank-slider in cells: what is entered, its sizes and its reach."""
 
-from __future__ import annotations
-
 from workbook.book.declare import Quantity, Sheet, calc, given
 from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import Driven

@@ -1,7 +1,5 @@
 """A crank that drives a slide through its dead centres, in cells: its sizes, and where the slide is by the angle."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from engine.drive.mechanisms.by_angle import PressCrank as Crank

@@ -1,7 +1,5 @@
 """The mechanisms by their kind: what the sheet of each has."""
 
-from __future__ import annotations
-
 from typing import cast
 
 from workbook.book.declare import Quantity, check

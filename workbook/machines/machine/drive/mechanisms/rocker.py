@@ -1,7 +1,5 @@
 """A rocker in cells: what is entered, its sizes and its reach, which ends where lever, link and slide lock."""
 
-from __future__ import annotations
-
 from math import atan2, sin
 
 import numpy as np

@@ -4,8 +4,6 @@ A lever r on a shaft in the origin drives by a link l a slide at x on a line at 
 lever: that of the line from shaft to slide, and beside it the triangle's angle by the law of cosines.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

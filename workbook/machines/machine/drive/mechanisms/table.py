@@ -4,8 +4,6 @@ At each point φ' and φ'' are those of the parabola y(φ) through the point and
 sharply that the curve might fall, φ'' is 0 and φ' is held near the flatter chord.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
