@@ -164,6 +164,7 @@ def phases():
     )
     yield from handed_over()
     yield from own_phases()
+    yield from dated()
     for name in ("POS", "VEL", "ACC"):
         yield from (Case(name, (x, TABLE), NUM) for x in (-0.1, 8.1, -1e-9, 8.0 + 1e-9))
         yield from (Case(name, (x, TABLE), error) for x, error in (("abc", VALUE), (FAILED, DIV0), (MISSING, NA)))
@@ -200,6 +201,46 @@ def handed_over():
         yield from (Case(name, (0.5, table), NUM) for name in ("POS", "VEL", "ACC"))
     yield Case("POS", (0.5, (rise, ("VIA", "abc", None), back)), VALUE)
     yield Case("POS", (0.5, (("PO7", 1.0, 1.0, None), ("VIA", 1.0, 1.0, "abc"), ("PO7", 1.0, 1.0, None))), VALUE)
+
+
+def dated():
+    """Phases from, to, as a workbook has them: rests around them, a line that hands over, parameters, any abscissa."""
+    first, line, last = (40.0, 43.0, 3.2, "PO5"), (43.0, 45.0, 4.0, " lin"), (50.0, 52.0, -8.0, "TVP")
+    own = [(*row, *[None] * 8) for row in (first, line)]
+    for table in (
+        (first, line, (45.0, 47.0, 2.0, "CIC"), last),
+        ((*first, None), (*line, "unused"), (45.0, 47.0 + 1e-10, 2.0, "CIC", 0.5), (*last, 0.0), (None,) * 5),
+        (*own, (45.0, 47.0, 2.0, "PO5", *[None] * 8), (50.0, 52.0, -8.0, "OWN", *OWN)),
+    ):
+        for x, y, v in (
+            (None, 0.0, 0.0), (-9.0, 0.0, 0.0), (40.0, 0.0, 0.0), (43.0, 3.2, 2.0), (44.0, 5.2, 2.0),
+            (47.5, 9.2, 0.0), (50.0, 9.2, 0.0), (51.0, 5.2, None), (52.0, 1.2, 0.0), (360.0, 1.2, 0.0),
+        ):  # fmt: skip
+            yield Case("POS", (x, table), y, 1e-9)
+            if v is not None:
+                yield Case("VEL", (x, table), v, 1e-9)
+    jumps = ((10.0, 12.0, 4.0, "ACS", None), (12.0, 14.0, -4.0, "ACS", 0.25))
+    for x, a in ((9.9, 0.0), (10.0, 4.0), (11.5, -4.0), (12.1, -8.0), (13.9, 8.0 / 3.0), (14.0, 0.0), (15.0, 0.0)):
+        yield Case("ACC", (x, jumps), a, 1e-9)
+    for table, error in (
+        (((10.0, 12.0, 4.0),), VALUE),
+        (((10.0, 12.0, 4.0, "XYZ"),), VALUE),
+        (((10.0, 12.0, 4.0, None),), VALUE),
+        (((10.0, 12.0, 4.0, 5.0),), VALUE),
+        (((10.0, 12.0, "abc", "CUB"),), VALUE),
+        ((("from", "to", "lift", "law"), (10.0, 12.0, 4.0, "CUB")), VALUE),
+        (((10.0, 12.0, 4.0, "CUB"), (12.0, 1.0, None, "via")), VALUE),
+        (((10.0, 12.0, 4.0, "TVP", 0.5, "abc"),), VALUE),
+        (((10.0, 12.0, 4.0, "CUB"), (11.0, 14.0, 4.0, "CUB")), NUM),
+        (((12.0, 10.0, 4.0, "CUB"),), NUM),
+        (((10.0, 10.0, 4.0, "CUB"),), NUM),
+        (((10.0, 12.0, 4.0, "DWL"),), NUM),
+        (((10.0, 12.0, 4.0, "CUB"), (20.0, 24.0, 4.0, "TVP"), (14.0, 16.0, 4.0, "CUB")), NUM),
+        (((10.0, 12.0, FAILED, "CUB"),), DIV0),
+    ):
+        yield from (Case(name, (11.0, table), error) for name in ("POS", "VEL", "ACC"))
+    yield Case("POS", ("abc", jumps), VALUE)
+    yield Case("POS", (MISSING, jumps), NA)
 
 
 def own_phases():

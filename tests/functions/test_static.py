@@ -9,7 +9,7 @@ from workbook.functions.declared import FUNCTIONS
 from workbook.functions.names import FUTURE, declared_variables, definitions, tokens
 
 EXCEL_2007 = {
-    "ABS", "AND", "COLUMNS", "COS", "IF", "INDEX", "INT", "ISERROR", "ISTEXT", "MAX", "MIN", "OR", "PI",
+    "ABS", "AND", "COLUMNS", "COUNT", "COS", "IF", "INDEX", "INT", "ISERROR", "ISTEXT", "MAX", "MIN", "OR", "PI",
     "ROWS", "SIN", "SQRT", "SUM", "TRIM", "UPPER",
 }  # fmt: skip
 LENGTH, NESTING, ARGUMENTS, NOTE = 8192, 64, 254, 255

@@ -20,6 +20,9 @@ What both back ends promise, beside the help texts:
   three cells are empty are ignored. A table of fewer than three columns, or without rows: #VALUE!. A duration that is
   not positive, or a dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the total: #NUM!; as near to a
   joint as 2e-9 of the total counts as on it.
+- Where the first column holds numbers, the columns are those of a book's phases: from, to, lift, code, then the law's
+  parameters. It rests before, between and after its phases (a gap of 1e-9 of the whole is none); x is counted as from
+  and to are, and may be any. Fewer than four columns or a row VIA: #VALUE!; phases that overlap: #NUM!.
 - Phases hand over: beside a straight line (LIN) a curved phase takes its velocity, beside a dwell and where nothing
   stands beside it, it rests. A row VIA with velocity, acceleration and jerk (per x, x², x³) in place of duration, lift
   and first parameter prescribes them between two curved phases, or where the motion begins or ends; else they are 0
@@ -113,9 +116,9 @@ X = Argument(
     "number",
     Text("x", "x", "x"),
     Text(
-        "Abscissa from the start of the first phase, in the unit of the durations",
-        "Ascissa dall'inizio della prima fase, nell'unità delle durate",
-        "Abszisse ab Beginn der ersten Phase, in der Einheit der Dauern",
+        "Abscissa from the start of the first phase, in the unit of the durations; as from and to, where phases have them",
+        "Ascissa dall'inizio della prima fase, nell'unità delle durate; come da e a, se le fasi li hanno",
+        "Abszisse ab Beginn der ersten Phase, in der Einheit der Dauern; wie von und bis, wo Phasen sie haben",
     ),
 )
 PHASES = Argument(
@@ -124,13 +127,16 @@ PHASES = Argument(
     Text(
         "Range with a row a phase: code of the law, duration, lift, then the law's parameters; "
         "OWN: its pieces side by side, eight cells each. A phase takes the velocity of a straight line LIN beside it; "
-        "a row VIA, velocity, acceleration, jerk prescribes these between two phases",
+        "a row VIA, velocity, acceleration, jerk prescribes these between two phases. "
+        "Or, as in a workbook: from, to, lift, code, parameters; between them it rests",
         "Intervallo con una riga per fase: codice della legge, durata, alzata, poi i parametri della legge; "
         "OWN: i suoi tratti affiancati, otto celle ciascuno. Una fase prende la velocità della retta LIN accanto; "
-        "una riga VIA, velocità, accelerazione, jerk le prescrive fra due fasi",
+        "una riga VIA, velocità, accelerazione, jerk le prescrive fra due fasi. "
+        "Oppure, come in una cartella: da, a, alzata, codice, parametri; fra loro sta fermo",
         "Bereich mit einer Zeile je Phase: Kürzel des Gesetzes, Dauer, Hub, dann die Parameter des Gesetzes; "
         "OWN: seine Abschnitte nebeneinander, je acht Zellen. Eine Phase nimmt die Geschwindigkeit einer Geraden LIN "
-        "neben ihr; eine Zeile VIA, Geschwindigkeit, Beschleunigung, Ruck schreibt sie zwischen zwei Phasen vor",
+        "neben ihr; eine Zeile VIA, Geschwindigkeit, Beschleunigung, Ruck schreibt sie zwischen zwei Phasen vor. "
+        "Oder wie in einer Arbeitsmappe: von, bis, Hub, Kürzel, Parameter; dazwischen steht sie still",
     ),
 )
 INERTIAS = Argument(

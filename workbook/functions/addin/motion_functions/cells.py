@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import Tuple, Union
 
 from .composed import Motion
-from .joined import Row, Rows, Via, joined
+from .joined import AGREES, Row, Rows, Via, joined
 from .law import Law
 from .library import OWN, OWN_WIDTH, PARAMETERS, law
 from .refused import NUM, VALUE, Refused
@@ -69,19 +69,42 @@ def named(name: Cell, given: Cells) -> Law:
 
 
 def motion(table: Cells) -> Motion:
-    """Return the motion of a table of phases, a row a phase: code, duration, lift, parameters of the law."""
+    """Return the motion of a table of phases, a row a phase: code, duration, lift, parameters of the law.
+
+    Where numbers stand in the first column, the columns are those of a book's phases: from, to, lift, code, parameters.
+    """
     if not isinstance(table, tuple) or len(table[0]) < 3:
         raise Refused(VALUE)
-    count = len(table)
-    while count and not any(cell != "" for cell in table[count - 1][:3]):
+    dated = any(isinstance(row[0], float) for row in table)
+    count, looked_at = len(table), 4 if dated else 3
+    while count and not any(cell != "" for cell in table[count - 1][:looked_at]):
         count -= 1
-    return moved(table[:count])
+    return (rested if dated else moved)(table[:count])
 
 
 @lru_cache(maxsize=128)
 def moved(table: tuple[tuple[Cell, ...], ...]) -> Motion:
     """Return the motion of a table without blank rows at its end."""
     return joined([via(row) if str(row[0]).strip().upper() == VIA else phase(row) for row in table])
+
+
+@lru_cache(maxsize=128)
+def rested(table: tuple[tuple[Cell, ...], ...]) -> Motion:
+    """Return the motion of phases from, to, which rests before, between and after them."""
+    if len(table[0]) < 4 or any(str(row[3]).strip().upper() == VIA for row in table):
+        raise Refused(VALUE)
+    starts, stops = [number(row[0]) for row in table], [number(row[1]) for row in table]
+    length = stops[-1] - starts[0]
+    begin, end = starts[0] - length, stops[-1] + length
+    found = []
+    for done, start, stop, row in zip([begin, *stops], [*starts, end], [*stops, end], [*table, ()]):
+        if abs(start - done) > AGREES * abs(length):
+            found.append(phase(("DWL", start - done, 0.0)))
+        if row:
+            found.append(phase((row[3], stop - start, row[2], *row[4:])))
+    motion = joined(found)
+    motion.rests_from = begin
+    return motion
 
 
 def via(row: tuple[Cell, ...]) -> Via:

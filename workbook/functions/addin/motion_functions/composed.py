@@ -20,7 +20,7 @@ class Phase(NamedTuple):
 
 
 class Motion:
-    """Phases one after the other, from position 0."""
+    """Phases one after the other, from position 0: from x = 0, or from a rest that goes on before and after."""
 
     def __init__(self, phases: Sequence[Phase]) -> None:
         if not phases:
@@ -28,9 +28,12 @@ class Motion:
         self.phases = phases
         *self.begins, self.total = accumulate([0.0, *(phase.duration for phase in phases)])
         self.positions = list(accumulate([0.0, *(phase.lift for phase in phases)]))
+        self.rests_from: float | None = None
 
     def at(self, x: float) -> tuple[float, float, float]:
         """Return position, velocity per unit of x, acceleration per unit of x²; at a joint of the later phase."""
+        if self.rests_from is not None:
+            x = min(max(x - self.rests_from, 0.0), self.total)
         if not -OUTSIDE * self.total <= x <= self.total * (1.0 + OUTSIDE):
             raise Refused(NUM)
         k = max(bisect_right(self.begins, x + TOLERANCE * self.total) - 1, 0)
