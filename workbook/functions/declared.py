@@ -14,15 +14,12 @@ What both back ends promise, beside the help texts:
 - ξ is right-continuous at breaks, with a tolerance of 2e-9; at ξ = 1 the left limit counts.
 - An infinite coefficient is #NUM!, and so are coefficients and inverse of an own law with a sine of more than
   1,000 rad in one piece. What only evaluates the law, at ξ or in a phase, takes any sine.
-- A row of a table of phases: code, duration, lift, then the law's parameters, as p takes them; what is beyond is
-  ignored. OWN takes its pieces side by side, eight cells a piece, as many as the table has room for, which is (columns
-  − 3)/8 rounded down; no room for any is #VALUE!, and what p refuses is refused here. Rows at the end whose first
-  three cells are empty are ignored. A table of fewer than three columns, or without rows: #VALUE!. A duration that is
-  not positive, or a dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the total: #NUM!; as near to a
-  joint as 2e-9 of the total counts as on it.
-- Where the first column holds numbers, the columns are those of a book's phases: from, to, lift, code, then the law's
-  parameters. It rests before, between and after its phases (a gap of 1e-9 of the whole is none); x is counted as from
-  and to are, and may be any. Fewer than four columns or a row VIA: #VALUE!; phases that overlap: #NUM!.
+- A row of a table of phases: code, duration, lift, then the law's parameters, as p takes them; OWN has its pieces side
+  by side, eight cells each, as many as there is room for; no room for one is #VALUE!. Rows at the end whose first three
+  cells are empty are ignored. Fewer than three columns, or no rows: #VALUE!. A duration that is not positive, or a
+  dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the total: #NUM!; 2e-9 of it before a joint is on it.
+- A first column of numbers: phases as a book has them, from, to, lift, code, parameters, at rest before, between (gaps
+  beyond 1e-9 of the whole) and after; any x. Fewer than four columns, a row VIA: #VALUE!; an overlap: #NUM!.
 - Phases hand over: beside a straight line (LIN) a curved phase takes its velocity, beside a dwell and where nothing
   stands beside it, it rests. A row VIA with velocity, acceleration and jerk (per x, x², x³) in place of duration, lift
   and first parameter prescribes them between two curved phases, or where the motion begins or ends; else they are 0
@@ -116,27 +113,24 @@ X = Argument(
     "number",
     Text("x", "x", "x"),
     Text(
-        "Abscissa from the start of the first phase, in the unit of the durations; as from and to, where phases have them",
-        "Ascissa dall'inizio della prima fase, nell'unità delle durate; come da e a, se le fasi li hanno",
-        "Abszisse ab Beginn der ersten Phase, in der Einheit der Dauern; wie von und bis, wo Phasen sie haben",
+        "Abscissa from the start of the first phase, in the unit of the durations; or counted as from and to",
+        "Ascissa dall'inizio della prima fase, nell'unità delle durate; o contata come da e a",
+        "Abszisse ab Beginn der ersten Phase, in der Einheit der Dauern; oder gezählt wie von und bis",
     ),
 )
 PHASES = Argument(
     "table",
     Text("phases", "fasi", "Phasen"),
     Text(
-        "Range with a row a phase: code of the law, duration, lift, then the law's parameters; "
-        "OWN: its pieces side by side, eight cells each. A phase takes the velocity of a straight line LIN beside it; "
-        "a row VIA, velocity, acceleration, jerk prescribes these between two phases. "
-        "Or, as in a workbook: from, to, lift, code, parameters; between them it rests",
-        "Intervallo con una riga per fase: codice della legge, durata, alzata, poi i parametri della legge; "
-        "OWN: i suoi tratti affiancati, otto celle ciascuno. Una fase prende la velocità della retta LIN accanto; "
-        "una riga VIA, velocità, accelerazione, jerk le prescrive fra due fasi. "
-        "Oppure, come in una cartella: da, a, alzata, codice, parametri; fra loro sta fermo",
-        "Bereich mit einer Zeile je Phase: Kürzel des Gesetzes, Dauer, Hub, dann die Parameter des Gesetzes; "
-        "OWN: seine Abschnitte nebeneinander, je acht Zellen. Eine Phase nimmt die Geschwindigkeit einer Geraden LIN "
-        "neben ihr; eine Zeile VIA, Geschwindigkeit, Beschleunigung, Ruck schreibt sie zwischen zwei Phasen vor. "
-        "Oder wie in einer Arbeitsmappe: von, bis, Hub, Kürzel, Parameter; dazwischen steht sie still",
+        "A row a phase: code of the law, duration, lift, parameters; or, as in a workbook: from, to, lift, code, "
+        "parameters. OWN: its pieces side by side, eight cells each. A phase takes the velocity of a straight line LIN "
+        "beside it; a row VIA, velocity, acceleration, jerk prescribes these between two phases",
+        "Una riga per fase: codice della legge, durata, alzata, parametri; o, come in una cartella: da, a, alzata, "
+        "codice, parametri. OWN: tratti affiancati, otto celle ciascuno. Una fase prende la velocità della retta "
+        "LIN accanto; una riga VIA, velocità, accelerazione, jerk le prescrive fra due fasi",
+        "Eine Zeile je Phase: Kürzel des Gesetzes, Dauer, Hub, Parameter; oder wie in einer Mappe: von, bis, Hub, "
+        "Kürzel, Parameter. OWN: Abschnitte nebeneinander, je acht Zellen. Eine Phase nimmt die Geschwindigkeit einer "
+        "Geraden LIN neben ihr; eine Zeile VIA, Geschwindigkeit, Beschleunigung, Ruck schreibt sie zwischen zwei Phasen vor",
     ),
 )
 INERTIAS = Argument(
