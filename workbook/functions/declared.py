@@ -17,7 +17,7 @@ What both back ends promise, beside the help texts:
 - A row of a table of phases: code, duration, lift, then the law's parameters, as p takes them; OWN has its pieces side
   by side, eight cells each, as many as there is room for; no room for one is #VALUE!. Rows at the end whose first three
   cells are empty are ignored. Fewer than three columns, or no rows: #VALUE!. A duration that is not positive, or a
-  dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the total: #NUM!; 2e-9 of it before a joint is on it.
+  dwell with a lift: #NUM!. Beyond [0, total], by more than 1e-12 of the total: #NUM!; a joint begins 2e-9 early.
 - A first column of numbers: phases as a book has them, from, to, lift, code, parameters, at rest before, between (gaps
   beyond 1e-9 of the whole) and after; any x. Fewer than four columns, a row VIA: #VALUE!; an overlap: #NUM!.
 - Phases hand over: beside a straight line (LIN) a curved phase takes its velocity, beside a dwell and where nothing
@@ -130,7 +130,7 @@ PHASES = Argument(
         "LIN accanto; una riga VIA, velocità, accelerazione, jerk le prescrive fra due fasi",
         "Eine Zeile je Phase: Kürzel des Gesetzes, Dauer, Hub, Parameter; oder wie in einer Mappe: von, bis, Hub, "
         "Kürzel, Parameter. OWN: Abschnitte nebeneinander, je acht Zellen. Eine Phase nimmt die Geschwindigkeit einer "
-        "Geraden LIN neben ihr; eine Zeile VIA, Geschwindigkeit, Beschleunigung, Ruck schreibt sie zwischen zwei Phasen vor",
+        "Geraden LIN neben ihr; eine Zeile VIA, Geschwindigkeit, Beschleunigung, Ruck schreibt sie zwischen zweien vor",
     ),
 )
 INERTIAS = Argument(
