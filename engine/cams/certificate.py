@@ -36,7 +36,7 @@ class Deviation(NamedTuple):
 
 
 class Jump(NamedTuple):
-    """The largest jump that rebuilding adds to one derivative between two stretches, and where it is."""
+    """The largest jump that rebuilding adds to one derivative between two pieces, and where it is."""
 
     largest: float
     x: float
@@ -111,7 +111,7 @@ def intervals(meant: CamProfile, rebuilt: CamProfile) -> tuple[Array, Array]:
 
 
 def fastest(of: CamProfile) -> Array:
-    """Return the largest ω of the sines of each stretch."""
+    """Return the largest ω of the sines of each piece."""
     if not of.sines.size:
         return np.zeros(len(of.origins))
     return np.asarray(np.abs(np.where(of.sines[:, :, 0] != 0.0, of.sines[:, :, 1], 0.0)).max(axis=1))

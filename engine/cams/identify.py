@@ -64,7 +64,7 @@ class Found:
             return (self.law.slopes[side] or 0.0) * self.lift / span, 0.0
         if not isinstance(self.law, EndedLaw):
             return 0.0, 0.0
-        return self.law.ends.asked("v")[side] / span, self.law.ends.asked("a")[side] / span**2
+        return self.law.ends.both("v")[side] / span, self.law.ends.both("a")[side] / span**2
 
     @property
     def rests(self) -> bool:
@@ -111,7 +111,7 @@ def _dwells(of: Points, still: NDArray[np.bool_], k: int) -> bool:
 
 
 def _one_way(of: Points, begin: int, end: int) -> list[tuple[int, int]]:
-    """Return a stretch of movement parted where it turns."""
+    """Return a part of a movement divided where it turns."""
     turns, before = [], 0.0
     for k, step in enumerate(np.diff(of.y[begin : end + 1]).tolist(), begin):
         if abs(step) > 2.0 * of.precision:

@@ -21,7 +21,7 @@ TURNS = 12  # of Gauss and Newton
 RATES = 1e-5  # of the peak: so far a law's velocity and acceleration may be from a table's
 STEP = 1e-4  # of the interval between points, to see how a break's place matters
 MOST = 8
-"""quintics in place of a stretch that is one law no longer"""
+"""quintics in place of a part that is one law no longer"""
 
 
 class Side(NamedTuple):
@@ -59,7 +59,7 @@ def joined(of: Points, rebuilt: CamProfile, near: float) -> tuple[list[Ended], b
 
     The other is whether each is a line or a law as it is meant.
 
-    Where a stretch between lines keeps to no law, it is parted into quintics with y' and y'' where they meet, or if a
+    Where a part between lines keeps to no law, it is parted into quintics with y' and y'' where they meet, or if a
     few of these do not do, into splines. Empty where even so there would be too many.
     """
     found: list[Ended] = []

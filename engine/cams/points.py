@@ -21,18 +21,18 @@ BEFORE = 1e-5
 
 
 def equal(of: CamProfile, n: int) -> Array:
-    """Return n places at equal steps over the cycle."""
+    """Return n points at equal steps over the cycle."""
     return np.linspace(float(of.edges[0]), float(of.edges[-1]), n)
 
 
 def spread(
     of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_] | None = None
 ) -> Array:
-    """Return at most n places: the breaks, and between them equal steps by what a rule of an order leaves.
+    """Return at most n points: the breaks, and between them equal steps by what a rule of an order leaves.
 
-    Between places h apart a rule through polynomials of degree ``order`` − 1 leaves of y'' what goes with
-    h^(order − 2) max|y^(order)|; the steps of each stretch are the longest that keep this below one level. Each
-    stretch has ``least`` steps, and no more where it is ``exact``. Raises ValueError where n does not do for these.
+    Between points h apart a rule through polynomials of degree ``order`` − 1 leaves of y'' what goes with
+    h^(order − 2) max|y^(order)|; the steps of each piece are the longest that keep this below one level. Each
+    piece has ``least`` steps, and no more where it is ``exact``. Raises ValueError where n does not do for these.
     """
     needed = int(least.sum()) + 1
     if n < needed:
@@ -45,17 +45,17 @@ def spread(
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if _taken(sizes, middle, least).sum() + 1 <= n else (low, middle)
-    return places(of, _taken(sizes, low, least))
+    return nodes(of, _taken(sizes, low, least))
 
 
 def _taken(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Return how many steps each stretch has: none more than it would of itself, ``level`` as a share of all."""
+    """Return how many steps each piece has: none more than it would of itself, ``level`` as a share of all."""
     share = level / max(1.0 - level, 1e-15)
     return np.maximum(np.ceil(np.minimum(sizes * share, 1e7)), least).astype(np.intp)
 
 
 def weights(of: CamProfile, order: int) -> Array:
-    """Return for each stretch its length by the root of its largest derivative of an order, beside the largest."""
+    """Return for each piece its length by the root of its largest derivative of an order, beside the largest."""
     low, high = intervals(of, of)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     powers = local(of, middle, half)
@@ -71,7 +71,7 @@ def weights(of: CamProfile, order: int) -> Array:
 
 
 def beside(of: CamProfile) -> NDArray[np.bool_]:
-    """Return which stretches are beside a jump of y'': a spline goes on swinging there, the less the shorter its steps.
+    """Return which pieces are beside a jump of y'': a spline goes on swinging there, the less the shorter its steps.
 
     A parabola that a cubic has exactly needs steps all the same.
     """
@@ -79,14 +79,14 @@ def beside(of: CamProfile) -> NDArray[np.bool_]:
     return np.asarray(at[:-1] | at[1:])
 
 
-def places(of: CamProfile, steps: NDArray[np.intp]) -> Array:
-    """Return the breaks of a profile, and between them as many equal steps as each stretch has."""
+def nodes(of: CamProfile, steps: NDArray[np.intp]) -> Array:
+    """Return the breaks of a profile, and between them as many equal steps as each piece has."""
     inner = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(of.edges[:-1], of.edges[1:], steps, strict=True)]
     return np.concatenate([*inner, of.edges[-1:]])
 
 
 def doubled(of: CamProfile, x: Array) -> Array:
-    """Return places with one more just before each jump: a point has one y' and one y'', which serve both sides."""
+    """Return points with one more just before each jump: a point has one y' and one y'', which serve both sides."""
     steps = np.array([one - BEFORE * of.total for one in jumps(of)])
     return np.unique(np.concatenate([x, steps]))
 

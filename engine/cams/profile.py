@@ -1,4 +1,4 @@
-"""A position over a master in stretches, each a polynomial and sines: a motion, or what rebuilds it."""
+"""A position over a master in pieces, each a polynomial and sines: a motion, or what rebuilds it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SAME = 1e-12
 """of the cycle: breaks so near to each other are one"""
 
 
-class Stretch(NamedTuple):
+class ProfilePiece(NamedTuple):
     """y = Σ c_k u^k + Σ A sin(ωu + φ) from ``begin`` on, u from ``origin``."""
 
     begin: float
@@ -31,10 +31,10 @@ class Stretch(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class CamProfile:
-    """y(x) from ``edges[0]`` to ``edges[-1]`` in stretches, n of them: y = Σ c_k u^k + Σ A sin(ωu + φ).
+    """y(x) from ``edges[0]`` to ``edges[-1]`` in pieces, n of them: y = Σ c_k u^k + Σ A sin(ωu + φ).
 
     ``edges`` are n + 1 places in rising order, ``origins`` n places from which u counts, ``c`` n rows of powers,
-    ``sines`` n rows of sines, each A, ω, φ. Outside its range the first and the last stretch go on.
+    ``sines`` n rows of sines, each A, ω, φ. Outside its range the first and the last piece go on.
     """
 
     edges: Array
@@ -54,7 +54,7 @@ class CamProfile:
         return float(end[0] - begin[0])
 
     def index(self, x: Array, left: bool = False) -> NDArray[np.intp]:
-        """Return the stretch at each x: the one that begins there, or with ``left`` the one that ends there."""
+        """Return the piece at each x: the one that begins there, or with ``left`` the one that ends there."""
         found = np.searchsorted(self.edges, x, side="left" if left else "right") - 1
         return np.clip(found, 0, len(self.origins) - 1)
 
@@ -63,7 +63,7 @@ class CamProfile:
         return MotionValues(*(math.factorial(n) * row for n, row in enumerate(self.taylor(x, self.index(x, left), 4))))
 
     def taylor(self, x: Array, k: NDArray[np.intp], terms: int) -> Array:
-        """Return the first coefficients of y in powers of (x − place), a row a power, about places in stretches k."""
+        """Return the first coefficients of y in powers of (x − place), a row a power, about places in pieces k."""
         u, c, sines = x - self.origins[k], self.c[k].T, self.sines[k]
         found = np.zeros((terms, x.size))
         for power in range(min(terms, len(c))):
@@ -79,18 +79,18 @@ class CamProfile:
         return found
 
 
-def profile(stretches: Sequence[Stretch], end: float) -> CamProfile:
-    """Return stretches one after the other as a profile that ends at ``end``; raise ValueError for none."""
-    if not stretches:
-        raise ValueError("a profile has no stretches; expected at least one")
-    c = np.zeros((len(stretches), max(len(one.c) for one in stretches)))
-    sines = np.zeros((len(stretches), max(len(one.sines) for one in stretches), 3))
-    for k, one in enumerate(stretches):
+def profile(pieces: Sequence[ProfilePiece], end: float) -> CamProfile:
+    """Return pieces one after the other as a profile that ends at ``end``; raise ValueError for none."""
+    if not pieces:
+        raise ValueError("a profile has no pieces; expected at least one")
+    c = np.zeros((len(pieces), max(len(one.c) for one in pieces)))
+    sines = np.zeros((len(pieces), max(len(one.sines) for one in pieces), 3))
+    for k, one in enumerate(pieces):
         c[k, : len(one.c)] = one.c
         for i, sine in enumerate(one.sines):
             sines[k, i] = sine
-    edges = np.array([*(one.begin for one in stretches), end])
-    return CamProfile(edges, np.array([one.origin for one in stretches]), c, sines)
+    edges = np.array([*(one.begin for one in pieces), end])
+    return CamProfile(edges, np.array([one.origin for one in pieces]), c, sines)
 
 
 def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
@@ -107,7 +107,7 @@ def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: flo
             begins.append(one.begin * x)
         else:
             kept[-1] = one
-    return profile([_stretch(one, x, y) for one in kept], end * x)
+    return profile([_profile_piece(one, x, y) for one in kept], end * x)
 
 
 def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProfile:
@@ -120,12 +120,12 @@ def in_units(values: MotionValues[V], x: float, y: float) -> MotionValues[V]:
     return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
 
 
-def _stretch(piece: MotionPiece, x: float, y: float) -> Stretch:
+def _profile_piece(piece: MotionPiece, x: float, y: float) -> ProfilePiece:
     c = tuple(value * y / x**k for k, value in enumerate(piece.c))
     while len(c) > 1 and not c[-1]:
         c = c[:-1]
     sines = tuple((a * y, w / x, phi) for a, w, phi in piece.sines if a)
-    return Stretch(piece.begin * x, piece.origin * x, c, sines)
+    return ProfilePiece(piece.begin * x, piece.origin * x, c, sines)
 
 
 def turned(of: CamProfile, by: float) -> CamProfile:

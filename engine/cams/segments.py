@@ -14,19 +14,19 @@ HIGHEST = 6
 
 
 def simple(of: CamProfile) -> NDArray[np.bool_]:
-    """Return which stretches are a polynomial of degree 6 at most, and one sine at most."""
+    """Return which pieces are a polynomial of degree 6 at most, and one sine at most."""
     sines = (of.sines[:, :, 0] != 0.0).sum(axis=1) if of.sines.size else np.zeros(len(of.c), dtype=np.intp)
     return np.asarray((of.c[:, HIGHEST + 1 :] == 0.0).all(axis=1) & (sines <= 1))
 
 
 def straight(of: CamProfile) -> NDArray[np.bool_]:
-    """Return which stretches are a line: a dwell, or a motion at constant velocity."""
+    """Return which pieces are a line: a dwell, or a motion at constant velocity."""
     turns = (of.sines[:, :, 0] != 0.0).any(axis=1) if of.sines.size else np.zeros(len(of.c), dtype=np.bool_)
     return np.asarray((of.c[:, 2:] == 0.0).all(axis=1) & ~turns)
 
 
 def segmented(of: CamProfile, x: Array) -> CamProfile:
-    """Return a motion between places: its own stretches where simple, else quintics; u counts from a place."""
+    """Return a motion between places: its own pieces where simple, else quintics; u counts from a place."""
     at, last = of.at(x), of.at(x, left=True)
     k = of.index(0.5 * (x[:-1] + x[1:]))
     made = quintics_between(x, [column[:-1] for column in at[:3]], [column[1:] for column in last[:3]])

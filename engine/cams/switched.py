@@ -22,7 +22,7 @@ class Differing(NamedTuple):
     edges: int
     largest: float
     x: float
-    apart: float
+    duration: float
 
 
 def differing(meant: Switch, found: Switch) -> Differing:
@@ -39,8 +39,8 @@ def differing(meant: Switch, found: Switch) -> Differing:
     worst = max(off, key=lambda one: one.largest, default=Differing(0, 0.0, 0.0, 0.0))
     marks = np.unique([0.0, cycle, *(x for each in (*here, *there) for x in each)])
     middles = 0.5 * (marks[1:] + marks[:-1])
-    apart = float(np.sum(np.diff(marks)[meant.at(middles) != found.at(middles)]))
-    return worst._replace(edges=sum(map(len, here)), apart=apart)
+    duration = float(np.sum(np.diff(marks)[meant.at(middles) != found.at(middles)]))
+    return worst._replace(edges=sum(map(len, here)), duration=duration)
 
 
 def edges(of: Switch) -> tuple[list[float], list[float]]:
@@ -49,14 +49,14 @@ def edges(of: Switch) -> tuple[list[float], list[float]]:
     ends = sorted((begin + span) % of.cycle for (begin, _), span in zip(of.on, of.spans, strict=True))
     for begin in list(begins):
         for end in ends:
-            if apart(begin, end, of.cycle) <= SAME * of.cycle:
+            if distance(begin, end, of.cycle) <= SAME * of.cycle:
                 begins.remove(begin)
                 ends.remove(end)
                 break
     return begins, ends
 
 
-def apart(one: float, other: float, cycle: float) -> float:
+def distance(one: float, other: float, cycle: float) -> float:
     """Return the distance of two places of a cycle."""
     way = abs(one - other) % cycle
     return min(way, cycle - way)
@@ -64,7 +64,7 @@ def apart(one: float, other: float, cycle: float) -> float:
 
 def farthest(of: list[float], to: list[float], cycle: float) -> list[tuple[float, float]]:
     """Return by how much each place is off from the nearest of others, and the place."""
-    return [(min((apart(x, other, cycle) for other in to), default=math.inf), x) for x in of]
+    return [(min((distance(x, other, cycle) for other in to), default=math.inf), x) for x in of]
 
 
 def together(on: list[tuple[float, float]], cycle: float) -> list[tuple[float, float]]:

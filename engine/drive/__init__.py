@@ -7,7 +7,7 @@ motor           its limits, derating; torque_curve and falling_peak: its peak to
 drive           a motor on a mechanism of constant ratio: torque, speed and power for any motion
 train           a motor, gears and a mechanism of any ratio, and the forces of the process
 curves          forces within a piece as powers and sines
-cycle           a train over a motion, cut into stretches in which nothing changes its formula
+cycle           a train over a motion, cut into intervals in which nothing changes its formula
 results         peaks, RMS torque and energy of a cycle, exact
 limits          how near a cycle comes to the limits of motor and reducer
 max_rate        the highest rate at which all limits are met, exact

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -36,7 +36,7 @@ class Stage:
         if back is not None and not (math.isfinite(back) and back <= 1.0):
             raise ValueError(f"{self.name}: efficiency backward is {back:g}; expected a finite number, at most 1")
 
-    def before(self, behind: ArrayLike, direction: ArrayLike, method: Method = "physical") -> Array:
+    def input_torque(self, behind: ArrayLike, direction: ArrayLike, method: Method = "physical") -> Array:
         """Return the torque (Nm) before the stage that drives one behind it (Nm, N of travel), f T/i.
 
         f is that of the rule of losses, in a direction of motion: 1, −1, or 0 at rest.
@@ -80,7 +80,7 @@ class Part:
         return self.all * self.speed_ratio**2
 
 
-def geared(driver: float | None, driven: float | None) -> float:
+def gear_speed_ratio(driver: float | None, driven: float | None) -> float:
     """Return ω_i/ω = n1/n2 of a part that n1 teeth drive through its own n2; 1 of one without teeth.
 
     Source: S1, 'Feeding group layout', τ_g = ω2/ω1 = 90/45.
@@ -189,7 +189,7 @@ class Mechanism:
         """
         return force / self.ratio / self.efficiency
 
-    def turning(self, shaft: int, of_load: ArrayLike) -> Array:
+    def shaft_motion(self, shaft: int, of_load: ArrayLike) -> Array:
         """Return the speed or acceleration of a shaft (rad/s, rad/s²) for that of the load (m/s or rad/s, per s)."""
         return self.ratio_from(shaft) * np.asarray(of_load, dtype=np.float64)
 
@@ -199,11 +199,6 @@ class Mechanism:
         Source: S1, 'Feeding group'.
         """
         return np.asarray(torque, dtype=np.float64) / self.ratio_from(shaft)
-
-    def behind(self, shaft: int) -> Mechanism:
-        """Return the mechanism from one of its shafts on, as if the motor sat there."""
-        parts = tuple(replace(part, shaft=part.shaft - shaft) for part in self.parts if part.shaft >= shaft)
-        return replace(self, stages=self.stages[shaft:], parts=parts)
 
     @property
     def reduced(self) -> Load:
@@ -220,7 +215,7 @@ class Mechanism:
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
         found = [self.load.resisting(sign) + self.carried[self.last] * a]
         for k in reversed(range(self.last)):
-            driven = self.stages[k].before(found[0], sign, method)
+            driven = self.stages[k].input_torque(found[0], sign, method)
             found.insert(0, driven + self.carried[k] * a)
         return found
 

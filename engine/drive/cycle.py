@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,14 +19,14 @@ from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, motion_pieces
 
 NARROW = 1e-9
-"""of a piece: what is shorter is no stretch"""
+"""of a piece: what is shorter is left out"""
 
 NODES = 32
-"""a stretch, and each half turn of its sines, in which functions without a ladder are searched"""
+"""parts of an interval, and of each half turn of its sines, in which functions without a ladder are searched"""
 
 
 @dataclass(frozen=True)
-class Stretch:
+class TorqueInterval:
     """A part of a piece in which direction, process force and the way of power through every stage stay as they are.
 
     u runs from ``low`` to ``high``, from the piece's begin, in units of the motion; ``speed`` is that of the abscissa
@@ -39,7 +38,7 @@ class Stretch:
     speed: float
     low: float
     high: float
-    going: float
+    direction: float
     force: Force
     weights: tuple[Weights, ...]
 
@@ -96,7 +95,7 @@ class Stretch:
 
     def no_load(self, shaft: int) -> float:
         """Return the torque (Nm) of the motor's shaft that opposes its rotation, whatever the load; 0 of another."""
-        return self.train.drive.no_load * self.going if shaft == 0 else 0.0
+        return self.train.drive.no_load * self.direction if shaft == 0 else 0.0
 
     def power(self, u: Array) -> Array:
         """Return the power (W) of the motor, with the losses of its winding: T ω + (P_N/T_N²) T²."""
@@ -104,7 +103,7 @@ class Stretch:
         return np.asarray(torque * (self.motor_speed(u) + self.train.drive.copper * torque))
 
     @property
-    def turns(self) -> list[float]:
+    def power_reversals(self) -> list[float]:
         """Where the power of the motor changes its sign: copper losses do that where its torque does not."""
         return crossed(self.power, self.low, self.high, self.nodes) if self.train.drive.copper else []
 
@@ -135,7 +134,7 @@ class Span(NamedTuple):
     piece: MotionPiece
     low: float
     high: float
-    going: float
+    direction: float
     force: Force
 
 
@@ -167,8 +166,8 @@ class MotionPieces:
 class DriveCycle:
     """A train over the cycle of its load's motion, whose abscissa advances at ``speed`` (1/s).
 
-    The motion is one of phases, or told by its pieces (a flying tool's, whose law rides on the line's speed).
-    ``shift`` is by how much the motion is later than it is told: y(x) = y0(x − shift); windows stay where they are.
+    The motion is one of phases, or given by its pieces (a flying tool's, whose law rides on the line's speed).
+    ``shift`` is by how much the motion is later than entered: y(x) = y0(x − shift); windows stay where they are.
     Raises ValueError unless the speed is above 0.
     """
 
@@ -184,33 +183,27 @@ class DriveCycle:
     @property
     def time(self) -> float:
         """Time of the cycle (s)."""
-        return self.told.total / self.speed
+        return self.unshifted.total / self.speed
 
     @cached_property
-    def told(self) -> MotionPieces:
+    def unshifted(self) -> MotionPieces:
         """The pieces of the motion."""
         return self.motion if isinstance(self.motion, MotionPieces) else MotionPieces.of(self.motion)
 
     @cached_property
-    def stretches(self) -> tuple[Stretch, ...]:
-        """All stretches, in the order of the motion as it is told. Raises OutOfReachError."""
-        return tuple(stretch for span in self.spans for stretch in self._split(*span))
+    def torque_intervals(self) -> tuple[TorqueInterval, ...]:
+        """All torque intervals, in the order of the unshifted motion. Raises OutOfReachError."""
+        return tuple(interval for span in self.spans for interval in self._split(*span))
 
     @cached_property
     def spans(self) -> tuple[Span, ...]:
-        """All spans, in the order of the motion as it is told. Raises OutOfReachError."""
-        return tuple(span for piece in self.told.moved for span in self._of(piece))
+        """All spans, in the order of the unshifted motion. Raises OutOfReachError."""
+        return tuple(span for piece in self.unshifted.moved for span in self._of(piece))
 
     @property
     def fastest(self) -> float:
         """The largest |y'| of the motion."""
-        return self.told.fastest
-
-    @property
-    def way(self) -> float:
-        """How far the load goes over the cycle, there and back (m or rad)."""
-        ends = [(position(one.piece), one) for one in self.spans if one.going]
-        return math.fsum(abs(y(one.high) - y(one.low)) for y, one in ends)
+        return self.unshifted.fastest
 
     def _of(self, piece: MotionPiece) -> Iterator[Span]:
         """Yield the spans of a piece."""
@@ -222,15 +215,15 @@ class DriveCycle:
             cuts += [*turns, *self._knots(piece, turns)]
         for low, high in parts(cuts, piece.duration):
             middle = 0.5 * (low + high)
-            going = float(np.sign(velocity(middle))) if moves else 0.0
-            way = going * self.train.sense(position(piece)(middle))
-            force = self.train.force(way, piece.begin + middle + self.shift, self.told.total)
-            yield Span(piece, low, high, going, force)
+            direction = float(np.sign(velocity(middle))) if moves else 0.0
+            sense = direction * self.train.sense(position(piece)(middle))
+            force = self.train.force(sense, piece.begin + middle + self.shift, self.unshifted.total)
+            yield Span(piece, low, high, direction, force)
 
     def _edges(self, piece: MotionPiece) -> Iterator[float]:
         """Yield the edges of windows within a piece."""
         for edge in (edge for window in self.train.windows for edge in (window.begin, window.end)):
-            u = (edge - self.shift - piece.begin) % self.told.total
+            u = (edge - self.shift - piece.begin) % self.unshifted.total
             if u < piece.duration:
                 yield u
 
@@ -241,35 +234,38 @@ class DriveCycle:
         for knot in self.train.cuts(min(ends), max(ends)):
             yield from sign_changes(Curve((y.c[0] - knot, *y.c[1:]), y.sines), 0.0, piece.duration)
 
-    def _split(self, piece: MotionPiece, low: float, high: float, going: float, force: Force) -> Iterator[Stretch]:
+    def _split(
+        self, piece: MotionPiece, low: float, high: float, direction: float, force: Force
+    ) -> Iterator[TorqueInterval]:
         """Yield a part of a piece, cut where power turns round in a stage, from the load's on, or in the motor."""
         stages = self.train.drive.mechanism.stages
-        yield from self._through(piece, low, high, going, force, [1.0] * len(stages), len(stages))
+        yield from self._through(piece, low, high, direction, force, [1.0] * len(stages), len(stages))
 
     def _through(
-        self, piece: MotionPiece, low: float, high: float, going: float, force: Force, factors: list[float], shaft: int
-    ) -> Iterator[Stretch]:  # fmt: skip
-        """Yield stretches; the factors of all stages behind a shaft are known."""
-        here = self._stretch(piece, low, high, going, force, factors)
-        cuts = [low, high, *(here.crossings(shaft) if going else ())]
+        self, piece: MotionPiece, low: float, high: float, direction: float, force: Force, factors: list[float],
+        shaft: int,
+    ) -> Iterator[TorqueInterval]:  # fmt: skip
+        """Yield torque intervals; the factors of all stages behind a shaft are known."""
+        here = self._interval(piece, low, high, direction, force, factors)
+        cuts = [low, high, *(here.crossings(shaft) if direction else ())]
         for begin, end in parts(cuts, piece.duration):
             if shaft == 0:
-                yield self._stretch(piece, begin, end, going, force, factors)
+                yield self._interval(piece, begin, end, direction, force, factors)
                 continue
             middle = np.array([0.5 * (begin + end)])
             stage = self.train.drive.mechanism.stages[shaft - 1]
             behind = here.torque(middle, shaft)
-            factor = float(stage.factor(behind, going, self.train.method, 0.0)[0])
+            factor = float(stage.factor(behind, direction, self.train.method, 0.0)[0])
             known = [*factors[: shaft - 1], factor, *factors[shaft:]]
-            yield from self._through(piece, begin, end, going, force, known, shaft - 1)
+            yield from self._through(piece, begin, end, direction, force, known, shaft - 1)
 
-    def _stretch(
-        self, piece: MotionPiece, low: float, high: float, going: float, force: Force, factors: Sequence[float]
-    ) -> Stretch:  # fmt: skip
+    def _interval(
+        self, piece: MotionPiece, low: float, high: float, direction: float, force: Force, factors: Sequence[float]
+    ) -> TorqueInterval:  # fmt: skip
         weights = tuple(self.train.weights(factors))
-        if going == 0.0 and self.train.drive.holding == "brake":  # on the motor's shaft: gears carry the load
+        if direction == 0.0 and self.train.drive.holding == "brake":  # on the motor's shaft: gears carry the load
             weights = (Weights(0.0, 0.0), *weights[1:])
-        return Stretch(self.train, piece, self.speed, low, high, going, force, weights)
+        return TorqueInterval(self.train, piece, self.speed, low, high, direction, force, weights)
 
 
 def parts(cuts: Sequence[float], width: float) -> Iterator[tuple[float, float]]:

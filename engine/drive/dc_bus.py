@@ -12,14 +12,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from engine.drive.cycle import DriveCycle, Stretch, parts
+from engine.drive.cycle import DriveCycle, TorqueInterval, parts
 from engine.drive.results import Energies, Energy
 from engine.drive.search import Function, crossed, integral, largest
 from engine.laws.base import Array
 
 HOUR = 3600.0  # s
 DEGREE = 24  # of the polynomial by which the bend of the power is measured
-FINE = 64  # places a stretch, at which it is
+FINE = 64  # points an interval, at which it is
 
 
 class Supply(NamedTuple):
@@ -50,7 +50,7 @@ class Means(NamedTuple):
 
     @property
     def net(self) -> Any:
-        """What is used up on the way (W)."""
+        """What is used up on the sign (W)."""
         return self.mains - self.resistor
 
     @property
@@ -129,11 +129,11 @@ class Drivetrains:
     def supply(self, common: bool) -> Supply:
         """Return the power from the mains and in the resistors, exact: with a ``common`` bus, or each drive alone."""
         figures = []
-        for way in (1.0, -1.0):
+        for sign in (1.0, -1.0):
             peak = 0.0
             for section in self.sections:
-                peak = max(peak, section.peak(way, common, peak))
-            energy = math.fsum(section.energy(way, common, peak) for section in self.sections)
+                peak = max(peak, section.peak(sign, common, peak))
+            energy = math.fsum(section.energy(sign, common, peak) for section in self.sections)
             figures += [peak, energy / self.time]
         return Supply(*figures)
 
@@ -171,14 +171,14 @@ class Drivetrains:
 
 
 class Part(NamedTuple):
-    """A stretch of one cycle, and the time (s) at which its piece begins, within one cycle of the section's."""
+    """An interval of one cycle, and the time (s) at which its piece begins, within one cycle of the section's."""
 
-    stretch: Stretch
+    interval: TorqueInterval
     begin: float
 
     def power(self, t: Array) -> Array:
         """Return the power (W) of the motor."""
-        return self.stretch.power((t - self.begin) * self.stretch.speed)
+        return self.interval.power((t - self.begin) * self.interval.speed)
 
 
 @dataclass(frozen=True)
@@ -195,22 +195,22 @@ class Section:
         power = np.array([part.power(t) for part in self.parts])
         return np.where(power > 0.0, power / self.efficiency, power * self.efficiency)
 
-    def total(self, way: float, common: bool) -> Function:
-        """Return what all take from the mains (``way`` 1) or give to resistors (−1), as a function of time (W).
+    def total(self, sign: float, common: bool) -> Function:
+        """Return what all take from the mains (``sign`` 1) or give to resistors (−1), as a function of time (W).
 
         On a common bus it is below 0 where the others' power does.
         """
         if common:
-            return lambda t: np.asarray(way * self.drawn(t).sum(axis=0))
-        return lambda t: np.asarray(np.maximum(way * self.drawn(t), 0.0).sum(axis=0))
+            return lambda t: np.asarray(sign * self.drawn(t).sum(axis=0))
+        return lambda t: np.asarray(np.maximum(sign * self.drawn(t), 0.0).sum(axis=0))
 
-    def peak(self, way: float, common: bool, least: float) -> float:
+    def peak(self, sign: float, common: bool, least: float) -> float:
         """Return its largest value (W); any value below ``least`` where it stays below that."""
-        return largest(self.total(way, common), self.low, self.high, self._nodes, least).value
+        return largest(self.total(sign, common), self.low, self.high, self._nodes, least).value
 
-    def energy(self, way: float, common: bool, scale: float) -> float:
+    def energy(self, sign: float, common: bool, scale: float) -> float:
         """Return the integral (J) of what it has above 0; ``scale`` is the largest power of the cycle."""
-        function = self.total(way, common)
+        function = self.total(sign, common)
         cuts = [self.low, *crossed(function, self.low, self.high, self._nodes), self.high]
         middles = function(np.array([0.5 * (a + b) for a, b in pairwise(cuts)]))
         above = [ends for ends, middle in zip(pairwise(cuts), middles, strict=True) if middle > 0.0]
@@ -228,7 +228,7 @@ class Section:
 
     @property
     def _nodes(self) -> int:
-        return max(part.stretch.nodes for part in self.parts)
+        return max(part.interval.nodes for part in self.parts)
 
 
 def _areas(t: Array, line: Array) -> Array:
@@ -249,25 +249,27 @@ def _drawn(t: Array, line: Array, peaks: Array, sums: Array) -> tuple[Array, Arr
     return np.maximum(peaks, [line.max(), -line.min()]), sums + _areas(t, line)
 
 
-def _time(drive_cycle: DriveCycle, stretch: Stretch, u: float) -> float:
-    """Return the time (s) in the cycle of a place in a stretch."""
-    x = stretch.piece.begin + u - drive_cycle.told.begin + drive_cycle.shift
+def _time(drive_cycle: DriveCycle, interval: TorqueInterval, u: float) -> float:
+    """Return the time (s) in the cycle of a place in an interval."""
+    x = interval.piece.begin + u - drive_cycle.unshifted.begin + drive_cycle.shift
     return float(x / drive_cycle.speed % drive_cycle.time)
 
 
 def _begins(drive_cycle: DriveCycle) -> list[float]:
-    return [_time(drive_cycle, one, u) for one in drive_cycle.stretches for u in (one.low, *one.turns)]
+    return [_time(drive_cycle, one, u) for one in drive_cycle.torque_intervals for u in (one.low, *one.power_reversals)]
 
 
-def _placed(drive_cycle: DriveCycle) -> list[tuple[float, DriveCycle, Stretch]]:
-    """Return the stretches with the times of their begins, in order of time."""
-    found = [(_time(drive_cycle, stretch, stretch.low), drive_cycle, stretch) for stretch in drive_cycle.stretches]
+def _placed(drive_cycle: DriveCycle) -> list[tuple[float, DriveCycle, TorqueInterval]]:
+    """Return the intervals with the times of their begins, in order of time."""
+    found = [
+        (_time(drive_cycle, interval, interval.low), drive_cycle, interval) for interval in drive_cycle.torque_intervals
+    ]
     return sorted(found, key=lambda one: one[0])
 
 
-def _of(placed: Sequence[tuple[float, DriveCycle, Stretch]], t: float) -> Part:
-    """Return the stretch of a cycle in which a time lies; before the first of the cycle, it is the last."""
+def _of(placed: Sequence[tuple[float, DriveCycle, TorqueInterval]], t: float) -> Part:
+    """Return the interval of a cycle in which a time lies; before the first of the cycle, it is the last."""
     behind = [one for one in placed if one[0] <= t]
-    begin, drive_cycle, stretch = behind[-1] if behind else placed[-1]
+    begin, drive_cycle, interval = behind[-1] if behind else placed[-1]
     start = begin if behind else begin - drive_cycle.time
-    return Part(stretch, start - stretch.low / stretch.speed)
+    return Part(interval, start - interval.low / interval.speed)

@@ -85,13 +85,13 @@ class DrivePoints:
     def torque(self) -> Array:
         """Torque of the motor (Nm); none where a brake holds."""
         inertia, ratio = self._drive
-        found = self.load.at_motor(self.load.behind) + inertia * ratio * self.load.turning
+        found = self.load.at_motor(self.load.output_torque) + inertia * ratio * self.load.shaft_acceleration
         return np.where(self.load.braked, 0.0, found) + self.no_load
 
     @cached_property
     def standing(self) -> Array:
         """Torque of the motor without motion (Nm)."""
-        return np.where(self.load.braked, 0.0, self.load.at_motor(self.load.standing_behind)) + self.no_load
+        return np.where(self.load.braked, 0.0, self.load.at_motor(self.load.output_torque_at_rest)) + self.no_load
 
     @property
     def no_load(self) -> Array:
@@ -130,7 +130,7 @@ class DrivePoints:
 
     def top(self, values: Array) -> float:
         """Return the largest of a quantity over the cycle."""
-        return peak(values, self.load.place).top
+        return peak(values, self.load.x).top
 
     def size(self, values: Array) -> float:
         """Return the largest size of a quantity over the cycle."""

@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from engine.drive.cycle import DriveCycle, Stretch
+from engine.drive.cycle import DriveCycle, TorqueInterval
 from engine.drive.motor import LimitCheck, Motor
 from engine.drive.results import DriveResults
 from engine.drive.search import Function, largest
@@ -58,7 +58,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Judged:
+class LimitChecks:
     """A cycle against limits: every check, and which of them counts most."""
 
     drive_cycle: DriveCycle
@@ -135,7 +135,9 @@ class Judged:
     @cached_property
     def machine_inertia(self) -> float:
         """The largest inertia of all behind the motor at its shaft over the cycle (kg m²)."""
-        found = (largest(_machine_inertia(one), one.low, one.high, one.nodes)[0] for one in self.drive_cycle.stretches)
+        found = (
+            largest(_machine_inertia(one), one.low, one.high, one.nodes)[0] for one in self.drive_cycle.torque_intervals
+        )
         return max(found)
 
     @cached_property
@@ -150,7 +152,7 @@ class Judged:
 
         last = float(curve.speed[-1])
 
-        def worst(one: Stretch, least: float) -> tuple[float, float]:
+        def worst(one: TorqueInterval, least: float) -> tuple[float, float]:
             def lack(u: Array) -> Array:
                 return np.asarray(np.abs(one.torque(u)) - curve.at(np.clip(one.motor_speed(u), -last, last)))
 
@@ -158,7 +160,7 @@ class Judged:
             return lacking, float(np.abs(one.torque(np.array([u])))[0])
 
         lacking, torque = -math.inf, 0.0
-        for one in self.drive_cycle.stretches:
+        for one in self.drive_cycle.torque_intervals:
             lacking, torque = max((lacking, torque), worst(one, lacking))
         return LimitCheck(BELOW, torque, torque - lacking, lacking <= 0.0)
 
@@ -170,7 +172,7 @@ def use(check: LimitCheck) -> float:
     return check.value / check.limit
 
 
-def _machine_inertia(one: Stretch) -> Function:
+def _machine_inertia(one: TorqueInterval) -> Function:
     """Return the inertia of all behind the motor at its shaft (kg m²) as a function of u."""
     drive = one.train.drive
     m = drive.mechanism

@@ -18,7 +18,7 @@ def at_shaft(phases: Sequence[Phase], ratio: float, speed: float = 1.0) -> list[
 
     ``ratio`` is the speed of the shaft over that of the load (rad/m or 1), ``speed`` that of the abscissa (1/s).
     """
-    return [p.told(ratio, speed) for p in phases]
+    return [p.rescaled(ratio, speed) for p in phases]
 
 
 def direction_of(phase: Phase) -> float:

@@ -47,7 +47,7 @@ SHARES, WEIGHTS = lobatto(COUNT)
 class Interval(NamedTuple):
     """A part of a cycle in which one piece of the motion holds and process forces stay as they are.
 
-    From ``begin`` to ``end`` of the abscissa as the phases tell it; ``piece`` is the piece's number, from 0.
+    From ``begin`` to ``end`` of the unshifted abscissa; ``piece`` is the piece's number, from 0.
     """
 
     begin: float
@@ -56,7 +56,7 @@ class Interval(NamedTuple):
 
     @property
     def middle(self) -> float:
-        """The place in its middle."""
+        """The point in its middle."""
         return (self.begin + self.end) / 2.0
 
 
@@ -84,7 +84,7 @@ class LoadPoints:
     """
 
     train: Train
-    place: Array
+    x: Array
     position: Array
     velocity: Array
     acceleration: Array
@@ -129,17 +129,17 @@ class LoadPoints:
         return self.first * self.velocity
 
     @property
-    def turning(self) -> Array:
+    def shaft_acceleration(self) -> Array:
         """Acceleration of the mechanism's shaft (rad/s²), φ'' v² + φ' a."""
         return self.second * self.velocity**2 + self.first * self.acceleration
 
     @cached_property
-    def behind(self) -> Array:
+    def output_torque(self) -> Array:
         """Torque that drives the shaft behind the first stage, the reducer (Nm)."""
         return self._driving(self.force, 1.0)
 
     @cached_property
-    def standing_behind(self) -> Array:
+    def output_torque_at_rest(self) -> Array:
         """The same without motion (Nm)."""
         return self._driving(self.resisting, 0.0)
 
@@ -149,7 +149,7 @@ class LoadPoints:
         for k in range(m.last - 1, 0, -1):
             ratio = self.first if k == m.last - 1 else m.stages[k].ratio
             gear = math.prod(stage.ratio for stage in m.stages[k : m.last - 1])
-            torque = self._through(k, torque) / ratio + moved * m.on_shaft(k) * gear * self.turning
+            torque = self._through(k, torque) / ratio + moved * m.on_shaft(k) * gear * self.shaft_acceleration
         return torque
 
     def _through(self, stage: int, torque: Array) -> Array:
@@ -178,14 +178,14 @@ class Cycle:
 
     @cached_property
     def intervals(self) -> list[Interval]:
-        """The intervals, in the order of the motion as its phases tell it."""
-        told, shift = self.drive_cycle.told, self.drive_cycle.shift
+        """The intervals, in the order of the unshifted motion."""
+        motion, shift = self.drive_cycle.unshifted, self.drive_cycle.shift
         train = self.drive_cycle.train
         edges = [edge for window in train.windows for edge in (window.begin, window.end)]
-        turned = [(edge - shift - told.begin + self.near) % told.total + told.begin - self.near for edge in edges]
+        turned = [(edge - shift - motion.begin + self.near) % motion.total + motion.begin - self.near for edge in edges]
         steps = train.by_angle.steps if train.by_angle else 1
-        turned += [told.begin + told.total * k / steps for k in range(1, steps)]
-        return intervals(self.pieces, turned, told.begin + told.total, self.near)
+        turned += [motion.begin + motion.total * k / steps for k in range(1, steps)]
+        return intervals(self.pieces, turned, motion.begin + motion.total, self.near)
 
     @cached_property
     def direction(self) -> Array:
@@ -204,7 +204,7 @@ class Cycle:
         """What resists in each interval always, and against motion (N or Nm)."""
         force, at = self.drive_cycle.train.force, self.drive_cycle.shift
         each = [
-            [force(way, one.middle + at, self.drive_cycle.told.total).level for way in (0.0, 1.0)]
+            [force(way, one.middle + at, self.drive_cycle.unshifted.total).level for way in (0.0, 1.0)]
             for one in self.intervals
         ]
         steady, moving = np.array(each).T
@@ -214,7 +214,7 @@ class Cycle:
         """Return the points of all intervals. Raises OutOfReachError where the mechanism cannot bring its load."""
         begin, end = (np.array([getattr(one, name) for one in self.intervals])[:, None] for name in ("begin", "end"))
         number = np.arange(len(begin))[:, None] + np.zeros(COUNT, dtype=np.intp)
-        share, place = (end - begin) / self.drive_cycle.told.total * WEIGHTS, begin + (end - begin) * SHARES
+        share, place = (end - begin) / self.drive_cycle.unshifted.total * WEIGHTS, begin + (end - begin) * SHARES
         y, v, a = (self._derivative(number, place, order) for order in range(3))
         direction = np.where(np.abs(v) > self.still, np.sign(v), self.direction[number])
         steady, friction = (level[number] for level in self.levels)

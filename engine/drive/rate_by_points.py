@@ -119,7 +119,7 @@ def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -
 
 def by_mean(points: DrivePoints, limit: float) -> Share:
     """Return the share of the reducer's mean torque (Nm), which grows in a straight line from that without motion."""
-    none, present = (points.cubic_mean(one) for one in (points.load.standing_behind, points.load.behind))
+    none, present = (points.cubic_mean(one) for one in (points.load.output_torque_at_rest, points.load.output_torque))
     use = max(0.0, present - none) / (limit - none) if none < limit < math.inf else 0.0
     return Share(limit, none, present, use)
 
@@ -134,7 +134,7 @@ def shares(
 ) -> dict[str, Share]:
     """Return the share of each limit, by its name; ``speed`` is the largest of the motor (rad/s)."""
     peak, fastest = motor.peak_torque, motor.max_speed
-    behind, standing = points.load.behind, points.load.standing_behind
+    behind, standing = points.load.output_torque, points.load.output_torque_at_rest
     found = {
         "RMS torque": by_rms(points, motor, speed > 0.0),
         "peak torque": by_peak(points, points.torque, points.standing, peak),

@@ -12,14 +12,14 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.curves import position, trimmed
-from engine.drive.cycle import DriveCycle, Stretch
+from engine.drive.cycle import DriveCycle, TorqueInterval
 from engine.drive.search import Function, extremes, integral
 from engine.laws.base import Array
 from engine.laws.ladder import zeros
 
 
 class Extreme(NamedTuple):
-    """A value, the phase (from 0) and the place x of the motion as it is told where it is reached."""
+    """A value, the phase (from 0) and the place x of the unshifted motion where it is reached."""
 
     value: float
     phase: int
@@ -63,15 +63,12 @@ class DriveResults:
 
     drive_cycle: DriveCycle
 
-    @property
-    def stretches(self) -> tuple[Stretch, ...]:
-        """The stretches of the cycle."""
-        return self.drive_cycle.stretches
-
     @cached_property
     def speed(self) -> Bounds:
         """Speed of the motor (rad/s)."""
-        return _bounds((one, u, one.motor_speed(u)) for one in self.stretches for u in (_speed_candidates(one),))
+        return _bounds(
+            (one, u, one.motor_speed(u)) for one in self.drive_cycle.torque_intervals for u in (_speed_candidates(one),)
+        )
 
     @cached_property
     def torque(self) -> Bounds:
@@ -81,34 +78,42 @@ class DriveResults:
     def shaft_torque(self, shaft: int) -> Bounds:
         """Return the torque (Nm) that drives a shaft; behind the motor's, of what a stage gives."""
         return _bounds(
-            (one, u, one.torque(u, shaft)) for one in self.stretches for u in (_torque_candidates(one, shaft),)
+            (one, u, one.torque(u, shaft))
+            for one in self.drive_cycle.torque_intervals
+            for u in (_torque_candidates(one, shaft),)
         )
 
     @cached_property
     def power(self) -> Bounds:
         """Power (W) of the motor, with the losses of its winding."""
-        return _bounds((one, u, one.power(u)) for one in self.stretches for u in (_searched(one, one.power),))
+        return _bounds(
+            (one, u, one.power(u)) for one in self.drive_cycle.torque_intervals for u in (_searched(one, one.power),)
+        )
 
     @cached_property
     def rms_torque(self) -> float:
         """sqrt(∫T² dt/t) over the cycle (Nm). Source: S4, T_RMS."""
         scale = self.torque.peak**2
 
-        def square(one: Stretch) -> Function:
+        def square(one: TorqueInterval) -> Function:
             return lambda u: one.torque(u) ** 2
 
-        return math.sqrt(self._total(square, scale) / self.drive_cycle.told.total)
+        return math.sqrt(self._total(square, scale) / self.drive_cycle.unshifted.total)
 
     @cached_property
     def mean_speed(self) -> float:
         """∫|ω| dt/t over the cycle (rad/s): where the RMS torque is held to the continuous limit."""
-        return self._total(_turning, self.speed.peak) / self.drive_cycle.told.total
+        return self._total(_turning, self.speed.peak) / self.drive_cycle.unshifted.total
 
     @cached_property
     def energy(self) -> Energy:
         """Energy of the motor over the cycle, with the losses of its winding."""
         scale = self.torque.peak * self.speed.peak
-        parts = [(one, *ends) for one in self.stretches for ends in pairwise([one.low, *one.turns, one.high])]
+        parts = [
+            (one, *ends)
+            for one in self.drive_cycle.torque_intervals
+            for ends in pairwise([one.low, *one.power_reversals, one.high])
+        ]
         each = [integral(one.power, low, high, scale) / one.speed for one, low, high in parts]
         return Energy(math.fsum(e for e in each if e > 0.0), -math.fsum(e for e in each if e < 0.0))
 
@@ -119,22 +124,22 @@ class DriveResults:
         """
         fastest, peak = self.speed.peak, self.shaft_torque(shaft).peak
 
-        def cube(one: Stretch) -> Function:
+        def cube(one: TorqueInterval) -> Function:
             return lambda u: np.abs(one.motor_speed(u) * one.torque(u, shaft) ** 3)
 
         cubes, ways = self._total(cube, fastest * peak**3), self._total(_turning, fastest)
         return math.cbrt(cubes / ways) if ways else 0.0
 
-    def _total(self, function: Callable[[Stretch], Function], scale: float) -> float:
-        """Return the integral over the abscissa of a function of each stretch that grows to a scale."""
-        return math.fsum(integral(function(one), one.low, one.high, scale) for one in self.stretches)
+    def _total(self, function: Callable[[TorqueInterval], Function], scale: float) -> float:
+        """Return the integral over the abscissa of a function of each interval that grows to a scale."""
+        return math.fsum(integral(function(one), one.low, one.high, scale) for one in self.drive_cycle.torque_intervals)
 
 
-def _turning(one: Stretch) -> Function:
+def _turning(one: TorqueInterval) -> Function:
     return lambda u: np.abs(one.motor_speed(u))
 
 
-def _bounds(found: Iterable[tuple[Stretch, Array, Array]]) -> Bounds:
+def _bounds(found: Iterable[tuple[TorqueInterval, Array, Array]]) -> Bounds:
     ends = [
         Extreme(float(values[k]), one.piece.phase, one.piece.begin + float(u[k]))
         for one, u, values in found
@@ -143,7 +148,7 @@ def _bounds(found: Iterable[tuple[Stretch, Array, Array]]) -> Bounds:
     return Bounds(min(ends), max(ends, key=lambda end: end.value))
 
 
-def _speed_candidates(one: Stretch) -> Array:
+def _speed_candidates(one: TorqueInterval) -> Array:
     """Return where the motor can be fastest: at the ends and where y'' is 0; where the ratio changes, by a search."""
     if one.train.linkage:
         return _searched(one, one.motor_speed)
@@ -151,7 +156,7 @@ def _speed_candidates(one: Stretch) -> Array:
     return np.array([one.low, *_within(one, zeros(acceleration, one.piece.duration)), one.high])
 
 
-def _torque_candidates(one: Stretch, shaft: int) -> Array:
+def _torque_candidates(one: TorqueInterval, shaft: int) -> Array:
     """Return where a torque can be largest: at the ends and where its slope is 0; where the ratio changes, searched."""
     curve = one.curve(shaft)
     if curve is None:
@@ -159,10 +164,10 @@ def _torque_candidates(one: Stretch, shaft: int) -> Array:
     return np.array([one.low, *_within(one, zeros(trimmed(curve.derivative()), one.piece.duration)), one.high])
 
 
-def _within(one: Stretch, places: Iterable[float]) -> list[float]:
+def _within(one: TorqueInterval, places: Iterable[float]) -> list[float]:
     return [u for u in places if one.low < u < one.high]
 
 
-def _searched(one: Stretch, function: Function) -> Array:
+def _searched(one: TorqueInterval, function: Function) -> Array:
     lowest, highest = extremes(function, one.low, one.high, one.nodes)
-    return np.array([one.low, lowest.place, highest.place, one.high])
+    return np.array([one.low, lowest.x, highest.x, one.high])

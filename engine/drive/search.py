@@ -35,7 +35,7 @@ class Found(NamedTuple):
     """A value of a function, and where it is."""
 
     value: float
-    place: float
+    x: float
 
 
 def largest(function: Function, low: float, high: float, nodes: int, least: float = -np.inf) -> Found:
@@ -47,10 +47,10 @@ def largest(function: Function, low: float, high: float, nodes: int, least: floa
 
 
 def extremes(
-    function: Function, low: float, high: float, nodes: int, ways: Sequence[float] = (-1.0, 1.0),
+    function: Function, low: float, high: float, nodes: int, signs: Sequence[float] = (-1.0, 1.0),
     least: float = -np.inf,
 ) -> tuple[Found, ...]:  # fmt: skip
-    """Return the lowest and the largest value of a function between two points: one for each of ``ways``.
+    """Return the lowest and the largest value of a function between two points: one for each of ``signs``.
 
     The ends of ``nodes`` parts that are not lower than their neighbours (or not higher) are narrowed, the best of
     them; the ends count. Right where the function has at most one top within two parts, and
@@ -58,26 +58,26 @@ def extremes(
     """
     u = np.linspace(low, high, nodes + 1)
     values = function(u)
-    places = [_tops(way * values) for way in ways]
+    places = [_tops(sign * values) for sign in signs]
     best = [Found(float(values[top[0]]), float(u[top[0]])) for top in places]
     tops = np.concatenate(places)
-    whose = np.repeat(np.arange(len(ways)), [top.size for top in places])
+    whose = np.repeat(np.arange(len(signs)), [top.size for top in places])
     before, after = np.maximum(tops - 1, 0), np.minimum(tops + 1, nodes)
-    signed = np.asarray(ways)[whose, None] * values[np.array([before, tops, after]).T]
-    goal = np.maximum(least, [way * one.value for way, one in zip(ways, best, strict=True)])[whose]
+    signed = np.asarray(signs)[whose, None] * values[np.array([before, tops, after]).T]
+    goal = np.maximum(least, [sign * one.value for sign, one in zip(signs, best, strict=True)])[whose]
     hopeful = 2.0 * signed[:, 1] - signed.min(axis=1) >= goal
     left, right, whose = u[before][hopeful], u[after][hopeful], whose[hopeful]
     share = np.linspace(0.0, 1.0, PARTS + 1)
     for _ in range(ROUNDS if left.size else 0):
         points = left[:, None] + (right - left)[:, None] * share
         found = function(points.ravel()).reshape(points.shape)
-        sign = np.asarray(ways)[whose]
+        sign = np.asarray(signs)[whose]
         each, k = np.arange(left.size), (sign[:, None] * found).argmax(axis=1)
         reached, spread = sign * found[each, k], found.max(axis=1) - found.min(axis=1)
         for one in np.argsort(reached):
-            if reached[one] > ways[whose[one]] * best[whose[one]].value:
+            if reached[one] > signs[whose[one]] * best[whose[one]].value:
                 best[whose[one]] = Found(float(found[one, k[one]]), float(points[one, k[one]]))
-        goal = np.maximum(least, [way * one.value for way, one in zip(ways, best, strict=True)])[whose]
+        goal = np.maximum(least, [sign * one.value for sign, one in zip(signs, best, strict=True)])[whose]
         worth = (reached + spread > goal) & (spread > FLAT * np.abs(values).max())
         if not worth.any():
             break

@@ -40,7 +40,7 @@ class Window:
         """The force as a load without mass."""
         return resisting(self.force, self.resists)
 
-    def holds(self, x: float, cycle: float) -> bool:
+    def acts_at(self, x: float, cycle: float) -> bool:
         """Whether it acts at x of a cycle that is so long."""
         lasts = self.end - self.begin
         return math.isclose(lasts, cycle) or (x - self.begin) % cycle < lasts % cycle
@@ -153,11 +153,11 @@ class Train:
         """Return 1, or −1 where the load goes backward while its axis, at y, goes forward: beyond a dead centre."""
         return float(np.sign(self.by_angle.slopes(np.asarray(y))[0])) if self.by_angle else 1.0
 
-    def force(self, going: float, x: float, cycle: float) -> Force:
+    def force(self, direction: float, x: float, cycle: float) -> Force:
         """Return what drives the load in a direction (1, −1, or 0 at rest) at a place x of the cycle."""
         m = self.drive.mechanism
-        loads = [m.load, *(window.load for window in self.windows if window.holds(x, cycle))]
-        level = math.fsum(float(load.resisting(going)) for load in loads)
+        loads = [m.load, *(window.load for window in self.windows if window.acts_at(x, cycle))]
+        level = math.fsum(float(load.resisting(direction)) for load in loads)
         return Force(m.on_shaft(m.last), self.viscous, level, self.by_angle)
 
     def weights(self, factors: Sequence[float]) -> list[Weights]:

@@ -13,7 +13,7 @@ from engine.motion.pieces import MotionPiece, Scaled, pieces_of
 from engine.motion.smoothness import Joint, Smoothness, joints
 
 
-class Stretch(NamedTuple):
+class CutPart(NamedTuple):
     """A part of the cycle: a motion by a law, besides a drift, of which it has some pieces; it begins at ``opens``."""
 
     scaled: Scaled
@@ -33,12 +33,12 @@ class Stretch(NamedTuple):
         return self.scaled.rate
 
     def pieces(self, number: int, whole: bool = False) -> list[MotionPiece]:
-        """Return its pieces, as those of the stretch of a number."""
+        """Return its pieces, as those of the part of a number."""
         found = pieces_of(self.scaled, number, whole)[self.first : self.first + self.taken] if self.taken else []
         return [replace(piece, begin=max(piece.begin, self.opens)) for piece in found]
 
 
-def stretches(cut: Cut, whole: bool = False) -> tuple[Stretch, Stretch, Stretch, Stretch]:
+def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart, CutPart]:
     """Return the parts of a cycle: it moves by its law up to the wait, waits, moves on, and works at line speed.
 
     The law that a wait interrupts goes on in the middle of a piece, later by the wait. Without a wait the first part
@@ -54,10 +54,10 @@ def stretches(cut: Cut, whole: bool = False) -> tuple[Stretch, Stretch, Stretch,
     stands = cut.position_at(cut.fastest) if cut.waits else 0.0
     moved = v * t + h * cut.law.end.s
     return (
-        Stretch(Scaled(cut.law, h, t, drift=v), 0.0, 0, before),
-        Stretch(Scaled(Dwell(), 0.0, wait, begin, stands), begin, 0, int(cut.waits)),
-        Stretch(Scaled(cut.law, h, t, wait, drift=v), end, again, len(begins) - again if cut.waits else 0),
-        Stretch(Scaled(Dwell(), 0.0, cut.tool_time, cut.repositioning_time, moved, v), cut.repositioning_time, 0,
+        CutPart(Scaled(cut.law, h, t, drift=v), 0.0, 0, before),
+        CutPart(Scaled(Dwell(), 0.0, wait, begin, stands), begin, 0, int(cut.waits)),
+        CutPart(Scaled(cut.law, h, t, wait, drift=v), end, again, len(begins) - again if cut.waits else 0),
+        CutPart(Scaled(Dwell(), 0.0, cut.tool_time, cut.repositioning_time, moved, v), cut.repositioning_time, 0,
                 int(cut.tool_time > 0.0)),
     )  # fmt: skip
 
@@ -84,6 +84,6 @@ def rates_of(cut: Cut) -> Rates:
 
 
 def cut_pieces(cut: Cut, whole: bool = False) -> list[MotionPiece]:
-    """Return the pieces of the tool's motion over the cycle, in m and s; ``whole`` as :func:`stretches` has it."""
-    parts = enumerate(stretches(cut, whole))
+    """Return the pieces of the tool's motion over the cycle, in m and s; ``whole`` as :func:`cut_parts` has it."""
+    parts = enumerate(cut_parts(cut, whole))
     return [piece for number, part in parts for piece in part.pieces(number, whole)]

@@ -30,7 +30,7 @@ class CutCycle(Cycle):
     def intervals(self) -> list[Interval]:
         """The pieces, in order."""
         begins = [piece.begin for piece in self.pieces]
-        ends = [*begins[1:], self.drive_cycle.told.total]
+        ends = [*begins[1:], self.drive_cycle.unshifted.total]
         return [Interval(*one) for one in zip(begins, ends, range(len(begins)), strict=True)]
 
     @property
@@ -64,7 +64,7 @@ def furthest(load: LoadPoints, still: float) -> tuple[Array, Array]:
     Between two points of opposite speeds v_0, v_1 it stands at about x = v_0/(v_0 − v_1) of the step, at the position
     of the cubic through both; else 0 and the position of the point itself. To 0.1 % of the stroke.
     """
-    s, v, t = (one.ravel() for one in (load.position, load.velocity, load.place))
+    s, v, t = (one.ravel() for one in (load.position, load.velocity, load.x))
     s0, v0, step = (np.concatenate([one[:1], one[:-1]]) for one in (s, v, t))
     step = t - step
     turns = (v0 * v < 0.0) & (np.minimum(np.abs(v0), np.abs(v)) > still) & (step > 0.0)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.polynomial_pulse import CONSTANT
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
 
 
@@ -29,8 +29,8 @@ class ConstantAcceleration(PulseLaw):
     def __post_init__(self) -> None:
         require_share("share", self.share)
 
-    def _course(self) -> Course:
-        return Course(CONSTANT, self.share, 0.0, CONSTANT, 1.0 - self.share)
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(CONSTANT, self.share, 0.0, CONSTANT, 1.0 - self.share)
 
 
 ENTRY = Entry(

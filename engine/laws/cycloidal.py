@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import CYCLOIDAL
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
 
 
@@ -30,8 +30,8 @@ class Cycloidal(PulseLaw):
     def __post_init__(self) -> None:
         require_share("share", self.share)
 
-    def _course(self) -> Course:
-        return Course(CYCLOIDAL, self.share, 0.0, CYCLOIDAL, 1.0 - self.share)
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(CYCLOIDAL, self.share, 0.0, CYCLOIDAL, 1.0 - self.share)
 
 
 ENTRY = Entry(

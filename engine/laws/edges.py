@@ -24,7 +24,7 @@ class InnerEdge(NamedTuple):
 
 def inner_edges(law: PulseLaw) -> tuple[InnerEdge | None, InnerEdge | None]:
     """Return the inner edges of both pulses, told from either end; None of a pulse that has no such edge."""
-    c = law.course
+    c = law.pulses
     return (
         _inner(c.rise, law.acceleration * c.rise_time),
         _inner(c.fall, law.deceleration * c.fall_time),

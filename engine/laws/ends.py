@@ -53,7 +53,7 @@ class Ends:
         bent = any(self.values[3:]) or abs(self.v1 - self.v0) > ROUNDING * abs(self.v0)
         return not bent and abs(self.stroke - self.v0) <= ROUNDING * abs(self.stroke)
 
-    def asked(self, quantity: str) -> tuple[float, float]:
+    def both(self, quantity: str) -> tuple[float, float]:
         """Return the values of ``quantity`` (v, a or j) at begin and end."""
         return getattr(self, f"{quantity}0"), getattr(self, f"{quantity}1")
 
@@ -82,7 +82,7 @@ class EndedLaw(Law):
         """Whether it begins, and whether it ends, with an acceleration of its own."""
 
     @property
-    def keeps(self) -> bool:
+    def fixes_ends(self) -> bool:
         """Whether it keeps the velocities that it has at its ends, whatever is beside it."""
         return False
 
@@ -123,7 +123,7 @@ def between(law: Law, ends: Ends) -> Scaled:
 def require_ends(law: Law, ends: Ends, takes: str) -> None:
     """Raise EndError for the first end that is asked of a law but not among what it takes (of v, a, j)."""
     for quantity, name in NAMES.items():
-        for verb, value in zip(("begin", "end"), ends.asked(quantity), strict=True):
+        for verb, value in zip(("begin", "end"), ends.both(quantity), strict=True):
             if value and quantity not in takes:
                 raise EndError(f"{law.name} cannot {verb} with a prescribed {name}: {_reason(takes)}")
 

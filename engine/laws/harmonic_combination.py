@@ -10,7 +10,7 @@ import numpy as np
 from engine.laws.ends import REST, EndError, Ends, require_ends
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
 from engine.laws.simple_harmonic import FALLING
 
@@ -44,9 +44,9 @@ class HarmonicCombination(PulseLaw):
     def _at_end(self) -> bool:
         return self.reversal == "end"
 
-    def _course(self) -> Course:
+    def _pulses(self) -> TwoPulses:
         rise, fall = (REST_SIDE, FALLING) if self._at_end else (FALLING, REST_SIDE)
-        return Course(rise, self.share, 0.0, fall, 1.0 - self.share)
+        return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
     def between(self, ends: Ends) -> HarmonicCombination:
         """Return the law between these ends; where an acceleration is asked for at the reversal, with another share.

@@ -205,6 +205,6 @@ class Knots:
         return [one.wrong_way(self.peak) for one in self.intervals]
 
 
-def given_rows(values: Sequence[float], rows: int) -> list[float | None]:
+def entered_rows(values: Sequence[float], rows: int) -> list[float | None]:
     """Return what is entered of the points, with the spare rows filled up."""
     return [*values, *[None] * (rows - len(values))]

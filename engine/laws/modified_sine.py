@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from engine.laws.ends import REST, EndError, Ends
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_part, require_share
 
 N = 2.0 * math.pi**2 / (4.0 + math.pi)
@@ -41,10 +41,10 @@ class ModifiedSine(PulseLaw):
         require_part("rise_edge", self.rise_edge)
         require_part("fall_edge", self.fall_edge)
 
-    def _course(self) -> Course:
+    def _pulses(self) -> TwoPulses:
         rise = SineEdged(self.rise_edge, 0.0, 1.0 - self.rise_edge)
         fall = SineEdged(self.fall_edge, 0.0, 1.0 - self.fall_edge)
-        return Course(rise, self.share, 0.0, fall, 1.0 - self.share)
+        return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
     @classmethod
     def with_deceleration(cls, deceleration: float, ends: Ends) -> ModifiedSine:

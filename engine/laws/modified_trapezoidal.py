@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import Course, PulseLaw
-from engine.laws.seven_stages import course_of
+from engine.laws.pulse_law import PulseLaw, TwoPulses
+from engine.laws.seven_stages import pulses_of
 from engine.laws.shares import seven_durations
 
 CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)
@@ -34,8 +34,8 @@ class ModifiedTrapezoidal(PulseLaw):
     def __post_init__(self) -> None:
         object.__setattr__(self, "durations", seven_durations(self.durations))
 
-    def _course(self) -> Course:
-        return course_of(self.durations, SineEdged)
+    def _pulses(self) -> TwoPulses:
+        return pulses_of(self.durations, SineEdged)
 
 
 ENTRY = Entry(

@@ -20,7 +20,7 @@ JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
-def stationary(piece: Piece) -> list[float]:
+def stationary_points(piece: Piece) -> list[float]:
     """Return where v, a or j of a piece is stationary, by the ladder of derivatives, which misses none; in no order."""
     a = acceleration(piece)
     j = a.derivative()
@@ -36,7 +36,7 @@ def acceleration(piece: Piece) -> Curve:
     return Curve(tuple(c), tuple(sine for sine in piece.sines if sine[1]))
 
 
-def stationary_power(piece: Piece, v0: float) -> list[float]:
+def stationary_power_points(piece: Piece, v0: float) -> list[float]:
     """Return where v·a of a piece that is entered with velocity ``v0`` is stationary.
 
     Of a polynomial by the ladder; of one sine in closed form; of a piece of both, or of two sines, where the
@@ -88,7 +88,7 @@ def power_extremes(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
     found = []
     for piece in pieces:
         if piece.duration > 0.0:
-            u = np.array([0.0, *stationary_power(piece, v0), piece.duration])
+            u = np.array([0.0, *stationary_power_points(piece, v0), piece.duration])
             _, v, a, _ = gains(u, np.array(piece.row)[:, None])
             found.append((v0 + v) * a)
             v0 += float(v[-1])
@@ -104,7 +104,7 @@ def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a
     lasting = [piece for piece in pieces if piece.duration > 0.0]
     found = []
     for piece in lasting:
-        found.append(_extremes(piece, v0, stationary(piece) + stationary_power(piece, v0)))
+        found.append(_extremes(piece, v0, stationary_points(piece) + stationary_power_points(piece, v0)))
         v0 = float(found[-1][0][-1])
     v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
     accelerations = [values[1] for values in found]
@@ -176,7 +176,7 @@ def extremes_of(pieces: Sequence[Piece], v0: float) -> Extremes:
     found = []
     for piece in pieces:
         if piece.duration > 0.0:
-            found.append(_extremes(piece, v0, stationary(piece)))
+            found.append(_extremes(piece, v0, stationary_points(piece)))
             v0 = float(found[-1][0][-1])
     v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
     return Extremes(*((float(x.min()), float(x.max())) for x in (v, a, j)))

@@ -1,4 +1,4 @@
-"""Pieces made of pieces: stretched to another height and time, told backwards, turned upside down."""
+"""Pieces made of pieces: scaled to another height and time, told backwards, turned upside down."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from dataclasses import replace
 from engine.laws.piece import Piece
 
 
-def stretched(piece: Piece, height: float, time: float) -> Piece:
+def scaled_piece(piece: Piece, height: float, time: float) -> Piece:
     """Return a piece with its accelerations times ``height`` and its duration times ``time``.
 
     c_i becomes height c_i/timeⁱ, P height P, ω ω/time; φ stays. Raises ValueError unless the time is positive.

@@ -82,7 +82,7 @@ class Points:
         return [omega * self.u + phi, omega2 * self.u + phi2]
 
     @property
-    def turns(self) -> list[float]:
+    def sine_angles(self) -> list[float]:
         """By how much the sine of each piece turns, ω d (rad)."""
         return [one.omega * one.duration for one in self.pieces]
 

@@ -8,7 +8,7 @@ from typing import ClassVar
 from engine.laws.ended_polynomial import EndedPolynomial
 from engine.laws.ends import REST, EndError, Ends, require_ends
 from engine.laws.pulse import Pulse
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
 
 
@@ -36,8 +36,8 @@ class HalvedPolynomial(PulseLaw):
         """What the polynomial takes; nothing where a share shifts it."""
         return self.TAKES if self.share == 0.5 else ""
 
-    def _course(self) -> Course:
-        return Course(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)
 
     def between(self, ends: Ends) -> EndedPolynomial:
         """Return the polynomial of this degree between these ends; EndError where a share shifts the law."""

@@ -13,7 +13,7 @@ from engine.laws.base import Array, Coefficients, Shapes
 from engine.laws.ends import EndedLaw
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import power_extremes
-from engine.laws.piece_rules import cut, stretched
+from engine.laws.piece_rules import cut, scaled_piece
 from engine.laws.pulse import Pulse
 from engine.laws.stages import Staged, carried
 
@@ -22,7 +22,7 @@ JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
 T = TypeVar("T")
 
 
-class Course(NamedTuple):
+class TwoPulses(NamedTuple):
     """A pulse over T₁, a cruise over T_c, and a pulse told backwards over T₂; the times sum to 1."""
 
     rise: Pulse
@@ -54,54 +54,54 @@ class PulseLaw(EndedLaw):
     """which of the pieces of first pulse, cruise and second pulse the family has; all by default"""
 
     @abstractmethod
-    def _course(self) -> Course:
+    def _pulses(self) -> TwoPulses:
         """Return the pulses with their durations."""
 
     @cached_property
-    def course(self) -> Course:
+    def pulses(self) -> TwoPulses:
         """The pulses with their durations."""
-        return self._course()
+        return self._pulses()
 
     @property
     def lobes(self) -> tuple[Lobe, Lobe]:
         """Both pulses for unit height."""
-        c = self.course
+        c = self.pulses
         up, down = c.rise.gain * c.rise_time, c.fall.gain * c.fall_time
         return Lobe(up, c.rise.lead * up * c.rise_time), Lobe(down, c.fall.lead * down * c.fall_time)
 
     @cached_property
     def top(self) -> float:
         """V: the velocity between the two pulses."""
-        c, e = self.course, self.ends
+        c, e = self.pulses, self.ends
         travelled = e.v0 * c.rise_time * (1.0 - c.rise.lead) + e.v1 * c.fall_time * (1.0 - c.fall.lead)
         return (e.stroke - travelled) / (c.rise.lead * c.rise_time + c.cruise + c.fall.lead * c.fall_time)
 
     @cached_property
     def acceleration(self) -> float:
         """A: the height of the first pulse."""
-        return (self.top - self.ends.v0) / (self.course.rise.gain * self.course.rise_time)
+        return (self.top - self.ends.v0) / (self.pulses.rise.gain * self.pulses.rise_time)
 
     @cached_property
     def deceleration(self) -> float:
         """B: the height of the second pulse, downwards."""
-        return (self.top - self.ends.v1) / (self.course.fall.gain * self.course.fall_time)
+        return (self.top - self.ends.v1) / (self.pulses.fall.gain * self.pulses.fall_time)
 
     @property
     def own_acceleration(self) -> tuple[bool, bool]:
         """Whether the first pulse begins, and the second ends, above 0."""
-        return self.course.rise.outer != 0.0, self.course.fall.outer != 0.0
+        return self.pulses.rise.outer != 0.0, self.pulses.fall.outer != 0.0
 
     @property
     def early(self) -> int:
         """How many of its monotone pieces are of the first pulse."""
-        rise = self.course.rise
+        rise = self.pulses.rise
         stages = range(len(rise.pieces)) if self.STAGES is None else self.STAGES
         return sum(k < len(rise.pieces) for k in stages) + len(rise.peaks)
 
     @property
     def breaks(self) -> tuple[float, ...]:
         """The ends of all stages but the last."""
-        c = self.course
+        c = self.pulses
         rise, fall = ([piece.duration for piece in pulse.pieces] for pulse in (c.rise, c.fall.turned))
         times = (*(d * c.rise_time for d in rise), c.cruise, *(d * c.fall_time for d in fall))
         return tuple(accumulate(self._taken(times)[:-1]))
@@ -112,14 +112,14 @@ class PulseLaw(EndedLaw):
 
     def monotone_pieces(self) -> tuple[Piece, ...]:
         """Return the same, each pulse cut at its peak: at shares of its time, so between prescribed ends too."""
-        c = self.course
+        c = self.pulses
         return tuple(part for piece in self._stages(c.rise.peaks, c.fall.turned.peaks) for part in piece)
 
     def _stages(self, rising: Sequence[float], falling: Sequence[float]) -> tuple[list[Piece], ...]:
         """Return the pieces of each stage, cut at these shares of the pulses."""
-        c = self.course
-        rise = [cut(stretched(piece, self.acceleration, c.rise_time), rising) for piece in c.rise.pieces]
-        fall = [cut(stretched(piece, -self.deceleration, c.fall_time), falling) for piece in c.fall.turned.pieces]
+        c = self.pulses
+        rise = [cut(scaled_piece(piece, self.acceleration, c.rise_time), rising) for piece in c.rise.pieces]
+        fall = [cut(scaled_piece(piece, -self.deceleration, c.fall_time), falling) for piece in c.fall.turned.pieces]
         return self._taken((*rise, [Piece(c.cruise)], *fall))
 
     def _taken(self, stages: tuple[T, ...]) -> tuple[T, ...]:
@@ -127,7 +127,7 @@ class PulseLaw(EndedLaw):
 
     def shapes(self) -> Shapes | None:
         """Return the shares of each stage's shape; None between prescribed ends and where a pulse is a polynomial."""
-        c = self.course
+        c = self.pulses
         up, down = c.rise.shape, c.fall.shape
         if up is None or down is None or not self.ends.at_rest:
             return None
@@ -137,9 +137,9 @@ class PulseLaw(EndedLaw):
     @cached_property
     def _staged(self) -> Staged:
         """The first pulse and the cruise from the begin, the second pulse backwards from the end."""
-        c, e = self.course, self.ends
-        rise = [stretched(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
-        fall = [stretched(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces]
+        c, e = self.pulses, self.ends
+        rise = [scaled_piece(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
+        fall = [scaled_piece(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces]
         travel = c.rise_time * (e.v0 + c.rise.lead * (self.top - e.v0))
         coast = carried([Piece(c.cruise)], 1.0, c.rise_time, travel, self.top)
         backwards = [*carried(fall, -1.0, c.rise_time + c.cruise + c.fall_time, e.stroke, e.v1)]
@@ -149,7 +149,7 @@ class PulseLaw(EndedLaw):
         return self._staged(xi)
 
     def _coefficients(self) -> Coefficients:
-        c, e, up, down = self.course, self.ends, self.acceleration, self.deceleration
+        c, e, up, down = self.pulses, self.ends, self.acceleration, self.deceleration
         a = [0.0] if c.cruise > 0.0 else []
         a += [up, up * c.rise.least, -down, -down * c.fall.least]
         va_max, va_min = self._power()
@@ -166,13 +166,13 @@ class PulseLaw(EndedLaw):
     @property
     def jerk_between_jumps(self) -> float:
         """Largest |j| where a does not jump."""
-        c = self.course
+        c = self.pulses
         rise = abs(self.acceleration) * c.rise.jerk / c.rise_time
         return max(rise, abs(self.deceleration) * c.fall.jerk / c.fall_time)
 
     def _jumps(self) -> bool:
         """Whether a jumps: at an end, where it should be 0, or between the pulses and the cruise."""
-        c, up, down = self.course, self.acceleration, self.deceleration
+        c, up, down = self.pulses, self.acceleration, self.deceleration
         inner = [up * c.rise.inner, down * c.fall.inner]
         if not c.cruise > 0.0:
             inner = [inner[0] + inner[1]]
@@ -180,7 +180,7 @@ class PulseLaw(EndedLaw):
 
     def _power(self) -> tuple[float, float]:
         """Return the largest and the lowest v·a: of the pulses alone between rests, else piece by piece."""
-        c = self.course
+        c = self.pulses
         if self.ends.v0 or self.ends.v1:
             return power_extremes(self.as_pieces(), self.ends.v0)
         rise = self.acceleration**2 * c.rise_time * c.rise.power

@@ -10,8 +10,8 @@ from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
 from engine.laws.pulse import LinearEdged
-from engine.laws.pulse_law import Course, PulseLaw
-from engine.laws.seven_stages import course_of
+from engine.laws.pulse_law import PulseLaw, TwoPulses
+from engine.laws.seven_stages import pulses_of
 from engine.laws.shares import seven_durations
 
 HALVINGS = 200
@@ -27,7 +27,7 @@ class Limits(NamedTuple):
     jerk_down: float
 
 
-class Timed(NamedTuple):
+class TimedCurve(NamedTuple):
     """A law and the time that it takes."""
 
     law: SCurve
@@ -52,8 +52,8 @@ class SCurve(PulseLaw):
     def __post_init__(self) -> None:
         object.__setattr__(self, "durations", seven_durations(self.durations))
 
-    def _course(self) -> Course:
-        return course_of(self.durations, LinearEdged)
+    def _pulses(self) -> TwoPulses:
+        return pulses_of(self.durations, LinearEdged)
 
     @classmethod
     def of_shares(cls, ramp: float, jerk: float) -> Self:
@@ -67,7 +67,7 @@ class SCurve(PulseLaw):
         return cls((edge, flat, edge, 1.0 - 2.0 * ramp, edge, flat, edge))
 
     @classmethod
-    def of_limits(cls, stroke: float, limits: Limits) -> Timed:
+    def of_limits(cls, stroke: float, limits: Limits) -> TimedCurve:
         """Return the quickest curve within the limits over a stroke, and its time, in the limits' units.
 
         A ramp to V takes V/A + A/J, or 2√(V/J) where A is never reached, and travels half of V times that; where
@@ -93,7 +93,7 @@ class SCurve(PulseLaw):
         (up, flat_up), (down, flat_down) = ramps(top)
         cruise = max(stroke - travel(top), 0.0) / top
         times = (up, flat_up, up, cruise, down, flat_down, down)
-        return Timed(cls(tuple(t / sum(times) for t in times)), sum(times))
+        return TimedCurve(cls(tuple(t / sum(times) for t in times)), sum(times))
 
 
 def _ramp(velocity: float, acceleration: float, jerk: float) -> tuple[float, float]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
 
 FALLING = SineEdged(0.0, 0.0, 1.0)
@@ -32,8 +32,8 @@ class SimpleHarmonic(PulseLaw):
     def __post_init__(self) -> None:
         require_share("share", self.share)
 
-    def _course(self) -> Course:
-        return Course(FALLING, self.share, 0.0, FALLING, 1.0 - self.share)
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(FALLING, self.share, 0.0, FALLING, 1.0 - self.share)
 
 
 ENTRY = Entry(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
 from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import SUM_TOLERANCE, require_part, require_share
 
 
@@ -48,10 +48,10 @@ class SineConstantCosine(PulseLaw):
     def _bent(self) -> float:
         return self.sine + self.constant + self.cosine
 
-    def _course(self) -> Course:
+    def _pulses(self) -> TwoPulses:
         bent = self._bent
         pulse = SineEdged(self.sine / bent, self.constant / bent, self.cosine / bent)
-        return Course(pulse, self.share * bent, self.straight, pulse, (1.0 - self.share) * bent)
+        return TwoPulses(pulse, self.share * bent, self.straight, pulse, (1.0 - self.share) * bent)
 
 
 ENTRY = Entry(

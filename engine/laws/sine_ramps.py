@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import CYCLOIDAL
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.trapezoidal_velocity import require_breaks
 
 
@@ -29,8 +29,8 @@ class SineRamps(PulseLaw):
     def __post_init__(self) -> None:
         require_breaks(self.rise_end, self.fall_start)
 
-    def _course(self) -> Course:
-        return Course(CYCLOIDAL, self.rise_end, self.fall_start - self.rise_end, CYCLOIDAL, 1.0 - self.fall_start)
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(CYCLOIDAL, self.rise_end, self.fall_start - self.rise_end, CYCLOIDAL, 1.0 - self.fall_start)
 
 
 ENTRY = Entry(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
 from engine.laws.simple_harmonic import FALLING
 
@@ -35,9 +35,9 @@ class SineStraightSine(PulseLaw):
             raise ValueError(f"curved is {self.curved:g}; expected a share of more than 0 and at most 1")
         require_share("share", self.share)
 
-    def _course(self) -> Course:
+    def _pulses(self) -> TwoPulses:
         late = self.curved * (1.0 - self.share)
-        return Course(FALLING, self.curved * self.share, 1.0 - self.curved, FALLING, late)
+        return TwoPulses(FALLING, self.curved * self.share, 1.0 - self.curved, FALLING, late)
 
 
 ENTRY = Entry(

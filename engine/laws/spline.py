@@ -64,7 +64,7 @@ class Spline(EndedLaw):
         return not self.natural[0], not self.natural[1]
 
     @property
-    def keeps(self) -> bool:
+    def fixes_ends(self) -> bool:
         """Whether both ends are settled by itself: by an entered slope, or as natural ones."""
         return all(free or slope is not None for free, slope in zip(self.natural, self.slopes, strict=True))
 

@@ -78,7 +78,7 @@ def carried(law: Law, pieces: Sequence[Piece]) -> list[Carried]:
     return found
 
 
-class Place(NamedTuple):
+class Located(NamedTuple):
     """Where abscissae lie among the pieces of a law: piece (from 0), u from its begin, ωu + φ of both sines (rad)."""
 
     piece: NDArray[np.intp]
@@ -87,14 +87,14 @@ class Place(NamedTuple):
     angle2: Array
 
 
-def located(pieces: Sequence[Piece], xi: Array) -> Place:
+def located(pieces: Sequence[Piece], xi: Array) -> Located:
     """Return the piece of each ξ: the last that begins at or before it; ξ = 1 is in the last."""
     starts = np.array(begins(pieces))
     k = stage_of(xi, starts)
     u = xi - starts[k]
     rates = np.array([(piece.omega, piece.phase, piece.omega2, piece.phase2) for piece in pieces]).T
     omega, phi, omega2, phi2 = rates[:, k]
-    return Place(k, u, omega * u + phi, omega2 * u + phi2)
+    return Located(k, u, omega * u + phi, omega2 * u + phi2)
 
 
 def key(number: int, xi: float) -> float:

@@ -8,7 +8,7 @@ from typing import Literal
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors
 from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_part, require_share
 
 CLASSIC = SineEdged(0.25, 0.5, 0.25)
@@ -39,10 +39,10 @@ class TrapezoidByShare(PulseLaw):
         if self.reversal not in ("none", "start", "end"):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'none', 'start' or 'end'")
 
-    def _course(self) -> Course:
+    def _pulses(self) -> TwoPulses:
         cut = SineEdged(0.0, 1.0 - self.edge, self.edge)
         rise, fall = (cut if self.reversal == end else CLASSIC for end in ("start", "end"))
-        return Course(rise, self.share, 0.0, fall, 1.0 - self.share)
+        return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
 
 ENTRY = Entry(

@@ -8,7 +8,7 @@ from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry
 from engine.laws.polynomial_pulse import CONSTANT
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,8 @@ class TrapezoidalVelocity(PulseLaw):
     def __post_init__(self) -> None:
         require_breaks(self.rise_end, self.fall_start)
 
-    def _course(self) -> Course:
-        return Course(CONSTANT, self.rise_end, self.fall_start - self.rise_end, CONSTANT, 1.0 - self.fall_start)
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(CONSTANT, self.rise_end, self.fall_start - self.rise_end, CONSTANT, 1.0 - self.fall_start)
 
 
 def require_breaks(rise_end: float, fall_start: float) -> None:

@@ -16,7 +16,7 @@ from engine.laws.pulse_law import PulseLaw
 from engine.motion.joining import EndedPhase, Joined, Rates, Side, agrees, slope
 from engine.motion.phase import Phase
 
-STRAIGHT, NEVER, PULSES, KEEPS, SEPTIC = -1, 0, 1, 2, 7
+STRAIGHT, NEVER, PULSES, FIXED, SEPTIC = -1, 0, 1, 2, 7
 """ways in which laws meet their neighbours: they have a velocity; take none; take one by the heights of two pulses;
 keep the velocities that they have at their ends"""
 
@@ -24,12 +24,12 @@ LINE = 2
 """of how a phase is carried out: its ends are those of a straight line"""
 
 
-def way(law: Law) -> int:
+def end_mode(law: Law) -> int:
     """Return how a law meets its neighbours: as :data:`STRAIGHT` and so on, or by a polynomial of degree 3, 5 or 7."""
     if slope(Phase(law, 0.0, 1.0)) is not None:
         return STRAIGHT
-    if isinstance(law, EndedLaw) and law.keeps:
-        return KEEPS
+    if isinstance(law, EndedLaw) and law.fixes_ends:
+        return FIXED
     if isinstance(law, HalvedPolynomial):
         return 1 + 2 * len(law.takes) if law.takes else NEVER
     return PULSES if isinstance(law, PulseLaw) else NEVER
@@ -37,7 +37,7 @@ def way(law: Law) -> int:
 
 def early_of(law: Law) -> int:
     """Return how many pieces of a law are of its first pulse, if it meets its neighbours by pulses; else 0."""
-    return law.early if way(law) == PULSES and isinstance(law, PulseLaw) else 0
+    return law.early if end_mode(law) == PULSES and isinstance(law, PulseLaw) else 0
 
 
 @dataclass(frozen=True)
@@ -59,9 +59,9 @@ class Handover:
     contrary: bool = False
 
     @property
-    def way(self) -> int:
+    def end_mode(self) -> int:
         """How the law that is named meets its neighbours."""
-        return way(self.phase.named)
+        return end_mode(self.phase.named)
 
     @property
     def slope(self) -> float:
@@ -78,7 +78,7 @@ class Handover:
         """How it is carried out: 0 as the law between rests, :data:`LINE`, else its :attr:`way`."""
         if not self.ended:
             return 0
-        return LINE if isinstance(self.phase.law, EndedLine) else self.way
+        return LINE if isinstance(self.phase.law, EndedLine) else self.end_mode
 
     @cached_property
     def halves(self) -> tuple[float, float]:
@@ -93,7 +93,7 @@ class Handover:
     @property
     def drifts(self) -> tuple[float, float]:
         """The velocities that are added in either half; 0 of a law between rests."""
-        return (self.begin.asked.v, self.end.asked.v) if self.ended else (0.0, 0.0)
+        return (self.begin.required.v, self.end.required.v) if self.ended else (0.0, 0.0)
 
     @property
     def early(self) -> int:
@@ -149,7 +149,7 @@ def handovers(found: Joined, through: Mapping[int, Rates], periodic: bool) -> tu
         beside = slopes[k], slopes[k - 1] if k or periodic else None
         return k in through and any(one is not None and not agrees(through[k], one) for one in beside)
 
-    both = zip(found.motion.phases, found.asked, found.kinds, strict=True)
+    both = zip(found.motion.phases, found.required, found.kinds, strict=True)
     return tuple(
         Handover(phase, *asked, kinds, reasons.get(k, ""), through.get(k), contrary(k))
         for k, (phase, asked, kinds) in enumerate(both)

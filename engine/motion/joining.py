@@ -42,7 +42,7 @@ class EndedPhase(Phase):
         """Whether it moves: also where it comes back to where it began."""
         return True
 
-    def told(self, ratio: float, speed: float) -> EndedPhase:
+    def rescaled(self, ratio: float, speed: float) -> EndedPhase:
         """Return the phase with ``ratio`` times its lift, where the abscissa advances at ``speed``."""
         return EndedPhase(self.law, self.lift * ratio, self.duration / speed, self.origin, self.scale * ratio)
 
@@ -57,7 +57,7 @@ class Fault(NamedTuple):
 class Side(NamedTuple):
     """One end of a phase: what it has to meet, whether that is settled, and whether nothing lies beyond."""
 
-    asked: Rates
+    required: Rates
     settled: bool
     open: bool
 
@@ -74,7 +74,7 @@ class Joined:
     motion: Motion
     faults: tuple[Fault, ...]
     kinds: tuple[tuple[str, str], ...]
-    asked: tuple[tuple[Side, Side], ...]
+    required: tuple[tuple[Side, Side], ...]
 
 
 def slope(phase: Phase) -> float | None:
@@ -137,8 +137,8 @@ def _side(neighbour: Phase | None, entered: Rates | None) -> Side:
 def _between(phase: Phase, begin: Side, end: Side, shares: bool) -> Phase:
     """Return a curved phase between its ends; raise EndError if its law cannot have them."""
     d, law = phase.duration, phase.law
-    one, other = begin.asked, end.asked
-    if isinstance(law, EndedLaw) and law.keeps:
+    one, other = begin.required, end.required
+    if isinstance(law, EndedLaw) and law.fixes_ends:
         return _kept(phase, law, one, other)
     if isinstance(law, EndedLaw):
         law = law.opened(begin.open, end.open)
@@ -180,7 +180,7 @@ def _kinds(phase: Phase, sides: tuple[Side, Side]) -> tuple[str, str]:
     """Return the kinds of what is asked for at both ends; where nothing settles it, of what the law has there."""
     v, a, d = phase.y1_max or 1.0, phase.y2_max or 1.0, phase.duration
     begin, end = (
-        kind(side.asked.v / v, side.asked.a / a)
+        kind(side.required.v / v, side.required.a / a)
         if side.settled
         else kind(phase.scale * at.v / d / v, phase.scale * at.a / d**2 / a)
         for side, at in zip(sides, (phase.law.start, phase.law.end), strict=True)

@@ -60,7 +60,7 @@ class Phase:
         """Whether it moves."""
         return self.lift != 0.0
 
-    def told(self, ratio: float, speed: float) -> Phase:
+    def rescaled(self, ratio: float, speed: float) -> Phase:
         """Return the phase with ``ratio`` times its lift, where the abscissa advances at ``speed``."""
         return Phase(self.law, self.lift * ratio, self.duration / speed)
 

@@ -93,20 +93,20 @@ class Scaled(NamedTuple):
         return 1.0 / self.duration if self.duration else 0.0
 
 
-class Placed(NamedTuple):
+class LawPiece(NamedTuple):
     """A piece of a law, and the ξ at which it begins."""
 
     piece: Piece
     begin: float
 
 
-def placed(law: Law, whole: bool = False) -> list[Placed]:
+def law_pieces(law: Law, whole: bool = False) -> list[LawPiece]:
     """Return the monotone pieces of a law that begin before its end, those of no duration between them too.
 
     ``whole`` ones are not cut where the acceleration is largest.
     """
     pieces = law.as_pieces() if whole else law.monotone_pieces()
-    found = [Placed(*both) for both in zip(pieces, begins(pieces), strict=True)]
+    found = [LawPiece(*both) for both in zip(pieces, begins(pieces), strict=True)]
     return [one for one in found if one.begin <= 1.0 - BREAK_TOLERANCE]
 
 
@@ -118,10 +118,10 @@ def pieces_of(scaled: Scaled, phase: int = 0, whole: bool = False) -> list[Motio
     y(u) = y + drift (x_k − x + u) + h [s_k + v_k u/δ + Σ c_i (u/δ)^(i+2)/((i+1)(i+2))
            + P/ω² (sin φ + ωu/δ cos φ − sin(ωu/δ + φ))],      u from x_k = x + ξ_k δ
     """
-    return [_piece(scaled, phase, number, one) for number, one in enumerate(placed(scaled.law, whole))]
+    return [_piece(scaled, phase, number, one) for number, one in enumerate(law_pieces(scaled.law, whole))]
 
 
-def _piece(of: Scaled, phase: int, number: int, one: Placed) -> MotionPiece:
+def _piece(of: Scaled, phase: int, number: int, one: LawPiece) -> MotionPiece:
     at, begin, piece = of.law.evaluate(one.begin), of.x + one.begin * of.duration, one.piece
     s, v, still, sines = at.s, at.v, 0.0, []
     for p, w, phi in ((piece.amplitude, piece.omega, piece.phase), (piece.amplitude2, piece.omega2, piece.phase2)):
@@ -151,7 +151,7 @@ def shares(pieces: Sequence[MotionPiece], begin: float, end: float) -> list[floa
     return [(piece.begin - begin) / (end - begin) for piece in pieces]
 
 
-class Place(NamedTuple):
+class Located(NamedTuple):
     """Where samples lie: which piece (from 0), u from its origin, and the argument ωu + φ of its first sine (rad)."""
 
     piece: NDArray[np.intp]
@@ -159,7 +159,7 @@ class Place(NamedTuple):
     angle: Array
 
 
-def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> Place:
+def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> Located:
     """Return the piece of each x of a motion from ``begin`` to ``end``: the last that begins at or before it.
 
     What is nearer to a begin than :data:`BREAK_TOLERANCE` of the whole counts as on it; the end has the left limit.
@@ -169,7 +169,7 @@ def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -
     k = np.maximum(k, 0)
     origin, omega, phi = np.array([(piece.origin, *piece.sines[0][1:]) for piece in pieces]).T
     u = x - origin[k]
-    return Place(k, u, omega[k] * u + phi[k])
+    return Located(k, u, omega[k] * u + phi[k])
 
 
 def evaluated(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> MotionValues[Array]:

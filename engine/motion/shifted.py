@@ -1,4 +1,4 @@
-"""A motion that is told from another angle, and how near two of them come to each other."""
+"""A motion that begins at another angle, and how near two of them come to each other."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ SAME = 1e-12
 """of the cycle: breaks so near to each other are one"""
 
 
-class Told(NamedTuple):
-    """How many cycles have passed, and the place in the motion as it is told."""
+class Unshifted(NamedTuple):
+    """How many cycles have passed, and the place in the unshifted motion."""
 
     cycles: Array
     x: Array
@@ -45,21 +45,21 @@ class Shifted:
 
     def at(self, x: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at any x."""
-        return self._at(self._told(np.asarray(x, dtype=np.float64)))
+        return self._at(self._unshifted(np.asarray(x, dtype=np.float64)))
 
-    def told(self, x: Array) -> Told:
-        """Return where the motion is as it is told, at x of one cycle, the end of which has the left limit."""
+    def unshifted(self, x: Array) -> Unshifted:
+        """Return the place in the unshifted motion at x of one cycle, the end of which has the left limit."""
         begin, end = self.motion.edges[[0, -1]]
-        cycles, _ = self._told(np.minimum(x, end - 2.0 * self.motion.tolerance))
-        return Told(cycles, np.clip(x - self.shift - cycles * self.motion.total, begin, end))
+        cycles, _ = self._unshifted(np.minimum(x, end - 2.0 * self.motion.tolerance))
+        return Unshifted(cycles, np.clip(x - self.shift - cycles * self.motion.total, begin, end))
 
     def over_cycle(self, x: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at x of one cycle, the end of which has the left limit."""
-        return self._at(self.told(x))
+        return self._at(self.unshifted(x))
 
-    def _at(self, told: Told) -> MotionValues[Array]:
-        found = self.motion.at(told.x)
-        return found._replace(y=found.y + told.cycles * self.motion.lifts_sum)
+    def _at(self, at: Unshifted) -> MotionValues[Array]:
+        found = self.motion.at(at.x)
+        return found._replace(y=found.y + at.cycles * self.motion.lifts_sum)
 
     def breaks(self) -> Array:
         """Return where its pieces begin, from the begin of the cycle to less than its end."""
@@ -68,7 +68,7 @@ class Shifted:
 
     def curve(self, low: float, high: float) -> Curve:
         """Return y over u from ``low``, up to ``high``, between which no piece of it begins."""
-        cycles, middle = self._told(np.array([0.5 * (low + high)]))
+        cycles, middle = self._unshifted(np.array([0.5 * (low + high)]))
         before = [one for one in self._pieces if one.begin <= middle[0]]
         piece = before[-1]
         moved = moved_by(piece, float(middle[0]) - 0.5 * (high - low) - piece.begin)
@@ -78,12 +78,12 @@ class Shifted:
     def _pieces(self) -> list[MotionPiece]:
         return [piece for piece in motion_pieces(self.motion) if piece.duration > 0.0]
 
-    def _told(self, x: Array) -> Told:
-        """Return how many cycles have passed at x, and the place in the motion as it is told."""
+    def _unshifted(self, x: Array) -> Unshifted:
+        """Return how many cycles have passed at x, and the place in the unshifted motion."""
         begin, total = float(self.motion.edges[0]), self.motion.total
         cycles = np.floor((x - self.shift - begin + self.motion.tolerance) / total)
         inner = np.clip(x - self.shift - cycles * total, begin, begin + total)
-        return Told(cycles, inner)
+        return Unshifted(cycles, inner)
 
 
 def moved_by(piece: MotionPiece, u: float) -> Curve:
@@ -136,7 +136,7 @@ def gap_curve(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, 
     return Curve(tuple(columns.tolist()), sines)
 
 
-def keeps(gap: float, least: float, size: float) -> bool:
+def meets_least(gap: float, least: float, size: float) -> bool:
     """Return whether a gap is at least the least that is asked for, but for rounding of its size."""
     return gap >= least - LOST * size
 

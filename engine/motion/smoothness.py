@@ -36,7 +36,7 @@ class Shortfall(NamedTuple):
     reason: str
 
 
-class _Stretch(NamedTuple):
+class _PhasePiece(NamedTuple):
     """A piece of a phase that lasts: where it begins, and the rates at its begin and its end."""
 
     phase: int
@@ -62,10 +62,10 @@ def shortfalls(motion: Motion, smooth: Smoothness, periodic: bool = True) -> tup
     also from its end to its begin.
     """
     asked, scales = ORDERS.index(smooth) + 1, scales_of(motion)
-    stretches = [one for k in range(len(motion.phases)) for one in _stretches(motion, k)]
-    pairs = list(itertools.pairwise(stretches))
+    pieces = [one for k in range(len(motion.phases)) for one in _phase_pieces(motion, k)]
+    pairs = list(itertools.pairwise(pieces))
     if periodic:
-        pairs.append((stretches[-1], stretches[0]._replace(x=float(motion.edges[-1]))))
+        pairs.append((pieces[-1], pieces[0]._replace(x=float(motion.edges[-1]))))
     return tuple(
         Shortfall(quantity, jump, other.x, one.phase, other.phase, _reason(motion, one, other))
         for one, other in pairs
@@ -140,7 +140,7 @@ def scales_of(motion: Motion) -> Rates:
     return Rates(peaks.y1, peaks.y2, peaks.y2 * max(phase.rate for phase in motion.phases))
 
 
-def _stretches(motion: Motion, k: int) -> Iterator[_Stretch]:
+def _phase_pieces(motion: Motion, k: int) -> Iterator[_PhasePiece]:
     phase, x = motion.phases[k], float(motion.edges[k])
     v = phase.law.start.v
     for piece in phase.law.as_pieces():
@@ -150,7 +150,7 @@ def _stretches(motion: Motion, k: int) -> Iterator[_Stretch]:
             begin, end = (
                 _rates(phase, *values) for values in zip((v + dv).tolist(), a.tolist(), j.tolist(), strict=True)
             )
-            yield _Stretch(k, x, begin, end)
+            yield _PhasePiece(k, x, begin, end)
             v += float(dv[1])
         x += piece.duration * phase.duration
 
@@ -168,8 +168,8 @@ def _first_jump(one: Rates, other: Rates, scales: Rates, asked: int) -> list[tup
     return []
 
 
-def _reason(motion: Motion, one: _Stretch, other: _Stretch) -> str:
-    before, after = (motion.phases[stretch.phase] for stretch in (one, other))
+def _reason(motion: Motion, one: _PhasePiece, other: _PhasePiece) -> str:
+    before, after = (motion.phases[piece.phase] for piece in (one, other))
     if one.phase == other.phase and other.x < motion.edges[one.phase + 1]:
         return f"{before.law.name} jumps within itself"
     slopes = slope(before), slope(after)

@@ -55,7 +55,7 @@ class Clearance(NamedTuple):
     """while the transfer is in the way; exact, not of the samples"""
     collides: bool
     """less than 0 is free somewhere"""
-    keeps_margin: bool
+    meets_margin: bool
 
 
 def clearance(schedule: Schedule, passage: Passage, angle: ArrayLike) -> Clearance:

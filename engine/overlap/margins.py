@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from engine.laws.base import Array
 from engine.overlap.parts import Passage, Tool, Transfer
-from engine.overlap.plan import one_after_the_other, room, ways
+from engine.overlap.plan import one_after_the_other, room, tool_angles
 from engine.timing import FULL_TURN
 
 
@@ -18,8 +18,8 @@ class MarginSweep(NamedTuple):
     """What a margin costs: arrays over the margins."""
 
     margin: Array
-    way_in: Array
-    way_out: Array
+    angle_in: Array
+    angle_out: Array
     acceleration: Array
     """m/s²"""
     ratio: Array
@@ -34,7 +34,7 @@ def sweep_margin(transfer: Transfer, tool: Tool, passage: Passage, margins: Arra
     margin = np.asarray(margins, dtype=np.float64)
     for extreme in (margin.min(), margin.max()):
         replace(passage, margin=float(extreme))
-    way_in, way_out, _ = ways(room(transfer, tool, passage), tool, passage, margin)
+    way_in, way_out, _ = tool_angles(room(transfer, tool, passage), tool, passage, margin)
     scale = tool.stroke * (FULL_TURN * rate) ** 2
     peaks = [law.coefficients.ca * scale / way**2 for law, way in ((tool.law, way_in), (tool.out, way_out))]
     acceleration = np.maximum(*peaks)

@@ -115,7 +115,7 @@ class Passage:
         """The shares of its stroke between which the transfer is too far from its ends."""
         return self.remaining, 1.0 - self.remaining
 
-    def gone(self, stroke: float, margin: ArrayLike) -> Array:
+    def travelled_share(self, stroke: float, margin: ArrayLike) -> Array:
         """Return the share of its stroke (m) that a tool may have gone when the transfer is in its way.
 
         (clearance − margin)/stroke for margins (m), at most 1. Source: S2, s = (20 − 1)/50 = 0.38.

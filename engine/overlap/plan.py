@@ -65,11 +65,11 @@ def rests(tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array]:
 
     Source: S2, 'Cycloid Cam Profile Analysis', 1 − 44 % = 56 %; the way out is the same in reverse.
     """
-    gone = passage.gone(tool.stroke, margin)
+    gone = passage.travelled_share(tool.stroke, margin)
     return 1.0 - tool.inverted(tool.law, gone), tool.inverted(tool.out, 1.0 - gone)
 
 
-def ways(left: Room, tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+def tool_angles(left: Room, tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Return the angles in and out for each margin, and whether the cycle rather than the clearance limits one."""
     found, capped = [], np.zeros(margin.shape, dtype=np.bool_)
     shares = (passage.split, 1.0 - passage.split)
@@ -92,7 +92,7 @@ def overlap(transfer: Transfer, tool: Tool, passage: Passage) -> Schedule:
     Raises ValueError where no angle is left. Source: S2, 'Cycloid Cam Profile Analysis'.
     """
     left = room(transfer, tool, passage)
-    way_in, way_out, capped = ways(left, tool, passage, np.array([passage.margin]))
+    way_in, way_out, capped = tool_angles(left, tool, passage, np.array([passage.margin]))
     limit: Limit = "cycle" if capped[0] else "clearance"
     return Schedule(transfer, tool, float(way_in[0]), float(way_out[0]), left.end + left.free_in, limit)
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
-from engine.motion.pieces import placed
+from engine.motion.pieces import law_pieces
 
 INTERVALS = 96
 """between points, at most"""
@@ -42,7 +42,7 @@ def points_of(law: Law) -> Points:
 
     The share of the i-th of n is (1 − cos(πi/n))/2.
     """
-    pieces = placed(law)
+    pieces = law_pieces(law)
     n, k = INTERVALS // len(pieces), np.arange(INTERVALS + 1)
     piece = np.minimum(k // n + 1, len(pieces))
     share = np.where(k >= n * len(pieces), 1.0, (1.0 - np.cos(np.pi * (k % n) / n)) / 2.0)

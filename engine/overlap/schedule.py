@@ -41,8 +41,8 @@ class Schedule:
 
     transfer: Transfer
     tool: Tool
-    way_in: float
-    way_out: float
+    angle_in: float
+    angle_out: float
     arrival: float
     limit: Limit = "clearance"
 
@@ -50,12 +50,12 @@ class Schedule:
     def edges(self) -> tuple[float, float, float, float]:
         """Angles at which the tool sets off, arrives, leaves and is back; not reduced to one turn."""
         leaves = self.arrival + self.tool.dwell
-        return self.arrival - self.way_in, self.arrival, leaves, leaves + self.way_out
+        return self.arrival - self.angle_in, self.arrival, leaves, leaves + self.angle_out
 
     @property
-    def ways(self) -> float:
+    def angles(self) -> float:
         """The tool's angles in and out together (rad)."""
-        return self.way_in + self.way_out
+        return self.angle_in + self.angle_out
 
     @cached_property
     def motion(self) -> Motion:
@@ -68,7 +68,7 @@ class Schedule:
         """Dwell, way out, rest and way in (m, rad), counted from the tool's arrival; what is shorter than the
         tolerance of an angle lasts 0.
         """
-        h, dwell, out, into = self.tool.stroke, self.tool.dwell, self.way_out, self.way_in
+        h, dwell, out, into = self.tool.stroke, self.tool.dwell, self.angle_out, self.angle_in
         rest = FULL_TURN - dwell - into - out
         return (
             Scaled(Dwell(), 0.0, lasting(dwell), 0.0, h),
@@ -97,9 +97,9 @@ class Schedule:
 
     def times(self, rate: float) -> tuple[float, float]:
         """Return the times (s) of the ways in and out at ``rate`` cycles per second."""
-        return movement_time(self.way_in, rate), movement_time(self.way_out, rate)
+        return movement_time(self.angle_in, rate), movement_time(self.angle_out, rate)
 
-    def way_peaks(self, rate: float) -> tuple[float, float]:
+    def movement_peaks(self, rate: float) -> tuple[float, float]:
         """Return the largest accelerations of the ways in and out, C_a h/t_m², in m/s².
 
         Source: S2, 'Cycloid Cam Profile Analysis', a_max = 2π h_m/t_m² (cycloidal).
@@ -112,7 +112,7 @@ class Schedule:
 
     def peak_acceleration(self, rate: float) -> float:
         """Return the tool's largest acceleration in m/s², at ``rate`` cycles per second."""
-        return max(self.way_peaks(rate))
+        return max(self.movement_peaks(rate))
 
     def times_lower(self, before: Schedule) -> float:
         """Return how many times lower its peak acceleration is than that of another schedule, at any rate.

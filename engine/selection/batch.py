@@ -62,7 +62,7 @@ class DriveBatch:
     @cached_property
     def extremes(self) -> Extremes:
         """Peaks over the cycle."""
-        place, found = self.load.load.place, []
+        place, found = self.load.load.x, []
         for some, torque, speed, power in self._parts():
             peak, knee, fall, _ = (values[some, None] for values in self.limits)
             left = peak - fall * np.maximum(0.0, np.abs(speed) - knee) - np.abs(torque)

@@ -148,7 +148,7 @@ class PairMatrix:
     def task(self) -> Task:
         """What the cycle asks for behind the reducer, as S5 tells it."""
         means = self.load.squares
-        torque = math.sqrt(means.behind + means.behind_back)
+        torque = math.sqrt(means.load + means.load_back)
         return Task.of_figures(math.sqrt(means.own), torque, means.mixed + means.mixed_back, self.load.speed)
 
     @property
@@ -158,7 +158,7 @@ class PairMatrix:
         return 2.0 * (task.acceleration_rms * task.torque_rms + task.power_rate_mean)
 
     @cached_property
-    def behind(self) -> float:
+    def output_torque(self) -> float:
         """The torque that a reducer must hold (Nm)."""
         return self.wanted.torque_factor * self.load.torque
 
@@ -166,7 +166,7 @@ class PairMatrix:
     def fits(self) -> NDArray[np.bool_]:
         """Whether each reducer holds torque and speed."""
         r = self.reducers
-        strong = (self.behind <= r.max_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
+        strong = (self.output_torque <= r.max_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
         return strong & (self.speed <= r.max_input_speed)
 
     def use(self, motor: int, reducer: int) -> Used:
@@ -206,7 +206,7 @@ class PairMatrix:
         r, means = self.reducers, self.load.squares
         if not means.own:
             return np.zeros(r.ratio.shape)
-        share = math.sqrt((means.behind + means.behind_back) / means.own)
+        share = math.sqrt((means.load + means.load_back) / means.own)
         return np.asarray(r.ratio**2 / r.efficiency * share)
 
     def scores(self, rank: Rank) -> Array:

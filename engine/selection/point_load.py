@@ -57,12 +57,12 @@ class Squares(NamedTuple):
     own: float
     mixed: float
     mixed_back: float
-    behind: float
-    behind_back: float
-    way: float
-    way_turning: float
-    way_behind: float
-    way_back: float
+    load: float
+    load_back: float
+    direction: float
+    direction_acceleration: float
+    direction_load: float
+    direction_load_back: float
 
 
 @dataclass(frozen=True)
@@ -78,17 +78,21 @@ class PointLoad:
     def points(self) -> Points:
         """The points; of a brake that holds the motor no torque reaches it."""
         load = self.load
-        torque = np.where(load.braked, 0.0, load.behind)
+        torque = np.where(load.braked, 0.0, load.output_torque)
         back = gives_back(torque, load.direction, 0.0) & (load.train.method == "physical")
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
-        each = load.turning, driving, driven, np.abs(load.speed), load.direction
+        each = load.shaft_acceleration, driving, driven, np.abs(load.speed), load.direction
         return Points(*(one.ravel() for one in each))
 
     @cached_property
     def mean_torque(self) -> float:
         """The mean torque of the shaft, ³√(mean |ω||S|³/mean |ω|) (Nm), by which gears are rated; 0 where it stands."""
         weight = self.load.share * np.abs(self.load.speed)
-        return math.cbrt(float((weight * np.abs(self.load.behind) ** 3).sum() / weight.sum())) if weight.any() else 0.0
+        return (
+            math.cbrt(float((weight * np.abs(self.load.output_torque) ** 3).sum() / weight.sum()))
+            if weight.any()
+            else 0.0
+        )
 
     @cached_property
     def mean_speed(self) -> float:
@@ -113,15 +117,15 @@ class PointLoad:
     def mixed(self, some: Gears) -> Array:
         """Return i ⟨α T'⟩ (W/s), T' the torque of motors without what their inertia asks for."""
         means, eta = self.squares, some.efficiency
-        own = some.ratio * some.no_load * means.way_turning
+        own = some.ratio * some.no_load * means.direction_acceleration
         return np.asarray(means.mixed / eta + means.mixed_back * eta + own)
 
     def square(self, some: Gears) -> Array:
         """Return ⟨T'²⟩ (N²m²)."""
         means, eta, own = self.squares, some.efficiency, some.no_load
-        load = (means.behind / eta**2 + means.behind_back * eta**2) / some.ratio**2
-        crossed = 2.0 * own * (means.way_behind / eta + means.way_back * eta) / some.ratio
-        return np.asarray(load + crossed + own**2 * means.way)
+        load = (means.load / eta**2 + means.load_back * eta**2) / some.ratio**2
+        crossed = 2.0 * own * (means.direction_load / eta + means.direction_load_back * eta) / some.ratio
+        return np.asarray(load + crossed + own**2 * means.direction)
 
     def torques(self, some: Gears) -> Array:
         """Return the torque of motors at the points (Nm): motors down, points across."""

@@ -95,7 +95,7 @@ class RatioCurves(NamedTuple):
     """β/(η α), rising to 1, closer together near it"""
     load_factor: Array
     """β"""
-    pace: Array
+    rate_factor: Array
     """√(β/β_now), on ω̇ and T* alike"""
     root: Array
     """√(α − β/η)"""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal, NamedTuple
 
@@ -73,7 +73,7 @@ class ShaftSamples(NamedTuple):
 def shafts(drive: Drive, speed: ArrayLike, acceleration: ArrayLike, going: ArrayLike) -> list[ShaftSamples]:
     """What each shaft does, from the motor's to the load's; the first without the motor's own inertia."""
     m, found = drive.mechanism, enumerate(drive.torques(acceleration, going))
-    return [ShaftSamples(m.turning(k, speed), m.turning(k, acceleration), torque) for k, torque in found]
+    return [ShaftSamples(m.shaft_motion(k, speed), m.shaft_motion(k, acceleration), torque) for k, torque in found]
 
 
 def phase_index(motion: Motion, x: Array) -> Array:
@@ -285,3 +285,9 @@ class Sizing:
         The motor's own inertia is not taken from ``motor``: see ``motor_inertia``.
         """
         return reserve(motor, self.rms_torque, self.peak_torque, self.max_speed, self.max_speed / 2)
+
+
+def from_shaft(mechanism, shaft):
+    """The mechanism from one of its shafts on, as if the motor sat there."""
+    parts = tuple(replace(part, shaft=part.shaft - shaft) for part in mechanism.parts if part.shaft >= shaft)
+    return replace(mechanism, stages=mechanism.stages[shaft:], parts=parts)

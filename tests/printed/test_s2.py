@@ -42,7 +42,7 @@ def test_a_tenth_of_the_time_moves_065_percent():
 
 def test_without_overlap_55_degrees_and_4154_metres_per_second_squared():
     before = one_after_the_other(MILL, DIE)
-    assert degrees(before.way_in) == pytest.approx(55, abs=1e-12)
+    assert degrees(before.angle_in) == pytest.approx(55, abs=1e-12)
     assert before.peak_acceleration(RATE) == pytest.approx(4.154, abs=5e-4)
     assert before.peak_acceleration(RATE) == pytest.approx(4.154172, abs=5e-7)
 
@@ -51,7 +51,7 @@ def test_effective_angle_of_the_mill_is_120_degrees_and_70_remain_each_way():
     begin, end = blocked(MILL, PASSAGE)
     assert (degrees(begin), degrees(end)) == pytest.approx((15, 135), abs=1e-10)
     held = overlap(MILL, DIE, Passage(PASSAGE.remaining, clearance=0.001, margin=0.001))
-    assert (degrees(held.way_in), degrees(held.way_out)) == pytest.approx((70, 70), abs=1e-10)
+    assert (degrees(held.angle_in), degrees(held.angle_out)) == pytest.approx((70, 70), abs=1e-10)
     assert degrees(held.edges[0]) == pytest.approx(135, abs=1e-10)
     assert degrees(held.arrival) == pytest.approx(205, abs=1e-10)
 
@@ -63,13 +63,13 @@ def test_38_percent_are_reached_at_44_percent_of_the_time():
 
 def test_new_angle_is_125_degrees_and_120_with_the_allowance():
     after = overlap(MILL, DIE, PASSAGE)
-    assert degrees(after.way_in) == pytest.approx(125, abs=0.5)
-    assert degrees(after.way_in) == pytest.approx(124.8369, abs=5e-5)
-    assert after.way_out == pytest.approx(after.way_in, rel=1e-12)
+    assert degrees(after.angle_in) == pytest.approx(125, abs=0.5)
+    assert degrees(after.angle_in) == pytest.approx(124.8369, abs=5e-5)
+    assert after.angle_out == pytest.approx(after.angle_in, rel=1e-12)
     assert after.limit == "clearance"
     set_off = overlap(MILL, DIE, Passage(PASSAGE.remaining, 0.02, 0.001, allowance=radians(5)))
-    assert degrees(after.way_in - set_off.way_in) == pytest.approx(5, abs=1e-12)
-    assert degrees(set_off.way_in) == pytest.approx(120, abs=0.5)
+    assert degrees(after.angle_in - set_off.angle_in) == pytest.approx(5, abs=1e-12)
+    assert degrees(set_off.angle_in) == pytest.approx(120, abs=0.5)
     assert set_off.arrival == after.arrival
 
 
@@ -91,7 +91,7 @@ def test_the_margin_of_one_millimetre_is_what_stays_free():
     after = overlap(MILL, DIE, PASSAGE)
     found = clearance(after, PASSAGE, np.linspace(0, 2 * np.pi, 721))
     assert found.minimum == pytest.approx(0.001, abs=1e-12)
-    assert found.keeps_margin
+    assert found.meets_margin
     assert found.free[found.allowed == PASSAGE.clearance].min() >= found.minimum
 
 
@@ -100,12 +100,12 @@ def test_the_document_s_rounding_up_to_125_degrees_costs_some_of_the_margin():
     found = clearance(after, PASSAGE, 0.0)
     assert found.minimum == pytest.approx(0.02 - 0.05 * Cycloidal().s(1 - 70 / 125), abs=1e-12)
     assert 0.0 < found.minimum < 0.001
-    assert not found.keeps_margin
+    assert not found.meets_margin
     assert not found.collides
 
 
 def test_the_sweep_has_the_document_s_case_in_it():
     sweep = sweep_margin(MILL, DIE, PASSAGE, [0.0, 0.001, 0.02], RATE)
-    assert degrees(sweep.way_in[1]) == pytest.approx(124.8369, abs=5e-5)
-    assert degrees(sweep.way_in[2]) == pytest.approx(70, abs=1e-10)
+    assert degrees(sweep.angle_in[1]) == pytest.approx(124.8369, abs=5e-5)
+    assert degrees(sweep.angle_in[2]) == pytest.approx(70, abs=1e-10)
     assert sweep.ratio[1] == pytest.approx((124.8369147 / 55) ** 2, rel=1e-8)

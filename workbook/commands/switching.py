@@ -52,7 +52,7 @@ class Switched:
     def rows(self) -> list[list[str]]:
         """A row of texts for each switch."""
         return [[visible(one.name), str(differs.edges), f"{differs.largest:.3g} {one.x_unit}",
-                 f"{differs.x:.6g} {one.x_unit}" if differs.largest else "", f"{differs.apart:.3g} {one.x_unit}"]
+                 f"{differs.x:.6g} {one.x_unit}" if differs.largest else "", f"{differs.duration:.3g} {one.x_unit}"]
                 for one, differs in zip(self.switches, self.found, strict=True)]  # fmt: skip
 
 
@@ -134,7 +134,7 @@ def told(found: Switched, target: Target) -> Mapping[str, Any]:
         "switches": [
             {"switch": one.name, "unit": one.x_unit, "edges": differs.edges,
              "largest": differs.largest if math.isfinite(differs.largest) else None, "at": differs.x,
-             "apart": differs.apart}
+             "apart": differs.duration}
             for one, differs in zip(found.switches, found.found, strict=True)
         ],
         "target": target.name,

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from engine.laws import Entry, Law, Piece
 from engine.laws.base import Kinematics
 from engine.laws.entry import IncompleteError
-from engine.motion.handover import PULSES, early_of, way
+from engine.motion.handover import PULSES, early_of, end_mode
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import Said, amount
 from workbook.entries.types import Model, Number, Positive
@@ -249,7 +249,7 @@ class Page:
         wrong = [name for name, *_ in COEFFICIENTS if name not in self.coefficients]
         if any(len(law.monotone_pieces()) != len(self.pieces) for law in examples):
             wrong.append(f"pieces as many as the engine's {len(examples[0].monotone_pieces())}")
-        if any((way(law), early_of(law)) not in self._meets() for law in examples):
+        if any((end_mode(law), early_of(law)) not in self._meets() for law in examples):
             wrong.append("how it meets its neighbours, as the engine has it")
         wrong += [f"the parameter {key}" for key in sorted(self._keys() ^ {p.key for p in self.parameters})]
         wrong += [f"variations of {key}" for key in self._fields() if any(key not in v for v in self.variations)]

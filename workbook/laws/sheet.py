@@ -7,7 +7,7 @@ from typing import Any
 
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.points import reach, slowest
-from engine.motion.handover import way
+from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST
 from workbook.entries.machine import Sizes
@@ -107,7 +107,7 @@ def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
     """Return the columns of how laws meet neighbours that hand velocity over to them."""
     return [
         calc("way", "meets its neighbours' velocity", "", "",
-             [one.own(one.page.way) for one in laws], [way(one.law) for one in laws], format="0",
+             [one.own(one.page.way) for one in laws], [end_mode(one.law) for one in laws], format="0",
              source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial"),
         constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws]),
     ]  # fmt: skip

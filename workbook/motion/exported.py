@@ -11,7 +11,7 @@ from engine.cams.profile import in_units
 from engine.laws.base import Array
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import evaluated
-from engine.motion.shifted import Told
+from engine.motion.shifted import Unshifted
 from workbook.book.declare import Book, Quantity, calc, constant, result
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.exported import Exporting, named
@@ -30,7 +30,7 @@ class Later(NamedTuple):
     by: str
     near: str
     travel: str
-    told: Callable[[Array], Told]
+    told: Callable[[Array], Unshifted]
     lifts: float
 
 
@@ -79,7 +79,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     """Return x, y, y' and y'', then how each sample finds its piece."""
     rows, later = axis.rows, axis.later
     at = np.linspace(rows.begin, rows.end, n + 1)
-    told = later.told(at) if later else Told(np.zeros(n + 1), at)
+    told = later.told(at) if later else Unshifted(np.zeros(n + 1), at)
     found = evaluated(rows.pieces, told.x, rows.begin, rows.end)
     x, y, v, a, _ = (at, *found)
     shown = in_units(MotionValues(y + told.cycles * (later.lifts if later else 0.0), v, a, found.y3), *axis.unit)
@@ -103,7 +103,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def place(axis: Exportable, told: Told) -> list[Quantity]:
+def place(axis: Exportable, told: Unshifted) -> list[Quantity]:
     """Return the place of each sample in the motion as its phases tell it, where that is another."""
     later = axis.later
     if later is None:

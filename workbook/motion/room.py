@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Any, Protocol
 
 from engine.laws import Law
-from engine.motion.pieces import placed
+from engine.motion.pieces import law_pieces
 from workbook.entries.machine import Machine
 from workbook.entries.types import DesignError, EntryError, TogetherError
 from workbook.laws.entries import Laws
@@ -37,7 +37,7 @@ def counts(given: Laws) -> dict[str, int]:
 @lru_cache(maxsize=KNOWN)
 def count(law: Law) -> int:
     """Return the number of pieces of a law."""
-    return len(placed(law))
+    return len(law_pieces(law))
 
 
 def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:

@@ -81,7 +81,7 @@ def asked(sheet: Sheet, view: Choosing) -> None:
         calc("@wrms", "RMS acceleration", "ω̇_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),
         calc("@trms", "RMS torque", "S_rms", "Nm", "=SQRT(@square+@square_back)", load.torque_rms, scale=scale),
         calc("@wmax", "Largest speed", "ω", "rad/s", "=@speed+0", load.max_speed),
-        calc("@tmax", "Torque that the reducer must carry", "f S_max", "Nm", "=@factor*@smax", view.grid.behind,
+        calc("@tmax", "Torque that the reducer must carry", "f S_max", "Nm", "=@factor*@smax", view.grid.output_torque,
              scale=scale),
         calc("@most", "Largest share of the continuous torque", "", "", "=1/@least", 1.0 / view.given.least_margin),
         calc("@little", "Least share of it", "", "", "=1/@greatest", 1.0 / view.given.greatest_margin),

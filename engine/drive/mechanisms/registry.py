@@ -14,7 +14,7 @@ from engine.drive.mechanisms.variable_ratio import Linkage
 
 
 @dataclass(frozen=True)
-class Linked:
+class VariableRatio:
     """A mechanism whose ratio depends on position: what makes it, of its own entries."""
 
     name: str
@@ -28,12 +28,12 @@ class Linked:
         return Mechanism(self.name, (*gears, Stage(self.element, 1.0, efficiency)), tuple(parts), load)
 
 
-LINKED = {
+VARIABLE_RATIO = {
     linked.name: linked
     for linked in (
-        Linked("crank-slider", "crank", crank_slider),
-        Linked("rocker", "lever", rocker),
-        Linked("table", "cam", PositionTable),
+        VariableRatio("crank-slider", "crank", crank_slider),
+        VariableRatio("rocker", "lever", rocker),
+        VariableRatio("table", "cam", PositionTable),
     )
 }
 """those whose ratio depends on position"""
@@ -41,5 +41,5 @@ LINKED = {
 DIRECT = Kind("direct", "shaft")
 """a load on the motor's own shaft, or behind a reducer"""
 
-MECHANISMS: dict[str, Kind | Linked] = {DIRECT.name: DIRECT, **KINDS, **LINKED}
+MECHANISMS: dict[str, Kind | VariableRatio] = {DIRECT.name: DIRECT, **KINDS, **VARIABLE_RATIO}
 """every mechanism: a direct drive, those of constant ratio and those whose ratio depends on the position"""

@@ -10,7 +10,7 @@ import pytest
 from engine.drive import KINDS, Drive, Load, Motor, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
-from engine.drive.limits import Judged, Limits
+from engine.drive.limits import LimitChecks, Limits
 from engine.drive.mechanisms.by_angle import Arm, PressCrank
 from engine.drive.quadrature import Cycle
 from engine.drive.results import DriveResults
@@ -35,7 +35,7 @@ def cycle_of(by_angle, load, motion=ROUND, speed=TURN, *, eta=1.0, inertia=0.0, 
 
 def points_of(drive_cycle):
     pieces = motion_pieces(drive_cycle.motion)
-    return DrivePoints(Cycle(drive_cycle, pieces, 3e-9 * drive_cycle.told.total).points())
+    return DrivePoints(Cycle(drive_cycle, pieces, 3e-9 * drive_cycle.unshifted.total).points())
 
 
 def test_the_acceleration_in_the_dead_centres_is_that_of_the_textbook():
@@ -71,7 +71,9 @@ def test_without_losses_the_torque_is_the_change_of_energy_by_angle():
     drive_cycle = cycle_of(PRESS, Load(20.0), speed=30.0)
     at, h = np.linspace(0.05, 6.2, 60), 1e-5
     low, high = (10.0 * (PRESS.slopes(at + way * h)[0] * 30.0) ** 2 for way in (-1, 1))
-    torque = 5.0 * np.concatenate([one.torque(at[(at > one.low) & (at < one.high)]) for one in drive_cycle.stretches])
+    torque = 5.0 * np.concatenate(
+        [one.torque(at[(at > one.low) & (at < one.high)]) for one in drive_cycle.torque_intervals]
+    )
     assert torque == pytest.approx((high - low) / (2 * h), abs=1e-3)
 
 
@@ -94,7 +96,7 @@ def test_a_weight_asks_for_nothing_over_a_turn_but_for_the_losses_both_ways():
 
 
 def test_inertia_at_the_motor_is_greatest_where_the_slide_is_fastest():
-    one = Judged(replace(cycle_of(PRESS, Load(20.0), inertia=0.1)), Limits(Motor(1e-3)))
+    one = LimitChecks(replace(cycle_of(PRESS, Load(20.0), inertia=0.1)), Limits(Motor(1e-3)))
     fastest = np.abs(PRESS.slopes(np.linspace(0, pi, 100001))[0]).max()
     assert one.machine_inertia == pytest.approx((0.1 + 20.0 * fastest**2) / 25.0, rel=1e-8)
 
@@ -138,7 +140,7 @@ def random_press(told):
 
 def sampled(drive_cycle, n=200001):
     """Torque and speed of the motor by energy and virtual work alone, positions differentiated by time."""
-    train, total = drive_cycle.train, drive_cycle.told.total
+    train, total = drive_cycle.train, drive_cycle.unshifted.total
     m, by = train.drive.mechanism, train.by_angle
     x = (np.arange(n) + 0.5) * total / n
     h = total / n / 8
@@ -189,7 +191,7 @@ def test_points_are_right_to_what_the_sheets_state(request, number):
     peak = exact.torque.peak
     assert points.rms_torque == pytest.approx(exact.rms_torque, abs=1e-3 * peak)
     assert points.size(points.torque) == pytest.approx(peak, rel=1e-2)
-    assert points.size(points.load.behind) == pytest.approx(exact.shaft_torque(1).peak, rel=1e-2)
+    assert points.size(points.load.output_torque) == pytest.approx(exact.shaft_torque(1).peak, rel=1e-2)
     driving = points.mean(np.maximum(points.power, 0.0)) * drive_cycle.time
     assert driving == pytest.approx(exact.energy.driving, abs=0.03 * exact.energy.driving)
 

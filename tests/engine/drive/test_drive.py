@@ -22,12 +22,12 @@ from engine.drive import (
     reflected_inertia,
     resisting,
 )
-from engine.drive.chain import geared
+from engine.drive.chain import gear_speed_ratio
 from engine.drive.lossless import LosslessCycle, at_shaft
 from engine.drive.motor import reserve
 from engine.laws import Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Motion, Phase
-from tests.engine.sizing import OperatingPoints, Sizing, effective_inertia, operating_points
+from tests.engine.sizing import OperatingPoints, Sizing, effective_inertia, from_shaft, operating_points
 
 RADIUS = 0.134
 ROLLERS = KINDS["feed rollers"]
@@ -74,21 +74,21 @@ def points_of(one, phases=PHASES, n=400_000):
 
 def exact_rms(one, phases=PHASES):
     """The RMS torque in closed form, for an efficiency of 1."""
-    behind = one.mechanism.behind(1)
+    behind = from_shaft(one.mechanism, 1)
     cycle = LosslessCycle(behind.reduced, at_shaft(phases, behind.ratio))
     return cycle.rms_torque(effective_inertia(one, 1), 1.0 / one.mechanism.stages[0].ratio)
 
 
 def test_reflected_inertia_weighs_with_the_square_of_speed():
-    fast = Part("fast shaft", 0.007, speed_ratio=geared(90, 45))
+    fast = Part("fast shaft", 0.007, speed_ratio=gear_speed_ratio(90, 45))
     parts = [Part("rollers", 0.284, count=4), fast, Part("slow", 1.0, count=3, speed_ratio=0.1)]
     assert reflected_inertia(parts) == pytest.approx(4 * 0.284 + 4 * 0.007 + 0.03, rel=1e-15)
     assert reflected_inertia([]) == 0.0
-    assert geared(None, None) == 1.0
+    assert gear_speed_ratio(None, None) == 1.0
 
 
 def test_a_geared_part_counts_on_its_shaft_and_at_the_motor():
-    parts = [Part("rollers", 0.284, 1, 4), Part("fast shaft", 0.007, 1, 1, geared(90, 45))]
+    parts = [Part("rollers", 0.284, 1, 4), Part("fast shaft", 0.007, 1, 1, gear_speed_ratio(90, 45))]
     chain = ROLLERS.of(resisting(500.0, "always"), RADIUS, gears=[Stage("reducer", 8.0)], parts=parts)
     assert chain.on_shaft(1) == pytest.approx(1.164, rel=1e-15)
     assert chain.inertia() == pytest.approx(1.164 / 64, rel=1e-15)

@@ -10,10 +10,10 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.limits import BELOW, Judged, Limits, ReducerLimits, use
+from engine.drive.limits import BELOW, LimitChecks, Limits, ReducerLimits, use
 from engine.drive.max_rate import at_speed, highest_rate
 from engine.drive.mechanisms.crank_slider import crank_slider
-from engine.drive.mechanisms.registry import LINKED
+from engine.drive.mechanisms.registry import VARIABLE_RATIO
 from engine.drive.results import DriveResults
 from engine.drive.torque_curve import TorqueCurve
 from engine.drive.train import Train
@@ -31,7 +31,7 @@ MASS = Load(2.0)
 def judged(limits, load=MASS, inertia=1e-3, speed=20.0, gears=()):
     motion = Motion.from_edges([0, 1, 2, TURN], [0.1, -0.1, 0], [law("CIC"), law("CIC"), Dwell()])
     drive = Drive(KINDS["belt"].of(load, 0.05, gears=gears), inertia)
-    return Judged(DriveCycle(Train(drive), motion, speed), limits)
+    return LimitChecks(DriveCycle(Train(drive), motion, speed), limits)
 
 
 def checked(one):
@@ -61,8 +61,8 @@ def test_a_mean_torque_lies_between_the_mean_and_the_peak():
 def test_the_inertia_ratio_behind_a_crank_is_taken_where_it_is_greatest():
     crank = crank_slider(0.05, 0.2)
     motion = Motion.from_edges([0, 1, 2, 3], [0.05, 0, -0.05], [law("CIC"), Dwell(), law("CIC")], position=0.03)
-    chain = LINKED["crank-slider"].of(Load(4.0))
-    one = Judged(DriveCycle(Train(Drive(chain, 1e-3), crank), motion), Limits(Motor(1e-3), inertia_ratio=20.0))
+    chain = VARIABLE_RATIO["crank-slider"].of(Load(4.0))
+    one = LimitChecks(DriveCycle(Train(Drive(chain, 1e-3), crank), motion), Limits(Motor(1e-3), inertia_ratio=20.0))
     at = np.linspace(0.03, 0.08, 100001)
     assert checked(one)["inertia ratio"].value == pytest.approx(crank.reflected(4.0, at).inertia.max() / 1e-3, rel=1e-8)
 
@@ -132,7 +132,7 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, 
     told = f"rate {number}"
     told = seed(told) if request.node.get_closest_marker("nightly") else told
     drive_cycle = drive_cycle_of(told, kinds=list(SIZES) if number < 2 else [*SIZES, *LINKAGES])
-    one = Judged(drive_cycle, limits_of(random.Random(told), drive_cycle))
+    one = LimitChecks(drive_cycle, limits_of(random.Random(told), drive_cycle))
     found = highest_rate({"X": one})
     if found.speed == 0.0:
         assert not at_speed(one, drive_cycle.speed * 1e-5).ok

@@ -6,6 +6,7 @@ import pytest
 
 from engine.drive import KINDS, Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.loads import GRAVITY
+from tests.engine.sizing import from_shaft
 
 LOAD = Slide(mass=12.0, friction=0.2, slope=radians(30), force=40.0)
 
@@ -77,7 +78,7 @@ def test_the_mechanism_behind_a_shaft_is_what_that_shaft_drives():
     machine = Mechanism("train", tuple(stages), (Part("pinion", 1e-4), Part("middle", 2e-3, 1)), Load(0.3, 2.0, 0.5))
     for shaft in (0, 1):
         whole = machine.torques([3.0, -40.0], [1.0, -1.0])[shaft]
-        assert machine.behind(shaft).torques([3.0, -40.0], [1.0, -1.0])[0] == pytest.approx(whole, rel=1e-15)
+        assert from_shaft(machine, shaft).torques([3.0, -40.0], [1.0, -1.0])[0] == pytest.approx(whole, rel=1e-15)
     assert machine.ratio_to(1) * machine.ratio_from(1) == pytest.approx(machine.ratio)
 
 

@@ -20,7 +20,7 @@ from engine.drive.curves import position, trimmed
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
 from engine.drive.falling_peak import Falling
-from engine.drive.limits import Judged, Limits, ReducerLimits
+from engine.drive.limits import LimitChecks, Limits, ReducerLimits
 from engine.drive.losses import of_friction
 from engine.drive.max_rate import highest_rate
 from engine.drive.mechanisms.variable_ratio import OutOfReachError
@@ -62,7 +62,7 @@ def moved(piece, low, high):
 def points_of(drive_cycle):
     """A cycle at the points of its cycle."""
     return DrivePoints(
-        Cycle(drive_cycle, monotone(motion_pieces(drive_cycle.motion)), NEAR * drive_cycle.told.total).points()
+        Cycle(drive_cycle, monotone(motion_pieces(drive_cycle.motion)), NEAR * drive_cycle.unshifted.total).points()
     )
 
 
@@ -80,7 +80,7 @@ class Off(NamedTuple):
 def off(drive_cycle):
     """Compare a cycle at its points with the exact engine."""
     exact, points = DriveResults(drive_cycle), points_of(drive_cycle)
-    behind, work = points.load.behind, max(exact.energy.driving, 1e-9)
+    behind, work = points.load.output_torque, max(exact.energy.driving, 1e-9)
     speed = points.size(points.speed) if drive_cycle.train.linkage else drive_cycle.fastest * points_ratio(drive_cycle)
     return Off(
         abs(points.rms_torque / exact.rms_torque - 1.0),
@@ -188,7 +188,7 @@ def limits_near(points, drawn):
         return value * drawn.uniform(0.7, 3.0)
 
     motor = Motor(1e-3, near(points.rms_torque), near(points.size(points.torque)), near(points.size(points.speed)))
-    behind = points.load.behind
+    behind = points.load.output_torque
     return motor, ReducerLimits(near(points.size(behind)), near(points.cubic_mean(behind)), motor.max_speed)
 
 
@@ -222,7 +222,7 @@ def test_the_rate_that_is_entered_and_read_again_is_the_exact_one(request, numbe
     drive_cycle, drawn = random_course(f"rate {told}", linked=number % 10 == 3), random.Random(f"limits {told}")
     motor, reducer = limits_near(points_of(drive_cycle), drawn)
     motor = falling(motor, drawn) if number % 2 else motor
-    exact = highest_rate({"A": Judged(drive_cycle, Limits(motor, None, reducer))}).speed
+    exact = highest_rate({"A": LimitChecks(drive_cycle, Limits(motor, None, reducer))}).speed
     rate = settled(drive_cycle, motor, reducer)
     if exact == 0.0:
         assert rate <= 1e-3 * drive_cycle.speed
@@ -243,7 +243,7 @@ def test_a_reducer_carries_what_stands_whoever_holds_the_motor(holding):
     rack = KINDS["rack and pinion"].of(Load(0.0, 4000.0), 0.1, 0.9, [Stage("reducer", 5.0, 1.0)], [])
     drive_cycle = DriveCycle(Train(Drive(rack, 1e-3, holding=holding)), RISE, 1.0)
     resting = points_of(drive_cycle).load
-    assert resting.behind[resting.direction == 0.0] == pytest.approx(200.0 / 0.9, rel=1e-12)
+    assert resting.output_torque[resting.direction == 0.0] == pytest.approx(200.0 / 0.9, rel=1e-12)
     torque = points_of(drive_cycle).torque[resting.direction == 0.0]
     assert torque == pytest.approx(0.0 if holding == "brake" else 200.0 / 0.9 / 5.0, rel=1e-12)
 
@@ -273,7 +273,7 @@ def test_the_rate_by_a_falling_continuous_torque_is_on_the_safe_side_and_exact_w
     rated, stall = (points.rms_torque * drawn.uniform(*ends) for ends in ((0.4, 1.2), (1.0, 3.0)))
     motor = Motor(1e-3, rated, stall_torque=stall, rated_speed=points.size(points.speed))
     rate = by_rms(points, motor).highest(drive_cycle.speed)
-    exact = highest_rate({"A": Judged(drive_cycle, Limits(motor))}).speed
+    exact = highest_rate({"A": LimitChecks(drive_cycle, Limits(motor))}).speed
     assert 0.0 < rate <= exact * (1.0 + 2e-3)
     for _ in range(8):
         drive_cycle = replace(drive_cycle, speed=rate)

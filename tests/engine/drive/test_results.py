@@ -180,7 +180,7 @@ def test_rms_torque_by_another_rule(request, number):
     """Gauss–Legendre in eight panels of each stretch, where the engine has Clenshaw–Curtis."""
     one = drawn(request, number)
     square = 0.0
-    for stretch in one.stretches:
+    for stretch in one.torque_intervals:
         width = stretch.high - stretch.low
         u = stretch.low + width * (np.arange(8)[:, None] + (NODES + 1) / 2) / 8
         square += width / 16 * float((WEIGHTS * stretch.torque(u.ravel()).reshape(u.shape) ** 2).sum())
@@ -213,14 +213,14 @@ def friction_work(one):
     """Work of all that resists in a cycle (J), by closed forms and the way alone; in the motor itself by means."""
     train, w, total = one.train, one.speed, 0.0
     load = train.drive.mechanism.load
-    for stretch in one.stretches:
+    for stretch in one.torque_intervals:
         a, b = (one.motion.at(stretch.piece.begin + u).y for u in (stretch.low, stretch.high))
         way = abs(b - a)
-        level = load.torque * stretch.going + load.friction
+        level = load.torque * stretch.direction + load.friction
         for window in train.windows:
             x = stretch.piece.begin + (stretch.low + stretch.high) / 2 + one.shift
             if (x - window.begin) % one.motion.total < (window.end - window.begin) % one.motion.total:
-                level += window.load.torque * stretch.going + window.load.friction
+                level += window.load.torque * stretch.direction + window.load.friction
         total += level * way
     viscous = 0.0
     for phase in one.motion.phases:
@@ -245,7 +245,7 @@ def test_losses_are_what_the_motor_gives_more(request, number):
     """What each stage takes from the power through it, summed up, is the difference to the work of the load."""
     one = drawn(request, number)
     lost = 0.0
-    for stretch in one.stretches:
+    for stretch in one.torque_intervals:
         for k, stage in enumerate(one.train.drive.mechanism.stages):
             behind = np.linspace(stretch.low, stretch.high, 3001)
             ratio = stage_speed(stretch, k + 1, behind)
@@ -254,7 +254,7 @@ def test_losses_are_what_the_motor_gives_more(request, number):
                 loss = through * (1 / stage.efficiency - 1)
             else:
                 loss = np.where(through > 0, through * (1 / stage.efficiency - 1), through * (stage.efficiency - 1))
-            if stretch.going:
+            if stretch.direction:
                 lost += simpson(loss, behind) / one.speed
     found = DriveResults(one).energy
     most = found.driving + found.regenerated
@@ -325,10 +325,10 @@ def test_a_window_counts_where_it_is_and_across_the_end_of_the_cycle():
     for begin, end, torque in ((10, 20, 1.0), (350, 40, 1.0), (200, 300, 0.0)):
         window = Window(radians(begin), radians(end), 2 * pi / 0.01)
         one = drive_cycle(replace(train, windows=(window,)), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
-        moving = [s for s in one.stretches if s.going]
+        moving = [s for s in one.torque_intervals if s.direction]
         torques = {round(float(s.torque(np.array([(s.low + s.high) / 2]))[0]), 9) for s in moving}
         assert max(torques) == pytest.approx(torque)
-    assert not Window(1.0, 1.0, 5.0).holds(1.0, 6.0)
+    assert not Window(1.0, 1.0, 5.0).acts_at(1.0, 6.0)
 
 
 def test_a_moved_motion_meets_other_windows():
@@ -344,7 +344,7 @@ def test_a_moved_motion_meets_other_windows():
 def test_who_holds_in_a_dwell(holding, torque):
     drive = Drive(KINDS["lead screw"].of(Load(0.0, 2 * pi / 0.01), 100), 0.0, "physical", holding)
     one = drive_cycle(Train(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
-    still = one.stretches[-1]
+    still = one.torque_intervals[-1]
     assert float(still.torque(np.array([1.0]))[0]) == pytest.approx(torque)
     assert DriveResults(one).rms_torque == pytest.approx(math.sqrt(0.25 + 0.75 * torque**2), rel=1e-12)
 
@@ -379,6 +379,6 @@ def test_a_force_over_the_whole_cycle_acts_everywhere(begin, rounding):
     """Also where the cycle, a sum of phases, is longer or shorter than a turn by its rounding."""
     whole = Window(radians(begin), radians(begin + 360.0), 300.0)
     cycle = 2.0 * pi * (1.0 + rounding)
-    assert all(whole.holds(x, cycle) for x in np.linspace(0.0, cycle, 50))
+    assert all(whole.acts_at(x, cycle) for x in np.linspace(0.0, cycle, 50))
     none = Window(radians(begin), radians(begin), 300.0)
-    assert not any(none.holds(x, cycle) for x in np.linspace(0.0, cycle, 50))
+    assert not any(none.acts_at(x, cycle) for x in np.linspace(0.0, cycle, 50))

@@ -43,7 +43,7 @@ def cuts(count, seed):
 
 def asked(cut, load=LOAD):
     points = cycle_of(cut, train_of(cut, load)).points()
-    return PointLoad(points, cut.max_angular_speed, float(np.abs(points.behind).max()), load.inertia)
+    return PointLoad(points, cut.max_angular_speed, float(np.abs(points.output_torque).max()), load.inertia)
 
 
 def grid(cut, wanted=ANY, **reducer):

@@ -31,17 +31,17 @@ limit = st.floats(0.1, 10.0)
 @given(stroke=limit, v=limit, a=limit, b=limit, up=limit, down=limit)
 def test_an_s_curve_of_limits_keeps_each_and_touches_enough_of_them(stroke, v, a, b, up, down):
     law, time = SCurve.of_limits(stroke, Limits(v, a, b, up, down))
-    k, (rise, fall) = law.coefficients, law.course[::3]
+    k, (rise, fall) = law.coefficients, law.pulses[::3]
     speed, shape = k.cv * stroke / time, stroke / time**2
     assert speed <= v * (1 + 1e-9)
     for height, top, jerk, greatest, pulse, share in (
-        (k.ca_max * shape, a, up, rise.jerk, rise, law.course.rise_time),
-        (-k.ca_min * shape, b, down, fall.jerk, fall, law.course.fall_time),
+        (k.ca_max * shape, a, up, rise.jerk, rise, law.pulses.rise_time),
+        (-k.ca_min * shape, b, down, fall.jerk, fall, law.pulses.fall_time),
     ):
         assert height <= top * (1 + 1e-9)
         assert height * greatest / (share * time) == pytest.approx(jerk, rel=1e-9)
         assert pulse.flat < 1e-6 or height == pytest.approx(top, rel=1e-9)
-    assert law.course.cruise < 1e-9 or speed == pytest.approx(v, rel=1e-9)
+    assert law.pulses.cruise < 1e-9 or speed == pytest.approx(v, rel=1e-9)
 
 
 @pytest.mark.parametrize("limits", [Limits(0, 1, 1, 1, 1), Limits(1, 1, 1, -1, 1), Limits(1, math.nan, 1, 1, 1)])

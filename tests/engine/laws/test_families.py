@@ -132,7 +132,7 @@ class Told:
 
 @PULSED
 def test_a_law_backwards_has_its_pulses_exchanged(law):
-    course, ends = law.course, law.ends
+    course, ends = law.pulses, law.ends
     exchanged = Bare(course._replace(rise=course.fall, rise_time=course.fall_time, fall=course.rise,
                                      fall_time=course.rise_time), replace(ends, v0=ends.v1, v1=ends.v0))  # fmt: skip
     k, other = law.coefficients, exchanged.coefficients
@@ -149,13 +149,13 @@ class Bare(PulseLaw):
     def __init__(self, course, ends):
         self.ends, self._given = ends, course
 
-    def _course(self):
+    def _pulses(self):
         return self._given
 
 
 @given(law=pulsed, stroke=number, v0=number, v1=number)
 def test_any_velocities_and_any_stroke_are_met(law, stroke, v0, v1):
-    made = Bare(law.course, Ends(stroke, v0, v1))
+    made = Bare(law.pulses, Ends(stroke, v0, v1))
     size = 1e-12 * (1 + abs(stroke) + abs(v0) + abs(v1)) * largest(law)[1]
     assert (made.start.s, made.end.s) == pytest.approx((0.0, stroke), abs=size)
     assert (made.start.v, made.end.v) == pytest.approx((v0, v1), abs=size)
@@ -170,7 +170,7 @@ def test_any_velocities_and_any_stroke_are_met(law, stroke, v0, v1):
 @given(law=pulsed, v=number)
 def test_equal_velocities_at_both_ends_shear_the_law(law, v):
     """y = v ξ + (H − v) S(ξ)."""
-    plain, sheared = Bare(law.course, Ends()), Bare(law.course, Ends(1.0, v, v))
+    plain, sheared = Bare(law.pulses, Ends()), Bare(law.pulses, Ends(1.0, v, v))
     at, rest = sheared.evaluate(XI), plain.evaluate(XI)
     assert at.s == pytest.approx(v * XI + (1 - v) * rest.s, abs=1e-11)
     assert at.v == pytest.approx(v + (1 - v) * rest.v, abs=1e-11)

@@ -16,7 +16,7 @@ from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomial_345 import Polynomial345
 from engine.laws.polynomial_4567 import Polynomial4567
 from engine.laws.polynomial_pulse import PolynomialPulse
-from engine.laws.pulse_law import Course, PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.s_curve import SCurve
 from engine.laws.simple_harmonic import SimpleHarmonic
 from engine.laws.sine_constant_cosine import SineConstantCosine
@@ -38,9 +38,9 @@ class TwoQuartics(PulseLaw):
     def __init__(self, share):
         self.share = share
 
-    def _course(self):
+    def _pulses(self):
         pulse = PolynomialPulse((0.0, 4.0, -4.0))
-        return Course(pulse, self.share, 0.0, pulse, 1.0 - self.share)
+        return TwoPulses(pulse, self.share, 0.0, pulse, 1.0 - self.share)
 
 
 def straight(part):

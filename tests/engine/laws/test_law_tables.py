@@ -83,7 +83,7 @@ EDGED = [law for law in EXAMPLES if isinstance(law, PulseLaw)]
 
 @pytest.mark.parametrize("law", EDGED, ids=str)
 def test_the_power_of_a_pulse_is_greatest_where_its_inner_edge_says(law):
-    c = law.course
+    c = law.pulses
     sides = zip(inner_edges(law), (c.rise, c.fall), (law.acceleration, law.deceleration), strict=True)
     powers = law.coefficients.va_max, -law.coefficients.va_min
     x = np.linspace(0.0, 1.0, 10_001)

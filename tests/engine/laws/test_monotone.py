@@ -11,7 +11,7 @@ from engine.laws.ends import Ends
 from engine.laws.ladder import zeros
 from engine.laws.piece_extremes import acceleration
 from engine.laws.pulse_law import PulseLaw
-from engine.motion.handover import PULSES, way
+from engine.motion.handover import PULSES, end_mode
 
 LAWS = [law for entry in CATALOGUE for law in (*entry.examples, *entry.others, *entry.beyond)]
 REGISTERED = [law for law in LAWS if not isinstance(law, PieceLaw | EndedPolynomial)]
@@ -36,12 +36,12 @@ def test_the_acceleration_turns_at_no_place_within_a_piece(law):
 
 
 @pytest.mark.parametrize(
-    "law", [law for law in REGISTERED if isinstance(law, PulseLaw) and way(law) == PULSES], ids=repr
+    "law", [law for law in REGISTERED if isinstance(law, PulseLaw) and end_mode(law) == PULSES], ids=repr
 )
 def test_between_prescribed_ends_two_pulses_have_the_same_pieces(law):
     rest = law.monotone_pieces()
     ended = law.between(Ends(v0=0.4, v1=-0.2)).monotone_pieces()
     assert [piece.duration for piece in ended] == pytest.approx([piece.duration for piece in rest], abs=1e-15)
     begins = [*itertools.accumulate((piece.duration for piece in rest), initial=0.0)]
-    turning = law.course.rise_time
+    turning = law.pulses.rise_time
     assert begins[law.early] == pytest.approx(turning, abs=1e-12)

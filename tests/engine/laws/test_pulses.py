@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from engine.laws.piece import Piece, gains
 from engine.laws.piece_extremes import extremes_of, power_extremes
-from engine.laws.piece_rules import backwards, reversed_pieces, stretched
+from engine.laws.piece_rules import backwards, reversed_pieces, scaled_piece
 from engine.laws.polynomial_pulse import CONSTANT, HALF_345, HALF_4567, LINE_DOWN, PolynomialPulse
 from engine.laws.pulse import CYCLOIDAL, LinearEdged, SineEdged
 
@@ -114,12 +114,12 @@ def test_a_piece_backwards_is_its_negative_from_the_end_and_itself_twice():
 
 def test_a_stretched_piece():
     u = np.linspace(0, 0.7, 41)
-    wide = stretched(SINES, -2.0, 3.0)
+    wide = scaled_piece(SINES, -2.0, 3.0)
     row, other = (np.array(piece.row)[:, None] for piece in (SINES, wide))
     assert wide.duration == pytest.approx(2.1)
     assert gains(3 * u, other)[2] == pytest.approx(-2 * gains(u, row)[2], abs=1e-12)
     with pytest.raises(ValueError, match="expected more than 0"):
-        stretched(SINES, 1.0, 0.0)
+        scaled_piece(SINES, 1.0, 0.0)
 
 
 @given(pulses)

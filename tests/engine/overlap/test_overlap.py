@@ -49,7 +49,7 @@ def test_the_margin_is_kept_exactly_with_any_laws(law, law_in, law_out, remainin
     passage = Passage(remaining, clearance=gap, margin=share * gap, split=split)
     schedule = overlap(transfer, tool, passage)
     found = clearance(schedule, passage, TURN)
-    assert found.keeps_margin
+    assert found.meets_margin
     assert not found.collides
     assert found.free[in_the_way(transfer, passage)].min() >= found.minimum - 1e-12
     if schedule.limit == "clearance":
@@ -72,7 +72,7 @@ def test_the_way_out_is_that_of_an_asymmetric_law_in_reverse():
     free = 2 * pi - (end - begin) - radians(60)
     share = 1 - (0.2 * 0.3) ** 0.5  # of the time, to be out by 4/5 of the stroke
     assert schedule.limit == "clearance"
-    assert schedule.way_out == pytest.approx(free / 2 / share, rel=1e-12)
+    assert schedule.angle_out == pytest.approx(free / 2 / share, rel=1e-12)
 
 
 def mill_and_die():
@@ -160,7 +160,7 @@ def test_room_and_rests_lead_to_the_ways():
     found = overlap(transfer, tool, passage)
     assert left.effective + left.free_in + left.free_out + tool.dwell == pytest.approx(2 * pi, rel=1e-14)
     assert left.both == pytest.approx(radians(260), rel=1e-14)
-    assert (found.way_in, found.way_out) == pytest.approx(
+    assert (found.angle_in, found.angle_out) == pytest.approx(
         (left.free_in / rest_in[0], left.free_out / rest_out[0]), rel=1e-14
     )
     gone = tool.law.s(1 - rest_in[0]), tool.out.s(1 - rest_out[0])
@@ -172,7 +172,7 @@ def test_the_least_clearance_stands_at_a_corner(law, law_in, law_out, remaining,
     transfer, tool = Transfer(law, 0.1, radians(200)), Tool(law_in, 0.05, radians(60), law_out)
     passage = Passage(remaining, 0.01, 0.001)
     plan = overlap(transfer, tool, passage)
-    moved = Schedule(transfer, tool, plan.way_in, plan.way_out, plan.arrival + shift)
+    moved = Schedule(transfer, tool, plan.angle_in, plan.angle_out, plan.arrival + shift)
     found, at = clearance(moved, passage, TURN), corners(moved, passage)
     assert found.minimum == at.free.min()
     assert found.free[in_the_way(transfer, passage)].min() >= found.minimum - 1e-12
@@ -191,7 +191,7 @@ def test_a_tool_that_is_never_in_the_way_is_limited_by_the_cycle():
     transfer, tool = mill_and_die()
     schedule = overlap(transfer, tool, Passage(0.01, clearance=0.06))
     assert schedule.limit == "cycle"
-    assert schedule.way_in + schedule.way_out + tool.dwell == pytest.approx(2 * pi, rel=1e-12)
+    assert schedule.angle_in + schedule.angle_out + tool.dwell == pytest.approx(2 * pi, rel=1e-12)
     assert schedule.motion.closes
 
 
@@ -199,10 +199,10 @@ def test_a_tool_that_sets_off_too_early_collides():
     transfer, tool = mill_and_die()
     passage = Passage(0.01, 0.02, 0.001)
     good = overlap(transfer, tool, passage)
-    early = Schedule(transfer, tool, good.way_in, good.way_out, good.arrival - radians(20))
+    early = Schedule(transfer, tool, good.angle_in, good.angle_out, good.arrival - radians(20))
     found = clearance(early, passage, TURN)
     assert found.collides
-    assert not found.keeps_margin
+    assert not found.meets_margin
     assert found.minimum == pytest.approx(found.free.min(), abs=2e-4)
     assert colliding(found.free, np.array(0.05)).any()
 
@@ -223,8 +223,8 @@ def test_the_sweep_is_the_schedule_of_each_margin():
     sweep = sweep_margin(transfer, tool, Passage(0.01, 0.02), margins, 0.5)
     single = [overlap(transfer, tool, Passage(0.01, 0.02, m)) for m in margins]
     before = one_after_the_other(transfer, tool).peak_acceleration(0.5)
-    assert sweep.way_in == pytest.approx([s.way_in for s in single], rel=1e-13)
-    assert sweep.way_out == pytest.approx([s.way_out for s in single], rel=1e-13)
+    assert sweep.angle_in == pytest.approx([s.angle_in for s in single], rel=1e-13)
+    assert sweep.angle_out == pytest.approx([s.angle_out for s in single], rel=1e-13)
     assert sweep.acceleration == pytest.approx([s.peak_acceleration(0.5) for s in single], rel=1e-12)
     assert sweep.ratio == pytest.approx([before / s.peak_acceleration(0.5) for s in single], rel=1e-12)
     assert np.diff(sweep.ratio).max() < 0.0
@@ -300,9 +300,9 @@ def test_schedules_by_points_keep_the_margin_within_what_is_stated(law, law_in, 
         for how in (inverse_by_points, inverse)
     )
     found = clearance(by_points, passage, 0.0)
-    assert found.keeps_margin
+    assert found.meets_margin
     assert found.minimum == pytest.approx(clearance(exact, passage, 0.0).minimum, abs=2 * HEIGHT * 0.05)
-    assert by_points.way_in == pytest.approx(exact.way_in, rel=0.01)
+    assert by_points.angle_in == pytest.approx(exact.angle_in, rel=0.01)
 
 
 def test_heights_of_0_and_1_are_met_at_the_ends():

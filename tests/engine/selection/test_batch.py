@@ -39,7 +39,7 @@ def test_each_is_what_its_points_say(number, monkeypatch):
     load = Cycle(drive_cycle, motion_pieces(drive_cycle.motion), drive_cycle.motion.tolerance).points()
     drive = drive_cycle.train.drive
     first, *others = drive.mechanism.stages
-    monkeypatch.setattr("engine.selection.point_load.AT_ONCE", 2 * load.place.size)
+    monkeypatch.setattr("engine.selection.point_load.AT_ONCE", 2 * load.x.size)
     found = DriveBatch(PointLoad(load, 0.0, 0.0, 0.0), Gears(INERTIA, RATIO, ETA, NO_LOAD), LIMITS)
     works = found.works(drive_cycle.time)
     for k in range(len(INERTIA)):

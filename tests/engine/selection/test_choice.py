@@ -76,7 +76,7 @@ def test_for_a_load_at_rest_nothing_is_found():
     assert found.accelerating_factor == pytest.approx(accelerating_factor(m.rated_torque, m.inertia))
     curves = ratio_curves(AT_REST, 5.0, 1e-3, 1.0, 9, (0.01, 0.1))
     assert np.isnan([curves.tau_min, curves.tau_opt, curves.tau_max]).all()
-    assert (curves.pace == 0.0).all()
+    assert (curves.rate_factor == 0.0).all()
 
 
 @pytest.mark.parametrize("efficiency", [1.0, 0.8])
@@ -87,7 +87,7 @@ def test_curves_against_the_load_factor_are_the_ranges_at_each_pace(efficiency):
     assert curves.share[[0, -1]] == pytest.approx([min(0.1, TASK.load_factor / efficiency / alpha), 1.0])
     assert (np.diff(curves.share) > 0.0).all()
     for k in range(19):
-        p = curves.pace[k]
+        p = curves.rate_factor[k]
         task = Task(300.0 * p, 9.0 * p, 1100.0 * p**2, 30.0)
         found = ratio_ranges(task, rated, inertia, 1e4, efficiency)
         assert task.load_factor == pytest.approx(curves.load_factor[k], rel=1e-12)

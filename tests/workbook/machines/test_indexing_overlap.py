@@ -138,7 +138,7 @@ def test_the_table_of_margins_is_the_engine_s_schedule_of_each():
     for margin, angle, ratio in zip(*(value("tool1_margins", c) for c in ("margin", "in", "ratio")), strict=True):
         machine = described(passage__margin=margin)
         (station,) = Overlapping(machine, laws(machine.laws)).stations
-        assert angle == pytest.approx(station.as_set.way_in * 57.29577951308232, rel=1e-9)
+        assert angle == pytest.approx(station.as_set.angle_in * 57.29577951308232, rel=1e-9)
         before, _, after = station.peaks
         assert ratio == pytest.approx(before / after, rel=1e-9)
 

@@ -232,7 +232,7 @@ def test_the_pair_drives_the_load_as_a_reducer_before_it_does():
     given = machine(motor="large", reducer="i 5")
     load = drive(given).load
     stage = KINDS["gear train"].of(Load(1.164, 67.0), gears=[Stage("i 5", 5.0, 0.95)])
-    torque = Drive(stage, 0.021).torque(load.turning.ravel(), load.direction.ravel())
+    torque = Drive(stage, 0.021).torque(load.shaft_acceleration.ravel(), load.direction.ravel())
     found = computed(TEMPLATE, given)("drive_pt", "T")[: torque.size]
     assert found == pytest.approx(torque.tolist(), rel=1e-12, abs=1e-9)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.cams.profile import CamProfile, Stretch, profile
+from engine.cams.profile import CamProfile, ProfilePiece, profile
 from engine.cams.segments import quintics_between
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, literal
@@ -41,7 +41,7 @@ def scaled(c: Array, x: Array) -> tuple[Array, Array]:
 def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -> Table:
     """Return the polynomials, in steps from each place, as a table in the units of x and y."""
     dx, dy = steps
-    stretches = [Stretch(float(one) * dx, float(one) * dx, tuple(float(k) * dy / dx**i for i, k in enumerate(row)))
+    stretches = [ProfilePiece(float(one) * dx, float(one) * dx, tuple(float(k) * dy / dx**i for i, k in enumerate(row)))
                  for one, row in zip(x[:-1], c, strict=True)]  # fmt: skip
     places = np.round(x * dx, 12)
     Table(places, places)  # says which x does not rise

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from engine.cams.profile import Stretch, profile
+from engine.cams.profile import ProfilePiece, profile
 from engine.cams.segments import straight
 from workbook.controllers.number import REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
@@ -134,7 +134,7 @@ def profile_table(rows: list[list[str]]) -> Table:
         points.append([float64(*map(int, row[i : i + 2])) for i in (1, 3, 6, 8, 10, 12)])
     if len(points) < 2:
         raise TargetError(f"{len(points)} calculated elements of a CAM_PROFILE; expected two or more")
-    stretches = [Stretch(x, x, (y + c0, c1, c2, c3)) for x, y, c0, c1, c2, c3 in points[:-1]]
+    stretches = [ProfilePiece(x, x, (y + c0, c1, c2, c3)) for x, y, c0, c1, c2, c3 in points[:-1]]
     if any(other[0] <= one[0] for one, other in pairwise(points)):
         raise TargetError("the masters of the CAM_PROFILE do not rise from element to element")
     x, y = (np.array([point[i] for point in points]) for i in (0, 1))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from engine.cams.profile import CamProfile, Stretch, profile
+from engine.cams.profile import CamProfile, ProfilePiece, profile
 from engine.cams.segments import HIGHEST, segmented, simple
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, literal
@@ -51,7 +51,8 @@ def read(text: str) -> Table:
     x = np.append(low, high[-1])
     points = Table(x, np.append(c[0], c[0][-1]))  # says which x does not rise
     made = profile(
-        [Stretch(float(low[k]), float(low[k]), tuple(float(one[k]) for one in c), ((amplitude[k], omega[k], phase[k]),))
+        [ProfilePiece(float(low[k]), float(low[k]), tuple(float(one[k]) for one in c),
+                      ((amplitude[k], omega[k], phase[k]),))
          for k in range(len(low))], float(high[-1]),
     )  # fmt: skip
     return Table(points.x, np.append(made.at(x[:-1]).y, made.at(x[-1:], left=True).y), profile=made)

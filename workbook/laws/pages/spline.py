@@ -10,7 +10,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from engine.laws import Entry, Law, Piece
-from engine.laws.knots import Knots, given_rows
+from engine.laws.knots import Knots, entered_rows
 from engine.laws.spline import EXAMPLE, MOST, NARROWEST, Spline
 from workbook.book.declare import Quantity, Sheet, check, given
 from workbook.book.sentence import Said, figure
@@ -140,9 +140,9 @@ class SplinePage(Page):
         )  # fmt: skip
         at = Knots(one.law, sizes.points)
         rows = (
-            given("xi", "place", "ξ", "", given_rows([p.at for p in points.points], sizes.points),
+            given("xi", "place", "ξ", "", entered_rows([p.at for p in points.points], sizes.points),
                   f"{one.key}.points.*.at", format="0.0####", source="share of the time"),
-            given("s", "position", "s", "", given_rows([p.s for p in points.points], sizes.points),
+            given("s", "position", "s", "", entered_rows([p.s for p in points.points], sizes.points),
                   f"{one.key}.points.*.s", format="0.0####", source="share of the rise"),
         )  # fmt: skip
         points_table(sheet, at, rows)

@@ -206,8 +206,8 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     load, of, room = view.load, view.by_point, view.machine.room
     scale, numbers = view.machine.scales, list(range(room))
     pieces = filled([piece for piece in rows.pieces for _ in SHARES], room * COUNT, rows.pieces[-1])
-    u = np.array(of(load.place - np.array([[piece.origin] for piece in rows.pieces])))
-    stands, reached = (one.reshape(load.place.shape) for one in view.turns)
+    u = np.array(of(load.x - np.array([[piece.origin] for piece in rows.pieces])))
+    stands, reached = (one.reshape(load.x.shape) for one in view.turns)
     step = "([t]-[t-1])"
     sheet.table(
         "@pt", "The drive at nine points of each interval", room * COUNT,
@@ -216,7 +216,7 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         constant("s", "share of it", "", "", list(SHARES) * room),
         constant("g", "counts", "", "", list(WEIGHTS) * room),
         calc("t", "time", "t", "s",
-             "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))", of(load.place),
+             "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))", of(load.x),
              scale=view.machine.cut.cycle_time),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])",
              [float(rows.pieces.index(piece) + 1) for piece in pieces], format="0"),
@@ -228,9 +228,9 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX([@iv.dir],[iv]))", of(load.direction),
              format="0"),
         calc("w", "speed of the shaft", "ω_L", "rad/s", "=[v]*1000/fly_r", of(load.speed), scale=scale.angular_speed),
-        calc("al", "its acceleration", "ω̇_L", "rad/s²", "=[a]*1000/fly_r", of(load.turning),
+        calc("al", "its acceleration", "ω̇_L", "rad/s²", "=[a]*1000/fly_r", of(load.shaft_acceleration),
              scale=view.before.shaft.turning),
-        calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.behind), scale=view.torque,
+        calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.output_torque), scale=view.torque,
              source="T_L + J_L ω̇_L"),
         *motor(view),
         calc("share", "share of the cycle", "", "",

@@ -54,7 +54,7 @@ class ToolDrive:
         """What the shaft asks for, whatever drives it."""
         cut, load = self.machine.cut, self.machine.load
         points = cycle_of(cut, train_of(cut, load)).points()
-        return PointLoad(points, cut.max_angular_speed, float(np.abs(points.behind).max()), load.inertia)
+        return PointLoad(points, cut.max_angular_speed, float(np.abs(points.output_torque).max()), load.inertia)
 
     @cached_property
     def proposed(self) -> tuple[int, int]:
@@ -163,7 +163,7 @@ class ToolDrive:
         return max(self.peak, self.torque / self.gears.ratio, LEAST)
 
     def _shaft(self, figures: list[Figure]) -> Shaft:
-        turning = max(float(np.abs(self.asked.load.turning).max()), self.machine.scales.angular_acceleration)
+        turning = max(float(np.abs(self.asked.load.shaft_acceleration).max()), self.machine.scales.angular_acceleration)
         return Shaft("shaft", 1, '="shaft"', "tool", self.machine.room, self.asked, "ABS({})*30/PI()", turning,
                      self.torque, figures)  # fmt: skip
 

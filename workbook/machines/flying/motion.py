@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from engine.flying.pieces import Stretch, cut_joints, cut_pieces, rates_of, stretches
+from engine.flying.pieces import CutPart, cut_joints, cut_parts, cut_pieces, rates_of
 from workbook.book.declare import Sheet, calc, constant
 from workbook.laws.sampling import Pieces
 from workbook.machines.flying.view import Flying
@@ -20,7 +20,7 @@ WHERE = "The parts of the cycle: beside the law the tool moves at line speed, wh
 
 def rows_of(machine: Flying, stack: Pieces) -> PieceRows:
     """Return the pieces of the tool's motion."""
-    return rows_of_parts(AT, stretches(machine.cut), cut_pieces(machine.cut), stack, machine.cut.cycle_time)
+    return rows_of_parts(AT, cut_parts(machine.cut), cut_pieces(machine.cut), stack, machine.cut.cycle_time)
 
 
 def joints_of(machine: Flying, rows: PieceRows) -> Joints:
@@ -40,7 +40,7 @@ def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces)
     sheet.heading("Workings: the tool's motion as pieces", ABOUT)
     sheet.note(WHERE)
     standing(sheet, machine, stack)
-    parts_table(sheet, machine, stretches(machine.cut), rows)
+    parts_table(sheet, machine, cut_parts(machine.cut), rows)
     joints = joints_of(machine, rows)
     sheet.rows(pieces_in_all(rows), *joints.order())
     sheet.row += 1
@@ -60,7 +60,7 @@ def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
     )  # fmt: skip
 
 
-def parts_table(sheet: Sheet, machine: Flying, parts: tuple[Stretch, ...], rows: PieceRows) -> None:
+def parts_table(sheet: Sheet, machine: Flying, parts: tuple[CutPart, ...], rows: PieceRows) -> None:
     """Declare the parts of the cycle."""
     scale, time = machine.cut.size, machine.cut.cycle_time
     of = [part.scaled for part in parts]

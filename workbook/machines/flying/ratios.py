@@ -171,7 +171,7 @@ class RatiosSheet:
             calc("share", "share of α", "β/(η α)", "",
                  "=1-(1-ratio_first)*(1-([k]-1)/([figure12.k.last]-1))^2", x.share, source="closer at the tip"),
             calc("beta", "load factor", "β", "W/s", "=[share]*ratio_eta*ratio_alpha", x.load_factor),
-            calc("pace", "pace", "√(β/β_now)", "", "=IF(sel_moves=1,SQRT([beta]/ratio_beta),0)", x.pace,
+            calc("pace", "pace", "√(β/β_now)", "", "=IF(sel_moves=1,SQRT([beta]/ratio_beta),0)", x.rate_factor,
                  source="on ω̇ and T* alike"),
             calc("root", "working", "", "", "=SQRT((1-[share])*ratio_alpha)", x.root, source="√(α − β/η)"),
             calc("wide", "working", "", "", "=SQRT([root]^2+4*sel_wrms*sel_trms*[pace]^2/ratio_eta)", x.wide,

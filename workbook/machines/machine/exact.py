@@ -80,7 +80,7 @@ def gap_of(one: Apart) -> str:
 def results_of(view: DriveView) -> Iterator[str]:
     """Yield a line for each result of a drive that is farther off than stated."""
     exact, points = view.driven.results, view.points
-    behind = view.load.behind
+    behind = view.load.output_torque
     driving, _ = view.energy
     peak = exact.torque.peak
     found = (

@@ -10,7 +10,7 @@ from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion, MotionValues, Phase
 from engine.motion.joining import Joined, Rates, joined
-from engine.motion.shifted import Shifted, Told
+from engine.motion.shifted import Shifted, Unshifted
 from engine.timing import Axis, Movement, at_rate, lane, shaft_speed, turn_time
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.turn import TURN
@@ -134,9 +134,9 @@ class MovingAxis:
         """The motion as late as it is entered."""
         return Shifted(self.motion, si(self.given.shift, DEGREE))
 
-    def told(self, at: Array) -> Told:
+    def told(self, at: Array) -> Unshifted:
         """Return where samples lie in the motion as its phases tell it."""
-        return self.shifted.told(at)
+        return self.shifted.unshifted(at)
 
     def at(self, x: Array) -> MotionValues[Array]:
         """Return the motion at samples."""

@@ -25,6 +25,6 @@ def exportable(view: Overlapping, pieces: Pieces) -> list[Exportable]:
 
 def _tool(station: Station, pieces: Pieces) -> Exportable:
     plan = station.as_set
-    later = Later("[@schedules.there.3]", "overlap_eps", "", Shifted(plan.motion, plan.arrival).told, 0.0)
+    later = Later("[@schedules.there.3]", "overlap_eps", "", Shifted(plan.motion, plan.arrival).unshifted, 0.0)
     return Exportable(station.given.name, "=@name", tool_rows(station, "a", pieces), UNITS, UNIT, TURNED,
                       size_of_parts(plan.parts), later, station.scope)  # fmt: skip

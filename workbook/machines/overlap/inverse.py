@@ -14,7 +14,7 @@ import numpy as np
 from engine.laws import Law
 from engine.laws.base import Array
 from engine.laws.points import slowest
-from engine.motion.pieces import placed
+from engine.motion.pieces import law_pieces
 from engine.overlap import HEIGHT, INTERVALS, REST, between, points_of
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import amount
@@ -115,7 +115,7 @@ def heights(station: Station) -> tuple[Wanted, Wanted]:
     """Return what is asked of a tool's two laws: how far it may have gone."""
     tool, p, n = station.tool, station.passage, station.machine.sizes.margins
     margins = np.array([p.margin, *station.margins.margin])
-    gone = p.gone(tool.stroke, margins)
+    gone = p.travelled_share(tool.stroke, margins)
     k = constant("k", "row", "k", "", list(range(n + 2)), source="0: as entered; then the table of margins")
     margin = calc(
         "margin", "margin", "", "mm",
@@ -152,7 +152,7 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         calc("first", "row of its first piece", "", "", FIRST, [pieces.first[n] for n in numbers], format="0",
              source="on Laws"),
         calc("count", "pieces", "", "", f"={last_before('[no]', '1')}-[first]+1",
-             [len(placed(law)) for law in laws], format="0", source="that begin before its end"),
+             [len(law_pieces(law)) for law in laws], format="0", source="that begin before its end"),
         calc("n", "intervals on each piece", "n", "", "=INT(inverse_intervals/[count])",
              [points_of(law).n for law in laws], format="0"),
         calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])",

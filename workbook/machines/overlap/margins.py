@@ -21,8 +21,8 @@ def margins(sheet: Sheet, station: Station) -> None:
     sheet.table(
         "@margins", "Ratio against margin", n + 1,
         calc("margin", "margin", "m", "mm", "=[k]/[@margins.k.last]*@clearance", shown(sweep.margin, MM)),
-        result("in", "way in", "B_m", "°", way("in", "@split"), shown(sweep.way_in, DEGREE)),
-        result("out", "way out", "B_m", "°", way("out", "(1-@split)"), shown(sweep.way_out, DEGREE)),
+        result("in", "way in", "B_m", "°", way("in", "@split"), shown(sweep.angle_in, DEGREE)),
+        result("out", "way out", "B_m", "°", way("out", "(1-@split)"), shown(sweep.angle_out, DEGREE)),
         result("a", "peak acceleration", "a_max", "m/s²", peak, sweep.acceleration, source="C_a h/t_m²"),
         result("ratio", "times lower", "", "", "=IF([a]>0,@a0/[a],0)", sweep.ratio),
         constant("k", "row", "k", "", list(range(n + 1))),

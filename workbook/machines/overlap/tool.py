@@ -144,7 +144,7 @@ def checks(station: Station) -> tuple[Quantity, ...]:
     return (
         check("@ok_collide", "The parts do not collide", f"@least>=0-{nearly}", not found.collides,
               "least clearance at least 0", says=amount("@least", station.least, "least clearance ", " mm")),
-        check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.keeps_margin,
+        check("@ok_margin", "The margin stays free", f"@least>=@margin-{nearly}", found.meets_margin,
               says=amount("@margin-@least", margin - station.least, "", " mm too little stay free")),
         check("@ok_angle", "The cycle leaves the tool an angle",
               "@least_left>=@least_way", True, "of both ways the shorter", f"overlap:angle{station.number}",
@@ -182,9 +182,9 @@ def schedules(sheet: Sheet, station: Station) -> None:
     """Declare the table of the three schedules."""
     plans, rate = station.schedules, station.machine.rate
     away, there, leaves, back = shown(np.array([plan.edges for plan in plans]).T, DEGREE)
-    way_in, way_out = shown(np.array([(plan.way_in, plan.way_out) for plan in plans]).T, DEGREE)
+    way_in, way_out = shown(np.array([(plan.angle_in, plan.angle_out) for plan in plans]).T, DEGREE)
     time_in, time_out = np.array([plan.times(rate) for plan in plans]).T
-    peak_in, peak_out = np.array([plan.way_peaks(rate) for plan in plans]).T
+    peak_in, peak_out = np.array([plan.movement_peaks(rate) for plan in plans]).T
     row_in, row_out = station.law_rows
     arrives = "=IF([k]=1,overlap_angle+@free0*@split,@end+@free_in)"
     sheet.row += 1
@@ -230,7 +230,7 @@ def steps(sheet: Sheet, station: Station) -> None:
     sheet.rows(*quoting(
         station,
         calc("@free0", "Free angle one after the other", "", "°",
-             "=360-overlap_angle-@dwell", shown(station.before.ways, DEGREE),
+             "=360-overlap_angle-@dwell", shown(station.before.angles, DEGREE),
              source="S2: 360° − 150° − 100° = 110°, 55° each way"),
         calc("@begin", "The transfer is in the way from", "", "°",
              f"=[inverse_transfer.xi.{first}]*overlap_angle", begin, scale=TURN,

@@ -118,14 +118,14 @@ class Station:
     def as_set(self) -> Schedule:
         """The schedule that is built: the angles entered, or the longest less the allowance."""
         found, tool = overlap(self.transfer, self.tool, self.passage), self.given
-        way_in = found.way_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
-        way_out = found.way_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
-        return replace(found, way_in=way_in, way_out=way_out)
+        way_in = found.angle_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
+        way_out = found.angle_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
+        return replace(found, angle_in=way_in, angle_out=way_out)
 
     @property
     def shorter_way(self) -> float:
         """What is left to the shorter way, one after the other, less the allowance (rad)."""
-        return min(self.before.way_in, self.before.way_out) - self.passage.allowance
+        return min(self.before.angle_in, self.before.angle_out) - self.passage.allowance
 
     @property
     def schedules(self) -> tuple[Schedule, Schedule, Schedule]:
@@ -135,7 +135,7 @@ class Station:
     @property
     def angles_set(self) -> tuple[float, float]:
         """The ways in and out as set, in degrees."""
-        return shown(self.as_set.way_in, DEGREE), shown(self.as_set.way_out, DEGREE)
+        return shown(self.as_set.angle_in, DEGREE), shown(self.as_set.angle_out, DEGREE)
 
     @cached_property
     def peaks(self) -> list[float]:

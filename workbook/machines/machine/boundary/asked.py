@@ -1,7 +1,7 @@
 """What a step takes from the steps beside it, in cells: the velocity of a straight line, a dwell's rest, an entry."""
 
 from engine.laws.ends import ROUNDING, Ends
-from engine.motion.handover import KEEPS, LINE, STRAIGHT, Handover
+from engine.motion.handover import FIXED, LINE, STRAIGHT, Handover
 from engine.motion.joining import Rates, agrees
 from workbook.book.declare import Quantity, calc, constant
 from workbook.machines.machine.boundary.handing import BEND, KEPT, ONLY, RESTS, SPEED, Handing, reason
@@ -21,7 +21,8 @@ def asked(one: Handing) -> list[Quantity]:
         calc("span", "duration", "δ", at.x, f"=INDEX([{at.phases}.span],[k])",
              one.of(lambda step: step.phase.duration), scale=one.motion.total, source="of the phase"),
         calc("way", "meets its neighbours' velocity", "", "",
-             f"=IF([span]>0,INDEX(law_way,INDEX([{at.phases}.no],[k])),-1)", one.of(lambda step: step.way, STRAIGHT),
+             f"=IF([span]>0,INDEX(law_way,INDEX([{at.phases}.no],[k])),-1)",
+             one.of(lambda step: step.end_mode, STRAIGHT),
              format="0", source="−1 has one, 0 cannot, 1 by two pulses, 2 has its own, 3, 5, 7 by a polynomial"),
         calc("slope", "its own velocity", "h/δ", at.unit(1),
              "=IF(AND([way]=-1,[span]>0),[h]/[span],0)", one.of(lambda step: step.slope), scale=one.motion.size(1),
@@ -43,9 +44,9 @@ def beside(one: Handing) -> list[Quantity]:
         return [side.get(k, 0) for k in range(1, one.room + 1)]
 
     def straight(side: dict[int, int]) -> list[int]:
-        return [int(k > 0 and steps[k].way == STRAIGHT) for k in of(side)]
+        return [int(k > 0 and steps[k].end_mode == STRAIGHT) for k in of(side)]
 
-    slopes = [steps[k].slope if k and steps[k].way == STRAIGHT else 0.0 for k in of(before)]
+    slopes = [steps[k].slope if k and steps[k].end_mode == STRAIGHT else 0.0 for k in of(before)]
     line = "=IF([{0}]>0,IF(INDEX([{1}.way],[{0}])=-1,1,0),0)"
     return [
         calc("earlier", "the last step above that lasts", "", "", "=IF([k]=1,0,IF([span-1]>0,[k]-1,[earlier-1]))",
@@ -100,25 +101,25 @@ def ends(one: Handing) -> list[Quantity]:
         calc("settled1", "end is settled", "", "", f"=IF(OR([way]=-1,[after]=0,[line1]=1),1,{later('set')})",
              one.of(lambda step: int(step.end.settled), 1), format="0", source="likewise"),
         calc("w0", "velocity at its begin", "v_0", at.unit(1), "=IF([way]=-1,[slope],IF([line0]=1,[slope0],[ev]))",
-             one.of(lambda step: step.begin.asked.v), scale=size(1)),
+             one.of(lambda step: step.begin.required.v), scale=size(1)),
         calc("w1", "velocity at its end", "v_1", at.unit(1),
              f"=IF([way]=-1,[slope],([after]>0)*IF([line1]=1,{later('slope')},{later('ev')}))",
-             one.of(lambda step: step.end.asked.v), scale=size(1)),
+             one.of(lambda step: step.end.required.v), scale=size(1)),
         calc("q0", "acceleration at its begin", "a_0", at.unit(2), "=IF(OR([way]=-1,[line0]=1),0,[ea])",
-             one.of(lambda step: step.begin.asked.a), scale=size(2)),
+             one.of(lambda step: step.begin.required.a), scale=size(2)),
         calc("q1", "acceleration at its end", "a_1", at.unit(2),
-             f"=IF(OR([way]=-1,[line1]=1,[after]=0),0,{later('ea')})", one.of(lambda step: step.end.asked.a),
+             f"=IF(OR([way]=-1,[line1]=1,[after]=0),0,{later('ea')})", one.of(lambda step: step.end.required.a),
              scale=size(2)),
         calc("moved", "sum of |v|", "", at.unit(1), "=ABS([w0])+ABS([w1])",
-             one.of(lambda step: abs(step.begin.asked.v) + abs(step.end.asked.v)), scale=size(1)),
+             one.of(lambda step: abs(step.begin.required.v) + abs(step.end.required.v)), scale=size(1)),
         calc("bent", "sum of |a|", "", at.unit(2), "=ABS([q0])+ABS([q1])",
-             one.of(lambda step: abs(step.begin.asked.a) + abs(step.end.asked.a)), scale=size(2)),
+             one.of(lambda step: abs(step.begin.required.a) + abs(step.end.required.a)), scale=size(2)),
     ]  # fmt: skip
 
 
 def contrary(one: Handing) -> list[Quantity]:
     """Return the columns of whether a begin is entered otherwise than a straight line has it there."""
-    slopes = {k: step.slope for k, step in enumerate(one.handed) if step.way == STRAIGHT}
+    slopes = {k: step.slope for k, step in enumerate(one.handed) if step.end_mode == STRAIGHT}
     last = len(one.handed) - 1
     before = [slopes.get(last if one.axis.given.repeats else -1), *map(slopes.get, range(last))]
 
@@ -138,7 +139,7 @@ def contrary(one: Handing) -> list[Quantity]:
 
 def straight_on(step: Handover) -> int:
     """Return whether both ends of a step are those of a straight line."""
-    begin, end, d = step.begin.asked, step.end.asked, step.phase.duration
+    begin, end, d = step.begin.required, step.end.required, step.phase.duration
     return int(Ends(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
 
 
@@ -151,7 +152,7 @@ def carried_out(one: Handing) -> list[Quantity]:
     says = {
         "verb": ("at which end", f'IF({first}>0,"begin","end")'),
         "what": ("what it cannot have", f'IF(AND([way]=0,[moved]>0),"{SPEED}","{BEND}")'),
-        "why": ("why", f'IF([way]=0,"{RESTS}",IF([way]={KEEPS},"{KEPT}","{ONLY}"))'),
+        "why": ("why", f'IF([way]=0,"{RESTS}",IF([way]={FIXED},"{KEPT}","{ONLY}"))'),
     }
     return [
         calc("straight", "its ends are those of a straight line", "", "",

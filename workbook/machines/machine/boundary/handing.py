@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from engine.motion.handover import KEEPS, NEVER, Handover, handovers
+from engine.motion.handover import FIXED, NEVER, Handover, handovers
 from workbook.book.declare import Quantity, check
 from workbook.book.rows import spread
 from workbook.book.sentence import Said, first_text
@@ -98,8 +98,8 @@ def reason(one: Handover) -> tuple[str, str, str]:
     """Return at which end a phase cannot have what is asked for, what that is, and why; nothing where it can."""
     if not one.fault:
         return "", "", ""
-    begin, end = one.begin.asked, one.end.asked
-    never, moving = one.way == NEVER, bool(begin.v or end.v)
+    begin, end = one.begin.required, one.end.required
+    never, moving = one.end_mode == NEVER, bool(begin.v or end.v)
     first = begin.v if never and moving else begin.a
     return ("begin" if first else "end", SPEED if never and moving else BEND,
-            RESTS if never else KEPT if one.way == KEEPS else ONLY)  # fmt: skip
+            RESTS if never else KEPT if one.end_mode == FIXED else ONLY)  # fmt: skip

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.motion.shifted import LOST, Gap, Shifted, Told, gap_size, keeps, least_gap, turned
+from engine.motion.shifted import LOST, Gap, Shifted, Unshifted, gap_size, least_gap, meets_least, turned
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
 from workbook.entries.turn import TURN
@@ -88,7 +88,7 @@ class Apart:
         cuts = sorted(at for end in range(len(self.rows)) for column in self.cuts(end) for at in column)
         return np.array([0.0, *np.maximum(cuts, 0.0), TURN])
 
-    def told(self, end: int, angles: Array) -> Told:
+    def told(self, end: int, angles: Array) -> Unshifted:
         """Return the cycles of its phases that an axis has begun before angles, and the places in these (rad)."""
         return self.rows[end].axis.told(si(angles, DEGREE))
 
@@ -126,7 +126,7 @@ class Apart:
 
     def near(self, gaps: Array) -> list[int]:
         """Return whether each gap is as low as any, but for rounding."""
-        return [int(keeps(float(gaps.min()), one, self.size)) for one in gaps.tolist()]
+        return [int(meets_least(float(gaps.min()), one, self.size)) for one in gaps.tolist()]
 
     @cached_property
     def lowest_at(self) -> Array:
@@ -147,7 +147,7 @@ class Apart:
     @property
     def kept(self) -> bool:
         """Whether the least gap is left."""
-        return keeps(self.least, self.given.least, self.size)
+        return meets_least(self.least, self.given.least, self.size)
 
 
 def axis_place(name: str, rows: list[AxisRows]) -> int:

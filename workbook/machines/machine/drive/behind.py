@@ -29,7 +29,7 @@ def load_of(view: DriveView) -> PointLoad:
 
 def turning(view: DriveView) -> float:
     """Return how large the acceleration of the shaft grows (rad/s²)."""
-    return max(float(np.abs(view.load.turning).max()), 1e-9)
+    return max(float(np.abs(view.load.shaft_acceleration).max()), 1e-9)
 
 
 def turns_of(view: DriveView) -> float:

@@ -8,13 +8,13 @@ from typing import TypeVar
 import numpy as np
 
 from engine.drive import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, cylinder
-from engine.drive.chain import geared
+from engine.drive.chain import gear_speed_ratio
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.falling_peak import Falling
-from engine.drive.limits import Judged, Limits
+from engine.drive.limits import LimitChecks, Limits
 from engine.drive.losses import of_friction
 from engine.drive.mechanisms.by_angle import Arm, ByAngle
-from engine.drive.mechanisms.registry import LINKED
+from engine.drive.mechanisms.registry import VARIABLE_RATIO
 from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.drive.results import DriveResults
 from engine.drive.torque_curve import TorqueCurve
@@ -79,7 +79,7 @@ class Driven:
     @cached_property
     def linkage(self) -> Linkage | None:
         """The mechanism, of one whose ratio depends on the position."""
-        return linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
+        return linkage_of(self.given, self.axis.unit) if self.given.kind in VARIABLE_RATIO else None
 
     @cached_property
     def by_angle(self) -> ByAngle | None:
@@ -119,15 +119,17 @@ class Driven:
     def parts(self) -> list[Part]:
         """The rotating parts."""
         return [
-            Part(p.name, inertia_of(p), SHAFTS.index(p.shaft), p.count, geared(p.teeth_driver, p.teeth_driven))
+            Part(
+                p.name, inertia_of(p), SHAFTS.index(p.shaft), p.count, gear_speed_ratio(p.teeth_driver, p.teeth_driven)
+            )
             for p in self.entered.parts
         ]
 
     @cached_property
     def mechanism(self) -> Mechanism:
         """Reducer and mechanism, their parts and the load."""
-        if self.given.kind in LINKED:
-            made = LINKED[self.given.kind].of(self.load, self.given.efficiency, [self.stage], self.turned)
+        if self.given.kind in VARIABLE_RATIO:
+            made = VARIABLE_RATIO[self.given.kind].of(self.load, self.given.efficiency, [self.stage], self.turned)
         else:
             kind = KINDS[self.given.kind]
             made = kind.of(self.load, self.size, self.given.efficiency, [self.stage], self.turned, self.belt)
@@ -182,9 +184,9 @@ class Driven:
         return TorqueCurve(np.array([0.0, knee, fastest]), np.array([peak, peak, peak - fall * (fastest - knee)]))
 
     @cached_property
-    def judged(self) -> Judged:
+    def judged(self) -> LimitChecks:
         """The drive and its limits, exact."""
-        return Judged(self.drive_cycle, Limits(self.motor, self.curve, self.reducer.limits))
+        return LimitChecks(self.drive_cycle, Limits(self.motor, self.curve, self.reducer.limits))
 
     @property
     def left(self) -> float:

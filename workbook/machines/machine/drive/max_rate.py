@@ -86,7 +86,7 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
              "=@mixed+IF(@near>0,@sink*(@line/@near-@sink)/2,0)", half, scale=size + stall**2,
              source="B_s + ΔM (M/x_s − ΔM)/2"),
         calc("@smean0", "Mean output torque of the reducer, without inertia", "", "Nm", f"={cubic('S0')}",
-             points.cubic_mean(view.load.standing_behind), scale=view.scales.behind),
+             points.cubic_mean(view.load.output_torque_at_rest), scale=view.scales.behind),
     )  # fmt: skip
     each = names(view)
     found = [share_of(view, name) for name in each]

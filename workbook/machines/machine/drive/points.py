@@ -54,8 +54,8 @@ def linked(view: DriveView) -> list[Quantity]:
     return [
         *page.ratios(view.driven, load.position, of),
         page.angle(view.driven, load.position, of),
-        calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.turning),
-             scale=max(float(np.abs(load.turning).max()), 1e-9), source="φ'' ẏ² + φ' ÿ"),
+        calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
+             scale=max(float(np.abs(load.shaft_acceleration).max()), 1e-9), source="φ'' ẏ² + φ' ÿ"),
     ]  # fmt: skip
 
 
@@ -111,7 +111,7 @@ def motion(view: DriveView) -> list[Quantity]:
     return [
         calc("theta", "angle of its phases", "θ", "°",
              "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])",
-             of(shown(load.place, DEGREE)), scale=360.0, format="0.0##"),
+             of(shown(load.x, DEGREE)), scale=360.0, format="0.0##"),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])", of(numbers + 1.0), format="0"),
         calc("u", "within piece", "u", "rad", f"=RADIANS([theta]-INDEX({rows.at.named('at')},[q])){NOT_ZERO}",
              of(local + LEAST), source=FROM_START),
@@ -134,7 +134,8 @@ def torques(view: DriveView, load: LoadPoints, turning: Ratio, of: Column) -> li
     size = view.scales
     return [
         calc("S", "output torque of the reducer", "T_1", "Nm",
-             f"={LOSS2.format('[F]')}/{turning.ratio}+@j1*{turning.acceleration}", of(load.behind), scale=size.behind,
+             f"={LOSS2.format('[F]')}/{turning.ratio}+@j1*{turning.acceleration}", of(load.output_torque),
+             scale=size.behind,
              source="F/(η_2 φ') + J_p φ̈"),
         result("T", "torque of the motor", "T", "Nm",
                f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*{turning.motor_acceleration}+@no_load*[dir])",
@@ -147,7 +148,7 @@ def standing(view: DriveView, ratio: str) -> list[Quantity]:
     points, load, size, of = view.points, view.load, view.scales, view.by_point
     columns = [
         calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
-             of(load.standing_behind), scale=size.behind, source="F_r/(η_2 φ')"),
+             of(load.output_torque_at_rest), scale=size.behind, source="F_r/(η_2 φ')"),
         calc("T0", "torque of the motor, without inertia", "T_s", "Nm",
              f"=IF({BRAKED},0,{LOSS1.format('[S0]')}+@no_load*[dir])",
              of(points.standing), scale=size.torque, source="T_1,s/(η_1 i_1) ± T_nl"),

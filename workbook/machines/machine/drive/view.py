@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.drive.drive_points import Between, DrivePoints, between
-from engine.drive.limits import Judged, Limits
+from engine.drive.limits import LimitChecks, Limits
 from engine.drive.max_rate import highest_rate
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import COUNT, Cycle, Interval, LoadPoints
@@ -91,7 +91,7 @@ class DriveView:
     def between(self) -> Between:
         """Where the samples of the sheet Cycle lie between the points."""
         told = self.driven.axis.told(self.one.machine.samples).x
-        return between(self.load.place, told, self.cycle.near)
+        return between(self.load.x, told, self.cycle.near)
 
     @cached_property
     def sampled(self) -> tuple[Array, Array]:
@@ -114,7 +114,7 @@ class DriveView:
 
     def by_point(self, values: Array, spare: float | None = None) -> list[float]:
         """Return values of the points, interval by interval; spare rows have that of the last point, or another."""
-        flat = np.broadcast_to(values, self.load.place.shape).ravel()
+        flat = np.broadcast_to(values, self.load.x.shape).ravel()
         return filled(flat, self.rows * COUNT, float(flat[-1]) if spare is None else spare)
 
     def origin(self, one: Interval) -> float:
@@ -125,12 +125,12 @@ class DriveView:
     def local(self) -> Array:
         """How far each point is from the begin of its piece (rad)."""
         origins = np.array([self.origin(one) for one in self.cycle.intervals])
-        return np.asarray(self.load.place - origins[:, None])
+        return np.asarray(self.load.x - origins[:, None])
 
     @property
     def edges(self) -> list[float]:
         """The edges of process forces in degrees of the motion as its phases tell it; spare ones at the end."""
-        near, total = self.cycle.near, self.cycle.drive_cycle.told.total
+        near, total = self.cycle.near, self.cycle.drive_cycle.unshifted.total
         late = self.driven.axis.shifted.shift
         edges = [(edge - late + near) % total - near for w in self.driven.windows for edge in (w.begin, w.end)]
         return filled([shown(edge, DEGREE) for edge in edges], 2 * WINDOWS, TURN)
@@ -182,7 +182,7 @@ class DriveView:
     @property
     def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
         """The peak and the mean torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
-        limits, points, behind = self.driven.reducer.limits, self.points, self.load.behind
+        limits, points, behind = self.driven.reducer.limits, self.points, self.load.output_torque
         found = (("peak torque", points.size(behind), limits.peak_torque),
                  ("mean torque", points.cubic_mean(behind), limits.mean_torque),
                  ("input speed", self.speed, limits.input_speed))  # fmt: skip
@@ -201,7 +201,7 @@ class DriveView:
     def exact_highest(self) -> tuple[float, str]:
         """Return the exact highest rate (cycles/min) and the limit that binds there."""
         limits = Limits(self.driven.motor, self.driven.curve, self.driven.reducer.limits)
-        found = highest_rate({self.driven.called: Judged(self.driven.drive_cycle, limits)})
+        found = highest_rate({self.driven.called: LimitChecks(self.driven.drive_cycle, limits)})
         return shown(found.speed / (2.0 * math.pi), PER_MINUTE), found.limit
 
     @property
@@ -217,7 +217,7 @@ class DriveView:
         torque = max(float(np.abs(points.torque).max()), LEAST)
         rpm = max(shown(self.speed, RPM), LEAST)
         power = max(shown(torque * (max(self.speed, LEAST) + self.driven.motor_used.copper * torque), KW), LEAST)
-        behind = max(float(np.abs(load.behind).max()), LEAST)
+        behind = max(float(np.abs(load.output_torque).max()), LEAST)
         force = max(float(np.abs(load.force).max()), LEAST)
         return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.driven.drive_cycle.time, LEAST))
 

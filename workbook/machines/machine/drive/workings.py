@@ -120,7 +120,7 @@ def figures(view: DriveView) -> list[Figure]:
     points, size = view.points, view.scales
     found = [
         Figure("T", points.torque, "torque of the motor", size.torque),
-        Figure("S", view.load.behind, "output torque of the reducer", size.behind),
+        Figure("S", view.load.output_torque, "output torque of the reducer", size.behind),
         Figure("P", shown(points.power, KW), "power of the motor", size.power),
     ]
     return [*found, Figure("n", shown(points.speed, RPM), "speed of the motor", size.rpm)] if view.varies else found
@@ -135,7 +135,7 @@ def top(name: str, end: str = "high") -> str:
 def peaks_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the peaks, a row for the highest and one for the lowest of each quantity."""
     each = [(one, sign) for one in figures(view) for sign in (1, -1)]
-    found = [peak(sign * one.values, shown(view.load.place, DEGREE)) for one, sign in each]
+    found = [peak(sign * one.values, shown(view.load.x, DEGREE)) for one, sign in each]
     rows = len(each)
     last = view.rows * COUNT
     size = max(one.scale for one, _ in each)
