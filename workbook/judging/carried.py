@@ -16,9 +16,8 @@ from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.shown.charts import paired
 from workbook.judging.shown.drawn import drawn
-from workbook.judging.shown.looks import Looks
+from workbook.judging.shown.looks import Looks, Told, seen
 from workbook.judging.shown.rules import Rules
-from workbook.judging.shown.seen import Told, seen
 from workbook.judging.structure import structure
 from workbook.writing.own import NOTHING, Own
 

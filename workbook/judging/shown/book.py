@@ -12,9 +12,8 @@ from pydantic import BaseModel
 from workbook.judging.matching import Match
 from workbook.judging.report import LAYOUT, Report
 from workbook.judging.shown.charts import charts
-from workbook.judging.shown.looks import Looks
+from workbook.judging.shown.looks import Looks, Told, seen
 from workbook.judging.shown.rules import Rules, validations
-from workbook.judging.shown.seen import Told, seen
 from workbook.judging.shown.views import Views, links
 from workbook.judging.shown.words import words
 from workbook.reading.contents import Cells

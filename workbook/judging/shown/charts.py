@@ -8,17 +8,17 @@ from collections.abc import Iterator
 from typing import Any
 
 from workbook.book.address import Address
-from workbook.book.chart import Chart
 from workbook.book.declare import Sheet
 from workbook.book.formula import Area
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, SHOWN, Report
 from workbook.judging.shown import taste, units
-from workbook.judging.shown.drawn import Axis, Drawn, Line, Reader, drawn, word
+from workbook.judging.shown.drawn import Axis, Drawn, Line, Name, Reader, drawn, word
 from workbook.judging.shown.formats import judged
 from workbook.judging.shown.views import Views
 from workbook.judging.shown.words import reworded, sheet_of
 from workbook.writing.charts import draw
+from workbook.writing.style import NOTHING
 from workbook.writing.write import size
 
 UNIT = re.compile(r"\[([^\]]*)\]")
@@ -36,7 +36,7 @@ def charts(match: Match, views: Views, report: Report) -> None:
         others = [chart.title for chart, *_ in sheet.charts]
         for (chart, _, *place), fresh, found in paired(match, sheet, list(drawn(match, title))) if title else ():
             if found is not None:
-                told = [*differences(match, chart, fresh, found, others), *in_sight(match, found, size(*place), views)]
+                told = [*differences(match, fresh, found, others), *in_sight(match, fresh, found, size(*place), views)]
                 for kind, held, expected, what in told:
                     report.say(found.at, kind, held, expected, f"the chart {chart.title!r}{what}")
             elif match.file.inspected:
@@ -67,27 +67,28 @@ def same_columns(match: Match, fresh: Line, held: Line) -> bool:
     return all(match.same(*pair) for pair in zip(fresh[:3], held[:3], strict=True))
 
 
-def differences(match: Match, chart: Chart, fresh: Drawn, found: Drawn, titles: list[str]) -> Iterator[Told]:
+def differences(match: Match, fresh: Drawn, found: Drawn, titles: list[str]) -> Iterator[Told]:
     """Yield what of a chart is not as in a fresh build, but for taste: colours, sizes, legend, grid, another place."""
     if others := sorted(set(found.kinds) - {XY}):
         yield SHOWN, ", ".join(others), XY, ", its kind"
     if len(found.kinds) > 1 or found.other_axes:
-        yield SHOWN if any(axis.gone for axis in found.other_axes) else NOTICE, "other axes", "one pair of axes", ""
-    if found.odd:
-        yield NOTICE, ", ".join(found.odd), "as built", ", what it shows besides"
+        gone = any("not shown" in axis.said for axis in found.other_axes)
+        yield SHOWN if gone else NOTICE, "other axes", "one pair of axes", ""
+    if odd := [*sorted(found.tags - fresh.tags - taste.CHART), *found.odd]:
+        yield NOTICE, ", ".join(odd), "as built", ", what it shows besides"
     if found.title != fresh.title:
-        text = found.title if isinstance(found.title, str) else None
-        kind = NOTICE if text is None else reworded(text, chart.title, [one for one in titles if one != chart.title])
-        yield kind, word(found.title), chart.title, ", its title"
+        text, ours = (one.title if isinstance(one.title, str) else None for one in (found, fresh))
+        kind = NOTICE if text is None else reworded(text, str(ours), [one for one in titles if one != ours])
+        yield kind, word(found.title), ours, ", its title"
     yield from of_lines(match, fresh.lines, found.lines)
-    for n, (axis, ours) in enumerate(zip(found.axes, fresh.axes, strict=True)):
+    for code in found.codes:
+        kind, wrong = judged(code, "General")
+        if kind:
+            yield kind, wrong, "as they are", ", the numbers beside its points"
+    for n, axes in enumerate(zip(found.axes, fresh.axes, strict=True)):
         values = [v for one in fresh.lines for v in figures(match, (one.x, one.y)[n])]
-        bare = bool(n and chart.lanes)
-        yield from of_axis(axis, ours, values, bare, f", its axis {'xy'[n]}")
-        if not same_name(match, ours.title, axis.title):
-            text, other = text_of(match, ours.title), text_of(match, fresh.axes[1 - n].title)
-            misleads = isinstance(axis.title, str) and (axis.title == other or unit_differs(axis.title, text))
-            yield SHOWN if misleads else NOTICE, word(axis.title), text, f", the title of its axis {'xy'[n]}"
+        yield from of_axis(*axes, values, f", its axis {'xy'[n]}")
+        yield from of_title(match, axes[0].title, axes[1].title, fresh.axes[1 - n].title, f"its axis {'xy'[n]}")
 
 
 def of_lines(match: Match, fresh: list[Line], held: list[Line]) -> Iterator[Told]:
@@ -101,15 +102,12 @@ def of_lines(match: Match, fresh: list[Line], held: list[Line]) -> Iterator[Told
             missing.append(line)
             continue
         free.remove(same)
-        what = f", its line {text_of(match, line.name)!r}"
         if not same_name(match, line.name, same.name) and (same.name or len(fresh) > 1):
             others = [one.name for one in fresh if one is not line]
             exchanged = any(same_name(match, other, same.name) for other in others)
             yield SHOWN if exchanged else NOTICE, word(same.name), word(line.name), ", the name of a line"
-        if line.strokes is None and not same.seen:
-            yield NOTICE, "not drawn", "drawn", what
-        if same.smooth:
-            yield NOTICE, "bent between its points", "straight", what
+        for said in same.said - line.said:
+            yield taste.LINE[said], said, "as built", f", its line {text_of(match, line.name)!r}"
     for line in missing:
         what, named = f", its line {text_of(match, line.name)!r}", [one for one in free if one.name == line.name]
         other = next(iter(named or free), None)
@@ -121,13 +119,11 @@ def of_lines(match: Match, fresh: list[Line], held: list[Line]) -> Iterator[Told
             yield SHOWN, str(one), "a name of its own", f", another line called {word(one.name)!r}"
 
 
-def of_axis(axis: Axis, ours: Axis, values: list[float], bare: bool, what: str) -> Iterator[Told]:
-    """Yield what of an axis is read otherwise; along a ``bare`` one nothing is."""
-    if axis.gone and not bare:
-        yield NOTICE, "not shown", "shown", what
-    for name in ("backwards", "log", "scaled"):
-        if getattr(axis, name) != getattr(ours, name):
-            yield SHOWN, name if getattr(axis, name) else f"not {name}", "as built", what
+def of_axis(axis: Axis, ours: Axis, values: list[float], what: str) -> Iterator[Told]:
+    """Yield what of an axis is read otherwise; along one without figures as built, how they would look is not."""
+    bare = ours.code == NOTHING
+    for said in (axis.said ^ ours.said) - ({"not shown"} if bare or "not shown" not in axis.said else set()):
+        yield taste.AXIS[said], said if said in axis.said else f"not {said}", "as built", what
     span = max(values, default=0.0) - min(values, default=0.0)
     for end, limit in axis.ends.items():
         least = ours.ends.get(end)
@@ -139,22 +135,26 @@ def of_axis(axis: Axis, ours: Axis, values: list[float], bare: bool, what: str) 
         yield kind, wrong, "as they are", f"{what}, the numbers"
 
 
-def text_of(match: Match, name: Area | str) -> str:
+def of_title(match: Match, held: Name, ours: Name, other: Name, what: str) -> Iterator[Told]:
+    """Yield that the title of an axis is another: that of the ``other`` axis, or one with another unit, misleads."""
+    if not same_name(match, ours, held):
+        text = text_of(match, ours)
+        units_named = [UNIT.search(one) for one in (word(held), text)]
+        differ = all(units_named) and units.compared(*(one[1] for one in units_named if one)) == "other"
+        misleads = isinstance(held, str) and (held == text_of(match, other) or differ)
+        yield SHOWN if misleads else NOTICE, word(held), text, f", the title of {what}"
+
+
+def text_of(match: Match, name: Name) -> str:
     """Return a name of a fresh build; of one that follows a cell, the cell's text."""
     return name if isinstance(name, str) else str(match.declared_value(name.first))
 
 
-def same_name(match: Match, fresh: Area | str, held: Area | str) -> bool:
+def same_name(match: Match, fresh: Name, held: Name) -> bool:
     """Whether a name is that of a fresh build; one that follows a cell becomes its text where LibreOffice saves it."""
     if isinstance(held, str):
         return held == text_of(match, fresh)
     return not isinstance(fresh, str) and match.same(fresh, held)
-
-
-def unit_differs(found: str, ours: str) -> bool:
-    """Whether two titles name different units."""
-    one, two = UNIT.search(found), UNIT.search(ours)
-    return one is not None and two is not None and units.compared(one[1], two[1]) == "other"
 
 
 def figures(match: Match, area: Area | None) -> list[float]:
@@ -164,11 +164,13 @@ def figures(match: Match, area: Area | None) -> list[float]:
     return [float(v) for v in values if isinstance(v, int | float) and math.isfinite(v)]
 
 
-def in_sight(match: Match, found: Drawn, size: tuple[float, float], views: Views) -> Iterator[Told]:
-    """Yield that a chart can hardly be seen: shrunk, behind another drawing, or by hidden rows; ``size`` is in cm."""
+def in_sight(match: Match, fresh: Drawn, found: Drawn, cm: tuple[float, float], views: Views) -> Iterator[Told]:
+    """Yield that a chart can hardly be seen: shrunk, behind another drawing, or by hidden rows; ``cm`` is its size."""
     areas = views.pages[found.at.sheet].areas
     own = areas[found.number]
-    share = min((own.right - own.left) / (size[0] * CM), (own.bottom - own.top) / (size[1] * CM))
+    ends = (own.right - own.left, own.bottom - own.top)
+    rooms = [min(1.0, held / ours) for held, ours in zip(found.room, fresh.room, strict=True)]
+    share = min(room * end / (whole * CM) for room, end, whole in zip(rooms, ends, cm, strict=True))
     if share < taste.SMALL_CHART:
         yield SHOWN if share < taste.LEAST_CHART else NOTICE, f"{share:.0%} of its size", "as built", ", its size"
     above = [k for k in range(found.number + 1, len(areas)) if own.shared(areas[k]) > taste.BEHIND]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
 from workbook.book.address import Address
@@ -14,19 +14,18 @@ from workbook.judging.shown import taste
 from workbook.judging.shown.colours import WHITE, contrast, parsed
 from workbook.reading.package import tag
 
+Name = Area | str
+"""a text, or the cell that has it"""
+
 
 class Line(NamedTuple):
-    """One line of a chart: its columns, the lengths of its strokes, and its name, a text or the cell that has it.
-
-    ``seen`` is whether it, or signs at its points, are drawn; ``smooth`` whether it is bent between them.
-    """
+    """One line of a chart: its columns, the lengths of its strokes, its name, and which of ``taste.LINE`` it is."""
 
     x: Area | None
     y: Area | None
     strokes: Area | None
-    name: Area | str
-    seen: bool
-    smooth: bool
+    name: Name
+    said: frozenset[str]
 
     def __str__(self) -> str:
         """Return what it draws."""
@@ -34,26 +33,29 @@ class Line(NamedTuple):
 
 
 class Axis(NamedTuple):
-    """An axis: its title, limits and scale, and how its numbers are shown."""
+    """An axis: its title, its limits, how its numbers are shown, and which of ``taste.AXIS`` it is."""
 
-    title: Area | str = ""
+    title: Name = ""
     ends: Mapping[str, float] = MappingProxyType({})
-    backwards: bool = False
-    log: bool = False
     code: str = "General"
-    scaled: bool = False
-    gone: bool = True
+    said: frozenset[str] = frozenset({"not shown"})
 
 
 class Drawn(NamedTuple):
-    """A chart: ``kinds`` are its plots, ``axes`` the two of the first, ``odd`` what no fresh build has."""
+    """A chart: ``kinds`` are its plots, ``axes`` the two of the first, ``codes`` the number formats of its labels.
 
-    title: Area | str
+    ``room`` is the share of its width and height that its plot has; ``odd`` what cannot be read in it.
+    """
+
+    title: Name
     kinds: tuple[str, ...]
     lines: list[Line]
     axes: tuple[Axis, Axis]
     other_axes: list[Axis]
+    codes: list[str]
+    room: tuple[float, float]
     visible_only: bool
+    tags: set[str]
     odd: list[str]
     at: Address
     number: int = 0
@@ -76,43 +78,52 @@ class Reader:
 
     def chart(self, root: Element, number: int = 0) -> Drawn:
         """Return a chart."""
-        shown = child(root, "chart")
-        plot = child(shown, "plotArea")
+        plot, everything = child(root, "chart", "plotArea"), list(root.iter())
         groups = [one for one in plot if tag(one).endswith("Chart")] if plot is not None else []
         axes = {value(one, "axId"): self._axis(one) for one in plot or () if tag(one).endswith("Ax")}
         ids = [str(one.get("val")) for one in groups[0] if tag(one) == "axId"][:2] if groups else []
         first, second = (*(axes.get(name, Axis()) for name in ids), Axis(), Axis())[:2]
-        odd = sorted({tag(one) for one in root.iter()} - taste.CHART - {tag(group) for group in groups})
-        if any(tag(one) == "dLbl" and child(one, "tx") is not None for one in root.iter()):
-            odd.append("labels of their own")
-        if any(tag(one) in ("defRPr", "rPr") and clear(one) for one in root.iter()):
-            odd.append("texts that cannot be seen")
+        grounds = (child(plot, "spPr"), child(root, "spPr"))
+        odd = [said for said, there in (
+            ("labels of their own", any(tag(one) == "dLbl" and child(one, "tx") is not None for one in everything)),
+            ("points of their own", any(tag(one) == "dPt" and child(one, "spPr") is not None for one in everything)),
+            ("texts that cannot be seen", any(tag(one) in ("defRPr", "rPr") and unreadable(one) for one in everything)),
+            ("a ground of its own", any(one is not None and dark(one) for one in grounds)),
+            ("zeros where nothing is", value(root, "chart", "dispBlanksAs") == "zero"),
+        ) if there]  # fmt: skip
         return Drawn(
-            self._text(child(shown, "title", "tx")), tuple(map(tag, groups)),
+            self._text(child(root, "chart", "title", "tx")), tuple(map(tag, groups)),
             [self._line(one) for group in groups for one in group if tag(one) == "ser"], (first, second),
-            [one for name, one in axes.items() if name not in ids], value(shown, "plotVisOnly", "1") in taste.YES, odd,
-            self._at, number,
+            [one for name, one in axes.items() if name not in ids],
+            [form.get("formatCode", "General") for one in everything if tag(one) in ("dLbls", "dLbl")
+             for form in one if tag(form) == "numFmt" and form.get("sourceLinked") not in taste.YES],
+            tuple(float(value(plot, "layout", "manualLayout", end) or 1.0) for end in "wh"),  # type: ignore[arg-type]
+            value(root, "chart", "plotVisOnly", otherwise="1") in taste.YES,
+            {tag(one) for one in everything} - {tag(group) for group in groups}, odd, self._at, number,
         )  # fmt: skip
 
     def _axis(self, element: Element) -> Axis:
         scaling, form = child(element, "scaling"), child(element, "numFmt")
+        hidden = value(element, "delete", otherwise="0") in taste.YES or value(element, "tickLblPos") == "none"
+        said = {"backwards": value(scaling, "orientation") == "maxMin", "log": bool(value(scaling, "logBase")),
+                "scaled": child(element, "dispUnits") is not None, "not shown": hidden}  # fmt: skip
         return Axis(
             self._text(child(element, "title", "tx")),
             {end: float(value(scaling, end)) for end in ("min", "max") if value(scaling, end)},
-            value(scaling, "orientation") == "maxMin", bool(value(scaling, "logBase")),
             form.get("formatCode", "General") if form is not None else "General",
-            child(element, "dispUnits") is not None,
-            value(element, "delete", "0") in taste.YES or value(element, "tickLblPos") == "none",
-        )  # fmt: skip
+            frozenset(one for one, there in said.items() if there),
+        )
 
     def _line(self, series: Element) -> Line:
         x, y = child(series, "xVal"), child(series, "yVal")
+        unmarked = value(series, "marker", "symbol", otherwise="none") == "none"
+        said = {"not drawn": unmarked and clear(child(series, "spPr", "ln")),
+                "bent between its points": value(series, "smooth", otherwise="0") in taste.YES}  # fmt: skip
         return Line(
             self._area(source(x if x is not None else child(series, "cat"))),
             self._area(source(y if y is not None else child(series, "val"))),
             self._area(source(child(series, "errBars", "plus"))), self._text(child(series, "tx")),
-            not clear(child(series, "spPr", "ln")) or value(child(series, "marker"), "symbol", "none") != "none",
-            value(series, "smooth", "0") in taste.YES,
+            frozenset(one for one, there in said.items() if there),
         )  # fmt: skip
 
     def _area(self, text: str) -> Area | None:
@@ -123,7 +134,7 @@ class Reader:
             return None
         return found._replace(single=found.size == 1) if found else None
 
-    def _text(self, label: Element | None) -> Area | str:
+    def _text(self, label: Element | None) -> Name:
         """Return a text, or the cell that has it; LibreOffice quotes a text as if it were a reference."""
         text = source(label)
         if text.startswith('"'):
@@ -139,9 +150,9 @@ def child(element: Element | None, *path: str) -> Element | None:
     return element
 
 
-def value(element: Element | None, name: str, otherwise: str = "") -> str:
-    """Return the attribute ``val`` of a child."""
-    found = child(element, name)
+def value(element: Element | None, *path: str, otherwise: str = "") -> str:
+    """Return the attribute ``val`` of the element that a path of names leads to."""
+    found = child(element, *path)
     return otherwise if found is None else str(found.get("val", "1"))
 
 
@@ -162,6 +173,20 @@ def clear(paint: Element | None) -> bool:
     return child(paint, "noFill") is not None or faint or (ink is not None and contrast(ink, WHITE) < taste.UNSEEN)
 
 
-def word(name: Any) -> str:
+def unreadable(font: Element) -> bool:
+    """Whether a text of a chart is painted with nothing, is tiny or struck out, or in a font of signs."""
+    face, small = child(font, "latin"), 0 < float(font.get("sz") or 0) < 100 * taste.LEAST_SIZE
+    signs = face is not None and face.get("typeface", "").casefold().startswith(taste.SIGNS)
+    return clear(font) or small or signs or font.get("strike", "noStrike") != "noStrike"
+
+
+def dark(paint: Element) -> bool:
+    """Whether a ground is painted in a colour on which lines and texts are hard to see."""
+    colour = child(paint, "solidFill", "srgbClr")
+    ground = parsed(colour.get("val", "")) if colour is not None else None
+    return ground is not None and contrast(ground, WHITE) > taste.FAINT
+
+
+def word(name: Name) -> str:
     """Return a name, or the cell that has it."""
     return name if isinstance(name, str) else f"the text of {name.sheet}!{name.a1}"

@@ -32,7 +32,7 @@ FRACTION = re.compile(r"[#?0]*/(?:[#?0]|\0[0-9])+")
 CONDITION = re.compile(r"(<=|>=|<>|<|>|=)\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)")
 COLOUR = re.compile(r"(black|white|red|green|blue|yellow|magenta|cyan)|color ?([0-9]{1,2})", re.IGNORECASE)
 BRIGHT = {"white": "FFFFFF", "yellow": "FFFF00", "cyan": "00FFFF"}
-LANGUAGE = re.compile(r"\$([^-]*)(?:-(?!F800|F400)[0-9A-F]*)?", re.IGNORECASE)
+LANGUAGE = re.compile(r"\$([^-]*)(?:-(?!F800|F400)(?:0?[01])?[0-9A-F]{0,6})?", re.IGNORECASE)  # of our digits
 
 Judged = tuple[str, str]
 """the kind of what is told, and what; both empty where nothing is"""
@@ -46,19 +46,9 @@ class Section(NamedTuple):
     brackets: tuple[str, ...] = ()
 
     @property
-    def added(self) -> str:
-        """The signs that the part adds."""
-        return "".join(re.findall(r"\0(.)", self.form, re.DOTALL)).strip()
-
-    @property
     def condition(self) -> re.Match[str] | None:
         """The condition under which the part is used."""
         return next(filter(None, map(CONDITION.fullmatch, self.brackets)), None)
-
-    @property
-    def negative(self) -> bool:
-        """Whether its condition lets the part show negative numbers alone."""
-        return bool(self.condition and self.condition[1].startswith("<") and float(self.condition[2]) <= 0)
 
 
 @lru_cache(maxsize=4_000)
@@ -90,28 +80,24 @@ def judged(
     """
     held, ours = sections(code), sections(declared)
     last = held[3] if len(held) > 3 else held[-1] if "@" in held[-1].form else None
-    if text:
-        kinds = {of_text(last)} if last is not None and last != ours[-1] else set()
-    else:
-        numeric = held[:3] if last is None or len(held) in (1, 4) else held[:-1]
-        others = [(n, one) for n, one in enumerate(numeric) if n >= len(ours) or one != ours[n]]
-        conditional = any(one.condition for one in numeric)
-        kinds = {NOTICE} if conditional else set()
-        kinds |= {of_number(one, one.negative if conditional else n, unit, symbol, zeros) for n, one in others}
-    kind = SHOWN if SHOWN in kinds else NOTICE if NOTICE in kinds else ""
+    kinds = set()
+    if text and last is not None and last != ours[-1]:
+        kinds.add("" if last.form == "@" and all(map(is_ink, last.brackets)) else SHOWN)
+    numeric = () if text else held[:3] if last is None or len(held) in (1, 4) else held[:-1]
+    conditional = any(one.condition for one in numeric)
+    for n, one in enumerate(numeric):
+        if n >= len(ours) or one != ours[n]:
+            negative = bool(one.condition and one.condition[1][0] == "<" and float(one.condition[2]) <= 0)
+            kinds.add(of_number(one, negative if conditional else n, unit, symbol, zeros))
+    kind = SHOWN if SHOWN in kinds else NOTICE if conditional or NOTICE in kinds else ""
     return (kind, f"the number format {code}") if kind else FINE
-
-
-def of_text(part: Section) -> str:
-    """Return of which kind a part is that shows texts: they may have a colour."""
-    return "" if part.form == "@" and all(map(is_ink, part.brackets)) else SHOWN
 
 
 def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str:
     """Return of which kind the ``n``-th part is, which shows positive numbers, negative ones, or zero."""
     if not all(is_ink(one) or CONDITION.fullmatch(one) for one in part.brackets):
         return SHOWN
-    if n == 2 and part.added in list(taste.DASHES) and not re.sub(r"\0.", "", part.form).strip("?"):
+    if n == 2 and re.fullmatch(rf"(?:\0 |\?)*\0[{taste.DASHES}](?:\0 |\?)*", part.form):
         return ""
     form = re.sub(r"(?<=[#?0])\0 (?=[#?0])", "", part.form)
     found = NUMBER.fullmatch(form)
@@ -122,14 +108,10 @@ def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str
     sign = signed if n != 1 else not signed and found["number"] != "@"
     rest, behind = before[signed:].strip(), behind.removesuffix(")" if before[:1] == "(" else "").strip()
     named = rest in taste.NEARLY or rest.rstrip("= ") == symbol
-    if sign or not named or (found["percent"] and unit) or (behind and not (unit and same_unit(behind, unit))):
+    other = behind and not (unit and units.compared(behind, unit) == "same")
+    if sign or not named or (found["percent"] and unit) or other:
         return SHOWN
     return "" if set("0@") & set(found["number"]) else SHOWN if zeros else NOTICE
-
-
-def same_unit(text: str, unit: str) -> bool:
-    """Whether a text is the unit of a number."""
-    return units.compared(text, unit) == "same"
 
 
 def is_ink(bracket: str) -> bool:

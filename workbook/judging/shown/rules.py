@@ -9,19 +9,16 @@ from typing import Any, NamedTuple
 
 from openpyxl.formatting.rule import Rule
 from openpyxl.formula.translate import Translator
-from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.utils import get_column_letter
-from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.entries.rules import validation
 from workbook.judging.matching import Match
 from workbook.judging.report import FAIL, NOTICE, SHOWN, Report
-from workbook.judging.shown.colours import Look
+from workbook.judging.shown.colours import Look, looks_passed
 from workbook.judging.shown.formats import Judged, judged, sections
-from workbook.judging.shown.looks import Looks, of_colours
-from workbook.judging.shown.seen import Seen, Told
+from workbook.judging.shown.looks import Looks, Seen, Told, of_colours, of_font
 from workbook.writing.style import Marked, marks
 
 SAID = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTitle", "error", "errorTitle")
@@ -34,16 +31,29 @@ class Placed(NamedTuple):
     rule: Rule
     ranges: list[tuple[int, int, int, int]]
 
-    @property
-    def first(self) -> tuple[int, int]:
-        """Row and column of the cell for which the formulas of the rule are written."""
-        return min(top for top, *_ in self.ranges), min(left for _, left, *_ in self.ranges)
-
     def covers(self, one: Seen, whole: bool = False) -> bool:
         """Whether the rule covers some of a column's cells, or all of them."""
         column, ends = one.at.column, (one.last, one.at.row) if not whole else (one.at.row, one.last)
         return any(top <= ends[0] and ends[1] <= bottom and left <= column <= right
                    for top, left, bottom, right in self.ranges)  # fmt: skip
+
+    @property
+    def code(self) -> str:
+        """The number format that the rule gives, if it gives any."""
+        form = self.rule.dxf.numFmt if self.rule.dxf is not None else None
+        return str(form.formatCode or "") if form is not None else ""
+
+    @property
+    def meets_fail(self) -> bool:
+        """Whether the condition of the rule may be met by a cell that says FAIL."""
+        rule, first = self.rule, str(self.rule.formula[0]).replace(" ", "").upper() if self.rule.formula else ""
+        if rule.type == "cellIs" and first.startswith('"') and rule.operator in ("equal", "notEqual"):
+            return (first == f'"{FAIL}"') == (rule.operator == "equal")
+        if rule.type in ("containsText", "beginsWith", "endsWith") and rule.text:
+            return str(rule.text).upper() in FAIL
+        row, column = min(top for top, *_ in self.ranges), min(left for _, left, *_ in self.ranges)
+        own = rf'\(?\$?{get_column_letter(column)}{row}="OK"\)?'
+        return not (rule.type == "expression" and re.fullmatch(own, first))
 
 
 class Rules:
@@ -53,6 +63,8 @@ class Rules:
         self._match, self._looks, self._told, self._torn = match, looks, told, torn
         self._fresh = {name: list(marks(block)) for name, block in match.declared.blocks.items()}
         self._met: set[tuple[str, int]] = set()
+        self._before_fail: set[str] = set()
+        """blocks of verdicts with rules of someone's own, after which those of a fresh build may not apply"""
         self.known: set[int] = set()
         """the rules of the file that are those of a fresh build, by their identity"""
 
@@ -69,15 +81,15 @@ class Rules:
                 for placed in (Placed(rule, ranges) for rule in group.rules):
                     for one in (one for column in wide for one in by_column[sheet.title, column]):
                         if placed.covers(one) and not self._is_known(placed, one):
-                            what = f"a conditional format, {one.what}"
                             for said in self._of_rule(placed, one):
+                                what = f"a conditional format, {one.what}"
                                 self._told.add(one.at, said, "no such rule", what, one.counts)
         self._gone()
 
     def has_verdicts(self, one: Seen) -> bool:
         """Whether OK and FAIL have their colours from the rules of a fresh build."""
         name = one.pairs[0].cell.block.name
-        return all((name, n) in self._met for n in range(len(self._fresh[name])))
+        return name not in self._before_fail and all((name, n) in self._met for n in range(len(self._fresh[name])))
 
     def _is_known(self, placed: Placed, one: Seen) -> bool:
         """Whether a fresh build has this rule for the cells."""
@@ -89,53 +101,62 @@ class Rules:
                 self._met |= {(block.name, n)} if placed.covers(one, whole=True) else set()
                 self.known.add(id(placed.rule))
                 return True
-        blanked = self._match.declared.blocks[block.name].blanked
-        return self._torn and name in {q.name for q in blanked} and hides(code_of(placed.rule))
+        parts = sections(placed.code)
+        hides = len(parts) == 4 and not any(part.form for part in parts)
+        return self._torn and name in {q.name for q in block.blanked} and hides
 
     def _same(self, mark: Marked, placed: Placed, one: Seen) -> bool:
         """Whether a rule of a file is one of a fresh build, in condition and look."""
         ours, held, block = mark.rule, placed.rule, one.pairs[0].cell.block
-        if (ours.type, ours.operator) != (held.type, held.operator) or self._look(ours) != self._look(held):
+        looks = [self._look(Placed(rule, [])) for rule in (ours, held)]
+        if (ours.type, ours.operator) != (held.type, held.operator) or looks[0] != looks[1]:
             return False
         texts = [str(text).removeprefix("=") for text in held.formula]
         if ours.type != "expression":
             return bool(texts == ours.formula)
         place, declared = self._match.file.places[block.name], f"={ours.formula[0]}"
-        moved = Translator(f"={texts[0]}", f"A{placed.first[0]}").translate_formula(f"A{place.row}") if texts else ""
+        first = f"A{min(top for top, *_ in placed.ranges)}"  # the cell for which its formulas are written
+        moved = Translator(f"={texts[0]}", first).translate_formula(f"A{place.row}") if texts else ""
         return moved == declared or self._match.same_formula(declared, block, moved, place.sheet)
 
-    def _look(self, rule: Rule) -> tuple[Any, ...]:
+    def _look(self, placed: Placed) -> tuple[Any, ...]:
         """Return what a rule makes of a cell: ink, ground, and the parts of its number format."""
-        palette, look = self._looks.palette, rule.dxf
-        font, fill = (look.font, look.fill) if look is not None else (None, None)
-        ink = palette.colour(font.color, None) if font else None
-        ground = palette.ground(fill, None, conditional=True) if fill else None
-        return ink, ground, sections(code_of(rule)), bool(font and font.strike)
+        look = placed.rule.dxf
+        font = look.font if look is not None else None
+        ink, ground = self._colours(look, (None, None))
+        return ink, ground, sections(placed.code), bool(font and font.strike)
+
+    def _colours(self, look: Any, base: Look) -> Look:
+        """Return ink and ground of a cell to which a rule gives a look."""
+        palette, font, fill = self._looks.palette, getattr(look, "font", None), getattr(look, "fill", None)
+        return (palette.colour(font.color, base[0]) if font else base[0],
+                palette.ground(fill, base[1], conditional=True) if fill else base[1])  # fmt: skip
 
     def _of_rule(self, placed: Placed, one: Seen) -> Iterator[Judged]:
         """Yield what is to be told of a rule that no fresh build has."""
-        rule, base = placed.rule, self._looks.base(one)
-        if code := code_of(rule):
+        rule, palette = placed.rule, self._looks.palette
+        base = palette.look(self._match.file.cell(one.at))
+        verdict = one.verdict and placed.meets_fail
+        if verdict:
+            self._before_fail.add(one.pairs[0].cell.block.name)
+        if placed.code:
             q = one.pairs[0].cell.quantity if one.pairs else None
-            yield judged(code, "General", q.unit if q else "", q.symbol if q else "", one.text)
+            yield judged(placed.code, "General", q.unit if q else "", q.symbol if q else "", one.text)
         if any(sign is not None and sign.showValue is False for sign in (rule.dataBar, rule.iconSet)):
             yield SHOWN, "bars or icons instead of what it has"
-        for colour in rule.colorScale.color if rule.colorScale is not None else ():
-            yield from of_colours(base.ink, self._looks.palette.colour(colour, None))
-        if rule.dxf is not None:
-            yield from self._of_look(rule.dxf, base, one.verdict and meets_fail(placed))
-
-    def _of_look(self, look: DifferentialStyle, base: Look, verdict: bool) -> Iterator[Judged]:
-        """Yield what is to be told of the look that a rule gives, on ``verdict`` where it may be that of a FAIL."""
-        font, fill, palette = look.font, look.fill, self._looks.palette
-        ink = palette.colour(font.color, base.ink) if font else base.ink
-        ground = palette.ground(fill, base.ground, conditional=True) if fill else base.ground
-        if font and font.strike:
-            yield SHOWN, "struck out"
-        if (font and font.color) or fill:
-            sure = verdict and (ink != base.ink or ground is None)
+        scale = rule.colorScale.color if rule.colorScale is not None else []
+        for colour in [*scale, *([rule.dataBar.color] if rule.dataBar is not None else [])]:
+            yield from of_colours(base[0], palette.colour(colour, None))
+        look = rule.dxf
+        if look is None:
+            return
+        if look.font:
+            yield from of_font(look.font, palette)
+        if (look.font and look.font.color) or look.fill:
+            ink, ground = self._colours(look, base)
+            sure = verdict and (ink != base[0] or ground is None)
             yield from ((SHOWN if sure else kind, said) for kind, said in of_colours(ink, ground))
-            if verdict and Look(ink, ground).green:
+            if verdict and looks_passed((ink, ground)):
                 yield SHOWN, "FAIL coloured as passed"
 
     def _gone(self) -> None:
@@ -148,32 +169,11 @@ class Rules:
                 self._told.add(at, (NOTICE, "no such rule"), f"a rule that {does}", what, group="")
 
 
-def code_of(rule: Rule) -> str:
-    """Return the number format that a rule gives, if it gives any."""
-    form = rule.dxf.numFmt if rule.dxf is not None else None
-    return str(form.formatCode or "") if form is not None else ""
-
-
-def hides(code: str) -> bool:
-    """Whether a number format shows nothing of anything."""
-    return len(sections(code)) == 4 and not any(part.form for part in sections(code))
-
-
-def meets_fail(placed: Placed) -> bool:
-    """Whether the condition of a rule may be met by a cell that says FAIL."""
-    rule, first = placed.rule, str(placed.rule.formula[0]).replace(" ", "").upper() if placed.rule.formula else ""
-    if rule.type == "cellIs" and first.startswith('"') and rule.operator in ("equal", "notEqual"):
-        return (first == f'"{FAIL}"') == (rule.operator == "equal")
-    if rule.type in ("containsText", "beginsWith", "endsWith") and rule.text:
-        return str(rule.text).upper() in FAIL
-    row, column = placed.first
-    own = rf'\(?\$?{get_column_letter(column)}{row}="OK"\)?'
-    return not (rule.type == "expression" and re.fullmatch(own, first))
-
-
 def validations(match: Match, model: type[BaseModel], report: Report) -> None:
     """Enter as a notice for each sheet how many inputs have no validation any more, or another one."""
-    held = {sheet.title: list(validated(sheet)) for sheet in match.file.workbook.worksheets}
+    held = {sheet.title: [(rule, cells.bounds) for rule in sheet.data_validations.dataValidation
+                          for cells in rule.sqref.ranges]
+            for sheet in match.file.workbook.worksheets}  # fmt: skip
     told: dict[tuple[str, str], list[Address]] = defaultdict(list)
     for pairs in match.by_column():
         fresh = validation(model, pairs[0].cell.quantity) if pairs[0].cell.quantity.role == "input" else None
@@ -185,9 +185,3 @@ def validations(match: Match, model: type[BaseModel], report: Report) -> None:
     for (title, said), cells in told.items():
         what = f"{len(cells)} inputs of the sheet {title}"
         report.say(cells[0], NOTICE, said, "a rule for what is entered", what)
-
-
-def validated(sheet: Worksheet) -> Iterator[tuple[Any, tuple[int, int, int, int]]]:
-    """Yield the validations of a sheet with each range that they cover."""
-    for rule in sheet.data_validations.dataValidation:
-        yield from ((rule, cells.bounds) for cells in rule.sqref.ranges)

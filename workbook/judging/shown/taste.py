@@ -20,10 +20,27 @@ FONTS = frozenset([
 """those in which people write, by their first words; in others it is a notice"""
 SIGNS = ("wingdings", "webdings", "symbol", "marlett", "opensymbol", "zapfdingbats", "bookshelf symbol")
 """fonts that show other signs for letters: a finding"""
-SYMBOLS = 2  # the character set of such fonts
-LEAST_SIZE, SMALL = 4.0, 6.0  # points of a font that cannot be read, and that can hardly
+LEAST_SIZE, SMALL, LARGE = 4.0, 6.0, 72.0  # points of a font that cannot be read, and that can hardly
 UNSEEN, FAINT = 1.3, 2.0  # contrasts below which a text is hidden, or hard to see; ours have 2.5 and more
-MOST_INDENT = 15  # steps of about three spaces
+PLAIN = (None, False, "baseline")
+LOOKS = (
+    ("font", "strike", PLAIN, SHOWN, "struck out"),
+    ("font", "charset", (*range(2), *range(3, 256), None), SHOWN, "in the signs of a symbol font"),
+    *(("font", name, PLAIN, NOTICE, f"written with the effect {name}")
+      for name in ("outline", "shadow", "condense", "extend", "vertAlign")),
+    ("border", "diagonalUp", PLAIN, SHOWN, "crossed out"),
+    ("border", "diagonalDown", PLAIN, SHOWN, "crossed out"),
+    ("alignment", "horizontal", (None, "general", "left", "center", "right", "centerContinuous", "distributed",
+                                 "justify"), SHOWN, "repeated over its cell"),
+    ("alignment", "horizontal", (None, "general", "left", "center", "right", "centerContinuous", "fill"), NOTICE,
+     "spread over its cell"),
+    ("alignment", "indent", range(16), SHOWN, "indented out of its cell"),  # in steps of about three spaces
+    ("alignment", "relativeIndent", range(16), NOTICE, "indented out of its cell"),
+    ("alignment", "textRotation", (0, None), NOTICE, "turned"),
+    ("alignment", "readingOrder", (0, 1, None), NOTICE, "from right to left"),
+    ("alignment", "shrinkToFit", PLAIN, NOTICE, "shrunk to its cell"),
+)  # fmt: skip
+"""attributes of a cell's look, what they may be, and what is told of all else"""
 
 # Number formats: decimals, separators, exponents, a sign for negative numbers, colours, the symbol, the unit
 
@@ -34,53 +51,60 @@ DASHES = "-−–—"
 
 QUIET = ("equation", "note")  # reworded, these are nobody's concern; exchanged, they are
 TELLING = re.compile(r"[0-9]+|[%‰]|\b(?:OK|FAIL)\b")  # what a translation leaves as it is
+GAP = re.compile(r"\s{9}")  # blanks and lines that push a text out of its cell
 
 # Sheets and windows
 
 LEAST_WIDTH, LEAST_HEIGHT = 1.0, 3.0  # of columns in characters, of rows in points
-LEAST_ZOOM = 30  # per cent
-MOST_FROZEN = {"xSplit": 12, "ySplit": 45}  # columns and rows that a window must hold whole
 ALIKE = 0.5  # of the texts of a sheet, from which on another looks like it
+ZOOMS = ("zoomScale", "zoomScaleNormal", "zoomScaleSheetLayoutView", "zoomScalePageLayoutView")
 SETTINGS = (
     ("workbookPr", "date1904", NO, SHOWN, "dates counted from 1904"),
     ("workbookPr", "showObjects", ("all",), SHOWN, "charts not shown"),
     ("workbookView", "visibility", ("visible",), NOTICE, "a hidden window"),
+    ("workbookView", "minimized", NO, NOTICE, "a hidden window"),
     ("workbookView", "showSheetTabs", YES, NOTICE, "tabs not shown"),
     ("sheetView", "showFormulas", NO, SHOWN, "formulas in place of values"),
     ("sheetView", "showZeros", YES, SHOWN, "zeros hidden"),
     ("sheetView", "rightToLeft", NO, NOTICE, "from right to left"),
+    *(("sheetView", name, [0, *range(30, 401)], NOTICE, "too small to be read") for name in ZOOMS),
+    ("pane", "xSplit", range(13), NOTICE, "frozen beyond a window"),
+    ("pane", "ySplit", range(46), NOTICE, "frozen beyond a window"),
 )
 """elements and attributes of settings, what they may be, and what is told of all else"""
 PAGE = frozenset([
     "AlternateContent", "autoFilter", "cellWatches", "colBreaks", "cols", "conditionalFormatting",
-    "dataValidations", "dimension", "drawing", "drawingHF", "extLst", "headerFooter", "hyperlinks",
-    "ignoredErrors", "legacyDrawing", "legacyDrawingHF", "mergeCells", "pageMargins", "pageSetup", "phoneticPr",
+    "dataValidations", "dimension", "drawing", "extLst", "headerFooter", "hyperlinks",
+    "ignoredErrors", "legacyDrawing", "mergeCells", "pageMargins", "pageSetup", "phoneticPr",
     "printOptions", "protectedRanges", "rowBreaks", "sheetData", "sheetFormatPr", "sheetPr", "sheetProtection",
-    "sheetViews", "sortState", "tableParts",
+    "sheetViews", "sortState",
 ])  # fmt: skip
 """the elements of a worksheet that are judged elsewhere, or change nothing of what is read"""
+NEWER = frozenset(["dataValidations", "ignoredErrors"])  # such elements for newer programs, in an ``extLst``
+CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|.)')  # of headers and footers
 
 # Charts: colours, widths, legend, grid, ticks, place
 
 LEAST_CHART, SMALL_CHART = 0.12, 0.4  # of the width or the height of a fresh build: hardly to be seen, small
 BEHIND = 0.5  # of a chart that another drawing may cover
+AXIS = {"backwards": SHOWN, "log": SHOWN, "scaled": SHOWN, "not shown": NOTICE}
+LINE = {"not drawn": NOTICE, "bent between its points": NOTICE}
+"""what is told of an axis and of a line where these are otherwise than in a fresh build"""
 CHART = frozenset([
-    "alpha", "auto", "autoTitleDeleted", "axId", "axPos", "backward", "baseTimeUnit", "bodyPr", "bubble3D",
-    "c14:style", "category", "chart", "chartSpace", "c", "crossAx", "crossBetween", "crosses", "crossesAt",
-    "dLbl", "dLblPos", "dLbls", "date1904", "dPt", "defRPr", "delete", "dispBlanksAs", "dispEq", "dispRSqr",
-    "effectLst", "endParaRPr", "errBarType", "errBars", "errDir", "errValType", "ext", "extLst", "f",
-    "formatCode", "formatting", "forward", "grouping", "h", "hMode", "headerFooter", "idx", "invertIfNegative",
-    "lang", "layout", "layoutTarget", "legend", "legendPos", "ln", "lstStyle", "lvl", "majorGridlines",
-    "majorTickMark", "majorUnit", "manualLayout", "marker", "max", "min", "minorGridlines", "minorTickMark",
-    "minorUnit", "noEndCap", "noFill", "noMultiLvlLbl", "numCache", "numFmt", "numRef", "order", "orientation",
-    "overlay", "p", "pPr", "pageMargins", "pageSetup", "plotArea", "plotVisOnly", "plus", "printSettings",
-    "protection", "prstDash", "pt", "ptCount", "r", "rPr", "rich", "round", "roundedCorners", "scaling",
-    "scatterChart", "scatterStyle", "schemeClr", "selection", "separator", "ser", "showBubbleSize", "showCatName",
+    "AlternateContent", "Choice", "Fallback", "alpha", "auto", "autoTitleDeleted", "avLst", "axId", "axPos", "bevel",
+    "bodyPr", "bubble3D", "c", "c14:style", "cap", "chart", "chartSpace", "clrMapOvr", "crossAx", "crossBetween",
+    "crosses", "crossesAt", "cs", "dLbl", "dLblPos", "dLbls", "dPt", "date1904", "defRPr", "delete",
+    "dispBlanksAs", "ea",
+    "effectLst", "endParaRPr", "ext", "extLst", "f", "formatCode", "h", "hMode", "headEnd", "headerFooter", "idx",
+    "invertIfNegative", "lang", "latin", "layout", "layoutTarget", "legend", "legendPos", "ln", "lstStyle", "lumMod",
+    "lumOff", "majorGridlines", "majorTickMark", "majorUnit", "manualLayout", "marker", "max", "min",
+    "minorGridlines", "minorTickMark", "minorUnit", "miter", "noFill", "numCache", "numFmt", "numRef", "order",
+    "orientation", "overlay", "p", "pPr", "pageMargins", "pageSetup", "plotArea", "plotVisOnly", "printSettings",
+    "protection", "prstDash", "prstGeom", "pt", "ptCount", "r", "rPr", "rich", "round", "roundedCorners", "scaling",
+    "scatterChart", "scatterStyle", "schemeClr", "separator", "ser", "shade", "showBubbleSize", "showCatName",
     "showDLblsOverMax", "showLeaderLines", "showLegendKey", "showPercent", "showSerName", "showVal", "size",
-    "smooth", "solidFill", "spPr", "srgbClr", "strCache", "strRef", "style", "sysClr", "symbol", "t",
-    "tickLblPos", "title", "tx", "txPr", "uniqueId", "v", "valAx", "varyColors", "w", "wMode", "x", "xMode",
-    "xVal", "y", "yMode", "yVal", "latin", "ea", "cs", "cap", "miter", "bevel", "headEnd", "tailEnd", "logBase",
-    "lumMod", "lumOff", "clrMapOvr", "AlternateContent", "Choice", "Fallback", "shade", "tint", "avLst",
-    "prstGeom", "xfrm", "gapWidth",
+    "smooth", "solidFill", "spPr", "srgbClr", "strCache", "strRef", "style", "symbol", "sysClr", "t", "tailEnd",
+    "tickLblPos", "tint", "title", "tx", "txPr", "uniqueId", "v", "valAx", "varyColors", "w", "wMode", "x", "xMode",
+    "xVal", "xfrm", "y", "yMode", "yVal",
 ])  # fmt: skip
-"""the elements by which programs write an XY chart"""
+"""the elements by which programs write an XY chart, besides those of a fresh build"""

@@ -1,10 +1,14 @@
-"""What of a book is in sight: sheets, rows and columns, what its windows and views show, what is printed."""
+"""What of a book is in sight: sheets, rows, columns and drawings (EMU), what its windows show, what is printed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator
+from itertools import accumulate
+from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
+from openpyxl.utils import column_index_from_string
 from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
@@ -13,11 +17,108 @@ from workbook.judging.matching import Match, Pair
 from workbook.judging.report import NOTICE, OK, SHOWN, Report
 from workbook.judging.shown import taste
 from workbook.judging.shown.formats import Judged
-from workbook.judging.shown.page import Page, corner
-from workbook.judging.shown.seen import Seen, Told, is_overall, is_verdict
+from workbook.judging.shown.looks import Seen, Told, is_verdict
 from workbook.judging.shown.words import sheet_of
 from workbook.reading.contents import Cells
+from workbook.reading.drawings import PIXEL, Anchor, Corner
 from workbook.reading.package import tag
+
+POINT = 12700  # EMU
+WIDTH, HEIGHT = 8.43, 15.0  # of a column, in characters of 7 pixels, and of a row, in points, where none is given
+DIGIT, MARGIN = 7, 5  # pixels
+CELL = re.compile("([A-Z]{1,3})([1-9][0-9]{0,6})")
+
+
+class Area(NamedTuple):
+    """A rectangle on a sheet."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def shared(self, other: Area) -> float:
+        """Return which share of this is behind another; 0 of one that has no size."""
+        wide = max(min(self.right, other.right) - max(self.left, other.left), 0.0)
+        high = max(min(self.bottom, other.bottom) - max(self.top, other.top), 0.0)
+        size = (self.right - self.left) * (self.bottom - self.top)
+        return wide * high / size if size > 0 else 0.0
+
+
+class Page:
+    """A sheet of the file as it is seen."""
+
+    def __init__(self, sheet: Worksheet, anchors: list[Anchor]) -> None:
+        self.hidden = sheet.sheet_state != "visible"
+        form = sheet.sheet_format
+        self._height = 0.0 if form.zeroHeight else or_else(form.defaultRowHeight, HEIGHT)
+        self._heights = {number: 0.0 if row.hidden else or_else(row.height, self._height)
+                         for number, row in sheet.row_dimensions.items()}  # fmt: skip
+        self._width, self._widths = or_else(form.defaultColWidth, WIDTH), dict[int, float]()
+        for letter, column in sheet.column_dimensions.items():
+            first = column.min or column_index_from_string(letter)
+            width = 0.0 if column.hidden else or_else(column.width, self._width)
+            self._widths |= dict.fromkeys(range(first, (column.max or first) + 1), width)
+        view, pane = sheet.sheet_view, sheet.sheet_view.pane
+        self._first = (1, 1)
+        """the first row and column that can be scrolled to: nothing leads before those that are frozen"""
+        if pane is not None and str(pane.state).startswith("frozen") and view.topLeftCell:
+            row, left = corner(str(view.topLeftCell))
+            self._first = row if pane.ySplit else 1, left if pane.xSplit else 1
+        self._down = begins(lambda row: POINT * self._heights.get(row, self._height))
+        self._right = begins(lambda column: pixels(self._widths.get(column, self._width)))
+
+        def point(at: Corner) -> tuple[float, float]:
+            return self._right(at.column + 1) + at.right, self._down(at.row + 1) + at.down
+
+        ends = [(point(one.first), point(one.last) if one.last else None, one.size) for one in anchors]
+        self.areas = [Area(x, y, *(last or (x + wide, y + high))) for (x, y), last, (wide, high) in ends]
+
+    def out_of_sight(self, at: Address) -> str:
+        """Return why a cell, or its middle, is not shown; nothing where it is."""
+        if self._heights.get(at.row, self._height) < taste.LEAST_HEIGHT:
+            return "in a hidden row"
+        if self._widths.get(at.column, self._width) < taste.LEAST_WIDTH:
+            return "in a hidden column"
+        if at.row < self._first[0] or at.column < self._first[1]:
+            return "beyond what is frozen"
+        if not self.areas:
+            return ""
+        x, y = (0.5 * (to(n) + to(n + 1)) for n, to in ((at.column, self._right), (at.row, self._down)))
+        behind = any(one.left < x < one.right and one.top < y < one.bottom for one in self.areas)
+        return "behind a drawing" if behind else ""
+
+    def hidden_rows(self, first: int, last: int) -> int:
+        """Return how many of some rows are hidden."""
+        return sum(self._heights.get(row, self._height) < taste.LEAST_HEIGHT for row in range(first, last + 1))
+
+
+def begins(size: Callable[[int], float]) -> Callable[[int], float]:
+    """Return what gives where a column or row begins, counted from 1, of the sizes of those beside each other."""
+    known = [0.0, 0.0]
+
+    def begin(number: int) -> float:
+        if number >= len(known):
+            known.extend(list(accumulate(map(size, range(len(known) - 1, number)), initial=known.pop())))
+        return known[number]
+
+    return begin
+
+
+def pixels(width: float) -> float:
+    """Return the size of a column of so many characters."""
+    return PIXEL * int(width * DIGIT + MARGIN) if width else 0.0
+
+
+def or_else(given: float | None, usual: float) -> float:
+    """Return a size, the usual one where none is given."""
+    return usual if given is None else given
+
+
+def corner(text: str) -> tuple[int, int]:
+    """Return row and column of a cell; beyond all where it is none."""
+    found = CELL.fullmatch(text)
+    return (int(found[2]), column_index_from_string(found[1])) if found else (10**7, 10**5)
 
 
 class Views:
@@ -29,6 +130,7 @@ class Views:
         sheets = match.file.workbook.worksheets
         self.pages = {sheet.title: Page(sheet, drawings.get(sheet.title, [])) for sheet in sheets}
         self._ours = {title: sheet for sheet in match.declared.sheets if (title := sheet_of(match, sheet))}
+        self._overall = {"overall", *(f"status{n}" for n, _ in enumerate(match.declared.sheets, 1))}
 
     def judge(self, cells: list[Seen]) -> None:
         """Enter what is out of sight."""
@@ -50,17 +152,14 @@ class Views:
 
     def _judge(self, pair: Pair) -> None:
         """Enter that a declared cell is out of sight."""
-        page, verdict = self.pages[pair.address.sheet], is_verdict(pair)
-        value = self._computed.get(pair.address, pair.cell.expected)
-        said = page.out_of_sight(pair.address)
-        if not said and (verdict or pair.cell.quantity.role == "result") and page.covered(pair.address):
-            said = "behind a drawing"
+        at, verdict, page = pair.address, is_verdict(pair), self.pages[pair.address.sheet]
+        value, said = self._computed.get(at, pair.cell.expected), page.out_of_sight(at)
         if not said and verdict and page.hidden and value != OK:
             said = "on a hidden sheet"
-        if said and verdict and (value != OK or is_overall(self._match, pair)):
-            self._report.say(pair.address, SHOWN, f"{value}, {said}", "in sight", pair.what)
+        if said and verdict and (value != OK or pair.cell.block.name in self._overall):
+            self._report.say(at, SHOWN, f"{value}, {said}", "in sight", pair.what)
         elif said:
-            self._told.add(pair.address, (NOTICE, said), "in sight", pair.what, group="")
+            self._told.add(at, (NOTICE, said), "in sight", pair.what, group="")
 
     def _replaced(self, title: str) -> str:
         """Return of which kind a hidden sheet is: one that another, in sight, looks like misleads."""
@@ -90,27 +189,26 @@ def texts_of(sheet: Worksheet) -> set[str]:
 
 def of_settings(root: Element) -> Iterator[Judged]:
     """Yield what is to be told of the settings in a part."""
-    for element in root.iter():
-        for name, attribute, usual, kind, said in taste.SETTINGS:
-            if tag(element) == name and element.get(attribute, usual[0]) not in usual:
+    elements = [one for one in root.iter() if tag(one) != "pane" or one.get("state", "").startswith("frozen")]
+    for name, attribute, usual, kind, said in taste.SETTINGS:
+        for held in (one.get(attribute) for one in elements if tag(one) == name):
+            if held is not None and (held not in usual if isinstance(usual, tuple) else int(float(held)) not in usual):
                 yield kind, said
 
 
 def of_page(page: Element) -> Iterator[Judged]:
     """Yield what is to be told of the views of a sheet, and of what it holds besides cells."""
     yield from of_settings(page)
-    yield from ((NOTICE, f"with {tag(one)}") for one in page if tag(one) not in taste.PAGE)
-    newer = {tag(one) for one in page.iter()} & {"conditionalFormattings", "sparklineGroups"}
-    yield from ((NOTICE, f"with {name} for newer programs") for name in newer)
-    views = [view for element in page if tag(element) == "sheetViews" for view in element if tag(view) == "sheetView"]
-    if len(views) > 1:
-        yield NOTICE, f"{len(views)} views"
-    for view in views:
-        if float(view.get("zoomScale") or 100) < taste.LEAST_ZOOM:
-            yield NOTICE, "too small to be read"
-        for pane in (one for one in view if tag(one) == "pane" and one.get("state", "").startswith("frozen")):
-            if any(float(pane.get(name) or 0) > most for name, most in taste.MOST_FROZEN.items()):
-                yield NOTICE, "frozen beyond a window"
+    for element in page:
+        parts, name = list(element), tag(element)
+        if name not in taste.PAGE:
+            yield NOTICE, f"with {name}"
+        if name == "sheetViews" and len(parts) > 1:
+            yield NOTICE, f"{len(parts)} views"
+        if name == "headerFooter" and any(taste.TELLING.search(taste.CODES.sub("", one.text or "")) for one in parts):
+            yield NOTICE, "figures or a verdict in its header or footer"
+        for newer in {tag(one) for part in parts for one in part if name == "extLst"} - taste.NEWER:
+            yield NOTICE, f"with {newer} for newer programs"
 
 
 def links(match: Match, told: Told) -> None:

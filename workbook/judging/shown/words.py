@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Sheet, Text
@@ -12,9 +12,9 @@ from workbook.judging.matching import MOST_BETWEEN, Match
 from workbook.judging.report import LAYOUT, NOTICE, SHOWN, Report
 from workbook.judging.shown import taste, units
 
-Kind = Literal["label", "symbol", "unit", "header", "units", "equation", "note"]
 HEADINGS = ("heading", "subheading")
 ABOVE = (*HEADINGS, "header", "units", "equation")
+BESIDE = ("label", "symbol", "unit", "note")
 MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
 
 
@@ -75,22 +75,23 @@ def sheet_of(match: Match, sheet: Sheet) -> str | None:
 
 def declared(sheet: Sheet) -> Iterator[Word]:
     """Yield the texts of a sheet that say what its cells are."""
-    rows = {b.row: b for b in sorted(sheet.blocks, key=lambda b: -b.column) if not b.is_table}
-    tables = sorted((block for block in sheet.blocks if block.is_table), key=lambda block: block.row)
     ordered = sorted(sheet.blocks, key=lambda block: (block.row, block.column))
-    for text in sheet.texts:
-        if text.text and text.style in HEADINGS:
+    rows = {b.row: b for b in reversed(ordered) if not b.is_table}
+    tables = [block for block in ordered if block.is_table]
+    for text in (text for text in sheet.texts if text.text):
+        style = text.style
+        if style in HEADINGS:
             below = next((b for b in ordered if b.row > text.row and b.column >= text.column), None)
             if below is not None:
-                yield Word(text, below, f"{text.style} over {below.title or below.quantities[0].label}")
-        elif text.text and text.style in ABOVE:
+                yield Word(text, below, f"{style} over {below.title or below.quantities[0].label}")
+        elif style in ABOVE:
             block = next((b for b in tables if 0 < b.row - text.row <= 4 and text.column in b.columns.values()), None)
             if block is not None:
-                yield Word(text, block, f"{block.title}, {text.style}")
-        elif text.text and text.style in ("label", "symbol", "unit", "note") and text.row in rows and not text.link:
+                yield Word(text, block, f"{block.title}, {style}")
+        elif style in BESIDE and text.row in rows and not text.link:
             block = rows[text.row]
             if text.column in range(FIRST, block.column + 3):
-                yield Word(text, block, f"{text.style} of {block.quantities[0].label}")
+                yield Word(text, block, f"{style} of {block.quantities[0].label}")
 
 
 def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
@@ -98,19 +99,21 @@ def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
 
     They are the nearest in which most of these texts are found, so that a right text elsewhere excuses no wrong one.
     """
-    lines: dict[tuple[str, int], list[Word]] = {}
+    lines = defaultdict[tuple[str, int], list[Word]](list)
     for word in known:
         offset = word.text.row - word.block.row if word.above else word.text.column - word.block.column
-        lines.setdefault((word.block.name if word.above else "", offset), []).append(word)
+        lines[word.block.name if word.above else "", offset].append(word)
     for (_, offset), line in lines.items():
         furthest = MOST_BETWEEN + 4 if line[0].above else MOST_ASIDE
-        aside = range(furthest) if offset > 0 else range(0, -furthest, -1)
-        places = ([place(match, word, offset + more) for word in line] for more in aside)
-        there = ([at.row > 0 < at.column and same(match.file.value(at), word.text.text)
-                  for word, at in zip(line, found, strict=True)] for found in places)  # fmt: skip
-        more = next((more for more, held in zip(aside, there, strict=True) if 2 * sum(held) > len(line)), 0)
-        found = [Found(place(match, word, offset + more), word) for word in line]
-        yield from (one for one in found if one.at.column > 0 and one.at.row > 0)
+        best = [place(match, word, offset) for word in line]
+        for more in range(furthest) if offset > 0 else range(0, -furthest, -1):
+            found = [place(match, word, offset + more) for word in line]
+            there = [at.row > 0 < at.column and same(match.file.value(at), word.text.text)
+                     for word, at in zip(line, found, strict=True)]  # fmt: skip
+            if 2 * sum(there) > len(line):
+                best = found
+                break
+        yield from (Found(at, word) for at, word in zip(best, line, strict=True) if at.column > 0 and at.row > 0)
 
 
 def place(match: Match, word: Word, offset: int) -> Address:
@@ -126,14 +129,14 @@ def place(match: Match, word: Word, offset: int) -> Address:
 
 def judge(match: Match, found: Found, others: set[str], report: Report) -> None:
     """Enter what is wrong with one text."""
-    style, expected = found.word.text.style, found.word.text.text
-    value = match.file.value(found.at)
-    if same(value, expected):
-        return
-    held = "" if value is None else str(value)
-    kind = unit_kind(held, expected, others) if style in ("unit", "units") else reworded(held, expected, others)
+    style, expected, held = found.word.text.style, found.word.text.text, match.file.value(found.at)
+    text = "" if held is None else str(held)
+    if same(held, expected):
+        kind = NOTICE if taste.GAP.search(text) else ""
+    else:
+        kind = unit_kind(text, expected, others) if style in ("unit", "units") else reworded(text, expected, others)
     if kind == SHOWN or (kind == NOTICE and style not in taste.QUIET):
-        report.say(found.at, kind, held or None, expected, found.word.what)
+        report.say(found.at, kind, text or None, expected, found.word.what)
 
 
 def reworded(held: str, expected: str, others: Iterable[str]) -> str:
@@ -152,7 +155,7 @@ def unit_kind(held: str, expected: str, others: set[str]) -> str:
     exchanged = bool(unit) and stands != "same" and any(same(unit, other) for _, other in known)
     if stands == "other" or exchanged or (symbol != ours and any(symbol == other for other, _ in known)):
         return SHOWN
-    return NOTICE if stands != "same" or symbol != ours else ""
+    return NOTICE if stands != "same" or symbol != ours or taste.GAP.search(held) else ""
 
 
 def parted(text: str) -> tuple[str, str]:
