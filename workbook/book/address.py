@@ -70,10 +70,8 @@ class Place(NamedTuple):
 
     def down(self, j: int) -> list[Address]:
         """Return the cells of a column; column 0 if it is gone."""
-        sheet, first, column = self.cell(0, j)
-        if self.rows_at:
-            return [Address(sheet, self.row + offset, column) for offset in self.rows_at]
-        return [Address(sheet, row, column) for row in range(first, first + self.rows)]
+        sheet, column, rows = self.strip(j, self.rows)
+        return [Address(sheet, row, column) for row in rows]
 
     def plain(self, j: int) -> Iterator[tuple[str, int, int]]:
         """Yield what is equal to the cells of a column, and made faster than addresses are."""

@@ -1,7 +1,5 @@
 """Sheets that the latest book has already: copied where the same is asked for, not declared again."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from copy import copy
 from typing import Any, NamedTuple
@@ -14,8 +12,7 @@ class Declared(NamedTuple):
     """What was declared of a book by some calls: sheets, and what these entered in the lists of the book."""
 
     sheets: list[Sheet]
-    checks: list[tuple[int, Any]]
-    """each with the place of its sheet among these"""
+    checks: list[tuple[int, Any]]  # each with the place of its sheet among these
     guards: list[Any]
     column_names: dict[str, tuple[str, str]]
     keyed: set[str]

@@ -40,12 +40,9 @@ class Block:
     size: int
     title: str = ""
     is_table: bool = True
-    blank: str = ""
-    """of a table: the condition under which a row is not used, and shows nothing but its inputs"""
-    quiet: str = ""
-    """of a table: the condition under which its results are errors, and are not shown"""
-    lead: Block | None = None
-    """of columns beside a table: that, whose cells in the same row their formulas may name"""
+    blank: str = ""  # of a table: the condition under which a row is not used, and shows nothing but its inputs
+    quiet: str = ""  # of a table: the condition under which its results are errors, and are not shown
+    lead: Block | None = None  # of columns beside a table: that, whose cells in the same row their formulas may name
     workings: Block | None = None
     """of a table: its workings to the right, whose cells in the same row its formulas may name"""
 
@@ -86,10 +83,6 @@ class Block:
     def blanked(self) -> tuple[Quantity, ...]:
         """The columns that show nothing in a row that is not used: all but the inputs."""
         return tuple(q for q in self.quantities if self.blank and q.role != "input")
-
-    def unused(self, row: int) -> str:
-        """Return the condition of :attr:`blank` in a row of the sheet, as a formula."""
-        return f"={self.when(self.blank, row)}"
 
     def when(self, condition: str, row: int) -> str:
         """Return a condition in a row of the sheet, as a formula without its sign of equality."""

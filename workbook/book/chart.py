@@ -53,8 +53,7 @@ class Chart:
     about: str
     x_range: tuple[float, float | None, float | None] | None = None
     y_range: tuple[float, float | None, float | None] | None = None
-    lanes: bool = False
-    """each line in a lane of its own, named where it begins; heights have no figures"""
+    lanes: bool = False  # each line in a lane of its own, named where it begins; heights have no figures
     log_y: bool = False
 
     def within(self, scope: str) -> Chart:

@@ -1,7 +1,5 @@
 """The Checks sheet: every check of the book in one table, and the overall verdict that each sheet repeats."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any, NamedTuple
@@ -12,8 +10,7 @@ from workbook.book.rows import filled
 from workbook.book.sentence import Sentence
 
 ZERO = 1e-9
-NONE = "none"
-"""what stands in place of the first check that fails, where none does"""
+NONE = "none"  # what stands in place of the first check that fails, where none does
 FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
 """1 where a check does not hold, be it for an error value; a range, for IronCalc counts in no single cell"""
 
@@ -43,7 +40,7 @@ def checks_sheet(book: Book) -> Sheet:
         constant("where", "sheet", "", "", [s.title for s, _ in found]),
         Quantity("says", "what it is about, or where it fails and by how much", "", "", "sentence",
                  [f"={q.name}{SAYS}" for _, q in found], summed.sentences, align="left"),
-        calc("nth", "failing so far", "", "", ["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in found[1:]]], counted(book)),
+        calc("nth", "failing so far", "", "", ["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in found[1:]]], summed.so_far),
     )  # fmt: skip
     sheet.not_printed_below()
     return sheet
@@ -55,6 +52,8 @@ class Summary(NamedTuple):
     verdicts: list[str | None]
     sentences: list[str | None]
     holding: int | None
+    failing: int | None
+    so_far: list[int | None]  # of each check how many up to it do not hold; None from the first that is unfinished
     overall: str | None
 
 
@@ -62,8 +61,11 @@ def summary(book: Book) -> Summary:
     """Return what the checks say together: one that fails fails the book, one that is unfinished leaves it open."""
     said = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
     verdicts, sentences = [verdict for verdict, _ in said], [sentence for _, sentence in said]
-    holding = None if None in verdicts else verdicts.count("OK")
-    return Summary(verdicts, sentences, holding, together(verdicts))
+    known = verdicts.index(None) if None in verdicts else len(verdicts)
+    so_far = list(accumulate(int(verdict != "OK") for verdict in verdicts[:known]))
+    holding = verdicts.count("OK") if known == len(verdicts) else None
+    failing = None if holding is None else len(verdicts) - holding
+    return Summary(verdicts, sentences, holding, failing, filled(so_far, len(verdicts), None), together(verdicts))
 
 
 def together(verdicts: Sequence[str | None]) -> str | None:
@@ -92,20 +94,6 @@ def of_some(book: Book) -> dict[str, list[str | None]]:
     }
 
 
-def failing(book: Book) -> int | None:
-    """Return how many checks do not hold; None where one is unfinished."""
-    holding = summary(book).holding
-    return None if holding is None else len(book.checks) - holding
-
-
-def counted(book: Book) -> list[int | None]:
-    """Return for each check how many up to it do not hold; None from the first that is unfinished."""
-    verdicts = summary(book).verdicts
-    known = verdicts.index(None) if None in verdicts else len(verdicts)
-    so_far = accumulate(int(verdict != "OK") for verdict in verdicts[:known])
-    return filled(so_far, len(verdicts), None)
-
-
 def mended(book: Book, most: int) -> dict[str, list[str | None]]:
     """Return the checks that do not hold, as so many rows tell them, by block and column: ``mend.says``."""
     found = summary(book)
@@ -128,9 +116,9 @@ def settled(book: Book) -> dict[str, list[Any]]:
     return {
         "checks.verdict": found.verdicts,
         "checks.says": found.sentences,
-        "checks.nth": counted(book),
+        "checks.nth": found.so_far,
         **of_some(book),
-        "mend_count.mend_count": [failing(book)],
+        "mend_count.mend_count": [found.failing],
         **mended(book, book.blocks["mend"].size),
         "checks_ok.checks_ok": [found.holding],
         "overall.overall": [found.overall],

@@ -1,7 +1,5 @@
 """Formulas of a sheet, those of a column taken apart once: they differ in the number of their row only."""
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 
@@ -22,14 +20,9 @@ class Moving(NamedTuple):
     def at(self, row: int) -> Area:
         """Return what it means in the formula of a row."""
         area, top, bottom = self
-        if area.single:
-            first = row + top if top is not None else area.top
-            return Area(area.sheet, first, area.left, first, area.right, True)
         first = area.top if top is None else row + top
-        last = area.bottom if bottom is None else row + bottom
-        if first > last:
-            first, last = last, first
-        return Area(area.sheet, first, area.left, last, area.right, area.single)
+        last = first if area.single else area.bottom if bottom is None else row + bottom
+        return Area(area.sheet, min(first, last), area.left, max(first, last), area.right, area.single)
 
 
 class Pattern(NamedTuple):

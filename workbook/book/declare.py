@@ -16,8 +16,6 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 ====================  ==========================================================
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -26,11 +24,7 @@ from typing import Any
 from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.block import Block, Cell
-from workbook.book.limits import (
-    Guard,
-    Limit,
-    RowRule,
-)
+from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Quantity, calc, check, constant, given, result
 from workbook.book.rows import as_rows
 from workbook.book.sheet import FIRST, Sheet, Text

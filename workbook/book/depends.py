@@ -4,8 +4,6 @@ A look-up whose place is known reads one cell of its range, a choice one of its 
 values declared is taken, so that an entry in one row of a table leaves alone what hangs on the others.
 """
 
-from __future__ import annotations
-
 import operator
 import re
 from collections import defaultdict
@@ -34,8 +32,7 @@ class Word(NamedTuple):
 
 
 DUMMY = re.compile(r"A([0-9]+)(:B[0-9]+)?")
-CHOOSING = frozenset(("INDEX", "MATCH", "IF", "CHOOSE"))
-"""functions that need not read all that they name"""
+CHOOSING = frozenset(("INDEX", "MATCH", "IF", "CHOOSE"))  # functions that need not read all that they name
 ARGUMENT = "argument"
 TWICE = Word("number", 2.0)
 

@@ -1,15 +1,11 @@
 """How numbers are shown: the format of a quantity's cells."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from workbook.book.quantity import Quantity
 
-LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))
-"""below each size: four digits that count"""
-NOISE = 1e-12
-"""of any unit: a size below it is rounding"""
+LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))  # below each size: four digits that count
+NOISE = 1e-12  # of any unit: a size below it is rounding
 
 
 def sample(q: Quantity) -> Any:

@@ -5,8 +5,6 @@ arguments each. Texts in quotes become arguments too, so that of a file's text n
 the names of functions reaches a compiler.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable

@@ -4,8 +4,6 @@ A message says what was found and what is expected; it is empty, or the entry's 
 Programs enforce validations on what is typed alone: what is pasted, or written by a script, passes them by.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
@@ -14,15 +12,12 @@ from workbook.book.sentence import Sentence, entered, first_text, quoted
 
 MESSAGES, MESSAGE, USED = "_messages", "message", "used"
 """behind a table's name the block of its messages; in it the first of each row, and whether a row has any entry"""
-EXPECTED = "_expected"
-"""behind the name of a single cell: the message beside it"""
+EXPECTED = "_expected"  # behind the name of a single cell: the message beside it
 EMPTY = "no row is filled"
 FULL, IS_FULL = "_full", "the table is full"
 """behind a table's name the cell under its last row, and what that says where every row has entries"""
-FAULT = "*; expected*"
-"""what a message beside a single cell looks like, and no note does"""
-SPARE = 1
-"""columns over which the texts of a table's last column may run"""
+FAULT = "*; expected*"  # what a message beside a single cell looks like, and no note does
+SPARE = 1  # columns over which the texts of a table's last column may run
 
 
 class Limit(NamedTuple):
@@ -67,8 +62,7 @@ class Guard(NamedTuple):
     rules: tuple[RowRule, ...] = ()
     table: str = ""
     rows: int = 1
-    each: int = 1
-    """of a table: entries that share a column of messages"""
+    each: int = 1  # of a table: entries that share a column of messages
 
     def message(self, place: int, value: Any) -> Sentence:
         """Return the message on an entry, by its place among those that are watched, from 0."""

@@ -1,7 +1,5 @@
 """Polynomials in cells: coefficients that stand side by side, times constant factors and powers."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from math import perm
 

@@ -11,16 +11,12 @@ from workbook.book.sentence import Said, Sentence, quoted
 HOLDS, FAILS = "", "not met"
 SAYS, WHERE = "_says", ": where, and by how much"
 """behind the name of a check, and behind its label: the cell that says where it fails"""
-WANTED = ": what is expected"
-"""behind the label of an entry: the message beside it"""
+WANTED = ": what is expected"  # behind the label of an entry: the message beside it
 
-FLOOR = 1e-3
-"""of the unit: that much of most quantities is next to nothing"""
-FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}
-"""and of those of which it is not"""
+FLOOR = 1e-3  # of the unit: that much of most quantities is next to nothing
+FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}  # and of those of which it is not
 
-ROUNDED, MOST = 1e-9, 1e9
-"""of figures beside a limit: the share of it that rounding may add, and what none is above"""
+ROUNDED, MOST = 1e-9, 1e9  # of figures beside a limit: the share of it that rounding may add, and what none is above
 
 Role = Literal["input", "calculation", "result", "check", "constant", "sentence", "title"]
 
@@ -49,16 +45,12 @@ class Quantity(NamedTuple):
     format: str = ""
     choices: str = ""
     align: str = ""
-    wrap: bool = False
-    """whether its texts take several lines, and their column need hold their words alone"""
+    wrap: bool = False  # whether its texts take several lines, and their column need hold their words alone
     rule: str = ""
     """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
-    limit: float = 0.0
-    """of figures beside a limit: above it they are shown as beyond it; none by default"""
-    says: str = ""
-    """of a check: the formula of where it fails, and by how much"""
-    said: str = ""
-    """what that formula gives, by the engine, where the check fails"""
+    limit: float = 0.0  # of figures beside a limit: above it they are shown as beyond it; none by default
+    says: str = ""  # of a check: the formula of where it fails, and by how much
+    said: str = ""  # what that formula gives, by the engine, where the check fails
 
     @property
     def beside(self) -> str:

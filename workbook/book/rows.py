@@ -1,7 +1,5 @@
 """Columns of tables: a value for each row."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from itertools import repeat
 from typing import Any

@@ -5,16 +5,12 @@ from __future__ import annotations
 import re
 from typing import Any, NamedTuple
 
-DIGITS = 9
-"""decimals that are shown of an entry, at most"""
-PLACES = 4
-"""decimals that are shown of an amount, at most"""
-LARGEST = 1e9
-"""of the entries that are shown"""
+DIGITS = 9  # decimals that are shown of an entry, at most
+PLACES = 4  # decimals that are shown of an amount, at most
+LARGEST = 1e9  # of the entries that are shown
 BEYOND = "beyond 1E9"
 _FIGURE = re.compile(r"-?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?")
-_ROUNDED = 1.1
-"""of the last decimal: each program rounds in its way"""
+_ROUNDED = 1.1  # of the last decimal: each program rounds in its way
 
 
 class Sentence(str):

@@ -41,14 +41,10 @@ class Text(NamedTuple):
     link: str = ""
 
 
-LONG = 40
-"""rows of a table that is not printed below others, and of which a page is printed where it stands alone"""
-TITLES = 3
-"""rows of a sheet's title, purpose and overall verdict"""
-DEEPEST = 14
-"""a table that begins farther down than this is not alone on its sheet"""
-MOST_COLUMNS = 40
-"""of a sheet"""
+LONG = 40  # rows of a table that is not printed below others, and of which a page is printed where it stands alone
+TITLES = 3  # rows of a sheet's title, purpose and overall verdict
+DEEPEST = 14  # a table that begins farther down than this is not alone on its sheet
+MOST_COLUMNS = 40  # of a sheet
 FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
 
 
@@ -65,21 +61,16 @@ class Sheet:
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
     print_rows: int = 0
-    folded: int = 0
-    """the column from which on there are workings alone: an outline of them is folded"""
-    unprinted: bool = False
-    """whether it is for the screen alone: its print area is an empty cell"""
+    folded: int = 0  # the column from which on there are workings alone: an outline of them is folded
+    unprinted: bool = False  # whether it is for the screen alone: its print area is an empty cell
     one_page: bool = False
     portrait: bool = False
-    widths: dict[int, float] = field(default_factory=dict)
-    """of columns that differ from those of other sheets"""
+    widths: dict[int, float] = field(default_factory=dict)  # of columns that differ from those of other sheets
     scope: str = ""
     messages: list[tuple[Block, tuple[Quantity, ...]]] = field(default_factory=list)
     """of tables of inputs: what is expected of each entry"""
-    section: int = 0
-    """row of the heading above"""
-    called: str = ""
-    """what its checks begin with, if not with its title; on the sheet itself they go without"""
+    section: int = 0  # row of the heading above
+    called: str = ""  # what its checks begin with, if not with its title; on the sheet itself they go without
 
     @property
     def head(self) -> int:
@@ -181,15 +172,20 @@ class Sheet:
         limits or break one of ``rules``. A row without any entry shows nothing, of other tables one for which ``blank``
         holds.
         """
+        if size > LONG and not self.print_rows:
+            above = self.section if self.row < self.section + 4 else self.row
+            self.print_rows = above - 1 if self.blocks else self.row + LONG
         inputs = [q for q in quantities if q.role == "input"]
-        blank = blank or all_empty(inputs)
-        block = self._table(name, title, size, blank, *quantities)
-        watched = self._limited(quantities)
-        if watched:
+        explained = any(q.source for q in quantities)
+        self._heads(title, FIRST, explained, quantities)
+        top, unused = self.row + (4 if explained else 3), in_scope(blank or all_empty(inputs), self.scope)
+        name = in_scope(name, self.scope)
+        block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
+        self.row = top + size + 1
+        if watched := self._limited(quantities):
             last = max(block.columns.values()) + len(watched) + len(rules) + 2
             each = 1 if last <= MOST_COLUMNS else 2
-            guard = Guard(f"{block.name}_entries", tuple(watched), tuple(rules), block.name, size, each)
-            self._guard(block, guard, inputs)
+            self._guard(block, Guard(f"{name}_entries", tuple(watched), tuple(rules), name, size, each), inputs)
         return block
 
     def _guard(self, block: Block, guard: Guard, inputs: Sequence[Quantity]) -> None:
@@ -202,8 +198,7 @@ class Sheet:
         self.messages.append((block, tuple(columns)))
         if columns[0].name == USED:
             room = full(guard, as_rows(columns[0].value, block.size, USED))
-            under = block.columns[inputs[0].name]
-            self.put(room, block.row + block.size, under)
+            self.put(room, block.row + block.size, block.columns[inputs[0].name])
         self.checks(verdict)
         self.row += 1
 
@@ -211,9 +206,8 @@ class Sheet:
         """Place the messages of tables of inputs: to the right of each, where its rows are free."""
         for block, columns in self.messages:
             runs = SPARE if block.quantities[-1].align == "left" else 0
-            self.workings(
-                block, f"{block.name}{MESSAGES}", "What is expected", self._free(block, len(columns), runs), *columns
-            )
+            column = self._free(block, len(columns), runs)
+            self.workings(block, f"{block.name}{MESSAGES}", "What is expected", column, *columns)
 
     def _free(self, block: Block, wide: int, runs: int) -> int:
         """Return the first column right of a table from which on so many are free, ``runs`` left for its texts.
@@ -228,19 +222,6 @@ class Sheet:
         behind, printed = max(block.columns.values()) + 1 + runs, self.print_columns + 1
         free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]
         return next((c for c in free if printed <= c <= MOST_COLUMNS + 1 - wide), free[0])
-
-    def _table(self, name: str, title: str, size: int, blank: str, *quantities: Quantity) -> Block:
-        if size > LONG and not self.print_rows:
-            above = self.section if self.row < self.section + 4 else self.row
-            self.print_rows = above - 1 if self.blocks else self.row + LONG
-        explained = any(q.source for q in quantities)
-        self._heads(title, FIRST, explained, quantities)
-        top = self.row + (4 if explained else 3)
-        name = in_scope(name, self.scope)
-        unused = in_scope(blank, self.scope)
-        block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
-        self.row = top + size + 1
-        return block
 
     def _heads(self, title: str, first: int, explained: bool, quantities: Sequence[Quantity]) -> None:
         """Write the title of a table and the heads of its columns."""

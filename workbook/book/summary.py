@@ -3,12 +3,10 @@
 Links to every sheet, how to use the book, and its sources follow below, outside what is printed.
 """
 
-from __future__ import annotations
-
 from typing import Protocol
 
 import workbook
-from workbook.book.checks import NONE, failing, mended
+from workbook.book.checks import NONE, mended, summary
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given
 from workbook.book.sheet import TITLES
 
@@ -29,37 +27,17 @@ USE = (
 )
 PROTECTED = "Protected without a password. Yours are the cells with a fill, the columns beside the tables, and notes."
 COLUMNS, PICTURE_ROW, PICTURE_COLUMN, PICTURE_ROWS = 14, 5, 7, 20
-TO_MEND = 6
-"""checks that fail which the sheet has room for; all of them stand on the sheet Checks"""
+TO_MEND = 6  # checks that fail which the sheet has room for; all of them stand on the sheet Checks
 
 
 class Identified(Protocol):
     """What tells one machine, and one state of its design, from others."""
 
-    @property
-    def title(self) -> str:
-        """The machine."""
-        ...
-
-    @property
-    def number(self) -> str | None:
-        """Its number."""
-        ...
-
-    @property
-    def revision(self) -> str | None:
-        """The state of the design."""
-        ...
-
-    @property
-    def author(self) -> str | None:
-        """Who answers for it."""
-        ...
-
-    @property
-    def date(self) -> str | None:
-        """Of the revision."""
-        ...
+    title: str
+    number: str | None
+    revision: str | None
+    author: str | None  # who answers for it
+    date: str | None  # of the revision
 
 
 def summary_sheet(book: Book, machine: Identified, purpose: str, key_results: list[Quantity]) -> Sheet:
@@ -120,8 +98,8 @@ def head(sheet: Sheet) -> None:
 def to_mend(book: Book, sheet: Sheet) -> None:
     """Declare the first checks that fail: what, on which sheet, where and by how much."""
     sheet.heading("To mend")
-    sheet.rows(calc("mend_count", "Checks that fail", "", "", "=checks_all-checks_ok", failing(book), format="0",
-                    source=f"the first {TO_MEND} of them; all stand on the sheet Checks"))  # fmt: skip
+    sheet.rows(calc("mend_count", "Checks that fail", "", "", "=checks_all-checks_ok", summary(book).failing,
+                    format="0", source=f"the first {TO_MEND} of them; all stand on the sheet Checks"))  # fmt: skip
     rows, where = mended(book, TO_MEND), of_failing("where")
     sheet.table(
         "mend", "The checks that fail", TO_MEND,

@@ -1,7 +1,5 @@
 """A description to begin with: what an example enters, then in comments what is rarely needed."""
 
-from __future__ import annotations
-
 import textwrap
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,8 +13,7 @@ from workbook.templates import AnyTemplate
 
 WIDTH, COLUMN = 116, 32
 AXES = 2
-RARE = ("clearances", "sizes", "switches")
-"""what an example of a machine has and a first machine does not need"""
+RARE = ("clearances", "sizes", "switches")  # what an example of a machine has and a first machine does not need
 HEAD = "A machine to begin with: change what differs. What is rarely needed stands below, in comments."
 REST = (
     "Rarely needed. Move a line up into its table and take the # away. A table of several kinds takes the keys of its "
@@ -92,9 +89,10 @@ class File:
                 keys = [key for key in one.keys if (key.path, one.kind) not in self.told]
                 rows = [row for key in one.keys if key not in keys for row in key.rows
                         if (row.path, one.kind) not in self.told]  # fmt: skip
-                lines = [text for key in keys for text in spare(key)] + [
-                    text for row in rows for text in spare_row(row)
-                ]
+                lines = [text for key in keys for text in spare(key)]
+                for row in rows:
+                    entry = f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}"
+                    lines += line(entry, about(row))
                 if lines:
                     title = one.path.removesuffix(".*").replace(".*", "")
                     shown = f"[[{title}]]" if one.path.endswith(".*") else f"[{title}]"
@@ -117,11 +115,6 @@ def spare(key: Key) -> Iterator[str]:
     more = f"; else {default}" if default not in ("", "none") and not key.rows else ""
     rows = f": {', '.join(map(with_unit, key.rows))}" if key.rows else ""
     yield from line(f"# {key.name} = {toml(example_of(key))}", f"{about(key)}{more}{rows}")
-
-
-def spare_row(row: Key) -> Iterator[str]:
-    """Yield the line of what rows of a list may have too."""
-    yield from line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))
 
 
 def example_of(key: Key) -> Any:

@@ -15,7 +15,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from workbook.book.quantity import Quantity
-from workbook.entries.rules import KIND, either, expectation, is_table, of_kinds, tables, unwrap
+from workbook.entries.rules import KIND, either, expectation, is_table, kinds, tables, unwrap
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import Parameter
 from workbook.laws.registry import CODES, FAMILY
@@ -25,8 +25,7 @@ from workbook.template import FOLDER, has
 from workbook.templates import AnyTemplate
 
 ONE = re.compile(r"\.\d+(?=\.|$)")
-SHOWN = CODES[1]
-"""the law whose page says what is entered on all of them"""
+SHOWN = CODES[1]  # the law whose page says what is entered on all of them
 
 
 WORDS = {
@@ -85,8 +84,7 @@ class Key(NamedTuple):
     required: bool
     default: Any = None
     example: Any = None
-    rows: tuple[Key, ...] = ()
-    """of a list of rows: what each of them holds"""
+    rows: tuple[Key, ...] = ()  # of a list of rows: what each of them holds
 
     @property
     def name(self) -> str:
@@ -104,6 +102,9 @@ class Section(NamedTuple):
     kind: str = ""
 
 
+LAST = {"selection": 1, "sizes": 2, "laws": 3}  # what most descriptions leave as it is
+
+
 def sections(template: AnyTemplate, other: str = "") -> list[Section]:
     """Return the tables of a template's descriptions, the outermost first; of those with the key of another way."""
     machine: Any = read_machine(template.description)
@@ -115,7 +116,9 @@ def sections(template: AnyTemplate, other: str = "") -> list[Section]:
             if q.role == "input":
                 cells.setdefault(ONE.sub(".*", q.key), q)
     walk = Walk(cells, [*examples(template, other)])
-    return sorted(walk.sections((type(machine),), "", machine.title), key=lambda s: rank(s.path))
+    return sorted(
+        walk.sections((type(machine),), "", machine.title), key=lambda s: LAST.get(s.path.partition(".")[0], 0)
+    )
 
 
 def examples(template: AnyTemplate, other: str) -> Iterator[dict[str, Any]]:
@@ -125,16 +128,6 @@ def examples(template: AnyTemplate, other: str) -> Iterator[dict[str, Any]]:
     ways = [other] if other else [*template.others]
     own = [data for data in found if data["template"] == template.name]
     yield from sorted(own, key=lambda data: any(has(data, way) for way in ways) != bool(other))
-
-
-LAST = ("selection", "sizes", "laws")
-"""what most descriptions leave as it is"""
-
-
-def rank(path: str) -> int:
-    """Return where a section stands: the machine's own come first."""
-    first = path.partition(".")[0]
-    return LAST.index(first) + 1 if first in LAST else 0
 
 
 class Walk:
@@ -149,11 +142,13 @@ class Walk:
         fields = {name: field for name, field in known[0].items() if all(name in own for own in known)}
         below = [(name, tables_of(field)) for name, field in fields.items()]
         plain = tuple(self._key(join(path, name), fields[name]) for name, found in below if not found)
-        kinds = of_kinds(models)
-        if kinds:
-            plain = (self._of_kinds(join(path, KIND), tuple(kinds)), *(key for key in plain if key.name != KIND))
+        by_kind = kinds(models)
+        if by_kind:
+            which = join(path, KIND)
+            one = Key(which, WORDS[which], "", either(by_kind), True, None, self._example(which))
+            plain = (one, *(key for key in plain if key.name != KIND))
         yield Section(path, about, models, plain)
-        for kind, model in kinds.items():
+        for kind, model in by_kind.items():
             own = [(name, field) for name, field in model.model_fields.items() if name not in fields]
             keys = tuple(self._key(join(path, name), field, kind) for name, field in own)
             yield Section(path, said(model), (model,), keys, kind)
@@ -165,10 +160,6 @@ class Walk:
                 many = f": {expectation(annotated, constraints)}" if get_origin(annotated) is list else ""
                 about = said(found[0].__base__ if found[1:] else found[0])
                 yield from self.sections(found, join(path, name) + (".*" if many else ""), about + many)
-
-    def _of_kinds(self, path: str, kinds: tuple[str, ...]) -> Key:
-        """Return the key that says of which kind a table is."""
-        return Key(path, WORDS[path], "", either(kinds), True, None, self._example(path))
 
     def _example(self, path: str, kind: str = "") -> Any:
         """Return what the first description has at a key that has it, in a table of a kind."""
@@ -191,14 +182,14 @@ class Walk:
         meaning = (
             field.description or WORDS.get(path) or (cell.label if cell else said(table) if table else listed(path))
         )
+        more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
         default = None if field.is_required() else field.get_default(call_default_factory=True)
         rows = [self._key(join(f"{path}.*", name), one, of, first(default, name))
                 for name, one in (table.model_fields.items() if table else ())]  # fmt: skip
-        return Key(
-            path, sentence(meaning), cell.unit if cell else own_unit(field), expectation(kind, constraints),
-            field.is_required() or path == "template", default,
-            listed_in if listed_in is not None else self._example(path, of), tuple(rows),
-        )  # fmt: skip
+        unit = cell.unit if cell else str(more.get("unit", ""))
+        shown = listed_in if listed_in is not None else self._example(path, of)
+        required = field.is_required() or path == "template"
+        return Key(path, sentence(meaning), unit, expectation(kind, constraints), required, default, shown, tuple(rows))
 
     def _of_law(self, path: str) -> Quantity | None:
         """Return a cell for an entry of a family of laws that the committed description has no law of."""
@@ -215,12 +206,6 @@ class Walk:
 def first(rows: Any, name: str) -> Any:
     """Return an entry of the first of some rows that has it."""
     return next((found for row in rows or [] if (found := getattr(row, name, None)) not in (None, "")), None)
-
-
-def own_unit(field: FieldInfo) -> str:
-    """Return the unit that an entry itself has, of one that no cell of the example shows."""
-    more = field.json_schema_extra
-    return str(more.get("unit", "")) if isinstance(more, dict) else ""
 
 
 def listed(path: str) -> str:

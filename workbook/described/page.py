@@ -1,7 +1,5 @@
 """The page of documentation on descriptions: every key, a section a template."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 
 from workbook.described.keys import Key, Section, sections
@@ -55,12 +53,7 @@ def described(section: Section) -> str:
     """Return the table of a section, with those of its lists."""
     kind = f" with `kind = {toml(section.kind)}`" if section.kind else ""
     title = f"### `[{section.path}]`{kind}\n\n{section.about}.\n\n" if section.path else ""
-    return f"{title}{table(section.path, section.keys)}" if section.keys else title.rstrip("\n") + "\n"
-
-
-def table(path: str, keys: Iterable[Key]) -> str:
-    """Return keys as a table."""
-    return tabled(lines(path, keys))
+    return f"{title}{tabled(lines(section.path, section.keys))}" if section.keys else title.rstrip("\n") + "\n"
 
 
 def tabled(told: Iterable[tuple[str, ...]]) -> str:

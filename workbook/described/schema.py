@@ -1,7 +1,5 @@
 """JSON Schemas of descriptions, from which editors complete keys and mark what does not do."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -60,9 +58,7 @@ def laws(defs: dict[str, Any]) -> dict[str, Any]:
     return {"type": "object", "properties": known, "additionalProperties": others}
 
 
-def placed(
-    section: Section, model: type[BaseModel], made: dict[str, Any]
-) -> Iterator[tuple[Key, dict[str, Any]]]:  # fmt: skip
+def placed(section: Section, model: type[BaseModel], made: dict[str, Any]) -> Iterator[tuple[Key, dict[str, Any]]]:
     """Yield each key of a section with its places in the schema of a model."""
     begin = f"{section.path}." if section.path else ""
     for one in section.models:

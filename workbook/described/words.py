@@ -1,7 +1,5 @@
 """How values and rules are written of a description: as TOML, and in a line of words."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import tomli_w

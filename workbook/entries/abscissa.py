@@ -7,9 +7,7 @@ Within, every machine counts its cycle as one turn: what is entered in s becomes
 for the engine. All that differs is here: units, words, and how places and rates go from the one to the other.
 """
 
-from __future__ import annotations
-
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import tau
 from typing import Literal, NamedTuple, get_args
 
@@ -21,8 +19,7 @@ Range = tuple[float, float | None, float | None]
 TAKEN = "timing_taken"
 """the cell of the cycle by which places become degrees: by it a file tells that they are not entered in them"""
 Unit = Literal["s", "°", "rad", "mm"]
-UNITS: tuple[Unit, ...] = get_args(Unit)
-"""what a cycle can be entered in that has a length"""
+UNITS: tuple[Unit, ...] = get_args(Unit)  # what a cycle can be entered in that has a length
 
 
 class Lift(NamedTuple):
@@ -40,50 +37,34 @@ ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*DE
 
 @dataclass(frozen=True)
 class Abscissa:
-    """Degrees of a master shaft, entered and shown as they are."""
+    """What a cycle is over: by default degrees of a master shaft, entered and shown as they are.
+
+    One that is ``measured`` has a ``length`` that is entered, in its unit: places and figures are told by that. One
+    that is not ``paced`` does not tell how time passes: an angle, or the travel of a product.
+    """
 
     unit: str = "°"
-    after: str = "°"
-    """the unit as it stands behind a figure in sentences"""
+    after: str = "°"  # the unit as it stands behind a figure in sentences
     symbol: str = "θ"
     name: str = "master angle"
     cycle: str = "one turn of the master shaft"
     period: str = "turn"
-    lasting: str = "t"
-    """the symbol of how long something lasts"""
-    angle: str = "master angle"
-    """what workings in degrees are over"""
-    speed: str = "Master shaft"
-    """what goes at ω"""
+    lasting: str = "t"  # the symbol of how long something lasts
+    angle: str = "master angle"  # what workings in degrees are over
+    speed: str = "Master shaft"  # what goes at ω
     entered_of: str = "of the master shaft"
-    column: str = "theta"
-    """of the tables over the cycle: what charts are drawn over"""
+    column: str = "theta"  # of the tables over the cycle: what charts are drawn over
     format: str = "0.0##"
     length: float = TURN
-
-    @property
-    def measured(self) -> bool:
-        """Whether an entry says how long its cycle is, in its unit: places and figures are told by that."""
-        return False
-
-    @property
-    def paced(self) -> bool:
-        """Whether it tells how time passes."""
-        return True
-
-    @property
-    def symbols(self) -> tuple[str, str, str, str]:
-        """Symbols of a position and its rates."""
-        return "y", "ẏ", "ÿ", "j"
-
-    @property
-    def extremes(self) -> tuple[str, str, str, str]:
-        """Symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration."""
-        return "ẏmax", "ÿmax", "j_max", "ÿrms"
+    measured: bool = False
+    paced: bool = True
+    symbols: tuple[str, str, str, str] = ("y", "ẏ", "ÿ", "j")  # of a position and its rates
+    extremes: tuple[str, str, str, str] = ("ẏmax", "ÿmax", "j_max", "ÿrms")
+    """symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration"""
 
     def lift(self, unit: str) -> Lift:
-        """Return how its rates show a lift that is entered in a unit."""
-        return METRES if unit == "mm" else RADIANS
+        """Return how its rates show a lift that is entered in a unit: as it is entered, or over time in m or rad."""
+        return (METRES if unit == "mm" else RADIANS) if self.paced else ENTERED[unit]
 
     def rates(self, unit: str) -> tuple[str, str, str]:
         """Return the units of velocity, acceleration and jerk of an axis whose lifts are in a unit."""
@@ -96,20 +77,20 @@ class Abscissa:
         return f"{self.name} {self.symbol} [{self.unit}]"
 
     def axis(self, step: float) -> Range:
-        """Return the range of a chart's axis, with marks that many degrees apart."""
-        return (0, TURN, step)
+        """Return the range of a chart's axis, with marks that many degrees apart; an entered end is the program's."""
+        return (0, None, None) if self.measured else (0, TURN, step)
 
     def rule(self, table: str, row: int, name: str) -> str:
-        """Return who finds a fault of a row of a table, and by which rule: the row itself."""
-        return f"{table}.{row - 1}:{name}"
+        """Return who finds a fault of a row of a table, and by which rule: the row, or else the machine."""
+        return f":{name}{row}" if self.measured else f"{table}.{row - 1}:{name}"
 
     def degrees(self, x: Real) -> Real:
         """Return in degrees of the turn what is entered."""
-        return x
+        return x / self.length * TURN if self.measured else x
 
     def shown(self, x: Real) -> Real:
         """Return as it is shown what is in degrees."""
-        return x
+        return x / TURN * self.length if self.measured else x
 
     def said(self, x: float) -> str:
         """Return what is in degrees as sentences show it."""
@@ -117,144 +98,50 @@ class Abscissa:
 
     def per_rad(self, rate: float, order: int) -> float:
         """Return by rad what is entered of the n-th derivative of a motion."""
-        return rate
+        return rate / float((tau / self.length) ** order) if self.measured else rate
 
     def by_unit(self, rate: float, order: int) -> float:
         """Return by its unit a derivative of a motion by rad."""
-        return rate
+        return rate * float((tau / self.length) ** order) if self.measured else rate
 
     def in_degrees(self, cell: str) -> str:
         """Return the formula, without its =, of a place in degrees, from the cell in which it is entered."""
-        return cell
+        return f"{cell}/{TAKEN}*360" if self.measured else cell
 
     def told(self, cell: str) -> str:
         """Return the formula of a place as it is shown, from a cell or formula in degrees."""
-        return cell
+        return f"({cell})/360*{TAKEN}" if self.measured else cell
 
     def rate(self, cell: str, order: int) -> str:
         """Return the formula of what is entered of a derivative in a cell, by rad."""
-        return cell
+        return f"{cell}/timing_omega^{order}" if self.measured else cell
 
     def from_rad(self, order: int) -> str:
         """Return the end of a formula that turns a derivative by rad into one by what is shown."""
+        if self.measured:
+            return f"*timing_omega^{order}" if order else ""
         return ("", "*PI()/180", "*(PI()/180)^2")[order]
 
 
-@dataclass(frozen=True)
-class Measured(Abscissa):
-    """An abscissa whose cycle has a ``length`` that is entered, in its unit."""
-
-    cycle: str = "one cycle"
-    period: str = "cycle"
-    angle: str = "angle of a turn a cycle"
-    speed: str = "A turn a cycle"
-    entered_of: str = "of the cycle"
-    column: str = "time"
-    format: str = "0.0####"
-
-    @property
-    def measured(self) -> bool:
-        """Whether an entry says how long its cycle is."""
-        return True
-
-    def axis(self, step: float) -> Range:
-        """Return the range of a chart's axis: its end, an entry, is left to the program."""
-        return (0, None, None)
-
-    def rule(self, table: str, row: int, name: str) -> str:
-        """Return who finds a fault of a row of a table, and by which rule: the machine, which knows the cycle."""
-        return f":{name}{row}"
-
-    def degrees(self, x: Real) -> Real:
-        """Return in degrees of the turn what is entered."""
-        return x / self.length * TURN
-
-    def shown(self, x: Real) -> Real:
-        """Return in its unit what is in degrees."""
-        return x / TURN * self.length
-
-    def per_rad(self, rate: float, order: int) -> float:
-        """Return by rad what is entered by its unit."""
-        return rate / float((tau / self.length) ** order)
-
-    def by_unit(self, rate: float, order: int) -> float:
-        """Return by its unit a derivative of a motion by rad."""
-        return rate * float((tau / self.length) ** order)
-
-    def in_degrees(self, cell: str) -> str:
-        """Return the formula of a place in degrees."""
-        return f"{cell}/{TAKEN}*360"
-
-    def told(self, cell: str) -> str:
-        """Return the formula of a place in its unit."""
-        return f"({cell})/360*{TAKEN}"
-
-    def rate(self, cell: str, order: int) -> str:
-        """Return the formula of a derivative by rad."""
-        return f"{cell}/timing_omega^{order}"
-
-    def from_rad(self, order: int) -> str:
-        """Return the end of a formula that turns a derivative by rad into one by its unit."""
-        return f"*timing_omega^{order}" if order else ""
-
-
-@dataclass(frozen=True)
-class Seconds(Measured):
-    """Seconds of a cycle."""
-
-    unit: str = "s"
-    after: str = " s"
-    symbol: str = "t"
-    name: str = "time"
-
-
-@dataclass(frozen=True)
-class Way(Measured):
-    """An abscissa that does not tell how time passes: an angle, or the travel of a product."""
-
-    symbol: str = "x"
-    name: str = "abscissa"
-    lasting: str = "δ"
-
-    @property
-    def paced(self) -> bool:
-        """Whether it tells how time passes."""
-        return False
-
-    @property
-    def symbols(self) -> tuple[str, str, str, str]:
-        """Symbols of a position and its rates."""
-        return "y", "y'", "y''", "y'''"
-
-    @property
-    def extremes(self) -> tuple[str, str, str, str]:
-        """Symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration."""
-        _, first, second, third = self.symbols
-        return first, second, third, second
-
-    def lift(self, unit: str) -> Lift:
-        """Return how its rates show a lift: as it is entered."""
-        return ENTERED[unit]
-
-
 ANGLE = Abscissa()
-WAYS: dict[str, tuple[str, str, str]] = {
-    "°": ("°", "θ", "angle"), "rad": (" rad", "θ", "angle"), "mm": (" mm", "x", "travel"),
+NAMED = {
+    "s": (" s", "t", "time"), "°": ("°", "θ", "angle"), "rad": (" rad", "θ", "angle"), "mm": (" mm", "x", "travel"),
 }  # fmt: skip
 """how each is written behind a figure, its symbol and name"""
+BY_X = ("y", "y'", "y''", "y'''")  # symbols of a position and its rates by another abscissa than time
+MARKS = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}
 
 
 def measured(unit: str, length: float) -> Abscissa:
     """Return the abscissa of a cycle of a length in a unit."""
-    if unit == "s":
-        return Seconds(length=length)
-    after, symbol, name = WAYS[unit]
-    return Way(unit=unit, after=after, symbol=symbol, name=name, length=length)
+    (after, symbol, name), paced = NAMED[unit], unit == "s"
+    found = Abscissa(
+        unit, after, symbol, name, "one cycle", "cycle", "t" if paced else "δ", "angle of a turn a cycle",
+        "A turn a cycle", "of the cycle", "time", "0.0####", length, measured=True, paced=paced,
+    )  # fmt: skip
+    return found if paced else replace(found, symbols=BY_X, extremes=(*BY_X[1:], BY_X[2]))
 
 
 def in_unit(unit: str) -> str:
     """Return the name of the cell that says what a cycle is over: by it a file tells that."""
     return f"timing_in_{MARKS[unit]}"
-
-
-MARKS: dict[str, str] = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}

@@ -4,14 +4,13 @@ Such a machine is not refused. What the engine works out is a machine with other
 entered is kept beside it, with all that is wrong: the book shows the one, and is worked out with the other.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from typing import Any, Literal, TypeVar, get_origin
 
+from annotated_types import Ge
 from pydantic import BaseModel, ValidationError
 
 from workbook.entries import rules
@@ -22,8 +21,7 @@ from workbook.laws.entries import key_of
 M = TypeVar("M", bound=Machine)
 BEYOND = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
 MOST_ROUNDS = 24
-NONE = object()
-"""stands where a description has no entry"""
+NONE = object()  # stands where a description has no entry
 
 
 class RefusedError(Exception):
@@ -117,7 +115,7 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> Iterator[Fault]:
     else:
         value = fault["input"] if fault["type"] in BEYOND else None
         kind, constraints = rules.field_at(model, rule)
-        fits = 0.0 if value is None and kind is float and rules.from_zero(constraints) else None  # as a cell reads it
+        fits = 0.0 if value is None and kind is float and Ge(0) in constraints else None  # as a cell reads it
         yield Fault(key, key, "", f"expected {rules.expectation(kind, constraints)}", value, fits)
 
 
@@ -132,7 +130,9 @@ def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: d
     found = at(example, rule)
     if found is NONE or found is None:
         kind, constraints = rules.field_at(model, rule)
-        if not (isinstance(kind, type) and issubclass(kind, BaseModel)) or rules.has_required(kind):
+        if not (isinstance(kind, type) and issubclass(kind, BaseModel)) or any(
+            field.is_required() for field in kind.model_fields.values()
+        ):
             return rules.within(kind, constraints)
         found = kind().model_dump()
     return refilled(at(tried, path), found)
@@ -198,12 +198,14 @@ def at(data: Any, path: str) -> Any:
 
 
 def set_at(data: Any, path: list[str], value: Any) -> None:
-    """Set an entry, making tables on the way."""
+    """Set an entry, making tables on the way; None takes it away from its table."""
     *above, last = path
     for part in above:
         data = data[int(part)] if isinstance(data, list) else data.setdefault(part, {})
     if isinstance(data, list):
         data[int(last)] = value
+    elif value is None:
+        data.pop(last, None)
     else:
         data[last] = value
 
@@ -260,21 +262,8 @@ def as_entered(machine: Machine) -> dict[str, Any]:
     """Return the description of a machine with what was entered, finished or not."""
     data = machine.model_dump(exclude_none=True)
     for key, old in machine.design.replaced.items():
-        put_back(data, parts(key), old.value)
+        set_at(data, parts(key), old.value)
     return {key: emptied(value) for key, value in data.items()}
-
-
-def put_back(data: Any, path: list[str], value: Any) -> None:
-    """Set an entry, or take it away where there was none."""
-    *above, last = path
-    for part in above:
-        data = data[int(part)] if isinstance(data, list) else data.setdefault(part, {})
-    if isinstance(data, list):
-        data[int(last)] = value
-    elif value is None:
-        data.pop(last, None)
-    else:
-        data[last] = value
 
 
 def emptied(data: Any) -> Any:

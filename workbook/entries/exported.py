@@ -1,7 +1,5 @@
 """The sheet Export, where a description asks for one: which axis it has."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Self
 

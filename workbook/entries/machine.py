@@ -1,7 +1,5 @@
 """What every machine description has: title, laws, sizes of its tables."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from datetime import date
 from typing import Annotated, Any, NamedTuple, Self

@@ -1,7 +1,5 @@
 """A phase as entered wherever phases follow one another: a law over a lift in a duration."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 
 from pydantic import Field
@@ -46,9 +44,8 @@ def require_straight(laws: Laws, phases: Mapping[str, Sequence[Passing]]) -> Non
                 raise EntryError(f"{key}.{i}", NO_LINE)
 
 
-AT_REST = RowRule(
-    "dwell", 'OR(AND([law]<>"DWL",[law]<>""),[lift]+0=0)', "lift", "lift of a dwell or without a law"
-)  # fmt: skip
+AT_REST = RowRule("dwell", 'OR(AND([law]<>"DWL",[law]<>""),[lift]+0=0)', "lift",
+                  "lift of a dwell or without a law")  # fmt: skip
 """a row of phases whose law is the dwell, or that names none, does not lift"""
 
 

@@ -1,7 +1,5 @@
 """What Excel accepts in an input cell, derived from the machine model that the input belongs to."""
 
-from __future__ import annotations
-
 import types
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import astuple
@@ -19,8 +17,7 @@ from workbook.entries.types import LARGEST, SMALLEST, CountsAs, EmptyCell
 from workbook.laws.entries import TakesLaw
 from workbook.laws.registry import RISING
 
-KIND = "kind"
-"""the entry that says which kind a table is of"""
+KIND = "kind"  # the entry that says which kind a table is of
 
 
 def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
@@ -51,11 +48,7 @@ def tables(kind: Any) -> tuple[type[BaseModel], ...]:
 
 def kinds(kind: Any) -> dict[str, type[BaseModel]]:
     """Return the models of a table of different kinds by what the entry ``kind`` says; none of any other."""
-    return of_kinds(tables(kind))
-
-
-def of_kinds(models: tuple[type[BaseModel], ...]) -> dict[str, type[BaseModel]]:
-    """Return several models by what the entry ``kind`` says; nothing of a single one."""
+    models = tables(kind)
     return {get_args(one.model_fields[KIND].annotation)[0]: one for one in models} if len(models) > 1 else {}
 
 
@@ -132,17 +125,14 @@ def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
 
 def is_required(model: type[BaseModel], key: str) -> bool:
     """Whether an entry must be there: it has no default."""
-    above, _, last = key.rpartition(".")
-    if last == "*" or last.isdigit():
-        return True
-    kind, _ = field_at(model, above)
-    field = fields(kind).get(last)
+    field = declared(model, key)
     return field is None or bool(field.is_required())
 
 
-def has_required(model: type[BaseModel]) -> bool:
-    """Whether a table has entries without a default, so that none of it can be made from nothing."""
-    return any(field.is_required() for field in model.model_fields.values())
+def declared(model: type[BaseModel], key: str) -> FieldInfo | None:
+    """Return the field of an entry; None of a row of a list."""
+    above, _, last = key.rpartition(".")
+    return None if last == "*" or last.isdigit() else fields(field_at(model, above)[0]).get(last)
 
 
 def must_be_there(model: type[BaseModel], key: str) -> bool:
@@ -156,11 +146,7 @@ def must_be_there(model: type[BaseModel], key: str) -> bool:
 
 def default_at(model: type[BaseModel], key: str) -> Any:
     """Return what an entry is where nothing is entered; None where it has no default."""
-    above, _, last = key.rpartition(".")
-    if last.isdigit():
-        return None
-    kind, _ = field_at(model, above)
-    field = fields(kind).get(last)
+    field = declared(model, key)
     return None if field is None or field.is_required() else field.get_default(call_default_factory=True)
 
 
@@ -174,10 +160,8 @@ def is_table(kind: Any) -> bool:
     row = get_args(kind)[0]
     if not (isinstance(row, type) and issubclass(row, BaseModel)):
         return False
-    kinds = [unwrap(entry.annotation, [])[0] for entry in row.model_fields.values()]
-    return not any(
-        get_origin(kind) is list or (isinstance(kind, type) and issubclass(kind, BaseModel)) for kind in kinds
-    )
+    entries = [unwrap(entry.annotation, [])[0] for entry in row.model_fields.values()]
+    return not any(get_origin(one) is list or (isinstance(one, type) and issubclass(one, BaseModel)) for one in entries)
 
 
 def within(kind: Any, constraints: list[Any]) -> Any:
@@ -191,11 +175,6 @@ def within(kind: Any, constraints: list[Any]) -> Any:
     low = max((astuple(c)[0] for c in constraints if isinstance(c, Gt | Ge)), default=-LARGEST)
     high = min((astuple(c)[0] for c in constraints if isinstance(c, Lt | Le)), default=LARGEST)
     return 1.0 if low < 1.0 < high else (low + high) / 2
-
-
-def from_zero(constraints: list[Any]) -> bool:
-    """Whether a number may be 0 and not less."""
-    return any(isinstance(c, Ge) and c.ge == 0 for c in constraints)
 
 
 SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}

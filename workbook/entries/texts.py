@@ -1,7 +1,5 @@
 """Texts as entered: in one line that every program shows, and names that every program finds again by MATCH."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from typing import Annotated
@@ -28,17 +26,14 @@ PATTERN = "*?~"
 def one_line(text: str) -> str:
     """Return a text; raise EntryError where it holds a character that some program, or a file, cannot show."""
     for character in text:
-        if category(character) in ("Cc", "Cs", "Zl", "Zp") or is_none(ord(character)):
-            raise EntryError("", f"holds the character U+{ord(character):04X}; expected a text in one line, "
+        number = ord(character)  # of some it is none of a character (Unicode 15, 23.7)
+        none = number & 0xFFFE == 0xFFFE or 0xFDD0 <= number <= 0xFDEF
+        if none or category(character) in ("Cc", "Cs", "Zl", "Zp"):
+            raise EntryError("", f"holds the character U+{number:04X}; expected a text in one line, "
                                  "of characters that a cell can show")  # fmt: skip
     if ERROR.fullmatch(text):
         raise EntryError("", f"{text!r} reads as an error value; expected a text")
     return text
-
-
-def is_none(number: int) -> bool:
-    """Whether a code point is none of a character (Unicode 15, 23.7)."""
-    return number & 0xFFFE == 0xFFFE or 0xFDD0 <= number <= 0xFDEF
 
 
 def looked_up(name: str) -> str:

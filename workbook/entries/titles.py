@@ -1,7 +1,5 @@
 """Titles of sheets that are named by an entry: such as Excel takes, and no other sheet of the book has."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 

@@ -1,7 +1,5 @@
 """Phases of an axis over one turn of the master shaft, as entered."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The types of entries, in the engineer's units, with the rules that each obeys."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, Any, Self

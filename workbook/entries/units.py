@@ -1,7 +1,5 @@
 """Units at the edge: what is entered and shown in them, in SI within; a sheet's figures are scaled here alone."""
 
-from __future__ import annotations
-
 from math import pi, tau
 from typing import TypeVar
 

@@ -14,7 +14,7 @@ from workbook.functions.names import definitions
 from workbook.functions.page import declare
 from workbook.functions.shown import EXAMPLE, Shown
 from workbook.template import FOLDER
-from workbook.writing import dynamic
+from workbook.writing import archive
 from workbook.writing.same import same_book
 from workbook.writing.write import pack, parts
 
@@ -34,7 +34,7 @@ The names that begin with _ are called by the others: take them all.
 def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
     """Write the workbook with the names and the page that shows them, replacing what is there."""
     made = parts(declare(shown), Shown, names(), f"{NAMESPACE}.")
-    pack(dynamic.completed(made | {SHEET: unsaved(made[SHEET])}), path, overwrite=True)
+    pack(archive.dynamic(made | {SHEET: unsaved(made[SHEET])}), path, overwrite=True)
 
 
 def unsaved(sheet: bytes) -> bytes:

@@ -4,8 +4,6 @@ openpyxl leaves three things that Excel mends in silence when it saves: the time
 text, and fonts whose elements are out of order.
 """
 
-from __future__ import annotations
-
 import io
 import re
 import zipfile
@@ -27,6 +25,17 @@ LINK = (
     '<Relationship Id="{0}" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/{1}" '
     'Target="{0}.xml"/>'
 )
+METADATA = (
+    b'<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
+    b'<metadata xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" '
+    b'xmlns:xda="http://schemas.microsoft.com/office/spreadsheetml/2017/dynamicarray">'
+    b'<metadataTypes count="1"><metadataType name="XLDAPR" minSupportedVersion="120000" copy="1" pasteAll="1" '
+    b'pasteValues="1" merge="1" splitFirst="1" rowColShift="1" clearFormats="1" clearComments="1" assign="1" '
+    b'coerce="1" cellMeta="1"/></metadataTypes>'
+    b'<futureMetadata name="XLDAPR" count="1"><bk><extLst><ext uri="{bdbb8cdc-fa1e-496e-a857-3c3f30c029c3}">'
+    b'<xda:dynamicArrayProperties fDynamic="1" fCollapsed="0"/></ext></extLst></bk></futureMetadata>'
+    b'<cellMetadata count="1"><bk><rc t="1" v="0"/></bk></cellMetadata></metadata>'
+)
 
 
 def with_cells(sheet: bytes, span: str, data: str) -> bytes:
@@ -36,10 +45,13 @@ def with_cells(sheet: bytes, span: str, data: str) -> bytes:
 
 def completed(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[str, str]]) -> dict[str, bytes]:
     """Return the parts as Excel writes them; ``abouts`` are title and alternative text of each chart, in order."""
-    made = dict(parts)
-    dated(made)
-    described(made, abouts)
+    made, core = dict(parts), "docProps/core.xml"
+    made[core] = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH, made[core])
     made["xl/styles.xml"] = ordered(made["xl/styles.xml"])
+    named = (f'name="{escape(title)}" descr="{escape(about)}"'.encode() for title, about in abouts)
+    for name, part in made.items():
+        if re.fullmatch(r"xl/drawings/drawing\d+\.xml", name):
+            made[name] = re.sub(rb'name="Chart \d+"', lambda _: next(named), part)
     return added(made, "sharedStrings", strings)
 
 
@@ -55,6 +67,15 @@ def added(parts: dict[str, bytes], name: str, part: bytes, kind: str = "") -> di
     return made
 
 
+def dynamic(parts: dict[str, bytes]) -> dict[str, bytes]:
+    """Return the parts with the metadata that the mark ``cm="1"`` of a cell leads to, as Excel 365 itself stores it.
+
+    A cell that Excel does not know to be a dynamic-array formula gets an @ before each function that may give an array
+    ([MS-XLSX] 2.6.205, 'CT_DynamicArrayProperties'). openpyxl writes neither.
+    """
+    return added(parts, "metadata", METADATA, "sheetMetadata")
+
+
 def zipped(parts: dict[str, bytes], method: int = zipfile.ZIP_STORED) -> bytes:
     """Return the archive of the parts, in their order, with the fixed time."""
     data = io.BytesIO()
@@ -68,25 +89,6 @@ def unzipped(data: bytes) -> dict[str, bytes]:
     """Return the parts of an archive by name."""
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         return {info.filename: archive.read(info) for info in archive.infolist()}
-
-
-def dated(parts: dict[str, bytes]) -> None:
-    """Set the times of the document's properties to the fixed one."""
-    stamp = b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH
-    parts["docProps/core.xml"] = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", stamp, parts["docProps/core.xml"])
-
-
-def described(parts: dict[str, bytes], abouts: list[tuple[str, str]]) -> None:
-    """Name each chart, and give it its alternative text."""
-    titles = iter(abouts)
-    for name, part in parts.items():
-        if re.fullmatch(r"xl/drawings/drawing\d+\.xml", name):
-            parts[name] = re.sub(rb'name="Chart \d+"', lambda _: description(*next(titles)), part)
-
-
-def description(title: str, about: str) -> bytes:
-    """Return the name and description attributes of a chart."""
-    return f'name="{escape(title)}" descr="{escape(about)}"'.encode()
 
 
 def ordered(styles: bytes) -> bytes:

@@ -3,8 +3,6 @@
 openpyxl writes no values of formulas, and takes several times as long.
 """
 
-from __future__ import annotations
-
 import math
 from collections import defaultdict
 from html import escape

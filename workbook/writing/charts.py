@@ -1,6 +1,10 @@
-"""XY charts with straight lines, labelled axes and alternative text."""
+"""XY charts with straight lines, labelled axes and alternative text.
 
-from __future__ import annotations
+The numbers that a chart shows are kept in it: previews and Protected View draw these, and compute nothing.
+"""
+
+import re
+from html import unescape
 
 from openpyxl.chart import Reference, ScatterChart
 from openpyxl.chart.axis import ChartLines, NumericAxis
@@ -22,6 +26,7 @@ from openpyxl.utils import quote_sheetname
 
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book
+from workbook.writing.cells import result
 from workbook.writing.style import GRID
 
 WIDTH = 19050  # of a line: 1.5 points
@@ -30,6 +35,7 @@ SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW = 1.5  # cm for the labels of the abscissa and its title
 NAMES = 3.0  # cm left of the plot, where the lines have their names there
 LEGEND, LONG_LEGEND, LONG = 0.7, 1.6, 6  # cm for a legend, for one of more lines than so many
+NUMBERS = re.compile(rb"<numRef><f>([^<]*)</f></numRef>")
 
 
 def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
@@ -102,22 +108,14 @@ def strokes(series: Series, book: Book, stroke: LineProperties) -> ErrorBars | N
     lengths = series.up or series.right
     if not lengths:
         return None
-    return ErrorBars(
-        errDir="y" if series.up else "x",
-        errBarType="plus",
-        errValType="cust",
-        noEndCap=True,
-        plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
-        spPr=GraphicalProperties(ln=stroke),
-    )
+    return ErrorBars(errDir="y" if series.up else "x", errBarType="plus", errValType="cust", noEndCap=True,
+                     plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
+                     spPr=GraphicalProperties(ln=stroke))  # fmt: skip
 
 
 def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     """Title, scale and number format of both axes."""
-    for axis, title, limits in (
-        (drawn.x_axis, chart.x, chart.x_range),
-        (drawn.y_axis, chart.y, chart.y_range),
-    ):
+    for axis, title, limits in ((drawn.x_axis, chart.x, chart.x_range), (drawn.y_axis, chart.y, chart.y_range)):
         if title:
             axis.title = linked(title[1:], book, 1000) if title.startswith("=") else heading(title, 1000)
         axis.delete = False  # Excel hides an axis that does not say so
@@ -150,13 +148,36 @@ def named(series: Series, book: Book, ink: str) -> DataLabelList:
     """Return the labels of a line: its name, left of its first point; of one that crosses the lanes behind its last."""
     text = CharacterProperties(sz=1000, b=True, solidFill=ink)
     look = RichText(p=[Paragraph(pPr=ParagraphProperties(defRPr=text), endParaRPr=text)])
-    shown = {
-        "showLegendKey": False,
-        "showVal": False,
-        "showCatName": False,
-        "showPercent": False,
-        "showBubbleSize": False,
-    }
+    shown = dict.fromkeys(("showLegendKey", "showVal", "showCatName", "showPercent", "showBubbleSize"), False)
     at, side = (len(book.values(series.x)) - 1, "r") if series.dashed else (0, "l")
     first = DataLabel(idx=at, dLblPos=side, txPr=look, showSerName=True, **shown)
     return DataLabelList(dLbl=[first], showSerName=False, **shown)
+
+
+def filled(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
+    """Return the parts of charts with the values of each range that a line, or its strokes, refer to."""
+    ranges = {book.range(text): text for text in references(book)}
+    known: dict[bytes, bytes] = {}
+
+    def cached(found: re.Match[bytes]) -> bytes:
+        range_ = found[1]
+        if range_ not in known:
+            cache = numbers(book, ranges[unescape(range_.decode())])
+            known[range_] = b"<numRef><f>%s</f>%s</numRef>" % (range_, cache.encode())
+        return known[range_]
+
+    return {name: NUMBERS.sub(cached, part) for name, part in charts.items()}
+
+
+def references(book: Book) -> set[str]:
+    """Return the columns that the charts of a book refer to."""
+    lines = [line for sheet in book.sheets for chart, *_ in sheet.charts for line in chart.series]
+    return {text for line in lines for text in (line.x, line.y, line.up, line.right) if text}
+
+
+def numbers(book: Book, reference: str) -> str:
+    """Return the cache of one column (ISO/IEC 29500-1, 21.2.2.122); what is no number has no point."""
+    values = book.values(reference)
+    known = enumerate(result(value) for value in values)
+    points = "".join(f'<pt idx="{i}">{value}</pt>' for i, (kind, value) in known if value and not kind)
+    return f'<numCache><formatCode>General</formatCode><ptCount val="{len(values)}"/>{points}</numCache>'

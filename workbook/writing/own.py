@@ -1,7 +1,5 @@
 """What an engineer has added to a book, written into a new one: sheets, cells, notes and names."""
 
-from __future__ import annotations
-
 from copy import copy
 from typing import Any, NamedTuple
 

@@ -1,7 +1,5 @@
 """Where a printed sheet goes on to its next page: between its tables, charts and sections, not through them."""
 
-from __future__ import annotations
-
 from bisect import bisect_left
 from collections.abc import Iterator, Mapping
 from itertools import accumulate, pairwise
@@ -14,17 +12,12 @@ MARGINS = {"left": 0.4, "right": 0.4, "top": 0.45, "bottom": 0.6, "header": 0.25
 """inches; A4 in landscape less these is in points"""
 WIDTH = 72 * (297 / 25.4 - MARGINS["left"] - MARGINS["right"])
 HEIGHT = 72 * (210 / 25.4 - MARGINS["top"] - MARGINS["bottom"])
-DIGIT, BESIDE = 5.25, 3.75
-"""of a column in points: each digit of its width, and what is beside them"""
-ROW = 15.0
-"""points of a row, and of a row that a chart is high"""
+DIGIT, BESIDE = 5.25, 3.75  # of a column in points: each digit of its width, and what is beside them
+ROW = 15.0  # points of a row, and of a row that a chart is high
 TALL = {"title": 24.0, "heading": 18.0}
-SPARE = 0.96
-"""share of a page that is filled at most: programs differ in how high rows are"""
-PAGE, SECTION, RUN, TABLE, CHART = 20, 4, 3, 60, 200
-"""what a further page costs, and what it costs to cut one of these"""
-CLOSE = 3
-"""rows of a section, and of a table, that its heading keeps to"""
+SPARE = 0.96  # share of a page that is filled at most: programs differ in how high rows are
+PAGE, SECTION, RUN, TABLE, CHART = 20, 4, 3, 60, 200  # what a further page costs, and what it costs to cut one of these
+CLOSE = 3  # rows of a section, and of a table, that its heading keeps to
 
 
 class Whole(NamedTuple):

@@ -1,7 +1,5 @@
 """A file takes its place whole or not at all, and never that of another unasked."""
 
-from __future__ import annotations
-
 import os
 import secrets
 import stat
@@ -73,7 +71,8 @@ def replace(path: Path, write: Callable[[Path], None], overwrite: bool = False) 
     try:
         write(draft)
         if overwrite:
-            keep_mode(target, draft)
+            if target.exists():  # whose permissions the new file gets
+                draft.chmod(stat.S_IMODE(target.stat().st_mode))
             draft.replace(target)
         else:
             place(draft, target)
@@ -93,12 +92,6 @@ def begun(folder: Path) -> Path:
     draft = folder / f".motionbook-{secrets.token_hex(8)}.part"
     os.close(os.open(draft, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
     return draft
-
-
-def keep_mode(target: Path, draft: Path) -> None:
-    """Give a draft the permissions of the file that it replaces, where there is one."""
-    if target.exists():
-        draft.chmod(stat.S_IMODE(target.stat().st_mode))
 
 
 def place(draft: Path, target: Path) -> None:

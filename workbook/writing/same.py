@@ -4,8 +4,6 @@ Everything must be equal to the byte, but for the saved results of formulas and 
 sine may round the last digit differently, so these may differ by a few units in the last place.
 """
 
-from __future__ import annotations
-
 import math
 import re
 import zipfile

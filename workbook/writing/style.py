@@ -3,8 +3,6 @@
 Colour says one thing: a fill and blue figures are an entry's alone, a verdict is a word on a pale field, else is ink.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import cache
 from typing import Any, Literal, NamedTuple
@@ -88,21 +86,14 @@ class Styles:
         self._workbook = workbook
         for kind in (*ROLES.values(), *TEXTS.values()):
             workbook.add_named_style(kind.style())
-        self._known: dict[tuple[Any, ...], int] = {}
-        self.text = cache(self._text)
-
-    def quantity(self, role: str, number_format: str, align: Alignment, table: bool) -> int:
-        """Return the style of a quantity's cells."""
-        key = role, number_format, align.horizontal, align.indent, align.wrap_text, table
-        if key not in self._known:
-            self._known[key] = self._quantity(role, number_format, align, table)
-        return self._known[key]
+        self.text, self.quantity = cache(self._text), cache(self._quantity)
 
     def close(self) -> None:
         """Remove the scratch sheet."""
         self._workbook.remove(self._scratch)
 
     def _quantity(self, role: str, number_format: str, align: Alignment, table: bool) -> int:
+        """Return the style of a quantity's cells."""
         cell = self._scratch.cell(1, 1)
         cell.style = ROLES[kind(role, table)].name  # first: it resets number format and protection
         cell.number_format = number_format or "General"
@@ -163,8 +154,8 @@ def marks(block: Block) -> Iterator[Marked]:
             yield Marked((q,), Rule(type="cellIs", operator="between", formula=ends, dxf=look))
     if block.blanked:
         look = DifferentialStyle(numFmt=NumberFormat(NOTHING_ID, NOTHING))
-        formula = block.unused(block.row).removeprefix("=")
-        yield Marked(tuple(block.blanked), Rule(type="expression", formula=[formula], dxf=look))
+        formula = block.when(block.blank, block.row)
+        yield Marked(block.blanked, Rule(type="expression", formula=[formula], dxf=look))
     if block.quiet:
         results = tuple(q for q in block.quantities if q.role == "result")
         look = DifferentialStyle(font=Font(color=PAPER))

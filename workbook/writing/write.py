@@ -1,7 +1,5 @@
 """Write a declared book to a file: cells, styles, names, charts, cached values, the same bytes each time."""
 
-from __future__ import annotations
-
 import io
 import zipfile
 from collections.abc import Callable, Iterable
@@ -23,21 +21,19 @@ from pydantic import BaseModel
 from workbook.book.declare import FIRST, Block, Book, Quantity, Sheet
 from workbook.book.formats import number_format, sample
 from workbook.entries import rules
-from workbook.writing import archive, caches, charts, heights, pages, style
+from workbook.writing import archive, charts, pages, style
 from workbook.writing.cells import Cells, Strings
 from workbook.writing.own import NOTHING, Own, add
 from workbook.writing.place import refuse_existing, replace
-from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, widths
+from workbook.writing.widths import COLUMN_WIDTH, FULL, WIDTHS, Standing, lines_of, widths
 
 LAST_PAGE_COLUMN = 9
 LAST_COLUMN = 16_384
 LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 12}, {"header": 2, "equation": 5}
 """in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
-ROW_HEIGHT = 15
-"""of a line in a cell that wraps"""
+ROW_HEIGHT = 15  # of a line in a cell that wraps
 MARGIN = "A1:A1"  # empty on each sheet: programs print no page of it
-AS_TYPED = "@"
-"""the format of a cell that keeps 4711, or 3-4, as a text"""
+AS_TYPED = "@"  # the format of a cell that keeps 4711, or 3-4, as a text
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 
 
@@ -75,7 +71,7 @@ def parts(
     for number, page in enumerate(cells.values(), 1):
         name = f"xl/worksheets/sheet{number}.xml"
         made[name] = archive.with_cells(made[name], page.span(), page.part())
-    made |= caches.filled({name: part for name, part in made.items() if name.startswith("xl/charts/chart")}, book)
+    made |= charts.filled({name: part for name, part in made.items() if name.startswith("xl/charts/chart")}, book)
     abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
     return archive.completed(made, strings.part(), abouts)
 
@@ -92,8 +88,7 @@ def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workb
         wide = widths(sheet, standing)
         write_texts(sheet, page, content, styles, wide)
         for block in sheet.blocks:
-            write_block(block, page, content, styles, model)
-            heighten(block, content, wide)
+            write_block(block, page, content, styles, model, wide)
             validate(block, page, model)
         for chart, row, column, width, height in sheet.charts:
             page.add_chart(charts.draw(chart, book, *size(column, width, height)), f"{get_column_letter(column)}{row}")
@@ -121,14 +116,16 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
         if text.style in LINE_HEIGHTS and text.text:
             room = wide.get(text.column, COLUMN_WIDTH)
-            lines = heights.lines(text.text, style.TEXTS[text.style].font.sz or heights.FULL, room)
+            lines = lines_of(text.text, style.TEXTS[text.style].font.sz or FULL, room)
             cells.heights[text.row] = max(
                 lines * LINE_HEIGHTS[text.style] + BESIDE[text.style], cells.heights.get(text.row, 0)
             )
 
 
-def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel]) -> None:
-    """Write the cells of one block, each column in one style."""
+def write_block(
+    block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel], wide: dict[int, float]
+) -> None:
+    """Write the cells of one block, each column in one style, and give rows of wrapped texts their height."""
     looks: dict[str, int] = {}
     for q in block.quantities:
         place = style.placed(q, sample(q), block.is_table, block.columns[q.name] == FIRST)
@@ -138,6 +135,10 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
             cells.put(row, column, looks[q.name], content)
         else:
             cells.put_formula(row, column, looks[q.name], content, value)
+        text = content if q.formula is None else value
+        if q.wrap and isinstance(text, str):
+            lines = lines_of(text, FULL, wide.get(column, COLUMN_WIDTH))
+            cells.heights[row] = max(lines * ROW_HEIGHT, cells.heights.get(row, 0))
     for mark in style.marks(block):
         ranges = " ".join(block.reference(q.name).replace("$", "") for q in mark.quantities)
         page.conditional_formatting.add(ranges, mark.rule)
@@ -146,15 +147,6 @@ def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Style
 def format_of(q: Quantity, model: type[BaseModel]) -> str:
     """Return the number format of a quantity's cells."""
     return AS_TYPED if rules.is_free_text(model, q) else number_format(q, sample(q))
-
-
-def heighten(block: Block, cells: Cells, wide: dict[int, float]) -> None:
-    """Give the rows of texts in several lines their height."""
-    for _, q, _, row, column, content, value in block.cells():
-        text = content if q.formula is None else value
-        if q.wrap and isinstance(text, str):
-            lines = heights.lines(text, heights.FULL, wide.get(column, COLUMN_WIDTH))
-            cells.heights[row] = max(lines * ROW_HEIGHT, cells.heights.get(row, 0))
 
 
 def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:

@@ -11,8 +11,8 @@ from workbook.build import committed
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER as FOLDER_OF_TEMPLATES
 from workbook.templates import TEMPLATES
-from workbook.writing import heights, style
-from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, widths
+from workbook.writing import style
+from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, text_width, widths
 
 pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="Carlito is not there: fonts-crosextra-carlito")
 WRAPPED = ("header", "equation")
@@ -149,4 +149,4 @@ def test_no_wrapped_text_takes_more_room_than_its_row_was_given(path):
     texts = {(t.text, t.style) for sheet in book.sheets for t in sheet.texts if t.style in WRAPPED and t.text}
     for text, kind in texts:
         font = style.TEXTS[kind].font
-        assert heights.width(text, font.sz) * pixels("0") >= 0.97 * pixels(text, font.sz, bool(font.b)), text
+        assert text_width(text, font.sz) * pixels("0") >= 0.97 * pixels(text, font.sz, bool(font.b)), text

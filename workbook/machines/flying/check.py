@@ -1,7 +1,5 @@
 """What only the engine can say of the entries of a flying cutter."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from engine.laws.inverse import is_monotone

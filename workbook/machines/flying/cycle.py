@@ -1,29 +1,57 @@
-"""The Cycle sheet: tool, shaft and load over one cycle, from the end of one cut to the end of the next."""
+"""The Cycle sheet: tool, shaft and load over one cycle, from the end of one cut to the end of the next, by pieces."""
 
-from __future__ import annotations
+import numpy as np
 
-from workbook.book.declare import Book, calc, constant, result
+from engine.flying import generalized_torque
+from engine.flying.pieces import CutPart, cut_joints, cut_parts, cut_pieces, rates_of
+from workbook.book.declare import Book, Sheet, calc, constant, result
 from workbook.entries.units import DEGREE, MM, RPM, shown
 from workbook.laws.sampling import Pieces
-from workbook.machines.flying.motion import motion_tables
 from workbook.machines.flying.view import Flying
-from workbook.motion.cells import PieceRows
+from workbook.motion.asked import Asked
+from workbook.motion.cells import Cells, PieceRows, rows_of_parts
+from workbook.motion.pieces import ABOUT, phase_table_columns, pieces_in_all, pieces_table
 from workbook.motion.sampled import POSITION, finding, sampled
+from workbook.motion.smooth import Joints
+from workbook.motion.stack import last_before
+
+AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "m", "s", drifts=True, opens=True)
+SPLIT = "IF(fly_waits=1,fly_peak,1)"
+PARTS = ("moves by its law", "waits", "moves on", "works at line speed")
+WHERE = "The parts of the cycle: beside the law the tool moves at line speed, which stands in the column drift."
+
+
+def rows_of(machine: Flying, stack: Pieces) -> PieceRows:
+    """Return the pieces of the tool's motion."""
+    return rows_of_parts(AT, cut_parts(machine.cut), cut_pieces(machine.cut), stack, machine.cut.cycle_time)
+
+
+def joints_of(machine: Flying, rows: PieceRows) -> Joints:
+    """Return the joints of the tool's pieces, and how smooth it must be."""
+    smooth, cut = machine.given.smoothness, machine.cut
+    largest = ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
+    units = tuple((f'"{unit}"', unit) for unit in ("m/s", "m/s²", "m/s³"))
+    asked = Asked(
+        smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS, quickest=f"[{AT.phases}.rate.1]"
+    )
+    found = cut_joints(cut, smooth)
+    return Joints(rows, asked, found, rates_of(cut), not any(joint.order for joint in found))
 
 
 def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
     """Declare the sheet."""
     sheet = book.sheet("Cycle", "The tool over one cycle: it re-positions first, then works at line speed.")
-    cut, at, shaft, t, scale = machine.cut, machine.samples, machine.shaft, machine.times, machine.scales
-    mm = shown(scale.length, MM)
+    cut, t, scale = machine.cut, machine.times, machine.scales
+    at, load, mm = cut.at(t), machine.load, shown(scale.length, MM)
+    shaft = at.at_shaft(machine.tool.radius)
+    torque = generalized_torque(load.torque, load.inertia, shaft.acceleration)
     sheet.row += 1
     sheet.table(
         "cycle", f"Tool, shaft and load at {len(t) - 1} equal steps", len(t),
         calc("t", "time", "t", "s", "=[k]*fly_tc/[cycle.k.last]", t, format="0.0000", scale=cut.cycle_time),
         result("s", "position of the tool", "s", "mm",
                f"=({sampled(rows, 0)})*1000", shown(at.position, MM), scale=mm, source=POSITION),
-        result("v", "its speed", "v", "m/s",
-               f"={sampled(rows, 1)}", at.speed, scale=scale.speed, source="ds/dt"),
+        result("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", at.speed, scale=scale.speed, source="ds/dt"),
         result("a", "its acceleration", "a", "m/s²",
                f"={sampled(rows, 2)}", at.acceleration, scale=scale.acceleration, source="d²s/dt²"),
         result("j", "its jerk", "j", "m/s³",
@@ -35,10 +63,9 @@ def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> 
         result("dw", "its acceleration", "ω̇_L", "rad/s²",
                "=[a]*1000/fly_r", shaft.acceleration, scale=scale.angular_acceleration, source="a/R_t"),
         result("torque", "generalized load torque", "T*_L", "Nm",
-               "=fly_torque+fly_j*[dw]", machine.torque, scale=scale.torque, source="T_L + J_L ω̇_L"),
-        result("angle", "angle of the shaft", "θ", "°",
-               "=DEGREES([s]/fly_r)", shown(shaft.angle, DEGREE), scale=shown(scale.angle, DEGREE),
-               source="s/R_t"),
+               "=fly_torque+fly_j*[dw]", torque, scale=scale.torque, source="T_L + J_L ω̇_L"),
+        result("angle", "angle of the shaft", "θ", "°", "=DEGREES([s]/fly_r)", shown(shaft.angle, DEGREE),
+               scale=shown(scale.angle, DEGREE), source="s/R_t"),
         calc("product", "position of the product", "", "mm",
              "=fly_v*[t]*1000", shown(cut.product_position(t), MM), scale=mm, source="v_L t"),
         calc("line", "line speed", "v_L", "m/s", "=fly_v", machine.line),
@@ -46,3 +73,59 @@ def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> 
         *finding(rows, "t", t),
     )  # fmt: skip
     motion_tables(sheet, machine, rows, stack)
+
+
+def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
+    """Declare the parts of the cycle, and the pieces of the tool's motion."""
+    sheet.heading("Workings: the tool's motion as pieces", ABOUT)
+    sheet.note(WHERE)
+    standing(sheet, machine, stack)
+    parts_table(sheet, machine, cut_parts(machine.cut), rows)
+    joints = joints_of(machine, rows)
+    sheet.rows(pieces_in_all(rows), *joints.order())
+    sheet.row += 1
+    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
+    sheet.row += 1
+    joints.table(sheet, "What jumps where each piece begins", machine.room)
+
+
+def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
+    """Declare where the law is at its fastest, and so the tool where it waits."""
+    at, law = np.array([machine.cut.fastest]), machine.law
+    sheet.table(
+        "standing", "The law where it is fastest", 1,
+        calc("xi", "abscissa", "ξ_v", "", "=fly_peak", at),
+        *stack.finding("fly_no", "xi", stack.locate(machine.number, at)),
+        *stack.columns({"s": law.s(at)}, "s"),
+    )  # fmt: skip
+
+
+def parts_table(sheet: Sheet, machine: Flying, parts: tuple[CutPart, ...], rows: PieceRows) -> None:
+    """Declare the parts of the cycle."""
+    scale, time = machine.cut.size, machine.cut.cycle_time
+    of = [part.scaled for part in parts]
+    law, none = "=MATCH(fly_no,piece_number,0)", "=MATCH(1,piece_number,0)"
+    sheet.table(
+        AT.phases, "The parts of the cycle", len(PARTS),
+        constant("what", "the tool", "", "", list(PARTS), align="left"),
+        constant("k", "row", "k", "", [1, 2, 3, 4]),
+        calc("h", "displacement by the law", "h", "m",
+             ["=fly_h1/1000", "=0", "=fly_h1/1000", "=0"], [one.h for one in of], scale=scale(0)),
+        calc("span", "time of the law", "t", "s",
+             ["=fly_tm", "=fly_wait", "=fly_tm", "=fly_tt"], [one.duration for one in of], scale=time),
+        calc("begin", "its time starts at", "", "s",
+             ["=0", "=fly_stop", "=fly_wait", "=fly_tr"], [one.x for one in of], scale=time),
+        calc("opens", "begins at", "", "s",
+             ["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"], [part.opens for part in parts], scale=time),
+        calc("drift", "drift", "v", "m/s", ["=fly_v", "=0", "=fly_v", "=fly_v"], [one.drift for one in of]),
+        calc("y0", "position there", "s", "m",
+             ["=0", "=IF(fly_waits=1,fly_v*fly_stop+fly_h1/1000*[standing.s.1],0)", "=0",
+              "=fly_v*fly_tm+fly_h1/1000*INDEX(law_s1,fly_no)"],
+             [one.y for one in of], scale=scale(0)),
+        *phase_table_columns(
+            rows,
+            [law, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_tolerance,1)')}", none],
+            [f"={last_before('fly_no', SPLIT)}-[first]+1", "=fly_waits",
+             f"=IF(fly_waits=1,{last_before('fly_no', '1')}-[first]+1,0)", "=IF([span]>0,1,0)"],
+        ),
+    )  # fmt: skip

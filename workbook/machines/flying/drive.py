@@ -1,7 +1,5 @@
 """The Drive sheet: motor and reducer on the tool's shaft, and one table of both at points of the cycle (S5, step 7)."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from engine.drive.quadrature import COUNT
@@ -34,7 +32,8 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         in_use(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Workings: the motor's limits in the chart")
-        limits_table(sheet, view.corners, "MIN([@pt.dir])<0", falls=True)
+        corners = view.motor.corners(min(0.0, float(view.load.direction.min())), *view.falling)
+        limits_table(sheet, corners, "MIN([@pt.dir])<0", falls=True)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         sheet.heading("Workings: the cycle at points", "Nine points of each piece of the tool's motion, ends included.")
         intervals(sheet, view)
@@ -68,8 +67,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
                view.before.reducers.names[r], align="left"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", "=MAX([@pt.T])", float(points.torque.max()),
                scale=size),
-        result("@tmin", "Motor torque, lowest", "T_min", "Nm", "=MIN([@pt.T])", float(points.torque.min()),
-               scale=size),
+        result("@tmin", "Motor torque, lowest", "T_min", "Nm", "=MIN([@pt.T])", float(points.torque.min()), scale=size),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
                points.rms_torque, scale=size, source="√(Σ share T²), to 0.1 %"),
         result("@margin", "Margin", "", "", "=IF(@rms>0,@continuous/@rms,0)", held.rms_torque.reserve,
@@ -165,7 +163,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         of("@reducer_mean", "Largest mean output torque of the reducer", "", "Nm", "reducer.tmean", view.limits[2],
            "0: no limit"),
         calc("@still", "Standstill: speeds up to", "", "m/s", "=check_zero*MAX(ABS(fly_low),ABS(fly_high))",
-             view.still, format="0E+00", scale=view.still),
+             view.cycle.still, format="0E+00", scale=view.cycle.still),
     )  # fmt: skip
 
 
@@ -183,8 +181,8 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
         calc("end", "ends at", "t", "s", "=IF([k]<fly_pieces,INDEX([tool_pieces.begin],[k]+1),fly_tc)",
              filled([one.end for one in cycle.intervals], room, time), scale=time),
         calc("dir", "direction in its middle", "", "",
-             f"=IF([k]>fly_pieces,[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))", view.by_piece(cycle.direction),
-             format="0", source="1, −1; 0 at rest"),
+             f"=IF([k]>fly_pieces,[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))",
+             filled(cycle.direction, room, float(cycle.direction[-1])), format="0", source="1, −1; 0 at rest"),
         blank="[k]>fly_pieces",
     )  # fmt: skip
 
@@ -215,9 +213,8 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         constant("iv", "interval", "", "", [k + 1 for k in numbers for _ in SHARES]),
         constant("s", "share of it", "", "", list(SHARES) * room),
         constant("g", "counts", "", "", list(WEIGHTS) * room),
-        calc("t", "time", "t", "s",
-             "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))", of(load.x),
-             scale=view.machine.cut.cycle_time),
+        calc("t", "time", "t", "s", "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))",
+             of(load.x), scale=view.machine.cut.cycle_time),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])",
              [float(rows.pieces.index(piece) + 1) for piece in pieces], format="0"),
         *place_columns(rows, "", "within piece", "=[t]-INDEX([tool_pieces.origin],[q])", u, "[q]", pieces),
@@ -229,16 +226,14 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
              format="0"),
         calc("w", "speed of the shaft", "ω_L", "rad/s", "=[v]*1000/fly_r", of(load.speed), scale=scale.angular_speed),
         calc("al", "its acceleration", "ω̇_L", "rad/s²", "=[a]*1000/fly_r", of(load.shaft_acceleration),
-             scale=view.before.shaft.turning),
+             scale=view.turning),
         calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.output_torque), scale=view.torque,
              source="T_L + J_L ω̇_L"),
         *motor(view),
-        calc("share", "share of the cycle", "", "",
-             "=[g]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/fly_tc", of(load.share, 0.0), scale=1.0,
-             source="what it counts in a mean"),
-        calc("left", "left below the motor's curve", "", "Nm",
-             "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])", of(view.left),
-             scale=max(view.motor_torque, view.motor.peak_torque), source="T_max − f (n − n_1) − |T|"),
+        calc("share", "share of the cycle", "", "", "=[g]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/fly_tc",
+             of(load.share, 0.0), scale=1.0, source="what it counts in a mean"),
+        calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
+             of(view.left), scale=max(view.motor_torque, view.motor.peak_torque), source="T_max − f (n − n_1) − |T|"),
         calc("stop", "stands at this share of the step", "w", "",
              "=IF([s]=0,0,IF(AND([v]*[v-1]<0,ABS([v])>@still,ABS([v-1])>@still),[v-1]/([v-1]-[v]),0))", of(stands),
              scale=1.0, source="v_0/(v_0 − v); 0: not at all"),

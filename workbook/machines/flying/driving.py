@@ -1,18 +1,12 @@
 """The engine's view of the drive of the tool's shaft: motor and reducer in use, at points of the cycle."""
 
-from __future__ import annotations
-
-from functools import cached_property
-
 import numpy as np
 
 from engine.drive.drive_points import DrivePoints
 from engine.drive.falling_peak import Falling
-from engine.drive.motor import Corners, Motor, Reserve, reserve
-from engine.drive.quadrature import LoadPoints
-from engine.flying.points import CutCycle, cycle_of, furthest, train_of
+from engine.drive.motor import Motor, reserve
+from engine.flying.points import cycle_of, furthest, train_of
 from engine.laws.base import Array
-from engine.selection.pair_matrix import Pair
 from engine.selection.point_load import PointLoad
 from engine.selection.ratios import best_ratio
 from workbook.book.rows import filled
@@ -23,103 +17,54 @@ from workbook.selection.choosing import Choosing
 from workbook.selection.entries import Selection, SelectionSizes
 from workbook.selection.shaft import Figure, Shaft
 
-LEAST = 1e-3
-"""Nm, W, rad/s²: what is smaller is next to nothing"""
+LEAST = 1e-3  # Nm, W, rad/s²: what is smaller is next to nothing
+BESIDE = Figure("beside", "parts beside the motor", "kg m²", "0", 0.0)
+LEFT = Figure("left", "rated torque available at the ambient temperature", "", "1", 1.0)
+DRIVES, DRIVEN = ("*([drive_pt.S]*[drive_pt.dir]>=0)", "*([drive_pt.S]*[drive_pt.dir]<0)")
+"""where the shaft drives the load, and where the load drives it"""
 
 
 class ToolDrive:
-    """The tool's shaft behind a motor and its reducer: those that are named, else the proposed ones."""
+    """The tool's shaft behind a motor and its reducer: those that are named, else the proposed ones. SI units."""
 
     def __init__(self, machine: Flying, chosen: Selection, sizes: SelectionSizes) -> None:
         self.machine, self.chosen, self.sizes = machine, chosen, sizes
-        self.before = Choosing(chosen, sizes, [self._shaft([Figure("left", "", "", "1", 1.0), BESIDE])])
+        cut, load, scales = machine.cut, machine.load, machine.scales
+        bare = cycle_of(cut, train_of(cut, load)).points()
+        self.asked = PointLoad(bare, cut.max_angular_speed, float(np.abs(bare.output_torque).max()), load.inertia)
+        self.torque = max(self.asked.torque, scales.torque, LEAST)  # the scale of torques of the shaft
+        self.turning = max(
+            float(np.abs(bare.shaft_acceleration).max()), scales.angular_acceleration
+        )  # that of its accelerations
+        self.before = Choosing(chosen, sizes, [self._shaft([LEFT, BESIDE])])
 
-    @cached_property
-    def load(self) -> LoadPoints:
-        """The shaft at the points, with the pair before it."""
-        return self.cycle.points()
+        self.pair = self._pair()  # motor and reducer in use, by their places in the catalogue, from 0
+        self.gears = self.before.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
+        m, r = self.before.motors, self.before.reducers
+        motor = m.inertia, m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to
+        self.motor = Motor(*(float(one[self.pair[0]]) for one in motor))
+        self.falling = Falling(*self.before.curve(self.pair[0])[1:])
+        limits = (float(one[self.pair[1]]) for one in (r.max_input_speed, r.max_output_torque, r.max_mean_torque))
+        self.limits = [0.0 if np.isinf(one) else one for one in limits]  # of the reducer; 0: none
 
-    @cached_property
-    def cycle(self) -> CutCycle:
-        """The cycle with the pair before the shaft."""
-        return cycle_of(self.machine.cut, train_of(self.machine.cut, self.machine.load, self.gears))
+        self.cycle = cycle_of(cut, train_of(cut, load, self.gears))
+        self.load = self.cycle.points()
+        self.points = DrivePoints(self.load)
+        self.speed = self.gears.ratio * cut.max_angular_speed  # the largest of the motor
+        self.peak = float(np.abs(self.points.torque).max())  # of the motor: no torque is larger between the points
+        self.motor_torque = max(self.peak, self.torque / self.gears.ratio, LEAST)  # the scale of its torques
+        self.left = self.falling.reserve(self.motor.peak_torque, self.points.torque, self.points.speed)
+        self.reserve = reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
+        self.turns = furthest(self.load, self.cycle.still)  # where the tool stands between points
+        self.stroke = float(np.ptp(self.turns[1]))
 
-    @property
-    def still(self) -> float:
-        """The speed up to which the tool counts as at rest (m/s)."""
-        return self.cycle.still
-
-    @cached_property
-    def asked(self) -> PointLoad:
-        """What the shaft asks for, whatever drives it."""
-        cut, load = self.machine.cut, self.machine.load
-        points = cycle_of(cut, train_of(cut, load)).points()
-        return PointLoad(points, cut.max_angular_speed, float(np.abs(points.output_torque).max()), load.inertia)
-
-    @cached_property
-    def proposed(self) -> tuple[int, int]:
-        """The pair that the sheet Selection proposes: the first in the catalogue where none can do it."""
-        ranked = self.before.ranked
-        return ranked[self.before.proposed or 0] if ranked else (0, 0)
-
-    @cached_property
-    def pair(self) -> tuple[int, int]:
-        """Motor and reducer in use, by their places in the catalogue, from 0."""
-        tables = (self.chosen.motor, self.before.motors.names), (self.chosen.reducer, self.before.reducers.names)
-        named = [place_of(name, names) if name else place for (name, names), place in zip(tables, self.proposed,
-                                                                                          strict=True)]  # fmt: skip
-        return named[0], named[1]
-
-    @property
-    def gears(self) -> Pair:
-        """J_M + J_T (kg m²), i, η and no-load torque of the pair."""
-        return self.before.grid.pair(*self.pair)
-
-    @cached_property
-    def motor(self) -> Motor:
-        """The motor."""
-        m, k = self.before.motors, self.pair[0]
-        figures = m.inertia, m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to
-        return Motor(*(float(one[k]) for one in figures))
-
-    @property
-    def falling(self) -> Falling:
-        """How the motor's peak torque falls."""
-        _, knee, fall = self.before.curve(self.pair[0])
-        return Falling(knee, fall)
-
-    @property
-    def limits(self) -> tuple[float, float, float]:
-        """The reducer's largest input speed (rad/s), output torque and mean torque (Nm); 0 of what it does not give."""
-        r, k = self.before.reducers, self.pair[1]
-        found = (float(one[k]) for one in (r.max_input_speed, r.max_output_torque, r.max_mean_torque))
-        speed, torque, mean = (0.0 if np.isinf(one) else one for one in found)
-        return speed, torque, mean
-
-    @cached_property
-    def points(self) -> DrivePoints:
-        """The motor at the points."""
-        return DrivePoints(self.load)
-
-    @cached_property
-    def left(self) -> Array:
-        """What is left below the motor's curve at the points (Nm)."""
-        return self.falling.reserve(self.motor.peak_torque, self.points.torque, self.points.speed)
-
-    @property
-    def speed(self) -> float:
-        """The largest speed of the motor (rad/s)."""
-        return self.gears.ratio * self.machine.cut.max_angular_speed
-
-    @property
-    def reserve(self) -> Reserve:
-        """What the cycle asks of the motor against its limits."""
-        return reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
-
-    @property
-    def peak(self) -> float:
-        """The largest torque of the motor (Nm): at points, as no torque is larger between them."""
-        return float(np.abs(self.points.torque).max())
+    def _pair(self) -> tuple[int, int]:
+        """Return motor and reducer: as named, or else proposed; the first of the catalogue where no pair can do it."""
+        view = self.before
+        m, r = view.ranked[view.proposed or 0] if view.ranked else (0, 0)
+        motor, reducer = self.chosen.motor, self.chosen.reducer
+        return (place_of(motor, view.motors.names) if motor else m,
+                place_of(reducer, view.reducers.names) if reducer else r)  # fmt: skip
 
     @property
     def balance(self) -> float:
@@ -128,50 +73,19 @@ class ToolDrive:
         inertia, ratio, efficiency, _ = self.gears
         return 1.0 / (ratio * float(best_ratio(task, inertia, efficiency))) if task.moves else 0.0
 
-    @property
-    def corners(self) -> Corners:
-        """The limits of the motor, as drawn."""
-        return self.motor.corners(min(0.0, float(self.load.direction.min())), *self.falling)
-
-    @cached_property
-    def turns(self) -> tuple[Array, Array]:
-        """Where the tool stands between points."""
-        return furthest(self.load, self.still)
-
-    @property
-    def stroke(self) -> float:
-        """The stroke by points (m)."""
-        return float(np.ptp(self.turns[1]))
-
     def by_point(self, values: Array, spare: float | None = None) -> list[float]:
         """Return values of the points; spare rows have that of the last, or another."""
         flat = values.ravel()
         return filled(flat, self.machine.room * values.shape[-1], float(flat[-1]) if spare is None else spare)
 
-    def by_piece(self, values: Array) -> list[float]:
-        """Return values of the pieces; spare rows have that of the last."""
-        return filled(values, self.machine.room, float(values[-1]))
-
-    @property
-    def torque(self) -> float:
-        """The scale of torques of the shaft (Nm)."""
-        return max(self.asked.torque, self.machine.scales.torque, LEAST)
-
-    @property
-    def motor_torque(self) -> float:
-        """The scale of torques of the motor (Nm)."""
-        return max(self.peak, self.torque / self.gears.ratio, LEAST)
-
     def _shaft(self, figures: list[Figure]) -> Shaft:
-        turning = max(float(np.abs(self.asked.load.shaft_acceleration).max()), self.machine.scales.angular_acceleration)
-        return Shaft("shaft", 1, '="shaft"', "tool", self.machine.room, self.asked, "ABS({})*30/PI()", turning,
+        return Shaft("shaft", 1, '="shaft"', "tool", self.machine.room, self.asked, "ABS({})*30/PI()", self.turning,
                      self.torque, figures)  # fmt: skip
 
-    @cached_property
     def choosing(self) -> Choosing:
-        """The choice of motor and reducer, with the pair in use."""
+        """Return the choice of motor and reducer, with the pair in use."""
         own, mixed, mixed_back, square, square_back, *ways = self.asked.squares
-        turning, torque, (m, r) = self.before.shaft.turning, self.torque, self.pair
+        turning, torque, (m, r) = self.turning, self.torque, self.pair
         motor, (inertia, ratio, efficiency, no_load) = self.motor, self.gears
         figures = [
             Figure("own", "mean of α²", "rad²/s⁴", mean("al", "al"), own, turning**2),
@@ -192,7 +106,7 @@ class ToolDrive:
             BESIDE,
             Figure("brake", "held by a brake at rest", "", "0", 0.0),
             Figure("by_power", "losses by the flow of power", "", "1", 1.0),
-            Figure("left", "rated torque available at the ambient temperature", "", "1", 1.0),
+            LEFT,
             Figure("held_j", "inertia with its motor", "kg m²", "drive_j", inertia),
             Figure("held_jm", "its motor", "kg m²", "drive_jm", motor.inertia),
             Figure("held_i", "its reduction", "", "drive_i", ratio),
@@ -210,11 +124,6 @@ class ToolDrive:
             Figure("turns", "acceleration of its shaft over that of its points", "", "1", 1.0),
         ]  # fmt: skip
         return Choosing(self.chosen, self.sizes, [self._shaft(figures)])
-
-
-BESIDE = Figure("beside", "parts beside the motor", "kg m²", "0", 0.0)
-DRIVES, DRIVEN = ("*([drive_pt.S]*[drive_pt.dir]>=0)", "*([drive_pt.S]*[drive_pt.dir]<0)")
-"""where the shaft drives the load, and where the load drives it"""
 
 
 def mean(one: str, other: str, where: str = "") -> str:

@@ -1,7 +1,5 @@
 """The Lengths sheet: what every product length asks of the tool and its shaft."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from engine.flying import Cut
@@ -17,7 +15,7 @@ IS_DRUM = f'fly_kind="{DRUM}"'
 
 def lengths_columns(machine: Flying, cuts: Sequence[Cut], length: str, way: str) -> list[Quantity]:
     """Return what each cut asks for; ``length`` and ``way`` are the references to its length and its strategy."""
-    scale, asked = machine.scales, [machine.asked(cut) for cut in cuts]
+    scale = machine.scales
     longest_time = max(cut.cycle_time for cut in cuts)
     longest_h = shown(max(scale.length, *(cut.product_length for cut in cuts)), MM)
 
@@ -37,10 +35,8 @@ def lengths_columns(machine: Flying, cuts: Sequence[Cut], length: str, way: str)
         result("a_rms", "RMS acceleration", "a_rms", "m/s²",
                f"=fly_ca_rms*ABS([h1])/1000/[tm]^2*SQRT([tm]*fly_v/({length}/1000))", of("rms_acceleration"),
                scale=scale.acceleration, source="C_a,rms h/t_m² √(t_m/t_C)"),
-        result("beta", "load factor", "β", "W/s",
-               "=2*([dw]*SQRT(fly_torque^2+(fly_j*[dw])^2)+fly_j*[dw]^2)", [a.factor for a in asked],
-               scale=scale.power_rate,
-               source="S5, eqs. (15), (19)"),
+        result("beta", "load factor", "β", "W/s", "=2*([dw]*SQRT(fly_torque^2+(fly_j*[dw])^2)+fly_j*[dw]^2)",
+               [machine.task(cut).load_factor for cut in cuts], scale=scale.power_rate, source="S5, eqs. (15), (19)"),
         calc("h", "dynamic displacement", "h", "mm",
              f"=fly_l0-{length}", of("displacement", MM), scale=longest_h, source="L_0 − L_p"),
         calc("tr", "re-positioning time", "t_R", "s",
@@ -52,9 +48,8 @@ def lengths_columns(machine: Flying, cuts: Sequence[Cut], length: str, way: str)
              "=IF([waits]=1,0-fly_v*1000*[tm]/fly_cv,[h])", of("superimposed", MM), scale=longest_h),
         calc("dv", "change of speed", "Δv_max", "m/s",
              "=fly_cv*[h1]/1000/[tm]", of("speed_change"), scale=scale.speed, source="S5, eq. (10)"),
-        calc("dw", "RMS of the shaft", "ω̇_rms", "rad/s²",
-             "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"), scale=scale.angular_acceleration,
-             source="S5, eq. (13)"),
+        calc("dw", "RMS of the shaft", "ω̇_rms", "rad/s²", "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"),
+             scale=scale.angular_acceleration, source="S5, eq. (13)"),
     ]  # fmt: skip
 
 
@@ -64,8 +59,7 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
     e, n = machine.given.lengths, machine.sizes.lengths
     sheet.heading("Enter", "Everything else is taken from the sheet Cutter.")
     sheet.rows(
-        given("fly_short", "Shortest product", "", "mm",
-              e.shortest, "cutter.lengths.shortest", format="0.0##",
+        given("fly_short", "Shortest product", "", "mm", e.shortest, "cutter.lengths.shortest", format="0.0##",
               source="longer than the tool length L_T: there everything becomes infinite"),
         given("fly_long", "Longest product", "", "mm", e.longest, "cutter.lengths.longest", format="0.0##"),
     )  # fmt: skip
@@ -101,7 +95,7 @@ def line(book: Book, machine: Flying, cuts: Sequence[Cut]) -> None:
     """Declare the lines at the product entered, at L_0 and at L_p,lim, as drawn in the charts."""
     scale = machine.scales
     low, high = min(c.speed_range[0] for c in cuts), max(c.speed_range[1] for c in cuts)
-    peak, beta = max(c.max_acceleration for c in cuts), max(machine.asked(c).factor for c in cuts)
+    peak, beta = max(c.max_acceleration for c in cuts), max(machine.task(c).load_factor for c in cuts)
     entered, e = machine.given.product_length, machine.given.lengths
     among = "=IF(AND({0}>fly_short,{0}<fly_long),{0},fly_length)"
 
@@ -112,8 +106,7 @@ def line(book: Book, machine: Flying, cuts: Sequence[Cut]) -> None:
         "length_line", "The product entered, L_0 and L_p,lim, as drawn in the charts", 2,
         constant("end", "end of the line", "", "", [0, 1]),
         calc("x", "product", "L_p", "mm", "=fly_length", entered),
-        calc("x0", "design length", "L_0", "mm",
-             among.format("fly_l0"), within(shown(machine.tool.design_length, MM)),
+        calc("x0", "design length", "L_0", "mm", among.format("fly_l0"), within(shown(machine.tool.design_length, MM)),
              source="L_p where it is not among these lengths"),
         calc("x1", "limit", "L_p,lim", "mm",
              among.format("fly_limit"), within(machine.limit), source="L_p where it is not among these lengths"),

@@ -1,7 +1,5 @@
 """The Ratios sheet: the transmission ratios that each motor accepts, and figures 11 and 12 of S5."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -152,8 +150,7 @@ class RatiosSheet:
         sheet.table(
             "ratio_pair", "The pair in use", 1,
             calc("x", "motor", "", "", "=MAX(1,drive_motor_row)", [m + 1]),
-            calc("beta", "load factor", "β", "W/s", "=ratio_beta+0", [self.task.load_factor],
-                 scale=choice.beta_scale),
+            calc("beta", "load factor", "β", "W/s", "=ratio_beta+0", [self.task.load_factor], scale=choice.beta_scale),
             calc("tau", "ratio", "τ", "", "=1/drive_i", [1.0 / self.view.gears[1]]),
         )  # fmt: skip
 

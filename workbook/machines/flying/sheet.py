@@ -1,16 +1,14 @@
 """The Cutter sheet: what to enter, lengths and times, what the tool's shaft must do, charts and workings."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from engine.flying import Beyond
 from engine.laws.points import fastest
+from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import amount
-from workbook.entries.units import MM, PER_MINUTE, RPM, shown
+from workbook.entries.units import MM, PER_MINUTE, RPM, shown, si
 from workbook.laws.library import NamedLaw
-from workbook.machines.flying.charts import beside
 from workbook.machines.flying.lengths import IS_DRUM, lengths_columns
 from workbook.machines.flying.view import CASES, Flying, does
 from workbook.machines.flying.workings import workings
@@ -95,11 +93,9 @@ def cycle(sheet: Sheet, machine: Flying) -> None:
                DOES, does(cut), align="center", source="keeps moving, waits at standstill, or reverses"),
         result("fly_h", "Dynamic displacement", "h", "mm",
                "=IF(ABS(fly_l0-fly_length)<=fly_near*fly_l0,0,fly_l0-fly_length)", shown(cut.displacement, MM),
-               scale=scale,
-               source="S5: h = L_0 − L_p; 0 of a product as long as L_0"),
-        result("fly_l0", "Design length", "L_0", "mm",
-               "=RADIANS(fly_pitch)*fly_r", shown(tool.design_length, MM), scale=scale,
-               source="S5: θ_0 R_t; a saw has none"),
+               scale=scale, source="S5: h = L_0 − L_p; 0 of a product as long as L_0"),
+        result("fly_l0", "Design length", "L_0", "mm", "=RADIANS(fly_pitch)*fly_r", shown(tool.design_length, MM),
+               scale=scale, source="S5: θ_0 R_t; a saw has none"),
         result("fly_limit", "Longest product without standstill", "L_p,lim", "mm",
                f"=IF({IS_DRUM},(fly_cv*fly_l0-fly_lt)/(fly_cv-1),0)", machine.limit, scale=scale,
                source="S5: (C_v L_0 − L_T)/(C_v − 1); 0: a saw always reverses"),
@@ -120,7 +116,8 @@ def kinematics(sheet: Sheet, machine: Flying, stroke: float) -> None:
     mm, rpm = shown(s.length, MM), shown(s.angular_speed, RPM)
     low, high = cut.speed_range
     slowest, fastest = (shown(w, RPM) for w in cut.angular_speed_range)
-    per = "*1000/fly_r"
+    per, limits = "*1000/fly_r", machine.given.limits
+    line_max = cut.fastest_line(si(limits.speed, RPM), limits.acceleration)
     sheet.rows(
         result("fly_dv", "Change of the tool's speed", "Δv_max", "m/s",
                "=fly_cv*fly_h1/1000/fly_tm", cut.speed_change, scale=s.speed, source="S5, eq. (10): C_v h/t_R"),
@@ -134,43 +131,39 @@ def kinematics(sheet: Sheet, machine: Flying, stroke: float) -> None:
                f"=fly_low{per}*60/(2*PI())", slowest, scale=rpm),
         result("fly_rpm_high", "Highest speed of the shaft", "n_max", "rpm",
                f"=fly_high{per}*60/(2*PI())", fastest, scale=rpm),
-        result("fly_a", "Peak acceleration of the tool", "a_max", "m/s²",
-               "=fly_ca*ABS(fly_h1)/1000/fly_tm^2", cut.max_acceleration, scale=s.acceleration,
-               source="S5: C_a h/t_R²"),
-        result("fly_dw", "of its shaft", "ω̇_max", "rad/s²",
-               f"=fly_a{per}", cut.max_angular_acceleration, scale=s.angular_acceleration,
-               source="S5, eq. (12): a_max/R_t"),
+        result("fly_a", "Peak acceleration of the tool", "a_max", "m/s²", "=fly_ca*ABS(fly_h1)/1000/fly_tm^2",
+               cut.max_acceleration, scale=s.acceleration, source="S5: C_a h/t_R²"),
+        result("fly_dw", "of its shaft", "ω̇_max", "rad/s²", f"=fly_a{per}", cut.max_angular_acceleration,
+               scale=s.angular_acceleration, source="S5, eq. (12): a_max/R_t"),
         result("fly_a_rms", "RMS acceleration of the tool", "a_rms", "m/s²",
                "=fly_ca_rms*ABS(fly_h1)/1000/fly_tm^2*SQRT(fly_tm/fly_tc)", cut.rms_acceleration, scale=s.acceleration,
                source="S5: C_a,rms h/t_R² √(t_R/t_C), over the cycle"),
-        result("fly_dw_rms", "of its shaft", "ω̇_rms", "rad/s²",
-               f"=fly_a_rms{per}", cut.rms_angular_acceleration, scale=s.angular_acceleration,
-               source="S5, eq. (13): a_rms/R_t"),
+        result("fly_dw_rms", "of its shaft", "ω̇_rms", "rad/s²", f"=fly_a_rms{per}", cut.rms_angular_acceleration,
+               scale=s.angular_acceleration, source="S5, eq. (13): a_rms/R_t"),
         result("fly_stroke", "Stroke of the tool in a cycle", "", "mm",
                "=(MAX([drive_pt.far])-MIN([drive_pt.far]))*1000", shown(stroke, MM),
                scale=mm, source="furthest less nearest, to 0.1 %: travel of a saw's slide"),
         result("fly_line_max", "Highest line speed within the limits", "v_L", "m/min",
                "=fly_line*IF(fly_dw>0,MIN(fly_rpm_max/fly_n,SQRT(fly_dw_max/fly_dw)),fly_rpm_max/fly_n)",
-               machine.fastest_line, source="speed grows with v_L, acceleration with v_L²"),
+               shown(line_max, PER_MINUTE), source="speed grows with v_L, acceleration with v_L²"),
     )  # fmt: skip
 
 
 def load(sheet: Sheet, machine: Flying) -> None:
     """Declare what the motor and its reducer are chosen by, at the tool's shaft."""
-    cut, s, asked = machine.cut, machine.scales, machine.asked(machine.cut)
+    cut, s, task = machine.cut, machine.scales, machine.task(machine.cut)
     sheet.rows(
         result("fly_w_max", "Highest speed of the shaft, either way", "ω_L,max", "rad/s",
                "=MAX(ABS(fly_low),ABS(fly_high))*1000/fly_r", cut.max_angular_speed),
         result("fly_n", "in revolutions", "n_L,max", "rpm",
                "=fly_w_max*60/(2*PI())", shown(cut.max_angular_speed, RPM)),
         result("fly_torque_rms", "RMS of the generalized load torque", "T*_L,rms", "Nm",
-               "=SQRT(fly_torque^2+(fly_j*fly_dw_rms)^2)", asked.torque, scale=s.torque,
+               "=SQRT(fly_torque^2+(fly_j*fly_dw_rms)^2)", task.torque_rms, scale=s.torque,
                source="S5: T*_L = T_L + J_L ω̇_L; the mean of ω̇_L is 0"),
         result("fly_mean", "Mean of acceleration times torque", "(ω̇ T*)_mean", "W/s",
-               "=fly_j*fly_dw_rms^2", asked.mean, scale=s.power_rate, source="T_L drops out over a cycle"),
-        result("fly_beta", "Load factor", "β", "W/s",
-               "=2*(fly_dw_rms*fly_torque_rms+fly_mean)", asked.factor, scale=s.power_rate,
-               source="S5, eq. (15); 4 J_L ω̇²_rms without T_L (17), (19)"),
+               "=fly_j*fly_dw_rms^2", task.power_rate_mean, scale=s.power_rate, source="T_L drops out over a cycle"),
+        result("fly_beta", "Load factor", "β", "W/s", "=2*(fly_dw_rms*fly_torque_rms+fly_mean)", task.load_factor,
+               scale=s.power_rate, source="S5, eq. (15); 4 J_L ω̇²_rms without T_L (17), (19)"),
     )  # fmt: skip
 
 
@@ -182,7 +175,8 @@ IN_STEP = 'ROUND(fly_tools,9)&" tools in step over "&ROUND(fly_angle,9)&"° each
 
 def verdicts(sheet: Sheet, machine: Flying, joints: Joints, by_points: float) -> None:
     """Declare the checks."""
-    holds, cut, limits = machine.holds, machine.cut, machine.given.limits
+    cut, limits = machine.cut, machine.given.limits
+    fastest, hardest = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration
     stroke = 0.0 if machine.is_drum else shown(by_points, MM)
     near = "*(1+check_zero)"
     law = (
@@ -190,11 +184,11 @@ def verdicts(sheet: Sheet, machine: Flying, joints: Joints, by_points: float) ->
         "MAX(fly_ends,fly_misses)<check_zero,fly_cv>=fly_least_cv)"
     )
     sheet.checks(
-        check("fly_ok_speed", "The shaft's speed is allowed", f"fly_n<=fly_rpm_max{near}", holds["speed"],
-              says=amount("fly_n-fly_rpm_max", shown(cut.max_angular_speed, RPM) - limits.speed, "", " rpm too much")),
+        check("fly_ok_speed", "The shaft's speed is allowed", f"fly_n<=fly_rpm_max{near}", fastest <= limits.speed,
+              says=amount("fly_n-fly_rpm_max", fastest - limits.speed, "", " rpm too much")),
         check("fly_ok_acceleration", "The shaft's acceleration is allowed", f"fly_dw<=fly_dw_max{near}",
-              holds["acceleration"],
-              says=amount("fly_dw-fly_dw_max", cut.max_angular_acceleration - limits.acceleration, "",
+              hardest <= limits.acceleration,
+              says=amount("fly_dw-fly_dw_max", hardest - limits.acceleration, "",
                           " rad/s² too much")),
         check("fly_ok_stroke", "The slide has the stroke that the saw needs",
               f"OR({IS_DRUM},fly_stroke<=fly_room{near})", machine.is_drum or stroke <= machine.given.saw.stroke,
@@ -232,15 +226,12 @@ def cases(sheet: Sheet, machine: Flying) -> None:
         constant("case", "re-positioning", "", "",
                  ["faster than the line", "in step with the line", "slower than the line", "waits, or reverses"],
                  align="left"),
-        calc("low", "longer than", "", "mm",
-             ["=MIN(fly_lt,fly_l0)", "=fly_l0", "=fly_l0", "=MAX(fly_lt,fly_limit)"],
+        calc("low", "longer than", "", "mm", ["=MIN(fly_lt,fly_l0)", "=fly_l0", "=fly_l0", "=MAX(fly_lt,fly_limit)"],
              [min(tool, whole), whole, whole, max(tool, limit)], scale=mm),
-        calc("high", "up to", "", "mm",
-             ["=fly_l0", "=fly_l0", "=fly_limit", "=MAX(fly_long,fly_length)"],
+        calc("high", "up to", "", "mm", ["=fly_l0", "=fly_l0", "=fly_limit", "=MAX(fly_long,fly_length)"],
              [whole, whole, limit, max(e.lengths.longest, e.product_length)], scale=mm),
-        result("here", "the product", "", "",
-               '=IF([k]=fly_row,"is here","-")', ["is here" if k == machine.case else "-" for k in range(1, 5)],
-               align="center"),
+        result("here", "the product", "", "", '=IF([k]=fly_row,"is here","-")',
+               ["is here" if k == machine.case else "-" for k in range(1, 5)], align="center"),
         constant("k", "row", "k", "", [1, 2, 3, 4]),
     )  # fmt: skip
 
@@ -265,9 +256,42 @@ def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
     sheet.table(
         "fastest", "Where each law is fastest: there a drum that slows down is slowest, and waits if it has to",
         len(laws),
-        calc("law", "law", "", "",
-             [f"=INDEX(law_code,{one.number})" for one in laws], [one.name for one in laws]),
-        calc("at", "abscissa", "ξ_v", "",
-             [one.own(one.page.fastest) for one in laws],
+        calc("law", "law", "", "", [f"=INDEX(law_code,{one.number})" for one in laws], [one.name for one in laws]),
+        calc("at", "abscissa", "ξ_v", "", [one.own(one.page.fastest) for one in laws],
              [fastest(one.law) if one.family.entry.rises else 0.0 for one in laws]),
     )  # fmt: skip
+
+
+def over_time(title: str, y: str, about: str, *lines: tuple[str, str, bool]) -> Chart:
+    """Return a chart of columns of the cycle's table over time; each line has a name, a column, and may be dashed."""
+    series = tuple(Series(name, "[cycle.t]", f"[cycle.{column}]", dashed=dashed) for name, column, dashed in lines)
+    return Chart(title, "time t [s]", y, series, about)
+
+
+def beside(sheet: Sheet) -> None:
+    """Place the tool's motion, and right of it the load of its shaft, beside what is entered and what comes out."""
+    tool = (
+        over_time("Speed of the tool over a cycle", "speed [m/s]",
+                  "Speed of the tool over one cycle, with the line speed that it works at", ("tool", "v", False),
+                  ("line", "line", True)),
+        over_time("Position of the tool and of the product", "position [mm]",
+                  "Position of the tool along its path over one cycle, with the product's", ("tool", "s", False),
+                  ("product", "product", True)),
+        over_time("Acceleration of the tool over a cycle", "acceleration [m/s²]",
+                  "Acceleration of the tool over one cycle", ("tool", "a", False)),
+    )  # fmt: skip
+    shaft = (
+        over_time("Generalized load torque at the shaft", "T*_L [Nm]",
+                  "Load torque and inertia torque at the tool's shaft over one cycle",
+                  ("T*_L = T_L + J_L ω̇_L", "torque", False)),
+        Chart("Torque against speed of the shaft", "n [rpm]", "T*_L [Nm]", (Series("one cycle", "[cycle.n]",
+            "[cycle.torque]"),),
+              "Generalized load torque against the speed of the tool's shaft over one cycle"),
+        Chart("Load factor against product length", "product length L_p [mm]", "β [W/s]", (
+              Series("load factor", "[lengths.length]", "[lengths.beta]"),
+              Series("product entered", "[length_line.x]", "[length_line.beta]", dashed=True)),
+              "Load factor over the product length at this line speed, with the product entered marked"),
+    )  # fmt: skip
+    for column, charts in ((11, tool), (18, shaft)):
+        for row, chart in zip((5, 24, 43), charts, strict=True):
+            sheet.chart(chart, column=column, row=row, width=7, height=18)

@@ -1,21 +1,21 @@
 """Flying machining (S5): a rotary drum or a flying saw that follows the line while it works."""
 
-from __future__ import annotations
-
+from engine.cams.profile import profile_of
+from engine.flying.pieces import cut_pieces
+from workbook.axes import CamAxis
 from workbook.book.declare import Book, result
 from workbook.book.sentence import rounded
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
+from workbook.laws.library import laws
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.flying.axes import axes
 from workbook.machines.flying.check import check
-from workbook.machines.flying.cycle import cycle_sheet
+from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
 from workbook.machines.flying.driving import ToolDrive
 from workbook.machines.flying.entries import FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
-from workbook.machines.flying.motion import joints_of, rows_of
 from workbook.machines.flying.ratios import RatiosSheet
 from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.variations import variants
@@ -26,8 +26,7 @@ from workbook.selection.catalogue_sheet import catalogue_sheet
 from workbook.selection.page import selection_sheet
 from workbook.template import Template, finish
 
-STROKE = 1e-3
-"""by which share the sheet states that the stroke may be off"""
+STROKE = 1e-3  # by which share the sheet states that the stroke may be off
 
 
 def declare(given: FlyingCutter) -> Book:
@@ -36,15 +35,14 @@ def declare(given: FlyingCutter) -> Book:
     view = Flying(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     cut, scale = view.cut, view.scales
-    fastest, dw, beta = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration, view.asked(cut).factor
+    fastest, dw, beta = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration, view.task(cut).load_factor
     summary_sheet(
         book,
         given,
         "A tool that follows the line while it works: the motion of its drum or slide, and what its drive must give.",
         [
             result("about_rate", "Products", "", "1/min", "=fly_rate", shown(cut.rate, PER_MINUTE)),
-            result("about_n", "Greatest speed of the shaft", "n", "rpm",
-                   "=fly_w_max*60/(2*PI())", fastest),
+            result("about_n", "Greatest speed of the shaft", "n", "rpm", "=fly_w_max*60/(2*PI())", fastest),
             result("about_dw", "Peak acceleration of the shaft", "ω̇_max", "rad/s²",
                    "=fly_dw", dw, scale=scale.angular_acceleration),
             result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta, scale=scale.power_rate),
@@ -56,7 +54,7 @@ def declare(given: FlyingCutter) -> Book:
     lengths_sheet(book, view)
     cycle_sheet(book, view, rows, shelf.stack)
     drive_sheet(book, drive, rows)
-    selection_sheet(book, drive.choosing)
+    selection_sheet(book, drive.choosing())
     RatiosSheet(drive).declare(book)
     catalogue_sheet(book, given.selection, given.sizes)
     shelf.sheets(book)
@@ -73,6 +71,16 @@ def exportables(view: Flying, rows: PieceRows) -> list[Exportable]:
         Exportable("shaft", '="shaft"', rows, ("s", "°", "°/s", "°/s²"), (1.0, shaft), "*1000/fly_r*180/PI()",
                    view.cut.size),
     ]  # fmt: skip
+
+
+def axes(machine: FlyingCutter) -> list[CamAxis]:
+    """Return the tool along its path, and the shaft that drives it; both go on from where a cycle ends."""
+    cut = Flying(machine, laws(machine.laws)).cut
+    pieces, end, shaft = cut_pieces(cut, whole=True), cut.cycle_time, shown(cut.tool.angle(1.0), DEGREE)
+    return [
+        CamAxis("tool", profile_of(pieces, end, y=shown(1.0, MM)), "s", "mm"),
+        CamAxis("shaft", profile_of(pieces, end, y=shaft), "s", "°"),
+    ]
 
 
 def truths(given: FlyingCutter) -> list[str]:

@@ -1,7 +1,5 @@
 """Variations of a flying cutter: every law, drum and saw, each case, each limit exceeded."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import pi, radians
 from typing import Any
@@ -11,10 +9,7 @@ from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.motion.asked import smoothness_for
 from workbook.selection.variations import vary_selection
 
-RISING = [
-    {"duration": 0.4, "c0": 5.0},
-    {"duration": 0.6, "c0": -10 / 3},
-]
+RISING = [{"duration": 0.4, "c0": 5.0}, {"duration": 0.6, "c0": -10 / 3}]
 """An own law that speeds up once: for less time than it slows down."""
 
 
@@ -44,10 +39,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
 
 def limits(k: int, scale: Iterator[float]) -> dict[str, float]:
     """Return limits of the shaft that are kept or not, each in turn."""
-    return {
-        "speed": (1e5, 3.0)[k % 2] * next(scale),
-        "acceleration": (1e6, 1e6, 2.0)[k % 3] * next(scale),
-    }
+    return {"speed": (1e5, 3.0)[k % 2] * next(scale), "acceleration": (1e6, 1e6, 2.0)[k % 3] * next(scale)}
 
 
 def product(entries: dict[str, Any], k: int) -> dict[str, Any]:

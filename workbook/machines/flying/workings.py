@@ -1,7 +1,5 @@
 """The workings of the Cutter sheet: the way from the entries to the motion, as S5 goes it."""
 
-from __future__ import annotations
-
 from engine.flying import LONGER, SAME_LENGTH
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import DEGREE, MM, shown
@@ -35,9 +33,8 @@ def geometry(machine: Flying) -> list[Quantity]:
              "=fly_pitch-fly_sync", back, scale=turn, source="S5: θ_0 − θ_T"),
         calc("fly_lt", "Tool length", "L_T", "mm",
              "=RADIANS(fly_sync)*fly_r", shown(tool.tool_length, MM), scale=mm, source="S5: θ_T R_t"),
-        calc("fly_lr", "Length of the re-positioning", "L_R", "mm",
-             "=fly_l0-fly_lt", shown(tool.repositioning_length, MM), scale=mm,
-             source="S5: L_0 − L_T; a saw goes back by L_T"),
+        calc("fly_lr", "Length of the re-positioning", "L_R", "mm", "=fly_l0-fly_lt",
+             shown(tool.repositioning_length, MM), scale=mm, source="S5: L_0 − L_T; a saw goes back by L_T"),
         calc("fly_j", "Inertia of the load at the shaft", "J_L", "kg m²",
              "=fly_inertia/10000+fly_mass*(fly_r/1000)^2", machine.load.inertia, source="J + m R_t²"),
     ]  # fmt: skip
@@ -73,9 +70,8 @@ def superimposed(machine: Flying) -> list[Quantity]:
         calc("fly_tm", "Time of the superimposed motion", "t_m", "s",
              "=IF(fly_waits=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,fly_tr)", cut.moving_time,
              source="t_R; with a wait, so that v_min = 0"),
-        calc("fly_h1", "Displacement by the law", "h", "mm",
-             "=IF(fly_waits=1,0-fly_v*1000*fly_tm/fly_cv,fly_h)", shown(cut.superimposed, MM), scale=mm,
-             source="L_0 − L_p; with a wait, −v_L t_m/C_v"),
+        calc("fly_h1", "Displacement by the law", "h", "mm", "=IF(fly_waits=1,0-fly_v*1000*fly_tm/fly_cv,fly_h)",
+             shown(cut.superimposed, MM), scale=mm, source="L_0 − L_p; with a wait, −v_L t_m/C_v"),
         calc("fly_peak", "Where the law is fastest", "ξ_v", "", "=INDEX([fastest.at],fly_no)", cut.fastest),
         calc("fly_stop", "When the drum comes to a standstill", "", "s",
              "=IF(fly_waits=1,fly_peak*fly_tm,fly_tr)", cut.wait[0], scale=cut.cycle_time, source="t_R: not at all"),

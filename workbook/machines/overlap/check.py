@@ -1,7 +1,5 @@
 """What only the engine can say of the entries of an overlap."""
 
-from __future__ import annotations
-
 from engine.laws.inverse import is_monotone
 from workbook.book.sentence import figure
 from workbook.entries.types import ANGLE_TOLERANCE, END_TOLERANCE, DesignError

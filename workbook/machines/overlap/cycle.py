@@ -1,10 +1,9 @@
 """The Cycle sheet, one for each tool: both parts over the master angle, one after the other and with overlap."""
 
-from __future__ import annotations
-
 from functools import cached_property
 
 from engine.laws.base import Array
+from engine.motion import Motion
 from engine.motion.pieces import Scaled
 from engine.overlap import Schedule
 from engine.overlap.picture import LANE_SHARE, lane
@@ -14,7 +13,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws.phases import ACCELERATION, VELOCITY
 from workbook.laws.sampling import Pieces
-from workbook.machines.overlap.entries import TURN
+from workbook.machines.overlap.entries import TURN, ToolEntry, TransferEntry
 from workbook.machines.overlap.view import Overlapping, Station
 from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
@@ -73,37 +72,19 @@ class AtAngles:
         return result(f"{name}{suffix}", label, symbol, unit, formula, self.rates[order - 1])
 
 
-def whose(station: Station) -> str:
-    """Return what a check of a tool begins with."""
-    return f"{'The tool' if station.machine.alone else f'Tool {station.number}'}: "
-
-
 UNITS = tuple((f'"{unit}"', unit) for unit in ("m/rad", "m/rad²", "m/rad³"))
 MOVES = ("movement", "dwell")
 
 
-def largest(at: Cells) -> tuple[str, str]:
-    """Return the formulas of the largest |y'| and |y''| of a motion."""
-    return f"MAX([{at.phases}.v])", f"MAX([{at.phases}.a])"
-
-
-def of_transfer(machine: Overlapping, pieces: Pieces) -> Joints:
-    """Return the joints of the transfer's pieces, and how smooth it must be."""
-    moved = machine.given.transfer
-    asked = Asked(
-        moved.smoothness, "overlap_smooth", "overlap_order", largest(TRANSFER), ('"°"', "°"), UNITS,
-        ("overlap_transfer", moved.name), names=MOVES,
-    )  # fmt: skip
-    return Joints.of(transfer_rows(machine, pieces), filled_turn(machine.transfer.phases), asked)
-
-
-def of_tool(station: Station, pieces: Pieces) -> Joints:
-    """Return the joints of the pieces of a tool as it is set, and how smooth it must be."""
-    asked = Asked(
-        station.given.smoothness, "@smooth", "@order", largest(OF_TOOL["a"]),
-        ('"° after its arrival"', "° after its arrival"), UNITS, ("@name", station.given.name), names=WAYS,
-    )  # fmt: skip
-    return Joints.of(tool_rows(station, "a", pieces), station.as_set.motion, asked)
+def joints_of(
+    rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry, scope: str, after: str, cell: str,
+    names: tuple[str, ...],
+) -> Joints:  # fmt: skip
+    """Return the joints of a motion's pieces, and how smooth it must be; ``cell`` has its name."""
+    largest = f"MAX([{rows.at.phases}.v])", f"MAX([{rows.at.phases}.a])"
+    place, of = (f'"{after}"', after), (cell, given.name)
+    asked = Asked(given.smoothness, f"{scope}smooth", f"{scope}order", largest, place, UNITS, of, names=names)
+    return Joints.of(rows, motion, asked)
 
 
 def tool_rows(station: Station, schedule: str, pieces: Pieces) -> PieceRows:
@@ -122,9 +103,8 @@ def transfer_columns(machine: Overlapping, theta: Array, pieces: Pieces) -> list
     """Return the travel of the transfer and its workings."""
     angle, rows = si(theta, DEGREE), transfer_rows(machine, pieces)
     return [
-        result("yt", "travel of the transfer", "y_t", "mm",
-               f"=({sampled(rows, 0, 't')})*1000", shown(machine.transfer.travel(angle), MM),
-               source=POSITION),
+        result("yt", "travel of the transfer", "y_t", "mm", f"=({sampled(rows, 0, 't')})*1000",
+               shown(machine.transfer.travel(angle), MM), source=POSITION),
         *finding(rows, "theta", angle, suffix="t"),
     ]  # fmt: skip
 
@@ -135,49 +115,34 @@ ALLOWED = "=IF(AND([theta]>@begin+overlap_eps,[theta]<@end-overlap_eps),@clearan
 def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
     """Declare a sheet for each tool: travel, acceleration and clearance over one turn of the master shaft."""
     for station in machine.stations:
-        i = station.number
+        i, whose = station.number, "" if machine.alone else f"Tool {station.number}: "
         title, what = ("Cycle", "Both parts") if machine.alone else (f"Cycle {i}", f"Transfer and tool {i}")
         sheet = book.sheet(title, f"{what} over one turn of the master shaft, one after the other and with overlap.")
         with sheet.scoped(station.scope):
             motions(sheet, station, pieces)
-        if station.number == 1:
+        if i == 1:
             transfer_motion(sheet, machine, pieces)
         sheet.heading("Workings: the motions as pieces", ABOUT)
-        if station.number == 1:
-            sheet.rows(lane_height())
+        if i == 1:
+            sheet.rows(constant("overlap_lane", "Height of a part in the diagrams", "", "", LANE_SHARE, format="0.0",
+                                source="as a share of its lane"))  # fmt: skip
             sheet.row += 1
-            transfer_pieces(sheet, machine, pieces)
+            moved = transfer_pieces(sheet, machine, pieces)
         with sheet.scoped(station.scope):
-            for schedule in SCHEDULES:
-                tool_pieces(sheet, station, schedule, pieces)
-            sheet.checks(room_check(station))
-            joints = of_tool(station, pieces)
-            sheet.checks(joints.check("@ok_smooth", f"{whose(station)}as smooth as asked"))
-        if station.number == 1:
-            sheet.checks(of_transfer(machine, pieces).check("overlap_ok_smooth", "The transfer: as smooth as asked"))
+            joints = tool_pieces(sheet, station, pieces)
+            sheet.checks(room_check(station, whose))
+            sheet.checks(joints.check("@ok_smooth", f"{whose or 'The tool: '}as smooth as asked"))
+        if i == 1:
+            sheet.checks(moved.check("overlap_ok_smooth", "The transfer: as smooth as asked"))
 
 
-def lane_height() -> Quantity:
-    """Return the height of a part in the timing diagrams."""
-    return constant(
-        "overlap_lane",
-        "Height of a part in the diagrams",
-        "",
-        "",
-        LANE_SHARE,
-        format="0.0",
-        source="as a share of its lane",
-    )
-
-
-def room_check(station: Station) -> Quantity:
+def room_check(station: Station, whose: str) -> Quantity:
     """Return the check that the tables of pieces have room for all."""
     found = [*OF_TOOL.values(), *([TRANSFER] if station.number == 1 else [])]
-    tool = "" if station.machine.alone else f"Tool {station.number}: "
-    label = f"{tool}the tables of pieces have room for all"
+    label = f"{whose}{'the' if whose else 'The'} tables of pieces have room for all"
     most, room = f"MAX({','.join(at.count for at in found)})", "MAX([@a_pieces.r])"
     says = f'{most}&" pieces, and room for "&{room}'
-    return check("@ok_pieces", label if tool else label.capitalize(), f"{most}<={room}", True, ROOM, says=says)
+    return check("@ok_pieces", label, f"{most}<={room}", True, ROOM, says=says)
 
 
 def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
@@ -205,8 +170,7 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         *([lane_t] if i == 1 else []),
         calc("lane_b", "tool, one after the other", "", "",
              f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel, h)),
-        calc("lane_a", "tool, with overlap", "", "",
-             f"={i}+[ya]/@stroke*overlap_lane", lane(i, after.travel, h)),
+        calc("lane_a", "tool, with overlap", "", "", f"={i}+[ya]/@stroke*overlap_lane", lane(i, after.travel, h)),
         constant("k", "sample", "k", "", list(range(len(theta)))),
         after.rate(1, "vel", "velocity", "v", "m/s", "a"),
         after.rate(3, "jerk", "jerk", "j", "m/s³", "a"),
@@ -226,54 +190,53 @@ def transfer_motion(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
     )  # fmt: skip
 
 
-def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
+def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> Joints:
     """Declare the phases of the transfer and their pieces."""
     rows, parts = transfer_rows(machine, pieces), machine.transfer.parts
-    phases(
-        sheet, "The transfer, from the start of the cycle", MOVES, TRANSFER, parts, rows,
-        no=["=[used.no.1]", "=1"], h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
-        begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
-    )  # fmt: skip
-    joints = of_transfer(machine, pieces)
+    phases(sheet, "The transfer, from the start of the cycle", MOVES, parts, rows, no=["=[used.no.1]", "=1"],
+           h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
+           begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"])  # fmt: skip
+    joints = joints_of(rows, filled_turn(machine.transfer.phases), machine.given.transfer, "overlap_", "°",
+                       "overlap_transfer", MOVES)  # fmt: skip
     sheet.rows(*joints.order())
     sheet.row += 1
     pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts))
     sheet.row += 1
     joints.table(sheet, "What jumps where each piece of the transfer begins", machine.room)
+    return joints
 
 
-def tool_pieces(sheet: Sheet, station: Station, schedule: str, pieces: Pieces) -> None:
-    """Declare the phases of a tool in one schedule, and their pieces."""
-    row, words = SCHEDULES[schedule]
-    plan, at, (row_in, row_out) = station.schedules[row - 1], OF_TOOL[schedule], station.law_rows
-    rows = tool_rows(station, schedule, pieces)
-    into, out, h = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]", "@stroke/1000"
-    rest = f"360-@dwell-{out}-{into}"
-    phases(
-        sheet, f"The tool {words}, from its arrival", WAYS, at, plan.parts, rows,
-        no=["=1", f"=[used.no.{row_out}]", "=1", f"=[used.no.{row_in}]"], h=["=0", f"=0-{h}", "=0", f"={h}"],
-        angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
-        begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"], y0=[f"={h}", f"={h}", "=0", "=0"],
-    )  # fmt: skip
-    room = station.machine.room
-    pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts))
-    if schedule == "a":
-        joints = of_tool(station, pieces)
-        sheet.row += 1
-        sheet.rows(*joints.order())
-        sheet.row += 1
-        joints.table(sheet, "What jumps where each piece of the tool begins", room)
+def tool_pieces(sheet: Sheet, station: Station, pieces: Pieces) -> Joints:
+    """Declare the phases of a tool in both schedules, and their pieces; return the joints of it as it is set."""
+    (row_in, row_out), room = station.law_rows, station.machine.room
+    for schedule, (row, words) in SCHEDULES.items():
+        plan, rows = station.schedules[row - 1], tool_rows(station, schedule, pieces)
+        into, out, h = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]", "@stroke/1000"
+        rest = f"360-@dwell-{out}-{into}"
+        phases(
+            sheet, f"The tool {words}, from its arrival", WAYS, plan.parts, rows,
+            no=["=1", f"=[used.no.{row_out}]", "=1", f"=[used.no.{row_in}]"], h=["=0", f"=0-{h}", "=0", f"={h}"],
+            angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
+            begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"], y0=[f"={h}", f"={h}", "=0", "=0"],
+        )  # fmt: skip
+        pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts))
+    joints = joints_of(rows, plan.motion, station.given, "@", "° after its arrival", "@name", WAYS)
+    sheet.row += 1
+    sheet.rows(*joints.order())
+    sheet.row += 1
+    joints.table(sheet, "What jumps where each piece of the tool begins", room)
+    return joints
 
 
 def phases(
-    sheet: Sheet, title: str, names: tuple[str, ...], at: Cells, parts: tuple[Scaled, ...], rows: PieceRows,
+    sheet: Sheet, title: str, names: tuple[str, ...], parts: tuple[Scaled, ...], rows: PieceRows,
     **formulas: list[str],
 ) -> None:  # fmt: skip
     """Declare the phases of a motion over the master angle; ``formulas`` are those of the columns, a row each."""
     size, degrees = size_of_parts(parts), [shown(part.duration, DEGREE) for part in parts]
     sheet.row += 1
     sheet.table(
-        at.phases, title, len(parts),
+        rows.at.phases, title, len(parts),
         constant("what", "phase", "", "", list(names), align="left"),
         constant("k", "row", "k", "", [k for k, _ in enumerate(parts, 1)]),
         calc("no", "law number", "", "", formulas["no"], list(rows.numbers), format="0"),

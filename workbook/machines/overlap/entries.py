@@ -1,7 +1,5 @@
 """Overlap of a transfer and tools (S2): what an engineer enters."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Annotated, Literal, Self
 

@@ -5,8 +5,6 @@ share of time is that of a motion with constant acceleration from the one to the
 missing at the velocity that the law has there. Behind it stands how near to its height the law is at that time.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -117,10 +115,9 @@ def heights(station: Station) -> tuple[Wanted, Wanted]:
     margins = np.array([p.margin, *station.margins.margin])
     gone = p.travelled_share(tool.stroke, margins)
     k = constant("k", "row", "k", "", list(range(n + 2)), source="0: as entered; then the table of margins")
-    margin = calc(
-        "margin", "margin", "", "mm",
-        f"=IF([k]=0,{station.scope}margin,INDEX([{station.scope}margins.margin],MAX([k],1)))", shown(margins, MM),
-    )  # fmt: skip
+    margin = calc("margin", "margin", "", "mm",
+                  f"=IF([k]=0,{station.scope}margin,INDEX([{station.scope}margins.margin],MAX([k],1)))",
+                  shown(margins, MM))  # fmt: skip
     formula = f"MIN(({station.scope}clearance-[margin])/{station.scope}stroke,1)"
     whose = "Tool" if station.machine.alone else f"Tool {station.number}"
     name, (row_in, row_out) = f"{station.scope}inverse_", station.law_rows
@@ -155,10 +152,8 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
              [len(law_pieces(law)) for law in laws], format="0", source="that begin before its end"),
         calc("n", "intervals on each piece", "n", "", "=INT(inverse_intervals/[count])",
              [points_of(law).n for law in laws], format="0"),
-        calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])",
-             [slowest(law) for law in laws]),
-        calc("ca", "acceleration coefficient", "C_a", "",
-             "=MAX(INDEX(law_ca_max,[no]),0-INDEX(law_ca_min,[no]))",
+        calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])", [slowest(law) for law in laws]),
+        calc("ca", "acceleration coefficient", "C_a", "", "=MAX(INDEX(law_ca_max,[no]),0-INDEX(law_ca_min,[no]))",
              [law.coefficients.ca for law in laws], source="max |a|"),
     )  # fmt: skip
     sheet.row += 1

@@ -1,7 +1,5 @@
 """The Picture sheet: all parts drawn at an angle of the master shaft that the engineer moves, in both schedules."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from engine.overlap import clearance, colliding
@@ -12,7 +10,6 @@ from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
 from workbook.machines.overlap.cycle import ALLOWED, SCHEDULES, AtAngles, transfer_columns
 from workbook.machines.overlap.entries import TURN
-from workbook.machines.overlap.places import each
 from workbook.machines.overlap.view import Overlapping, Station
 
 SAYS = '=IF([free]<0-inverse_bound*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'
@@ -49,18 +46,8 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
         "Picture", "All parts at one angle of the master shaft: change the angle and both pictures move."
     )
     sheet.heading("Enter")
-    sheet.rows(
-        given(
-            "overlap_view",
-            "Master angle to look at",
-            "θ",
-            "°",
-            machine.given.view,
-            "overlap.view",
-            format="0.0##",
-            source="0 to 360: step through the cycle",
-        )
-    )
+    sheet.rows(given("overlap_view", "Master angle to look at", "θ", "°", machine.given.view, "overlap.view",
+                     format="0.0##", source="0 to 360: step through the cycle"))  # fmt: skip
     states = States(machine, pieces)
     outcome(sheet, machine, states)
     pictures(sheet, machine)
@@ -81,16 +68,14 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
     sheet.row += 1
     sheet.table(
         "stands", "The tools at this angle" if len(stations) > 1 else "The tool at this angle", len(stations),
-        calc("name", "tool", "", "", each(machine, "=@name"), [s.given.name for s in stations], align="left"),
-        result("b", "travel, one after the other", "y", "mm", each(machine, "=[@view.yb]"),
-               shown(states.before, MM)),
-        result("a", "travel, with overlap", "y", "mm", each(machine, "=[@view.ya]"), shown(states.after, MM)),
+        calc("name", "tool", "", "", machine.each("=@name"), [s.given.name for s in stations], align="left"),
+        result("b", "travel, one after the other", "y", "mm", machine.each("=[@view.yb]"), shown(states.before, MM)),
+        result("a", "travel, with overlap", "y", "mm", machine.each("=[@view.ya]"), shown(states.after, MM)),
         result("limit", "travel allowed", "", "mm",
-               each(machine, allowing), shown(states.allowed, MM), source="c if in the way, else h"),
+               machine.each(allowing), shown(states.allowed, MM), source="c if in the way, else h"),
         result("free", "free, with overlap", "", "mm", "=[limit]-[a]", shown(states.free, MM),
                source="below 0 the parts collide"),
-        result("says", "the transfer is", "", "",
-               each(machine, SAYS), states.says()),
+        result("says", "the transfer is", "", "", machine.each(SAYS), states.says()),
     )  # fmt: skip
 
 
@@ -129,11 +114,11 @@ def dimensions(sheet: Sheet, machine: Overlapping) -> None:
         constant("i", "tool", "", "", [s.number for s in stations]),
         calc("x", "middle of the station", "X", "mm", "=([i]-1)*picture_step*overlap_pitch", shown(scene.middles, MM)),
         calc("open", "opening of the transfer", "", "mm",
-             each(machine, "=overlap_pitch*(picture_width+2*@remaining/100)"), shown(scene.openings, MM),
+             machine.each("=overlap_pitch*(picture_width+2*@remaining/100)"), shown(scene.openings, MM),
              source="the tool, and s_r of the stroke on both sides"),
         calc("top", "height of the transfer above the part", "", "mm",
-             each(machine, "=MAX(@stroke-@clearance,0)"), shown(scene.tops, MM), source="h − c"),
-        calc("h", "stroke", "h", "mm", each(machine, "=@stroke"), shown(scene.strokes, MM)),
+             machine.each("=MAX(@stroke-@clearance,0)"), shown(scene.tops, MM), source="h − c"),
+        calc("h", "stroke", "h", "mm", machine.each("=@stroke"), shown(scene.strokes, MM)),
     )  # fmt: skip
 
 
@@ -173,8 +158,7 @@ def outlines(sheet: Sheet, machine: Overlapping, states: States) -> None:
         constant("fx", "right side", "", "", list(fx)),
         constant("fy", "upper side", "", "", list(fy)),
         calc("x", "across", "X", "mm", "=IF([fx]=1,MAX([places.x])+overlap_pitch,0-overlap_pitch)", shown(frame.x, MM)),
-        calc("y", "height", "z", "mm",
-             "=IF([fy]=1,(1+picture_body)*MAX([places.h]),0-picture_plate*MAX([places.h]))",
+        calc("y", "height", "z", "mm", "=IF([fy]=1,(1+picture_body)*MAX([places.h]),0-picture_plate*MAX([places.h]))",
              shown(frame.z, MM)),
     )  # fmt: skip
 
@@ -204,9 +188,7 @@ def punch(sheet: Sheet, station: Station, before: float, after: float) -> None:
         "@punch", f"Outline of {whose}", len(PUNCH),
         constant("px", "across", "", "", list(across)),
         constant("py", "along", "", "", list(along)),
-        calc("x", "across", "X", "mm",
-             f"=[places.x.{i}]+[px]*picture_width*overlap_pitch", shown(x, MM)),
-        calc("yb", "one after the other", "z", "mm", "=@stroke-[@view.yb]+[py]*picture_body*@stroke",
-             shown(first, MM)),
+        calc("x", "across", "X", "mm", f"=[places.x.{i}]+[px]*picture_width*overlap_pitch", shown(x, MM)),
+        calc("yb", "one after the other", "z", "mm", "=@stroke-[@view.yb]+[py]*picture_body*@stroke", shown(first, MM)),
         calc("ya", "with overlap", "z", "mm", "=@stroke-[@view.ya]+[py]*picture_body*@stroke", shown(second, MM)),
     )  # fmt: skip

@@ -3,8 +3,6 @@
 Several tools have a sheet each, of the same parts (:mod:`workbook.machines.overlap.tool`).
 """
 
-from __future__ import annotations
-
 from itertools import count
 
 from engine.overlap import ANGLE_TOLERANCE, movement_time
@@ -14,7 +12,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.entries.units import DEGREE, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap import tool
-from workbook.machines.overlap.places import each
+from workbook.machines.overlap.check import BACKWARDS
 from workbook.machines.overlap.view import Overlapping
 from workbook.motion.asked import ABOUT as CONTINUOUS
 
@@ -48,16 +46,17 @@ def all_of_one(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
     with sheet.scoped(station.scope):
         tool.entries(sheet, station)
         tool.outcome(sheet, station)
-        tool.verdicts(sheet, station)
-    sheet.checks(rising())
-    timing_diagrams(sheet, machine, RIGHT)
-    tool.charts(sheet, station, SECOND)
-    sheet.row = max(sheet.row, BELOW_CHARTS)
-    tool.tables(sheet, station)
-    sheet.not_printed_below()
-    sheet.heading("Workings")
-    sheet.rows(*workings(machine))
-    tool.workings(sheet, station, pieces)
+        sheet.checks(rising())
+        timing_diagrams(sheet, machine, RIGHT)
+        tool.charts(sheet, SECOND)
+        sheet.row = max(sheet.row, BELOW_CHARTS)
+        tool.schedules(sheet, station)
+        tool.margins(sheet, station)
+        sheet.not_printed_below()
+        sheet.heading("Workings")
+        sheet.rows(*workings(machine))
+        tool.steps(sheet, station)
+        tool.corners_table(sheet, station, pieces)
 
 
 def sums(sheet: Sheet, machine: Overlapping) -> None:
@@ -102,15 +101,8 @@ def entries(sheet: Sheet, machine: Overlapping) -> None:
 
 def rising() -> Quantity:
     """Return the check of the one law that may move backwards: the engineer's own."""
-    return check(
-        "overlap_ok_rises",
-        "The laws never move backwards",
-        "MIN([used.low])>=0-check_zero",
-        True,
-        "only a law that rises throughout can be inverted",
-        ":rises",
-        '"a law moves backwards: see its sheet, or Laws"',
-    )
+    return check("overlap_ok_rises", "The laws never move backwards", "MIN([used.low])>=0-check_zero", True,
+                 "only a law that rises throughout can be inverted", ":rises", f'"{BACKWARDS}"')  # fmt: skip
 
 
 def workings(machine: Overlapping) -> tuple[Quantity, ...]:
@@ -118,9 +110,8 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
     return (
         calc("overlap_tc", "Time of one turn", "t_c", "s",
              "=3600/overlap_rate", movement_time(FULL_TURN, machine.rate), source="3600 / N"),
-        calc("overlap_eps", "Tolerance of an angle", "ε", "°",
-             "=360*break_tolerance", shown(ANGLE_TOLERANCE, DEGREE), format="0E+00",
-             source="an angle this close to an event is taken as the event"),
+        calc("overlap_eps", "Tolerance of an angle", "ε", "°", "=360*break_tolerance", shown(ANGLE_TOLERANCE, DEGREE),
+             format="0E+00", source="an angle this close to an event is taken as the event"),
         calc("overlap_w", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()/overlap_tc", shaft_speed(machine.rate), source="2π/t_c"),
     )  # fmt: skip
@@ -135,15 +126,15 @@ def tools(sheet: Sheet, machine: Overlapping) -> None:
     conditions = ",".join(f'{q.name}="OK"' for q in tool.checks(stations[0]))
     sheet.table(
         "tools", "The tools", len(stations),
-        calc("name", "tool", "", "", each(machine, "=@name"), [s.given.name for s in stations], align="left"),
+        calc("name", "tool", "", "", machine.each("=@name"), [s.given.name for s in stations], align="left"),
         constant("sheet", "sheet", "", "", [f"Tool {s.number}" for s in stations]),
-        result("in", "way in", "B_m", "°", each(machine, "=@new_in"), [s.angles_set[0] for s in stations]),
-        result("out", "way out", "B_m", "°", each(machine, "=@new_out"), [s.angles_set[1] for s in stations]),
-        result("a0", "peak, one after the other", "a_max", "m/s²", each(machine, "=@a0"), [p[0] for p in peaks]),
-        result("a1", "peak, with overlap", "a_max", "m/s²", each(machine, "=@a1"), [p[2] for p in peaks]),
-        result("ratio", "times lower", "", "", each(machine, "=@ratio"), lower),
-        result("least", "least clearance", "", "mm", each(machine, "=@least"), [s.least for s in stations]),
-        Quantity("ok", "its checks", role="check", formula=each(machine, f'=IF(AND({conditions}),"OK","FAIL")'),
+        result("in", "way in", "B_m", "°", machine.each("=@new_in"), [s.angles_set[0] for s in stations]),
+        result("out", "way out", "B_m", "°", machine.each("=@new_out"), [s.angles_set[1] for s in stations]),
+        result("a0", "peak, one after the other", "a_max", "m/s²", machine.each("=@a0"), [p[0] for p in peaks]),
+        result("a1", "peak, with overlap", "a_max", "m/s²", machine.each("=@a1"), [p[2] for p in peaks]),
+        result("ratio", "times lower", "", "", machine.each("=@ratio"), lower),
+        result("least", "least clearance", "", "mm", machine.each("=@least"), [s.least for s in stations]),
+        Quantity("ok", "its checks", role="check", formula=machine.each(f'=IF(AND({conditions}),"OK","FAIL")'),
                  value=verdicts),
     )  # fmt: skip
 
@@ -156,12 +147,9 @@ def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
         moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")
         line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
         sheet.chart(
-            Chart(
-                f"Timing diagram: {title}", "master angle θ [°]", "",
-                (moved, *lines_of(machine, lane), line),
-                f"Timing diagram of transfer and tools over one turn of the master shaft: {title}",
-                (0, 360, 30), (0, top, 1), lanes=True,
-            ),
+            Chart(f"Timing diagram: {title}", "master angle θ [°]", "", (moved, *lines_of(machine, lane), line),
+                  f"Timing diagram of transfer and tools over one turn of the master shaft: {title}", (0, 360, 30),
+                  (0, top, 1), lanes=True),
             column=next(columns), row=5, width=WIDE, height=18,
         )  # fmt: skip
 
@@ -172,10 +160,8 @@ def accelerations(sheet: Sheet, machine: Overlapping, column: int) -> None:
     for title, values in (("one after the other", "accb"), ("with overlap", "acca")):
         lines = lines_of(machine, values)
         sheet.chart(
-            Chart(
-                f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]", lines,
-                f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30),
-            ),
+            Chart(f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]", lines,
+                  f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30)),
             column=next(columns), row=SECOND, width=WIDE, height=18,
         )  # fmt: skip
 

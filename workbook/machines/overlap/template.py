@@ -1,26 +1,30 @@
 """Overlap of motions (S2): the indexing mill and its tools, one after the other and with overlap."""
 
-from __future__ import annotations
-
+from engine.cams.profile import CamProfile, profile_of, turned
+from engine.motion.shifted import Shifted
+from engine.overlap.schedule import pieces_of_parts, size_of_parts
+from engine.timing import FULL_TURN
+from workbook.axes import CamAxis
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
+from workbook.entries.units import DEGREE, MM, shown
+from workbook.laws.library import laws
+from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.overlap.axes import axes
 from workbook.machines.overlap.check import check
-from workbook.machines.overlap.cycle import cycle_sheets
+from workbook.machines.overlap.cycle import cycle_sheets, tool_rows, transfer_rows
 from workbook.machines.overlap.entries import IndexingOverlap
-from workbook.machines.overlap.exported import exportable
 from workbook.machines.overlap.inverse import inverse_sheet
 from workbook.machines.overlap.picture import picture_sheet
 from workbook.machines.overlap.sheet import overlap_sheet
 from workbook.machines.overlap.variations import variants
-from workbook.machines.overlap.view import Overlapping, laid_out
-from workbook.motion.exported import export_sheet
+from workbook.machines.overlap.view import Overlapping, Station, laid_out
+from workbook.motion.exported import Exportable, Later, export_sheet
 from workbook.template import Template, finish
 
-PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s²", "S2: 5.17")
-"""what S2 prints beside the first sheet's results"""
+PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s²", "S2: 5.17")  # what S2 prints beside the first sheet's results
+UNITS = ("°", "mm", "mm/°", "mm/°²")
 
 
 def declare(given: IndexingOverlap) -> Book:
@@ -39,7 +43,7 @@ def declare(given: IndexingOverlap) -> Book:
     cycle_sheets(book, view, shelf.stack)
     inverse_sheet(book, view, shelf.stack)
     shelf.sheets(book)
-    export_sheet(book, given, exportable(view, shelf.stack))
+    export_sheet(book, given, exportables(view, shelf.stack))
     return finish(book, ("S2", "S1", "S3"))
 
 
@@ -58,6 +62,36 @@ def in_short(view: Overlapping) -> list[Quantity]:
         *([ratio] if view.alone else []),
         result("about_least", "Least clearance over the cycle", "", "mm", f"={of}_least", view.least),
     ]  # fmt: skip
+
+
+def exportables(view: Overlapping, pieces: Pieces) -> list[Exportable]:
+    """Return the transfer and each tool as it is set, as the sheet Export may have them."""
+    unit = shown(1.0, DEGREE), shown(1.0, MM)  # one of the pieces' x and y in these
+    transfer = Exportable("transfer", '="transfer"', transfer_rows(view, pieces), UNITS, unit, "*1000",
+                          size_of_parts(view.transfer.parts))  # fmt: skip
+    found = [transfer]
+    for station in view.stations:
+        plan, rows = station.as_set, tool_rows(station, "a", pieces)
+        later = Later("[@schedules.there.3]", "overlap_eps", "", Shifted(plan.motion, plan.arrival).unshifted, 0.0)
+        found.append(Exportable(station.given.name, "=@name", rows, UNITS, unit, "*1000", size_of_parts(plan.parts),
+                                later, station.scope))  # fmt: skip
+    return found
+
+
+def axes(machine: IndexingOverlap) -> list[CamAxis]:
+    """Return the transfer, which goes on every turn, and each tool as it is set."""
+    found = Overlapping(machine, laws(machine.laws))
+    x, y = shown(1.0, DEGREE), shown(1.0, MM)
+    transfer = profile_of(pieces_of_parts(found.transfer.parts, whole=True), FULL_TURN, x, y)
+    tools = [CamAxis(one.given.name, set_profile(one), "°", "mm") for one in found.stations]
+    return [CamAxis("transfer", transfer, "°", "mm"), *tools]
+
+
+def set_profile(station: Station) -> CamProfile:
+    """Return a tool's profile as the master shaft sees it."""
+    schedule = station.as_set
+    fixed = profile_of(pieces_of_parts(schedule.parts, whole=True), FULL_TURN, shown(1.0, DEGREE), shown(1.0, MM))
+    return turned(fixed, shown(schedule.arrival, DEGREE))
 
 
 TEMPLATE = Template(

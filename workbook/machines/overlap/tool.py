@@ -3,11 +3,9 @@
 The names stand in the tool's scope: ``@stroke`` is ``tool2_stroke`` for the second (:mod:`workbook.book.declare`).
 """
 
-from __future__ import annotations
-
 import numpy as np
 
-from engine.overlap import rests
+from engine.overlap import corners, rests, room
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import amount
@@ -15,55 +13,33 @@ from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import AtAngles
 from workbook.machines.overlap.entries import LEAST, TURN
-from workbook.machines.overlap.margins import margins
 from workbook.machines.overlap.view import Station
 from workbook.motion.asked import ABOUT as CONTINUOUS
 
 BELOW_CHARTS = 38
 CAPPED = "OR(@room*@split*@rest_in<@free_in,@room*(1-@split)*@rest_out<@free_out)"
 TAKEN = "([@schedules.in.3]+@dwell+[@schedules.out.3])"
-CORNERS = (
-    "transfer gets in the way",
-    "transfer is in place",
-    "tool sets off",
-    "tool arrives",
-    "tool leaves",
-    "tool is back",
-)
+CORNERS = ("transfer gets in the way", "transfer is in place", "tool sets off", "tool arrives", "tool leaves",
+           "tool is back")  # fmt: skip
 
 
 def tool_sheet(book: Book, station: Station, pieces: Pieces) -> None:
     """Declare the sheet of one of several tools."""
-    sheet = book.sheet(
-        f"Tool {station.number}",
-        f"Tool {station.number} and the transfer: how much longer its ways in and out may take.",
-    )
+    name = f"Tool {station.number}"
+    sheet = book.sheet(name, f"{name} and the transfer: how much longer its ways in and out may take.")
     sheet.print_columns = 24
     sheet.heading("Enter", "The rate and the transfer are entered on the sheet Overlap.")
     with sheet.scoped(station.scope):
         entries(sheet, station)
         outcome(sheet, station)
-        verdicts(sheet, station)
-    charts(sheet, station, 5)
-    sheet.row = max(sheet.row, BELOW_CHARTS)
-    tables(sheet, station)
-    sheet.not_printed_below()
-    sheet.heading("Workings")
-    workings(sheet, station, pieces)
-
-
-def tables(sheet: Sheet, station: Station) -> None:
-    """Declare the three schedules, and what a margin costs."""
-    with sheet.scoped(station.scope):
+        charts(sheet, 5)
+        sheet.row = max(sheet.row, BELOW_CHARTS)
         schedules(sheet, station)
         margins(sheet, station)
-
-
-def workings(sheet: Sheet, station: Station, pieces: Pieces) -> None:
-    """Declare the way to the angles, and the corners of the diagram."""
-    with sheet.scoped(station.scope):
+        sheet.not_printed_below()
+        sheet.heading("Workings")
         steps(sheet, station)
-        corners(sheet, station, pieces)
+        corners_table(sheet, station, pieces)
 
 
 def quoting(station: Station, *quantities: Quantity) -> list[Quantity]:
@@ -88,29 +64,25 @@ def entries(sheet: Sheet, station: Station) -> None:
               tool.dwell, f"{key}.dwell", format="0.0##", source="S2: 100°"),
         given("@smooth", "what must be continuous", "", "",
               tool.smoothness, f"{key}.smoothness", align="center", source=CONTINUOUS),
-        given("@remaining", "Share of the stroke that may remain", "s_r", "%",
-              p.remaining, f"{key}.passage.remaining", format="0.0000",
-              source="while in; S2: 0.65 %, at a tenth of the time"),
-        given("@clearance", "Clearance between tool and transfer", "c", "mm",
-              p.clearance, f"{key}.passage.clearance", format="0.0##",
-              source="travel of the tool before it touches; S2: 20 mm"),
+        given("@remaining", "Share of the stroke that may remain", "s_r", "%", p.remaining, f"{key}.passage.remaining",
+              format="0.0000", source="while in; S2: 0.65 %, at a tenth of the time"),
+        given("@clearance", "Clearance between tool and transfer", "c", "mm", p.clearance, f"{key}.passage.clearance",
+              format="0.0##", source="travel of the tool before it touches; S2: 20 mm"),
         given("@margin", "Margin that stays free", "m", "mm",
               p.margin, f"{key}.passage.margin", format="0.0##", source="S2: 1 mm"),
-        given("@allowance", "Allowance for the setting of the cam", "", "°",
-              p.allowance, f"{key}.passage.allowance", format="0.0##",
-              source="taken off the tool's angles; S2 advises 5°"),
+        given("@allowance", "Allowance for the setting of the cam", "", "°", p.allowance, f"{key}.passage.allowance",
+              format="0.0##", source="taken off the tool's angles; S2 advises 5°"),
         given("@split", "Share of the free angle for the way in", "", "",
               p.split, f"{key}.passage.split", format="0.0##", source="S2: divided equally"),
-        given("@set_in", "Angle of the way in, if you choose it", "", "°",
-              tool.angle_in, f"{key}.angle_in", format="0.0##",
-              source="empty: the longest less the allowance; S2: 125°"),
+        given("@set_in", "Angle of the way in, if you choose it", "", "°", tool.angle_in, f"{key}.angle_in",
+              format="0.0##", source="empty: the longest less the allowance; S2: 125°"),
         given("@set_out", "Angle of the way out, if you choose it", "", "°",
               tool.angle_out, f"{key}.angle_out", format="0.0##", source="empty: the longest less the allowance"),
     ))  # fmt: skip
 
 
 def outcome(sheet: Sheet, station: Station) -> None:
-    """Declare the results, in short."""
+    """Declare the results, in short, and the checks."""
     before, _, after = station.peaks
     way_in, way_out = station.angles_set
     sheet.heading("Results")
@@ -130,10 +102,6 @@ def outcome(sheet: Sheet, station: Station) -> None:
         result("@limit", "What limits the tool's angles", "", "",
                f'=IF({CAPPED},"cycle","clearance")', station.longest.limit),
     ))  # fmt: skip
-
-
-def verdicts(sheet: Sheet, station: Station) -> None:
-    """Declare the checks."""
     sheet.checks(*quoting(station, *checks(station)))
 
 
@@ -158,7 +126,7 @@ def checks(station: Station) -> tuple[Quantity, ...]:
     )  # fmt: skip
 
 
-def charts(sheet: Sheet, station: Station, row: int) -> None:
+def charts(sheet: Sheet, row: int) -> None:
     """Place the travel under its limit, and the accelerations."""
     travel = Chart(
         "Travel of the tool, and what the transfer allows", "master angle θ [°]", "travel y [mm]",
@@ -173,9 +141,8 @@ def charts(sheet: Sheet, station: Station, row: int) -> None:
                 "[@motions.accb]"), Series("with overlap", "[@motions.theta]", "[@motions.acca]")),
         "Acceleration of the tool over the cycle, one after the other and with overlap", (0, 360, 30),
     )  # fmt: skip
-    with sheet.scoped(station.scope):
-        sheet.chart(travel, column=11, row=row, width=7, height=18)
-        sheet.chart(acceleration, column=18, row=row, width=7, height=18)
+    sheet.chart(travel, column=11, row=row, width=7, height=18)
+    sheet.chart(acceleration, column=18, row=row, width=7, height=18)
 
 
 def schedules(sheet: Sheet, station: Station) -> None:
@@ -193,8 +160,7 @@ def schedules(sheet: Sheet, station: Station) -> None:
         constant("what", "schedule", "", "",
                  ["one after the other", "overlap, the longest", "overlap, as set"], align="left"),
         result("in", "way in", "B_m", "°", way_formulas("in", "@split"), way_in, source="F_in/(1 − ξ)"),
-        result("out", "way out", "B_m", "°",
-               way_formulas("out", "(1-@split)"), way_out, source="F_out/(1 − ξ)"),
+        result("out", "way out", "B_m", "°", way_formulas("out", "(1-@split)"), way_out, source="F_out/(1 − ξ)"),
         calc("away", "sets off at", "", "°", "=[there]-[in]", away, scale=TURN),
         calc("there", "arrives at", "", "°", arrives, there),
         calc("leaves", "leaves at", "", "°", "=[there]+@dwell", leaves),
@@ -224,19 +190,17 @@ def way_formulas(way: str, share: str) -> list[str]:
 
 def steps(sheet: Sheet, station: Station) -> None:
     """Declare the way from the entries to the angles, as S2 goes it."""
-    left, (first, last) = station.room, station.blocked_rows
+    left, before = room(station.transfer, station.tool, station.passage), station.before
+    (first, last), shorter = station.blocked_rows, min(before.angle_in, before.angle_out)
     begin, end, free_in, free_out, both = (shown(angle, DEGREE) for angle in left)
     rest_in, rest_out = rests(station.tool, station.passage, np.array(station.passage.margin))
     sheet.rows(*quoting(
         station,
-        calc("@free0", "Free angle one after the other", "", "°",
-             "=360-overlap_angle-@dwell", shown(station.before.angles, DEGREE),
-             source="S2: 360° − 150° − 100° = 110°, 55° each way"),
-        calc("@begin", "The transfer is in the way from", "", "°",
-             f"=[inverse_transfer.xi.{first}]*overlap_angle", begin, scale=TURN,
-             source="s_r of its stroke done; S2: 15°"),
-        calc("@end", "to", "", "°",
-             f"=[inverse_transfer.xi.{last}]*overlap_angle", end, scale=TURN,
+        calc("@free0", "Free angle one after the other", "", "°", "=360-overlap_angle-@dwell",
+             shown(before.angles, DEGREE), source="S2: 360° − 150° − 100° = 110°, 55° each way"),
+        calc("@begin", "The transfer is in the way from", "", "°", f"=[inverse_transfer.xi.{first}]*overlap_angle",
+             begin, scale=TURN, source="s_r of its stroke done; S2: 15°"),
+        calc("@end", "to", "", "°", f"=[inverse_transfer.xi.{last}]*overlap_angle", end, scale=TURN,
              source="s_r of its stroke to go; S2: 135°"),
         calc("@effective", "Its effective angle", "", "°",
              "=@end-@begin", shown(left.effective, DEGREE), source="S2: 150° − 2 · 15° = 120°"),
@@ -250,14 +214,14 @@ def steps(sheet: Sheet, station: Station) -> None:
              "=[@inverse_out.xi.1]", float(rest_out), source="the same in reverse"),
         calc("@room", "Angle for both ways at most", "", "°", "=360-@dwell", both, source="the cycle"),
         calc("@least_left", "Left to the shorter way, one after the other", "", "°",
-             "=@free0*MIN(@split,1-@split)-@allowance", shown(station.shorter_way, DEGREE), scale=TURN),
+             "=@free0*MIN(@split,1-@split)-@allowance", shown(shorter - station.passage.allowance, DEGREE), scale=TURN),
         constant("@least_way", "Least angle of a way", "", "°", LEAST, format="0.00", source="no cam moves in less"),
     ))  # fmt: skip
 
 
-def corners(sheet: Sheet, station: Station, pieces: Pieces) -> None:
+def corners_table(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     """Declare the corners of the diagram, at which the clearance is least."""
-    at = station.corners
+    at = corners(station.as_set, station.passage)
     theta = shown(at.angle, DEGREE)
     sheet.row += 1
     sheet.table(
@@ -271,8 +235,59 @@ def corners(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         calc("inside", "transfer in the way", "", "",
              "=IF(AND([theta]>=@begin-overlap_eps,[theta]<=@end+overlap_eps),1,0)", at.inside.astype(float),
              format="0"),
-        result("free", "clearance", "", "mm",
-               "=IF([inside]=1,@clearance-[y],@clearance)", shown(at.free, MM),
+        result("free", "clearance", "", "mm", "=IF([inside]=1,@clearance-[y],@clearance)", shown(at.free, MM),
                source="c − y; c where it is out of the way"),
         *AtAngles(station, "a", theta, pieces).columns(""),
     )  # fmt: skip
+
+
+def margins(sheet: Sheet, station: Station) -> None:
+    """Declare charts and table, in the tool's scope."""
+    sheet.heading(
+        "What a margin costs", "The longest angles less the allowance, for margins from 0 to the whole clearance."
+    )
+    draw(sheet)
+    sweep, n = station.margins, station.machine.sizes.margins
+    row_in, row_out = station.law_rows
+    ways = f"MAX([used.ca.{row_in}]/[in]^2,[used.ca.{row_out}]/[out]^2)"
+    peak = f"=IF(MIN([in],[out])>0,{ways}*@stroke/1000*(360/overlap_tc)^2,0)"
+    sheet.table(
+        "@margins", "Ratio against margin", n + 1,
+        calc("margin", "margin", "m", "mm", "=[k]/[@margins.k.last]*@clearance", shown(sweep.margin, MM)),
+        result("in", "way in", "B_m", "°", way("in", "@split"), shown(sweep.angle_in, DEGREE)),
+        result("out", "way out", "B_m", "°", way("out", "(1-@split)"), shown(sweep.angle_out, DEGREE)),
+        result("a", "peak acceleration", "a_max", "m/s²", peak, sweep.acceleration, source="C_a h/t_m²"),
+        result("ratio", "times lower", "", "", "=IF([a]>0,@a0/[a],0)", sweep.ratio),
+        constant("k", "row", "k", "", list(range(n + 1))),
+    )  # fmt: skip
+    sheet.table(
+        "@margin_line", "The margin entered, as drawn in the charts", 2,
+        constant("end", "end of the line", "", "", [0, 1]),
+        calc("x", "margin", "m", "mm", "=@margin", station.given.passage.margin),
+        calc("ratio", "times lower", "", "", "=[end]*MAX([@margins.ratio])", [0.0, float(sweep.ratio.max())]),
+        calc("a", "peak acceleration", "a_max", "m/s²",
+             "=[end]*MAX([@margins.a])", [0.0, float(sweep.acceleration.max())]),
+    )  # fmt: skip
+
+
+def draw(sheet: Sheet) -> None:
+    """Place both charts side by side."""
+    sheet.chart_row(
+        Chart("Acceleration ratio against margin", "margin m [mm]", "times lower", (
+            Series("times lower", "[@margins.margin]", "[@margins.ratio]"),
+            Series("margin entered", "[@margin_line.x]", "[@margin_line.ratio]", dashed=True)),
+            "How many times the peak acceleration falls, over the margin that stays free between the parts"),
+        Chart("Peak acceleration against margin", "margin m [mm]", "a_max [m/s²]", (
+            Series("peak acceleration", "[@margins.margin]", "[@margins.a]"),
+            Series("margin entered", "[@margin_line.x]", "[@margin_line.a]", dashed=True)),
+            "Peak acceleration of the tool over the margin that stays free between the parts"),
+        width=7,
+    )  # fmt: skip
+
+
+def way(which: str, share: str) -> str:
+    """Return the angle of one way at the margin of the row."""
+    xi = f"INDEX([@inverse_{which}.xi],[k]+2)"
+    rest = f"(1-{xi})" if which == "in" else xi
+    most = f"@room*{share}"
+    return f"=IF({rest}>0,MIN(@free_{which}/{rest},{most}),{most})-@allowance"

@@ -1,7 +1,5 @@
 """Variations of an overlap: every law, angles chosen and found, each limit, collisions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 
@@ -9,10 +7,7 @@ from workbook.laws.variations import SIX, factors, law_for, own_in, variations, 
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.motion.asked import smoothness_for
 
-RISING = [
-    {"duration": 0.4, "c0": 5.0},
-    {"duration": 0.6, "c0": -10 / 3},
-]
+RISING = [{"duration": 0.4, "c0": 5.0}, {"duration": 0.6, "c0": -10 / 3}]
 """An own law that rises throughout: accelerated for less time than braked."""
 
 

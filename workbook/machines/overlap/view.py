@@ -1,7 +1,5 @@
 """The engine's view of a transfer and its tools."""
 
-from __future__ import annotations
-
 from collections.abc import Container
 from dataclasses import replace
 from functools import cached_property
@@ -10,26 +8,21 @@ from itertools import count
 import numpy as np
 
 from engine.laws import Law
-from engine.laws.base import Array
 from engine.overlap import (
     Clearance,
-    Corners,
     MarginSweep,
     Passage,
-    Room,
-    Schedule,
     Tool,
     Transfer,
     clearance,
-    corners,
     inverse_by_points,
     one_after_the_other,
     overlap,
-    room,
     sweep_margin,
 )
 from engine.overlap.parts import Inverse
 from engine.overlap.picture import Scene
+from workbook.book.chart import in_scope
 from workbook.entries.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
 from workbook.machines.overlap.entries import MOST_TOOLS, TURN, IndexingOverlap, ToolEntry
 
@@ -51,21 +44,14 @@ class Overlapping:
         self.rate = si(machine.overlap.rate, PER_HOUR)
         rows = count(2, 2)
         self.stations = [Station(self, i, tool, next(rows)) for i, tool in enumerate(machine.overlap.tools)]
+        self.alone = len(self.stations) == 1  # its book has no sheets for each tool then
+        self.room = self.sizes.motion_pieces or 0  # rows of the tables of pieces
+        self.angles = np.linspace(0.0, TURN, self.sizes.cycle + 1)  # the sampled ones of the master shaft, in degrees
+        self.scene = Scene(self.transfer, [(station.tool, station.passage) for station in self.stations])  # as drawn
 
-    @property
-    def room(self) -> int:
-        """Rows of the tables of pieces."""
-        return self.sizes.motion_pieces or 0
-
-    @property
-    def alone(self) -> bool:
-        """Whether there is one tool: its book has no sheets for each."""
-        return len(self.stations) == 1
-
-    @property
-    def angles(self) -> Array:
-        """The sampled angles of the master shaft in degrees."""
-        return np.linspace(0.0, TURN, self.sizes.cycle + 1)
+    def each(self, formula: str) -> list[str]:
+        """Return a formula for each tool, in its scope: the rows of a table over the tools."""
+        return [in_scope(formula, station.scope) for station in self.stations]
 
     @cached_property
     def peaks(self) -> tuple[float, float]:
@@ -77,11 +63,6 @@ class Overlapping:
     def least(self) -> float:
         """The least clearance of any tool over the cycle in mm."""
         return min(station.least for station in self.stations)
-
-    @cached_property
-    def scene(self) -> Scene:
-        """The parts as they are drawn."""
-        return Scene(self.transfer, [(station.tool, station.passage) for station in self.stations])
 
 
 class Station:
@@ -103,49 +84,21 @@ class Station:
             library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out], machine.transfer.inverted
         )
         self.passage = Passage(si(p.remaining, PERCENT), si(p.clearance, MM), si(p.margin, MM), allowance, p.split)
-
-    @cached_property
-    def before(self) -> Schedule:
-        """One after the other."""
-        return one_after_the_other(self.transfer, self.tool, self.passage.split)
-
-    @cached_property
-    def longest(self) -> Schedule:
-        """The longest ways in and out that the passage allows."""
-        return overlap(self.transfer, self.tool, replace(self.passage, allowance=0.0))
-
-    @cached_property
-    def as_set(self) -> Schedule:
-        """The schedule that is built: the angles entered, or the longest less the allowance."""
-        found, tool = overlap(self.transfer, self.tool, self.passage), self.given
+        found = overlap(self.transfer, self.tool, self.passage)
         way_in = found.angle_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
         way_out = found.angle_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
-        return replace(found, angle_in=way_in, angle_out=way_out)
-
-    @property
-    def shorter_way(self) -> float:
-        """What is left to the shorter way, one after the other, less the allowance (rad)."""
-        return min(self.before.angle_in, self.before.angle_out) - self.passage.allowance
-
-    @property
-    def schedules(self) -> tuple[Schedule, Schedule, Schedule]:
-        """One after the other, longest, as set."""
-        return self.before, self.longest, self.as_set
-
-    @property
-    def angles_set(self) -> tuple[float, float]:
-        """The ways in and out as set, in degrees."""
-        return shown(self.as_set.angle_in, DEGREE), shown(self.as_set.angle_out, DEGREE)
+        self.before = one_after_the_other(self.transfer, self.tool, p.split)
+        self.longest = overlap(self.transfer, self.tool, replace(self.passage, allowance=0.0))
+        self.as_set = replace(
+            found, angle_in=way_in, angle_out=way_out
+        )  # as built: as entered, or the longest less a bit
+        self.schedules = self.before, self.longest, self.as_set
+        self.angles_set = shown(way_in, DEGREE), shown(way_out, DEGREE)
 
     @cached_property
     def peaks(self) -> list[float]:
         """Peak acceleration of the tool in each schedule in m/s²."""
         return [schedule.peak_acceleration(self.machine.rate) for schedule in self.schedules]
-
-    @cached_property
-    def room(self) -> Room:
-        """What the transfer and the passage leave the tool."""
-        return room(self.transfer, self.tool, self.passage)
 
     @cached_property
     def clearance(self) -> Clearance:
@@ -156,11 +109,6 @@ class Station:
     def least(self) -> float:
         """The least clearance over the cycle in mm."""
         return shown(self.clearance.minimum, MM)
-
-    @property
-    def corners(self) -> Corners:
-        """The corners of the diagram as it is set."""
-        return corners(self.as_set, self.passage)
 
     @cached_property
     def margins(self) -> MarginSweep:
