@@ -36,6 +36,7 @@ body:has(#live) { max-width: 112rem; }
 .left { position: sticky; top: 0; height: calc(100vh - 8rem); display: flex; flex-direction: column; }
 .beside textarea { height: 34vh; white-space: pre; } #live h2 { margin-top: 1rem; }
 #form { flex: 1; overflow: auto; border-bottom: 1px solid #d5dae1; }
+#form .wide td:last-child { position: sticky; right: 0; background: #fff; white-space: nowrap; }
 #form h3, #form h4 { margin: .8rem 0 .2rem; } #form td, #form th { padding-right: .3rem; }
 .edge { fill: #fff; stroke: #1f3a5f; stroke-width: 2; cursor: ew-resize; } .edge:focus { fill: #1f3a5f; outline: none; }
 .lane { cursor: ew-resize; } .lane:focus { font-weight: 700; outline: none; }

@@ -42,11 +42,24 @@ function edgeAt(event) {
   return stands(edge) ? edge : null;
 }
 
+/** Keep the comment of an edge's line in its column after a number before it, which ends at a place, grew. */
+function align(edge, at, grown) {
+  const found = /^((?:[^"'#\n]|"[^"\n]*"|'[^'\n]*')*?)( +)#/.exec(text.value.slice(at));
+  if (!found) return;
+  const begin = at + found[1].length;
+  const blanks = Math.max(1, found[2].length - grown);
+  text.setRangeText(" ".repeat(blanks), begin, begin + found[2].length, "preserve");
+  const later = blanks - found[2].length;
+  edge.places = edge.places.map((place) => (place[0] > begin ? place.map((one) => one + later) : place));
+}
+
 function move(edge, value) {
   const steps = Math.max(edge.lane ? -Infinity : 0, Math.round(value / edge.step));
   const decimals = Math.max(1, Math.round(-Math.log10(edge.step)));
   const words = (steps * edge.step).toFixed(decimals);
   if (Number(words) === edge.value) return;
+  const [begin, end] = edge.places[0];
+  const grown = words.length - (end - begin);
   let longer = 0;
   edge.places = edge.places.map(([begin, end]) => {
     text.setRangeText(edge.before + words, begin + longer, end + longer, "preserve");
@@ -54,6 +67,7 @@ function move(edge, value) {
     longer += edge.before.length + words.length - (end - begin);
     return [first, first + words.length];
   });
+  if (!edge.before) edge.places.forEach((_, k) => align(edge, edge.places[k][1], grown));
   edge.before = "";
   edge.value = Number(words);
   changed(edge.x === undefined);

@@ -73,6 +73,14 @@ def fields(base: Path) -> dict[str, list[Field]]:
     return tables
 
 
+def base_of(path: Path) -> str:
+    """Return the name of the description that a study begins with; nothing where the study does not tell it."""
+    try:
+        return str(parsed(read_text(path), path).get("base", ""))
+    except MotionbookError:
+        return ""
+
+
 def givers(data: Any, phase: list[str]) -> list[str]:
     """Return the other phases beside one of a list."""
     *above, number = phase

@@ -69,9 +69,10 @@ class Study(Page):
 
     def get(self, name: str) -> None:
         """Show it; the script fetches how far it is."""
-        self.folder.file(name)
+        base = studied.base_of(self.folder.file(name))
+        above = [pages.back(), e("p", pages.link(f"/edit/{base}", f"Edit {base}"))] if base else [pages.back()]
         panel = e("div", e("p", "…", css="quiet"), id="study", **{"data-name": name})
-        self.finish(pages.page(name, [e("h1", name), pages.back(), panel], "study"))
+        self.finish(pages.page(name, [e("h1", name), *above, panel], "study"))
 
 
 class Progress(Page):
@@ -123,7 +124,7 @@ def form(name: str, tables: dict[str, list[studied.Field]], results: list[tuple[
                for key, label in results]  # fmt: skip
     ways = pages.choice("way", ("full", "sobol", "evolution"))
     body = [
-        e("h1", f"{name}: study"), pages.back(),
+        e("h1", f"{name}: study"), pages.back(), e("p", pages.link(f"/edit/{name}", f"Edit {name}")),
         e("p", "Tick what varies, and say over which values: 80 to 100 in 5, or 80, 90, 100, or all (laws, products). "
                "A design is feasible where its book has no FAIL and its results keep to the constraints."),
         pages.form("/study", pages.hidden("name", name), e("h2", "Best, and constraints"), *asked,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
@@ -14,6 +15,8 @@ from workbook.errors import InputError
 
 NOTHING = object()
 """stands where a description has no entry"""
+COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")
+"""a line of entries, the blanks before its comment, and the comment"""
 
 
 def edited(text: str, changes: Iterable[tuple[tuple[str, ...], Any]]) -> str:
@@ -25,9 +28,25 @@ def edited(text: str, changes: Iterable[tuple[tuple[str, ...], Any]]) -> str:
         document = tomlkit.parse(text)
         for path, value in changes:
             put(document, path, value)
-        return tomlkit.dumps(document)
+        return aligned(text, tomlkit.dumps(document))
     except (TOMLKitError, LookupError, TypeError, ValueError) as error:
         raise InputError([f"the text cannot be changed there: {error}"]) from None
+
+
+def aligned(old: str, new: str) -> str:
+    """Return a changed text with each comment in the column that it had, where the line leaves room for it."""
+    before, after = old.split("\n"), new.split("\n")
+    if len(before) != len(after):
+        return new
+    return "\n".join(other if one == other else in_column(one, other) for one, other in zip(before, after, strict=True))
+
+
+def in_column(old: str, new: str) -> str:
+    """Return a changed line with its comment in the column that it had."""
+    one, other = COMMENTED.fullmatch(old), COMMENTED.fullmatch(new)
+    if one is None or other is None or one[3] != other[3]:
+        return new
+    return f"{other[1]:<{one.start(3) - 1}} {other[3]}"
 
 
 def put(table: Any, path: Sequence[str], value: Any) -> None:

@@ -148,6 +148,27 @@ def test_a_lane_is_shifted_by_its_name_and_by_keys_each_in_one_step(page, server
     assert text_of(page) == before
 
 
+def test_a_dragged_edge_leaves_the_comment_of_its_line_where_it_is(page, server):
+    opened(page, server, "/edit/live.toml")
+    edge = page.locator(".edge").nth(1)
+    places = edge.get_attribute("data-places").split(" ")
+    assert places
+    text = text_of(page)
+    end = text.index("\n", int(places[0].split("-")[1]))
+    with page.expect_response("**/live"):
+        page.locator("#text").fill(f"{text[:end]}     # kept{text[end:]}")
+    column = next(line.index("# kept") for line in text_of(page).split("\n") if "# kept" in line)
+    shown(page, "Highest rate")
+    key = edge.get_attribute("data-edge")
+    page.locator(f'.edge[data-edge="{key}"]').focus()
+    for _ in range(12):
+        page.keyboard.press("ArrowRight")
+    (line,) = [line for line in text_of(page).split("\n") if "# kept" in line]
+    assert line.index("# kept") == column
+    assert line not in text
+    design("live.toml", text_of(page))
+
+
 def test_a_tampered_book_has_its_cell_named(page, server, tmp_path):
     book = openpyxl.load_workbook(server.root / "cutting.xlsx")
     sheet, cell = book.defined_names["drive1_tmax"].attr_text.replace("$", "").replace("'", "").split("!")

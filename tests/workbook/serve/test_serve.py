@@ -140,7 +140,9 @@ def test_a_study_is_chosen_followed_and_its_best_design_edited(server, tmp_path)
              "designs": "9", "key": [law, rate], "values": ["all", "50, 60"], "vary": [law, rate]}  # fmt: skip
     begun = server.ask("/study", server.form(name="live.toml", **asked))
     assert (begun.code, begun.headers["Location"]) == (302, "/study/live-study.toml")
-    assert "live-study.toml" in server.ask("/study/live-study.toml").body.decode()
+    page = server.ask("/study/live-study.toml").body.decode()
+    assert "live-study.toml" in page
+    assert 'href="/edit/live.toml"' in page
     panel = finished(server, "live-study.toml")
     known = json.loads((server.root / "live-study.json").read_text(encoding="utf-8"))
     assert f"{known['designs']:,} designs, {known['feasible']:,} feasible" in panel

@@ -44,3 +44,18 @@ def test_what_does_not_lead_to_an_entry_is_told():
     for text, path in ((TEXT, ("axes", "9", "name")), (TEXT, ("title", "x")), ("a = ", ("a",))):
         with pytest.raises(InputError):
             edited(text, iter([(path, 1.0)]))
+
+
+@pytest.mark.parametrize(
+    "line", ["rate = 90.0     # a minute", 'name = "A # 1"   # of the #2', "on = [[9.0, 1.0]]  # °"]
+)
+@pytest.mark.parametrize("value", [100.0, 7.5, "B # 2", 1234567.0])
+def test_a_comment_keeps_its_column_where_there_is_room(line, value):
+    changed = edited(f"{line}\n", iter([((line.partition(" ")[0],), value)])).rstrip("\n")
+    before, after = line.rindex(" # "), changed.rindex(" # ")
+    assert changed[after:] == line[before:]
+    assert after == before or (after > before and changed[after - 1] != " ")
+
+
+def test_blanks_in_a_text_stay():
+    assert edited('name = "A   # 1"\n', iter([(("name",), "BB   # 1")])) == 'name = "BB   # 1"\n'
