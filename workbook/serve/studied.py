@@ -76,7 +76,7 @@ def fields(base: Path) -> dict[str, list[Field]]:
 def base_of(path: Path) -> str:
     """Return the name of the description that a study begins with; nothing where the study does not tell it."""
     try:
-        return str(parsed(read_text(path), path).get("base", ""))
+        return str(parsed(read_text(path, "a study, a .toml file"), path).get("base", ""))
     except MotionbookError:
         return ""
 
