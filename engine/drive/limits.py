@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from engine.drive.cycle import DriveCycle, TorqueInterval
 from engine.drive.motor import LimitCheck, Motor
@@ -17,24 +18,40 @@ from engine.drive.torque_curve import TorqueCurve
 from engine.laws.base import Array
 
 BELOW = "torque below the curve"
+NEAR = 1e-9
+"""by which share a rate may be above another and count as the same"""
 
 
 @dataclass(frozen=True)
 class ReducerLimits:
     """Largest peak and mean torque (Nm) behind the first stage, and largest speed before it (rad/s).
 
-    The mean is the cubic one, weighted by speed (:meth:`engine.drive.results.DriveResults.mean_shaft_torque`). No limit
-    is given by infinity. Raises ValueError for a limit that is not above 0.
+    The peak torque holds up to ``full_rate`` cycles (1/s), beyond over ``cycle_factor``. The mean is the cubic one,
+    weighted by speed (:meth:`engine.drive.results.DriveResults.mean_shaft_torque`). No limit is given by infinity.
+    Raises ValueError for a limit that is not above 0, or a factor below 1.
     """
 
     peak_torque: float = math.inf
     mean_torque: float = math.inf
     input_speed: float = math.inf
+    full_rate: float = math.inf
+    cycle_factor: float = 1.0
 
     def __post_init__(self) -> None:
-        for name in ("peak_torque", "mean_torque", "input_speed"):
+        for name in ("peak_torque", "mean_torque", "input_speed", "full_rate"):
             if not getattr(self, name) > 0.0:
                 raise ValueError(f"reducer: {name} is {getattr(self, name):g}; expected more than 0")
+        if not self.cycle_factor >= 1.0:
+            raise ValueError(f"reducer: cycle_factor is {self.cycle_factor:g}; expected 1 or more")
+
+    def peak_at(self, rate: float) -> float:
+        """Return the largest peak torque (Nm) at so many cycles (1/s)."""
+        return self.peak_torque / float(factor_at(rate, self.full_rate, self.cycle_factor))
+
+
+def factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) -> Array:
+    """Return what reducers' peak torques are divided by at so many cycles (1/s): a factor beyond ``full_rate``."""
+    return np.where(np.asarray(rate) > np.asarray(full_rate) * (1.0 + NEAR), factor, 1.0)
 
 
 @dataclass(frozen=True)
@@ -92,7 +109,7 @@ class LimitChecks:
             BELOW: float(self.limits.peak_curve.torque.max()),
             "motor speed": min(motor.max_speed, float(self.limits.peak_curve.speed[-1])),
             "reducer input speed": reducer.input_speed,
-            "reducer peak torque": reducer.peak_torque,
+            "reducer peak torque": reducer.peak_at(1.0 / self.drive_cycle.time),
             "reducer mean torque": reducer.mean_torque,
             "inertia ratio": self.limits.inertia_ratio,
         }

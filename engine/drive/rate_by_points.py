@@ -117,6 +117,26 @@ def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -
     return Share(limit, float(np.abs(standing).max()), points.size(torque), use)
 
 
+class Cycles(NamedTuple):
+    """A reducer's peak torque beyond the cycles that it holds in full for: its use, that of these cycles, the less.
+
+    Up to these cycles it binds no sooner, so the less of both counts; the second where S alone is beyond it.
+    """
+
+    grown: float
+    way: float
+    many: float
+
+
+def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> Cycles:
+    """Return these of a reducer's peak torque (Nm) at so many cycles (1/s); a use of 0 of an infinite one."""
+    over = by_peak(
+        points, points.load.output_torque, points.load.output_torque_at_rest, reducer.peak_torque / reducer.cycle_factor
+    )
+    way = (rate / reducer.full_rate) ** 2
+    return Cycles(over.use, way, way if over.standing >= over.limit else min(way, over.use))
+
+
 def by_mean(points: DrivePoints, limit: float) -> Share:
     """Return the share of the reducer's mean torque (Nm), which grows in a straight line from that without motion."""
     none, present = (points.cubic_mean(one) for one in (points.load.output_torque_at_rest, points.load.output_torque))
@@ -130,17 +150,18 @@ def by_speed(speed: float, limit: float) -> Share:
 
 
 def shares(
-    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: Falling
+    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: Falling, rate: float
 ) -> dict[str, Share]:
-    """Return the share of each limit, by its name; ``speed`` is the largest of the motor (rad/s)."""
+    """Return the share of each limit, by its name; ``speed`` is the largest of the motor (rad/s), ``rate`` in 1/s."""
     peak, fastest = motor.peak_torque, motor.max_speed
     behind, standing = points.load.output_torque, points.load.output_torque_at_rest
+    whole = by_peak(points, behind, standing, reducer.peak_torque)
     found = {
         "RMS torque": by_rms(points, motor, speed > 0.0),
         "peak torque": by_peak(points, points.torque, points.standing, peak),
         "motor speed": by_speed(speed, fastest),
         "reducer input speed": by_speed(speed, reducer.input_speed),
-        "reducer peak torque": by_peak(points, behind, standing, reducer.peak_torque),
+        "reducer peak torque": whole._replace(use=max(whole.use, by_cycles(points, reducer, rate).many)),
         "reducer mean torque": by_mean(points, reducer.mean_torque),
     }
     if falling.fall:

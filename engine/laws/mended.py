@@ -11,6 +11,8 @@ from engine.laws.piece import Piece, gains_at
 
 NONE = 1e-12
 """a velocity gained by a piece below this is none, in units of the largest that any piece could gain"""
+ALIKE = 1e-6
+"""a travel below this is none, in the same units, and a determinant below this, in units of their square"""
 
 
 @dataclass(frozen=True)
@@ -49,17 +51,23 @@ class Groups(NamedTuple):
         return self.s1 * self.v2 - self.s2 * self.v1
 
     @property
+    def least_under(self) -> float:
+        """A determinant below which there is none."""
+        return ALIKE * max(self.sizes, default=0.0) ** 2
+
+    @property
     def factors(self) -> tuple[float, float]:
         """α and β; 0 where none do."""
         if any(self.slows) or self.v1 > self.least:
-            return (self.v2 / self.under, -self.v1 / self.under) if self.under else (0.0, 0.0)
-        one = 1.0 / self.s1 if self.s1 > 0.0 else 0.0
+            told = abs(self.under) > self.least_under
+            return (self.v2 / self.under, -self.v1 / self.under) if told else (0.0, 0.0)
+        one = 1.0 / self.s1 if self.s1 > ALIKE * max(self.sizes, default=0.0) else 0.0
         return one, one
 
     @property
     def mends(self) -> bool:
-        """Whether both factors are positive."""
-        return min(self.factors) > 0.0
+        """Whether both factors are positive, one beside the other."""
+        return min(self.factors) > ALIKE * max(self.factors)
 
 
 def groups(pieces: Sequence[Piece]) -> Groups:

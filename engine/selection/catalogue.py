@@ -95,7 +95,7 @@ class Motors:
 class Reducers:
     """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), largest input speed (rad/s), output
     torque and mean output torque (Nm), infinite where not given; size (kg) and cost, NaN where not given; the no-load
-    torque at the input (Nm).
+    torque at the input (Nm). The output torque holds up to ``full_rate`` cycles (1/s), beyond over ``cycle_factor``.
 
     A single number stands for all. Raises ValueError for lengths that differ, i not above 0, η not above 0 and
     at most 1, or J_T below 0 (that names the reducer).
@@ -111,11 +111,15 @@ class Reducers:
     size: Array = field(default_factory=not_given)
     cost: Array = field(default_factory=not_given)
     no_load: Array = field(default_factory=lambda: np.array(0.0))
+    full_rate: Array = field(default_factory=no_limit)
+    cycle_factor: Array = field(default_factory=lambda: np.array(1.0))
 
     def __post_init__(self) -> None:
-        positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque")
-        _columns(self, "reducer", positive, ("inertia", "no_load"), ("size", "cost"))
+        positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque", "full_rate")
+        _columns(self, "reducer", positive, ("inertia", "no_load", "cycle_factor"), ("size", "cost"))
         _require_each("reducer", self.names, "efficiency", self.efficiency <= 1.0, self.efficiency, "at most 1")
+        factor = self.cycle_factor
+        _require_each("reducer", self.names, "cycle_factor", factor >= 1.0, factor, "1 or more")
 
     @cached_property
     def ratio(self) -> Array:

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from engine.drive import Motor
+from engine.drive.limits import factor_at
 from engine.laws.base import Array
 from engine.selection.catalogue import Motors, Reducers
 from engine.selection.point_load import Gears, PointLoad
@@ -89,13 +90,15 @@ def used(motor: Motor, speed: float, rms: float, mean: float) -> Used:
 
 @dataclass(frozen=True)
 class PairMatrix:
-    """Every motor of a catalogue (down) behind every reducer (across); ``beside`` turns with the motor (kg m²)."""
+    """Every motor of a catalogue (down) behind every reducer (across); ``beside`` turns with the motor (kg m²),
+    ``rate`` counts cycles (1/s)."""
 
     load: PointLoad
     motors: Motors
     reducers: Reducers
     beside: float
     wanted: Wanted
+    rate: float = 0.0
 
     @cached_property
     def inertias(self) -> Array:
@@ -163,10 +166,16 @@ class PairMatrix:
         return self.wanted.torque_factor * self.load.torque
 
     @cached_property
+    def most_output_torque(self) -> Array:
+        """The largest output torque of each reducer at these cycles (Nm)."""
+        r = self.reducers
+        return np.asarray(r.max_output_torque / factor_at(self.rate, r.full_rate, r.cycle_factor))
+
+    @cached_property
     def fits(self) -> NDArray[np.bool_]:
         """Whether each reducer holds torque and speed."""
         r = self.reducers
-        strong = (self.output_torque <= r.max_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
+        strong = (self.output_torque <= self.most_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
         return strong & (self.speed <= r.max_input_speed)
 
     def use(self, motor: int, reducer: int) -> Used:

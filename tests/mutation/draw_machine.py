@@ -113,6 +113,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     ]  # fmt: skip
     axis["reducer"] = {"ratio": drawn.uniform(0.5, 40), "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1))),
                        "no_load_torque": drawn.choice((0.0, 10 ** drawn.uniform(-3, 3)))}  # fmt: skip
+    axis["reducer"] |= strength(random.Random(str(axis["reducer"])))
     axis["motor"] = {
         "inertia": drawn.choice((0.0, drawn.uniform(0, 500))), "rated_torque": 10 ** drawn.uniform(-3, 6),
         "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
@@ -122,6 +123,13 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         "stall_torque": drawn.choice((None, 10 ** drawn.uniform(-3, 6))),
         "rated_speed": drawn.choice((None, 10 ** drawn.uniform(-2, 7))),
     }  # fmt: skip
+
+
+def strength(drawn):
+    """Return a reducer's peak torque, the cycles an hour up to which it holds, and the factor beyond, or none."""
+    return {"peak_torque": drawn.choice((None, 10 ** drawn.uniform(-3, 6))),
+            "full_cycles": drawn.choice((None, 10 ** drawn.uniform(1, 5))),
+            "cycle_factor": drawn.choice((None, drawn.uniform(1, 3)))}  # fmt: skip
 
 
 def inertia(drawn: random.Random) -> dict[str, float]:

@@ -57,6 +57,8 @@ def reducer(i: int, drawn: random.Random) -> dict[str, Any]:
         "max_torque": maybe(drawn, 10 ** drawn.uniform(0, 5)),
         "mass": maybe(drawn, drawn.uniform(0.1, 90)),
         "cost": maybe(drawn, drawn.uniform(50, 9000)),
+        "full_cycles": maybe(drawn, 10 ** drawn.uniform(1, 5)),
+        "cycle_factor": maybe(drawn, drawn.uniform(1, 3)),
         "no_load_torque": maybe(drawn, 10 ** drawn.uniform(-3, 1)),
     }
 

@@ -12,6 +12,9 @@ from workbook.entries.types import DesignError, Model, NotNegative, Positive
 Name = Annotated[str, Field(min_length=1, max_length=60, pattern=NO_FORMULA), LOOKED_UP]
 Source = Annotated[str, Field(min_length=1, max_length=200, pattern=NO_FORMULA), ONE_LINE]
 Efficiency = Annotated[float, Field(gt=0, le=1, allow_inf_nan=False)]
+Factor = Annotated[float, Field(ge=1, allow_inf_nan=False)]
+FULL_CYCLES = 1000.0
+"""an hour: up to so many makers tell the torque of a reducer that accelerates"""
 
 
 class MotorRow(Model):
@@ -52,7 +55,10 @@ FALLING = RowRule("falling", "OR(COUNT([knee])=0,[knee]+0<[nmax])", "knee", "pea
 
 
 class ReducerRow(Model):
-    """One reducer of the catalogue; inertia and no-load torque that are not given count as 0, a limit as none."""
+    """One reducer of the catalogue; inertia and no-load torque that are not given count as 0, a limit as none.
+
+    Beyond ``full_cycles`` an hour (1,000 if not given) the largest output torque counts over ``cycle_factor``.
+    """
 
     name: Name
     reduction: Positive  # ω_M/ω_L
@@ -61,6 +67,8 @@ class ReducerRow(Model):
     no_load_torque: NotNegative | None = None  # Nm, at the motor's shaft: T_012
     max_speed: Positive | None = None  # rpm, of the input
     max_torque: Positive | None = None  # Nm, of the output
+    full_cycles: Positive | None = None  # 1/h, up to which the largest output torque holds
+    cycle_factor: Factor | None = None  # that it counts over beyond: f_s
     mean_torque: Positive | None = None  # Nm, of the output: T2N
     mass: NotNegative | None = None  # kg
     cost: NotNegative | None = None

@@ -48,6 +48,8 @@ REDUCER_COLUMNS = {
     "no_load_torque_Nm": "no_load_torque",
     "max_input_speed_rpm": "max_speed",
     "max_output_torque_Nm": "max_torque",
+    "full_torque_to_cycles_per_h": "full_cycles",
+    "factor_beyond": "cycle_factor",
     "max_mean_torque_Nm": "mean_torque",
     "mass_kg": "mass",
     "cost": "cost",

@@ -13,8 +13,8 @@ from engine.selection import Motors, Reducers
 from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Used, Wanted, gears, reserve
 from engine.selection.point_load import Gears, shares_of
 from workbook.book.rows import filled
-from workbook.entries.units import KG_CM2, RPM, shown, si
-from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.entries.units import KG_CM2, PER_HOUR, RPM, shown, si
+from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Ranked, SelectionSizes
 from workbook.selection.shaft import Shaft
 
@@ -61,6 +61,8 @@ def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
         figures(rows, "mass"),
         figures(rows, "cost"),
         figures(rows, "no_load_torque", missing=0.0),
+        si(figures(rows, "full_cycles", missing=FULL_CYCLES), PER_HOUR),
+        figures(rows, "cycle_factor", missing=1.0),
     )
 
 
@@ -96,7 +98,8 @@ class Choosing:
         g = self.given
         wanted = Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor,
                         g.least_peak_margin, g.least_speed_margin)  # fmt: skip
-        return PairMatrix(self.load, self.motors, self.reducers, self.shaft.values["beside"], wanted)
+        return PairMatrix(self.load, self.motors, self.reducers, self.shaft.values["beside"], wanted,
+                          si(self.shaft.values["cycles"], PER_HOUR))  # fmt: skip
 
     @cached_property
     def mixed(self) -> Array:

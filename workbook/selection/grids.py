@@ -4,10 +4,12 @@ from typing import Any
 
 import numpy as np
 
+from engine.drive.limits import factor_at
 from engine.selection.pair_matrix import PARTS, RANKS
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
+from workbook.selection.catalogue import FULL_CYCLES
 from workbook.selection.choosing import Choosing
 from workbook.selection.shaft import MIXED, SQUARE, peak_of, rms_of, through
 
@@ -220,6 +222,13 @@ def weighed(table: str, known: list[Any], weight: list[Any]) -> list[Quantity]:
     ]  # fmt: skip
 
 
+CYCLE_FACTOR = (
+    f"IF(@cycles>IF(INDEX([reducers.full],[k])>0,INDEX([reducers.full],[k]),{FULL_CYCLES:g})*(1+1E-9),"
+    "MAX(1,INDEX([reducers.fs],[k])),1)"
+)
+"""of a reducer of the catalogue: what its largest torque counts over at the cycles of the axis"""
+
+
 def reducers(sheet: Sheet, view: Choosing) -> None:
     """Declare the reducers of the catalogue, 0 in spare rows, and what each makes of the axis."""
     r, g, n = view.reducers, view.grid, view.rooms[1]
@@ -227,6 +236,7 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
     out, back = through(r.reduction, r.efficiency)
     given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
     limits = [np.where(np.isfinite(one), one, 0.0) for one in given]
+    factors = factor_at(g.rate, r.full_rate, r.cycle_factor)
     sheet.table(
         "@reducers", "Reducers of the catalogue, and what each makes of the axis", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
@@ -247,9 +257,12 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
         calc("nmax", "largest input speed", "", "rpm", "=INDEX([reducers.nmax],[k])+0", filled(limits[0], n),
              source="0: no limit"),
         calc("tmax", "largest torque", "", "Nm", "=INDEX([reducers.tmax],[k])+0", filled(limits[1], n)),
+        calc("fs", "factor on it at these cycles", "f_s", "", f"={CYCLE_FACTOR}",
+             filled(factors, n, 1.0)),
+        calc("held", "largest torque at these cycles", "", "Nm", "=[tmax]/[fs]", filled(limits[1] / factors, n)),
         calc("tmean", "largest mean torque", "", "Nm", "=INDEX([reducers.t2n],[k])+0", filled(limits[2], n)),
         calc("fits", "holds the axis", "", "",
-             "=IF(AND([on]=1,OR([nmax]=0,[n]<=[nmax]),OR([tmax]=0,@tmax<=[tmax]),OR([tmean]=0,@smean<=[tmean])),1,0)",
+             "=IF(AND([on]=1,OR([nmax]=0,[n]<=[nmax]),OR([held]=0,@tmax<=[held]),OR([tmean]=0,@smean<=[tmean])),1,0)",
              filled(g.fits.astype(int), n, 0), format="0"),
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
              filled(g.balance, n), source="S_rms/(ω̇_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),

@@ -54,6 +54,8 @@ def reducer(i: int, k: int) -> dict[str, Any]:
         "inertia": None if (i + k) % 3 == 2 else 0.0002 * (1 + i) + 0.00003 * k,
         "no_load_torque": 0.02 * i if (i + k) % 3 else None,
         "max_speed": None if (i + k) % 4 == 1 else 2500.0 + 400 * ((i + k) % 3),
+        "full_cycles": (None, 60.0, 1e9)[(i + k) % 3],
+        "cycle_factor": None if (i + k) % 4 == 3 else 1.0 + 0.3 * (i % 4),
         "max_torque": None if (i + k) % 4 == 2 else 150.0 * 2.5 ** ((i + 2 * k) % 5),
         "mass": 1.5 + 0.7 * i if (i + k) % 5 != 4 else None,
         "cost": 200.0 + 35 * i if k == 3 else None,

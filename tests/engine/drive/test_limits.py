@@ -144,8 +144,21 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, 
     assert use(checked(there)[found.limit]) == pytest.approx(1.0, abs=1e-4)
 
 
+@pytest.mark.parametrize("full", [0.5, 1.2, 9.0])
+def test_beyond_its_cycles_a_reducer_s_torque_counts_over_the_factor(full):
+    """S grows with the square of the rate, and meets T at N: T/4 at N/2. Up to ``full`` N no factor counts."""
+    free = judged(Limits(Motor(1e-3), reducer=ReducerLimits(40.0)))
+    meets = highest_rate({"A": free}).speed
+    factored = ReducerLimits(40.0, full_rate=full * meets / TURN, cycle_factor=4.0)
+    found = highest_rate({"A": judged(Limits(Motor(1e-3), reducer=factored))})
+    assert (found.speed, found.limit) == (pytest.approx(min(1.0, full) * meets, rel=1e-8), "reducer peak torque")
+    early = replace(factored, full_rate=0.3 * meets / TURN)
+    assert highest_rate({"A": judged(Limits(Motor(1e-3), reducer=early))}).speed == pytest.approx(meets / 2, rel=1e-8)
+    assert (factored.peak_at(factored.full_rate), factored.peak_at(1.001 * factored.full_rate)) == (40.0, 10.0)
+
+
 def test_limits_that_cannot_be_are_refused():
-    for name in ("peak_torque", "mean_torque", "input_speed"):
+    for name in ("peak_torque", "mean_torque", "input_speed", "full_rate", "cycle_factor"):
         with pytest.raises(ValueError, match=name):
             ReducerLimits(**{name: 0.0})
 

@@ -80,6 +80,18 @@ def test_what_a_pair_fails_first_is_told():
     assert set(gentle.verdicts.ravel()) == {"reducer"}
 
 
+def test_a_reducer_carries_less_at_more_cycles_than_its_torque_is_given_for():
+    one = grid()
+    rated = replace(one.reducers, max_output_torque=np.full(2, 1.5 * one.output_torque), full_rate=np.array([2.0, 3.0]),
+                    cycle_factor=np.array([1.4, 1.6]))  # fmt: skip
+
+    def fits(rate):
+        return replace(one, reducers=rated, rate=rate).fits.tolist()
+
+    assert (fits(0.0), fits(3.0), fits(3.1)) == ([True, True], [True, True], [True, False])
+    assert replace(one, reducers=replace(rated, cycle_factor=1.6), rate=3.0).fits.tolist() == [False, True]
+
+
 def test_the_smallest_motor_comes_first_and_with_it_the_reducer_that_asks_less_of_it():
     strong = replace(MOTORS, rated_torque=np.array([500.0, 900.0]), peak_torque=np.array([1e4, 1e4]))
     wide = replace(grid(), motors=replace(strong, max_speed=np.array([1e4, 1e4])))

@@ -1,5 +1,7 @@
 """Laws of one's own: any number, exact extremes, by how much they miss, and what mends them."""
 
+import math
+
 import pytest
 
 from engine.laws.mended import mended, misses
@@ -61,6 +63,18 @@ def test_a_velocity_that_is_largest_next_to_a_point_of_the_table_is_found_there(
     machine_ = machine(Near=[{"duration": 1.0, "c0": 4.0 * top, "c1": -4.0}])
     assert disagreeing(MACHINE, machine_)[0] == []
     assert computed(MACHINE, machine_)("OWN8_v_at") == pytest.approx(top, abs=4e-5)
+
+
+@pytest.mark.parametrize("gains", [[], [{"duration": 0.1, "amplitude": 4.0, "omega": 20.0 * math.pi}]],
+                         ids=["no duration", "a whole turn of a sine"])  # fmt: skip
+def test_of_a_law_that_gains_nothing_but_rounding_no_factors_are_told(gains):
+    """What gains velocity is a stage of no duration, whose gain is rounding in cells and 0 in the engine."""
+    loses = [{"duration": 0.6, "c0": -5.6, "c1": 0.55, "c2": 2.4, "amplitude": -0.98, "omega": 12.7, "phase": 0.2},
+             {"duration": 0.0, "c0": 8.8, "c1": 8.0, "c3": 16.6, "amplitude": 2.2, "omega": 8.8, "phase": 1.7},
+             {"duration": 0.4 - 0.1 * len(gains), "amplitude": -6.1, "omega": 5.1, "phase": 1.0}]  # fmt: skip
+    odd = machine(Odd=[*loses, *gains])
+    assert disagreeing(MACHINE, odd)[0] == []
+    assert computed(MACHINE, odd)("OWN8_mends").startswith("no")
 
 
 def test_a_sine_with_too_many_turns_for_the_points_is_told():

@@ -8,6 +8,8 @@ from tests.workbook.machines.test_machine_forces import small
 from workbook.build import build, failing
 from workbook.judging.verify import verify
 from workbook.machines.machine.chain import UNTOLD
+from workbook.machines.machine.drive.max_rate import LIMITS as LIMITS_OF_RATE
+from workbook.machines.machine.exact import drives_of
 from workbook.reading.descriptions import checked, read_machine
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 from workbook.template import FOLDER
@@ -90,6 +92,36 @@ def test_a_limit_of_the_reducer_is_held_up_to_what_it_is_and_no_further(limit, v
     for share, holds in ((1.0 + 1e-9, True), (1.0 - 1e-9, False)):
         machine = small([driven(*PHASES, reducer=free | {limit: reached * share})])
         assert any("the reducer's" in line for line in failed(machine)) is not holds
+
+
+REACHED = list(LIMITS_OF_RATE).index("reducer peak torque")
+
+
+@pytest.mark.parametrize(("full", "highest"), [(0.6, 0.5**0.5), (0.8, 0.8), (1.0, 1.0), (2.0, 1.0)])
+def test_beyond_its_cycles_an_hour_the_reducer_s_torque_counts_over_the_factor(full, highest):
+    """Of a load that only accelerates S grows as N²: T_2B is met at N, T_2B/2 at N/√2; T_2B holds up to ``full`` N."""
+    free = {"ratio": 3.0, "efficiency": 0.9}
+    asked = computed(TEMPLATE, small([driven(*PHASES, reducer=free)]))
+    rate, torque = asked("drive1_rate"), asked("drive1_smax") * (1.0 + 1e-12)
+    limits = {"peak_torque": torque, "cycle_factor": 2.0, "full_cycles": 60.0 * rate * full}
+    machine = small([driven(*PHASES, reducer=free | limits)])
+    value, holds = computed(TEMPLATE, machine), full >= 1.0
+    assert value("drive1_reducer_held") == pytest.approx(torque if holds else torque / 2.0, rel=1e-15)
+    assert any("the reducer's" in line for line in failed(machine)) is not holds
+    assert value("drive1_held", "rate")[REACHED] == pytest.approx(highest * rate, rel=1e-9)
+    (view,) = drives_of(machine)
+    assert view.exact_highest() == (pytest.approx(highest * rate, rel=1e-7), "reducer peak torque")
+
+
+def test_the_factor_of_the_catalogue_counts_beyond_a_thousand_cycles_an_hour_in_drive_and_selection():
+    """What the drive's reducer may carry is what the pairs of the sheet Selection are held to."""
+    name = committed_reducers()[1].name
+    data = small([driven(*PHASES, reducer={"name": name})]).model_dump() | {"selection": {"axis": "A1"}}
+    for rate, factor in ((1000.0 / 60.0, 1.0), (1001.0 / 60.0, 2.0)):
+        value = computed(TEMPLATE, checked(TEMPLATE, data | {"master": data["master"] | {"rate": rate}}, str))
+        assert value("drive1_reducer_peak") / value("drive1_reducer_held") == factor
+        assert value("sel_reducers", "fs")[:3] == [1.0, factor, factor]  # the first is none
+        assert value("sel_reducers", "held")[1] == value("drive1_reducer_held")
 
 
 def test_the_torque_behind_a_reducer_without_losses_is_what_the_load_asks_for():

@@ -11,7 +11,7 @@ from engine.selection.point_load import PointLoad
 from engine.selection.ratios import best_ratio
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
-from workbook.entries.units import RPM, shown
+from workbook.entries.units import PER_HOUR, RPM, shown
 from workbook.machines.flying.view import Flying
 from workbook.selection.choosing import Choosing
 from workbook.selection.entries import Selection, SelectionSizes
@@ -36,7 +36,7 @@ class ToolDrive:
         self.turning = max(
             float(np.abs(bare.shaft_acceleration).max()), scales.angular_acceleration
         )  # that of its accelerations
-        self.before = Choosing(chosen, sizes, [self._shaft([LEFT, BESIDE])])
+        self.before = Choosing(chosen, sizes, [self._shaft([LEFT, BESIDE, self._cycles])])
 
         self.pair = self._pair()  # motor and reducer in use, by their places in the catalogue, from 0
         self.gears = self.before.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
@@ -44,7 +44,10 @@ class ToolDrive:
         motor = m.inertia, m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to
         self.motor = Motor(*(float(one[self.pair[0]]) for one in motor))
         self.falling = Falling(*self.before.curve(self.pair[0])[1:])
-        limits = (float(one[self.pair[1]]) for one in (r.max_input_speed, r.max_output_torque, r.max_mean_torque))
+        limits = (
+            float(one[self.pair[1]])
+            for one in (r.max_input_speed, self.before.grid.most_output_torque, r.max_mean_torque)
+        )
         self.limits = [0.0 if np.isinf(one) else one for one in limits]  # of the reducer; 0: none
 
         self.cycle = cycle_of(cut, train_of(cut, load, self.gears))
@@ -78,6 +81,12 @@ class ToolDrive:
         flat = values.ravel()
         return filled(flat, self.machine.room * values.shape[-1], float(flat[-1]) if spare is None else spare)
 
+    @property
+    def _cycles(self) -> Figure:
+        return Figure(
+            "cycles", "cycles an hour", "1/h", "3600/fly_tc", shown(1.0 / self.machine.cut.cycle_time, PER_HOUR)
+        )
+
     def _shaft(self, figures: list[Figure]) -> Shaft:
         return Shaft("shaft", 1, '="shaft"', "tool", self.machine.room, self.asked, "ABS({})*30/PI()", self.turning,
                      self.torque, figures)  # fmt: skip
@@ -102,6 +111,7 @@ class ToolDrive:
                    "SUMPRODUCT([drive_pt.share],([drive_pt.w]^2)^0.5)", self.asked.mean_speed),
             Figure("smax", "largest torque", "Nm", "drive_smax", self.asked.torque, torque),
             Figure("smean", "mean torque", "Nm", "drive_smean", self.asked.mean_torque, torque),
+            self._cycles,
             Figure("inertia", "inertia", "kg m²", "fly_j", self.asked.inertia),
             BESIDE,
             Figure("brake", "held by a brake at rest", "", "0", 0.0),

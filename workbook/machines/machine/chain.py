@@ -9,6 +9,7 @@ from workbook.book.sentence import figure
 from workbook.drive.entries import Efficiency, RotatingParts
 from workbook.entries.texts import LOOKED_UP
 from workbook.entries.types import Angle, DesignError, EmptyCell, Model, NotNegative, Number, Positive
+from workbook.selection.catalogue import Factor
 
 Slope = Annotated[float, Field(ge=-90, le=90)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
@@ -114,6 +115,8 @@ class Reducer(Model):
     inertia: NotNegative = 0.0  # kg cm², at the motor's shaft
     no_load_torque: NotNegative = 0.0  # Nm, at the motor's shaft
     peak_torque: Positive | None = None  # Nm, behind it
+    full_cycles: Positive | None = None  # 1/h, up to which the peak torque holds
+    cycle_factor: Factor | None = None  # that it counts over beyond
     mean_torque: Positive | None = None  # Nm, behind it: the cubic mean, weighted by speed
     max_speed: Positive | None = None  # rpm, of the input
 

@@ -210,6 +210,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
         "ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX), "inertia": 1.0 * k,
         "no_load_torque": 0.07 * ((i + k) % 3),
+        "full_cycles": (None, 7.0, 1e9)[(i + k) % 3], "cycle_factor": (1.6, None, 2.0, 1.1)[(i + k) % 4],
         "peak_torque": (None, 1e-3, 1e6)[k % 3], "mean_torque": (1e-3, 1e6, None)[k % 3],
         "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
     }  # fmt: skip

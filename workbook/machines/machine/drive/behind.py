@@ -111,6 +111,7 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
         Figure("mean", "mean speed", "rad/s", "@mean*PI()/30/@i1", load.mean_speed),
         Figure("smax", "largest torque", "Nm", "@smax", load.torque, behind),
         Figure("smean", "mean torque", "Nm", "@smean", view.reducer_checks[1].value, behind),
+        Figure("cycles", "cycles an hour", "1/h", "@cycles", view.cycles),
         Figure("inertia", "inertia", "kg m²", "@ask_inertia", load.inertia),
         Figure("beside", "parts beside the motor", "kg m²", "@ask_beside", d.beside_motor),
         Figure("brake", "held by a brake at rest", "", '(@holding="brake")', float(d.holding == "brake")),

@@ -6,7 +6,7 @@ With T_s the torque without motion and I = T − T_s, a rate √x times the pres
 import math
 from collections.abc import Sequence
 
-from engine.drive.rate_by_points import Share, line, squares
+from engine.drive.rate_by_points import Share, by_cycles, line, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import Said, Sentence, bound
 from workbook.entries.units import RPM, shown
@@ -22,11 +22,14 @@ ABOUT = (
 SPEEDS = ("motor speed", "reducer input speed")
 
 
-def grown(torque: str, limit: str) -> str:
-    """Return the formula of the largest share of a limit of torque: |I| over what T_s leaves of it at each point."""
+def grown(torque: str, limit: str, *more: str) -> str:
+    """Return the formula of the largest share of a limit of torque: |I| over what T_s leaves of it at each point.
+
+    ``more`` are other shares that the largest is taken of.
+    """
     now, none = f"[@pt.{torque}]", f"[@pt.{torque}0]"
     ways = f"({now}-{none})/({limit}-{none})", f"({none}-{now})/({limit}+{none})"
-    return f"MAX({','.join(f'SUMPRODUCT(MAX({way}))' for way in ways)})"
+    return f"MAX({','.join((*(f'SUMPRODUCT(MAX({way}))' for way in ways), *more))})"
 
 
 USES = {
@@ -35,7 +38,7 @@ USES = {
     "peak torque": grown("T", "@motor_peak"),
     "motor speed": "(@speed/[limit])^2",
     "reducer input speed": "IF([limit]=0,0,(@speed/[limit])^2)",
-    "reducer peak torque": f"IF([limit]=0,0,{grown('S', '@reducer_peak')})",
+    "reducer peak torque": f"IF([limit]=0,0,{grown('S', '[limit]', '@many')})",
     "reducer mean torque": "IF([limit]<=[stands],0,MAX(0,@smean-[stands])/([limit]-[stands]))",
     "torque below the curve": "MAX(MAX([@pt.uc]),MAX([@pt.ub]))",
 }
@@ -87,6 +90,7 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
              source="B_s + ΔM (M/x_s − ΔM)/2"),
         calc("@smean0", "Mean output torque of the reducer, without inertia", "", "Nm", f"={cubic('S0')}",
              points.cubic_mean(view.load.output_torque_at_rest), scale=view.scales.behind),
+        *many_cycles(view),
     )  # fmt: skip
     each = names(view)
     found = [share_of(view, name) for name in each]
@@ -106,6 +110,25 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
              f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,IF([use]<=0,"{NO_LIMIT}",@rate/SQRT([use]))))',
              [rate(view, one) for one in found], align="right", source="N/√(share)"),
     )  # fmt: skip
+
+
+def many_cycles(view: DriveView) -> list[Quantity]:
+    """Return the rows of the reducer's torque beyond the cycles that it holds in full for."""
+    reducer = view.driven.reducer
+    over, way, many = by_cycles(view.points, reducer.limits, 1.0 / view.time)
+    least = reducer.peak_torque / reducer.cycle_factor
+    return [
+        calc("@t_f", "Reducer's largest torque beyond its cycles", "T_f", "Nm", "=@reducer_peak/@reducer_fs",
+             least, source="T_2B/f_s; 0: no limit"),
+        calc("@t_f_use", "Share of it that grows with the square of the rate", "", "",
+             f"=IF(@t_f=0,0,{grown('S', '@t_f')})", over, scale=1.0),
+        calc("@way", "Square of the cycles over those it holds in full for", "", "", "=(@cycles/@full)^2",
+             way),
+        calc("@many", "Share of the reducer's torque by its cycles", "", "",
+             f"=IF(AND(@t_f>0,{STANDS['reducer peak torque']}>=@t_f),@way,"
+             "MIN(@way,@t_f_use))", many,
+             scale=1.0, source="up to these cycles T_2B holds in full"),
+    ]  # fmt: skip
 
 
 def in_units(name: str, value: float) -> float:

@@ -1,5 +1,7 @@
 """The sheet of a drive: entries, results, checks, and the table of points from which all results come."""
 
+import math
+
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said, amount, exceeding
 from workbook.drive.motor import continuous, limit_checks, limits_table, rms_point
@@ -17,6 +19,7 @@ from workbook.machines.machine.drive.workings import peaks_table, top, workings
 from workbook.machines.machine.from_names import kind_name
 from workbook.machines.machine.mechanism import SCREWS, UNSIZED
 from workbook.machines.machine.selection import in_use
+from workbook.selection.catalogue import FULL_CYCLES
 
 MACHINES, OWN = "the machine's rate", "a rate of its own"
 END = "INDEX([motors.end],MAX(1,@motor_row))"
@@ -40,7 +43,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         page.entered(sheet, driven, sizes.positions)
         tables(sheet, view)
         sheet.heading("Motor and reducer in use")
-        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *curve_rows(view))
+        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *cycle_rows(view), *curve_rows(view))
         sheet.not_printed_below()
         workings(sheet, view, page.sizes(driven))
         page.table(sheet, driven, sizes.positions)
@@ -168,6 +171,19 @@ def curve_reserve(view: DriveView) -> list[Quantity]:
                    scale=view.scales.torque, source="at its points")]  # fmt: skip
 
 
+def cycle_rows(view: DriveView) -> list[Quantity]:
+    """Return the rows of the reducer's largest torque at the cycles that it has an hour."""
+    held = view.reducer_checks[0].limit
+    return [
+        calc("@cycles", "Cycles an hour", "", "1/h", "=60*@rate", view.cycles),
+        calc("@full", "Reducer: cycles up to which its largest torque holds", "Z", "1/h",
+             f"=IF(@reducer_full=0,{FULL_CYCLES:g},@reducer_full)", view.driven.reducer.full_cycles or FULL_CYCLES),
+        calc("@reducer_held", "Reducer: largest output torque at these", "", "Nm",
+             "=@reducer_peak/IF(@cycles>@full*(1+1E-9),@reducer_fs,1)", 0.0 if math.isinf(held) else held,
+             source="over f_s beyond Z; 0: no limit"),
+    ]  # fmt: skip
+
+
 def curve_rows(view: DriveView) -> list[Quantity]:
     """Return the rows of the curve of the motor in use: in books that know none that falls, by how much it does."""
     falling, peak = view.driven.catalogued_falling, view.driven.motor.peak_torque
@@ -244,8 +260,8 @@ def reducer_checks(view: DriveView, mends: Said) -> list[Quantity]:
     label, (torque, mean, speed) = f"{driven.called}: ", view.reducer_checks
     fastest, limit = shown(speed.value, RPM), driven.reducer.max_speed
     return [
-        check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_peak=0,@smax<=@reducer_peak)",
-              torque.ok, says=exceeding("@smax", "@reducer_peak", "Nm", torque.value, driven.reducer.peak_torque)
+        check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_held=0,@smax<=@reducer_held)",
+              torque.ok, says=exceeding("@smax", "@reducer_held", "Nm", torque.value, torque.limit)
               .then(mends)),
         check("@ok_reducer_mean", f"{label}mean torque within the reducer's",
               "OR(@reducer_mean=0,@smean<=@reducer_mean)", mean.ok,

@@ -17,7 +17,7 @@ from engine.laws.base import Array
 from workbook.book.rows import filled
 from workbook.drive.in_short import Highest
 from workbook.entries.turn import TURN
-from workbook.entries.units import DEGREE, KW, PER_MINUTE, RPM, shown, si
+from workbook.entries.units import DEGREE, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.motion.tables import AxisRows
@@ -145,7 +145,18 @@ class DriveView:
     @cached_property
     def shares(self) -> dict[str, Share]:
         """The share of each limit, by its name."""
-        return shares(self.points, self.speed, self.driven.motor, self.driven.reducer.limits, self.driven.falling)
+        return shares(self.points, self.speed, self.driven.motor, self.driven.reducer.limits, self.driven.falling,
+                      1.0 / self.time)  # fmt: skip
+
+    @property
+    def time(self) -> float:
+        """The time of a cycle (s)."""
+        return self.driven.drive_cycle.time
+
+    @property
+    def cycles(self) -> float:
+        """Its cycles an hour."""
+        return shown(1.0 / self.time, PER_HOUR)
 
     @property
     def rate(self) -> float:
@@ -183,7 +194,7 @@ class DriveView:
     def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
         """The peak and the mean torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
         limits, points, behind = self.driven.reducer.limits, self.points, self.load.output_torque
-        found = (("peak torque", points.size(behind), limits.peak_torque),
+        found = (("peak torque", points.size(behind), limits.peak_at(1.0 / self.time)),
                  ("mean torque", points.cubic_mean(behind), limits.mean_torque),
                  ("input speed", self.speed, limits.input_speed))  # fmt: skip
         peak, mean, speed = (LimitCheck(name, value, limit, value <= limit) for name, value, limit in found)

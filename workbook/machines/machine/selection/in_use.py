@@ -10,10 +10,10 @@ from engine.drive.falling_peak import Falling
 from engine.drive.limits import ReducerLimits
 from workbook.book.declare import Quantity, calc, check, given
 from workbook.entries.texts import place_of
-from workbook.entries.units import KG_CM2, KW, RPM, shown, si
+from workbook.entries.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.chain import NEEDED, UNTOLD, AxisMotor
 from workbook.machines.machine.entries import Axis
-from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Products
 
 P = TypeVar("P", MotorRow, ReducerRow)
@@ -31,6 +31,8 @@ REDUCER = (
     ("inertia", "inertia at the input", "J_G", "kg cm²", ""),
     ("no_load_torque", "no-load torque", "T_nl", "Nm", "at the motor, against its rotation"),
     ("peak_torque", "largest output torque", "", "Nm", "empty: no limit"),
+    ("full_cycles", "cycles an hour up to which that torque holds", "Z", "1/h", "empty: 1,000"),
+    ("cycle_factor", "factor that it counts over beyond", "f_s", "", "as its maker says; empty: 1"),
     ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
 )
@@ -42,6 +44,7 @@ GEARED = {
     "ratio": ("@i1", "i"), "efficiency": ("@eta1", "eta"), "inertia": ("@j_reducer", "inertia"),
     "no_load_torque": ("@no_load", "t012"),
     "peak_torque": ("@reducer_peak", "tmax"), "mean_torque": ("@reducer_mean", "t2n"),
+    "full_cycles": ("@reducer_full", "full"), "cycle_factor": ("@reducer_fs", "fs"),
     "max_speed": ("@reducer_nmax", "nmax"),
 }  # fmt: skip
 """of each entry of a reducer: the cell that is used, and the column of the catalogue"""
@@ -51,7 +54,9 @@ COLUMNS = {
 }  # fmt: skip
 DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
 IN_USE_SOURCES = {"rated_torque": "at its temperature", "stall_torque": "at its temperature, T_N at least"}
-LIMITS = ("peak_torque", "mean_torque", "max_speed")
+ZERO = dict.fromkeys(("peak_torque", "mean_torque", "max_speed"), "0: no limit") | {"full_cycles": "0: not given"}
+AT_LEAST = {"cycle_factor": "MAX(1,{0})"}
+"""what counts of an entry that may be empty"""
 SI_UNITS = {"kg cm²": "kg m²"}
 """of what is entered in others, for the formulas behind"""
 
@@ -95,6 +100,8 @@ class ReducerInUse(NamedTuple):
     inertia: float
     no_load_torque: float
     peak_torque: float
+    full_cycles: float
+    cycle_factor: float
     mean_torque: float
     max_speed: float
 
@@ -107,8 +114,9 @@ class ReducerInUse(NamedTuple):
     def limits(self) -> ReducerLimits:
         """Its limits."""
         return ReducerLimits(
-            self.peak_torque or math.inf, self.mean_torque or math.inf, si(self.max_speed or math.inf, RPM)
-        )
+            self.peak_torque or math.inf, self.mean_torque or math.inf, si(self.max_speed or math.inf, RPM),
+            si(self.full_cycles or FULL_CYCLES, PER_HOUR), self.cycle_factor
+        )  # fmt: skip
 
 
 def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
@@ -148,9 +156,11 @@ def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
     if found:
         inertia = si(found.inertia or 0.0, KG_CM2)
         return ReducerInUse(row, found.reduction, found.efficiency, inertia, found.no_load_torque or 0.0,
-                            found.max_torque or 0.0, found.mean_torque or 0.0, found.max_speed or 0.0)  # fmt: skip
+                            found.max_torque or 0.0, found.full_cycles or 0.0, found.cycle_factor or 1.0,
+                            found.mean_torque or 0.0, found.max_speed or 0.0)  # fmt: skip
     inertia = si(e.inertia, KG_CM2)
     return ReducerInUse(row, e.ratio, e.efficiency, inertia, e.no_load_torque, e.peak_torque or 0.0,
+                        e.full_cycles or 0.0, e.cycle_factor or 1.0,
                         e.mean_torque or 0.0, e.max_speed or 0.0)  # fmt: skip
 
 
@@ -210,9 +220,10 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
         own = f"@own_reducer_{name}"
         entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
         listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)"
+        counted = AT_LEAST.get(name, "{0}").format(listed)
         rows.append(
-            calc(cell, f"Reducer: {words}", symbol, SI_UNITS.get(unit, unit), f"={in_si(listed, unit)}",
-                 getattr(reducer, name), source="0: no limit" if name in LIMITS else "")
+            calc(cell, f"Reducer: {words}", symbol, SI_UNITS.get(unit, unit), f"={in_si(counted, unit)}",
+                 getattr(reducer, name), source=ZERO.get(name, ""))
         )  # fmt: skip
     rows += [
         calc("@derate", "Motor: share of the rated torque at the ambient temperature", "", "", f"={DERATING}", left,

@@ -12,7 +12,7 @@ from engine.selection.point_load import shares_of
 from workbook.entries.units import KG_CM2, KW, shown
 from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.mechanism import LINKED
-from workbook.machines.machine.studies.drives import WEIGHED, Studied, in_words
+from workbook.machines.machine.studies.drives import WEIGHED, Studied, in_words, within
 
 
 def results(one: Studied) -> dict[str, Callable[[], Any]]:
@@ -62,8 +62,9 @@ def _products(one: Studied) -> dict[str, Callable[[], Any]]:
     reducer = {"reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia",
                "no_load": "no_load_torque",
                "reducer_peak": "peak_torque", "reducer_mean": "mean_torque",
+               "reducer_full": "full_cycles", "reducer_fs": "cycle_factor",
                "reducer_nmax": "max_speed"}  # fmt: skip
-    found: dict[str, Callable[[], Any]] = {}
+    found: dict[str, Callable[[], Any]] = {"reducer_held": lambda: one.reducer_held}
     for name, figure in motor.items():
         found[name] = partial(_figure, one, "motors_used", figure)
     for name, figure in reducer.items():
@@ -83,7 +84,7 @@ def _figure(one: Studied, products: str, figure: str) -> Array:
 
 def _checks(one: Studied) -> dict[str, Callable[[], Any]]:
     """Return the checks of the drive's sheet."""
-    motor = one.motors_used.__getitem__
+    motor, reducer = one.motors_used.__getitem__, one.reducers_used.__getitem__
     linked = one.axis.given.mechanism and one.axis.given.mechanism.kind in LINKED
     closes = {"ok_back": lambda: in_words(one.axis.motion.closes)} if linked else {}
     if one.bases[0].driven.by_angle:
@@ -93,7 +94,7 @@ def _checks(one: Studied) -> dict[str, Callable[[], Any]]:
         "ok_peak": lambda: in_words(one.extremes.peak <= motor("peak_torque")),
         "ok_speed": lambda: in_words(one.speed <= motor("max_speed")),
         "ok_curve": lambda: one.below_curve,
-        "ok_reducer_peak": lambda: one.within("peak_torque", one.behind),
-        "ok_reducer_mean": lambda: one.within("mean_torque", one.mean_behind),
-        "ok_reducer_speed": lambda: one.within("max_speed", one.speed),
+        "ok_reducer_peak": lambda: within(one.reducer_held, one.behind),
+        "ok_reducer_mean": lambda: within(reducer("mean_torque"), one.mean_behind),
+        "ok_reducer_speed": lambda: within(reducer("max_speed"), one.speed),
     }

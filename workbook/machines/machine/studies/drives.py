@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from engine.drive.dc_bus import Means, means
 from engine.drive.falling_peak import Falling
+from engine.drive.limits import factor_at
 from engine.drive.motor import continuous
 from engine.drive.results import Energies
 from engine.laws.base import Array
@@ -16,7 +17,7 @@ from engine.selection.batch import DriveBatch, Extremes, Limits
 from engine.selection.point_load import Gears, PointLoad
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
-from workbook.entries.units import PER_MINUTE, RPM, shown, si
+from workbook.entries.units import PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive.behind import load_of
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, with_motor
@@ -31,7 +32,7 @@ from workbook.machines.machine.selection.in_use import (
 )
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
-from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 
 WEIGHED = ("mass", "cost")
 ONE = Column([None], np.zeros(1, dtype=np.intp))
@@ -171,10 +172,13 @@ class Studied:
         """Mean torque behind the reducer (Nm)."""
         return self.of_rate(lambda base: base.reducer_checks[1].value)
 
-    def within(self, limit: str, value: Any) -> Any:
-        """Return whether what is asked of the reducer is within its limit, 0 for none."""
-        limits = self.reducers_used[limit]
-        return in_words((limits == 0.0) | (value <= limits))
+    @property
+    def reducer_held(self) -> Array:
+        """Largest output torque of the reducer at its cycles an hour (Nm); 0 for none."""
+        used = self.reducers_used
+        full = np.where(used["full_cycles"] == 0.0, FULL_CYCLES, used["full_cycles"])
+        factor = factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"])
+        return np.asarray(used["peak_torque"] / factor)
 
     def pair(self, figure: str) -> Array:
         """Return mass or cost of motor and reducer together."""
@@ -259,6 +263,11 @@ def changed(given: Axis, place: str, key: str, value: Any) -> Axis:
 def speed_of(rate: float) -> float:
     """Return the speed of the master shaft (rad/s) at a rate."""
     return shaft_speed(si(rate, PER_MINUTE))
+
+
+def within(limits: Array, value: Any) -> Any:
+    """Return whether what is asked is within limits, 0 for none, in words."""
+    return in_words((limits == 0.0) | (value <= limits))
 
 
 def in_words(ok: Any) -> Any:
