@@ -62,7 +62,7 @@ def place(book: Book, found: Declared) -> None:
 
 def copies(sheets: Sequence[Sheet], book: Book) -> list[Sheet]:
     """Return copies of sheets with their blocks, for a book."""
-    blocks = {id(block): copy(block) for sheet in sheets for block in sheet.blocks}
+    blocks = {id(block): block.copied() for sheet in sheets for block in sheet.blocks}
 
     def own(block: Block | None) -> Block | None:
         return blocks[id(block)] if block is not None else None

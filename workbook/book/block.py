@@ -46,6 +46,12 @@ class Block:
     workings: Block | None = None
     """of a table: its workings to the right, whose cells in the same row its formulas may name"""
 
+    def copied(self) -> Block:
+        """Return a copy, made faster than by the module ``copy``: a book has hundreds, and each edit copies them."""
+        made = object.__new__(Block)
+        vars(made).update(vars(self))
+        return made
+
     @cached_property
     def columns(self) -> dict[str, int]:
         """The sheet column of each quantity, by name."""
