@@ -6,24 +6,6 @@ from engine.motion import Motion, Phase, motionlaw
 from engine.timing import Axis, Movement, shaft_speed
 
 __all__ = [
-    "CATALOGUE",
-    "KINDS",
-    "Axis",
-    "Drive",
-    "Law",
-    "Load",
-    "Mechanism",
-    "Motion",
-    "Motor",
-    "Movement",
-    "Part",
-    "Phase",
-    "Piece",
-    "PieceLaw",
-    "Slide",
-    "Stage",
-    "law",
-    "motionlaw",
-    "reflected_inertia",
-    "shaft_speed",
-]
+    "CATALOGUE", "KINDS", "Axis", "Drive", "Law", "Load", "Mechanism", "Motion", "Motor", "Movement", "Part",
+    "Phase", "Piece", "PieceLaw", "Slide", "Stage", "law", "motionlaw", "reflected_inertia", "shaft_speed",
+]  # fmt: skip

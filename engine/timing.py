@@ -1,7 +1,5 @@
 """A timing diagram: named axes over one cycle of the master shaft, and what each movement asks for."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
@@ -66,7 +64,7 @@ class Axis:
         """Whether the cycle comes back to where it began; a feed need not."""
         return self.feed or self.motion.closes
 
-    def movements(self, speed: float) -> tuple[Movement, ...]:
+    def movements(self, speed: float) -> "tuple[Movement, ...]":
         """Return every phase that moves, where the abscissa advances at ``speed``."""
         found = enumerate(self.motion.phases)
         return tuple(Movement(self.name, k, phase, speed) for k, phase in found if phase.moves)

@@ -1,7 +1,5 @@
 """Polynomials between two ends by Bernstein's coefficients: they enclose every value between them."""
 
-from __future__ import annotations
-
 from math import comb
 from typing import NamedTuple
 

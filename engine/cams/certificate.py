@@ -1,7 +1,5 @@
 """How far a rebuilt motion is from the one that was meant, over the whole cycle: no sample decides."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 from math import factorial

@@ -1,7 +1,5 @@
 """A motion seen through a mechanism, f(y(x)): by polynomials of degree 5 as close as is asked."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """A table of points as it is given: its columns, and how precise they are."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

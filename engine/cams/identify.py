@@ -1,7 +1,5 @@
 """Which phases a table of points was made of: dwells, and the simplest law that each movement keeps to."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise

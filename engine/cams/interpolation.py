@@ -1,7 +1,5 @@
 """How controllers go between the points of a table: each rule makes a profile of it."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from itertools import pairwise
 from typing import Literal

@@ -1,7 +1,5 @@
 """Phases that meet at speed, taken apart: straight lines, laws with prescribed ends, splines for what is left."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Where the points of a table stand: on the motion's breaks first, then where the rule between them needs them."""
 
-from __future__ import annotations
-
 from math import factorial
 
 import numpy as np

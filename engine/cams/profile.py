@@ -1,7 +1,5 @@
 """A position over a master in pieces, each a polynomial and sines: a motion, or what rebuilds it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """A motion as the segments that controllers know: exact where it is one, polynomials of degree 5 elsewhere."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

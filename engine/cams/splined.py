@@ -1,7 +1,5 @@
 """Points of a table that keep to no law: cubic splines through few of them, thinned to a tolerance."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple

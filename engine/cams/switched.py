@@ -1,7 +1,5 @@
 """How far a switch is from the one that is meant: its edges, and for how much of the cycle their states differ."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -26,23 +26,6 @@ from engine.drive.mechanisms.constant import KINDS, Kind
 from engine.drive.motor import LimitCheck, Motor, derating
 
 __all__ = [
-    "KINDS",
-    "NEAR",
-    "STANDSTILL",
-    "Drive",
-    "Kind",
-    "LimitCheck",
-    "Load",
-    "Mechanism",
-    "Motor",
-    "Part",
-    "Slide",
-    "Stage",
-    "cylinder",
-    "derating",
-    "direction",
-    "loss_factor",
-    "motor_inertia",
-    "reflected_inertia",
-    "resisting",
-]
+    "KINDS", "NEAR", "STANDSTILL", "Drive", "Kind", "LimitCheck", "Load", "Mechanism", "Motor", "Part", "Slide",
+    "Stage", "cylinder", "derating", "direction", "loss_factor", "motor_inertia", "reflected_inertia", "resisting",
+]  # fmt: skip

@@ -1,7 +1,5 @@
 """The chain from a motor to its load: stages in line, parts on their shafts, what resists at the end. SI units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Forces within a piece of a motion as curves, powers of u and sines, and where they change their sign. SI units."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """A motion in time, piece by piece, cut where anything in the torque changes its formula. SI units."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -147,7 +145,7 @@ class MotionPieces:
     total: float
 
     @classmethod
-    def of(cls, motion: Motion) -> MotionPieces:
+    def of(cls, motion: Motion) -> "MotionPieces":
         """Return the pieces of a motion."""
         return cls(tuple(motion_pieces(motion)), float(motion.edges[0]), motion.total)
 

@@ -1,7 +1,5 @@
 """The power of several drives over a cycle: from the mains, on a common DC bus and without one. SI units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -112,7 +110,7 @@ class Drivetrains:
         return self.drive_cycles[0].time
 
     @cached_property
-    def sections(self) -> tuple[Section, ...]:
+    def sections(self) -> "tuple[Section, ...]":
         """The cycle, cut wherever the power of one drive changes its formula."""
         cuts = [0.0, self.time, *(cut for drive_cycle in self.drive_cycles for cut in _begins(drive_cycle))]
         placed = [_placed(drive_cycle) for drive_cycle in self.drive_cycles]
@@ -161,12 +159,12 @@ class Drivetrains:
         """
         return max(section.bend * self._step(section, points) ** 2 / 8.0 for section in self.sections)
 
-    def _within(self, section: Section, points: int) -> Array:
+    def _within(self, section: "Section", points: int) -> Array:
         step = self.time / points
         inner = step * np.arange(math.floor(section.low / step) + 1, math.ceil(section.high / step))
         return np.array([section.low, *inner[(inner > section.low) & (inner < section.high)], section.high])
 
-    def _step(self, section: Section, points: int) -> float:
+    def _step(self, section: "Section", points: int) -> float:
         return min(self.time / points, section.high - section.low)
 
 

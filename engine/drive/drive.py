@@ -1,7 +1,5 @@
 """A motor on a mechanism: what torque, speed and power the motion of a load asks of it. SI units."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Literal, get_args

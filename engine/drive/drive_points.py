@@ -1,7 +1,5 @@
 """A motor at the points of its cycle: torque, speed and power, their means and peaks. SI units."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """A motor's peak torque that falls beyond a speed. SI units."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 
@@ -17,7 +15,7 @@ class Falling(NamedTuple):
     fall: float = 0.0
 
     @classmethod
-    def between(cls, knee: float, peak_torque: float, fastest: float, end_torque: float) -> Falling:
+    def between(cls, knee: float, peak_torque: float, fastest: float, end_torque: float) -> "Falling":
         """Return how a peak torque (Nm) falls from a knee to another torque at the largest speed (rad/s).
 
         Not at all where the second is not smaller, or the knee not below that speed.

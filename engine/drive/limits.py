@@ -1,7 +1,5 @@
 """The limits of a motor and of a reducer, and how near a cycle comes to each. SI units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field

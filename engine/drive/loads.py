@@ -1,7 +1,5 @@
 """Loads: masses on guides, cylinders. SI units."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Literal

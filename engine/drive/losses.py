@@ -1,7 +1,5 @@
 """The rule of losses: which way power flows through a stage, and what its efficiency does to the torque."""
 
-from __future__ import annotations
-
 from typing import Literal, get_args
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A load over the phases of a cycle, without losses: mean squares in closed form, from C_a,rms."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The highest rate at which drives hold all their limits, and which limit of which axis binds. SI units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import replace

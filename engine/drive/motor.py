@@ -1,7 +1,5 @@
 """The motor: its limits, where a cycle brings it, what its surroundings leave of it. SI units."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -46,7 +44,7 @@ class Motor:
             if not getattr(self, name) > 0.0:
                 raise ValueError(f"motor: {name} is {getattr(self, name):g}; expected more than 0")
 
-    def derated(self, share: float) -> Motor:
+    def derated(self, share: float) -> "Motor":
         """Return the motor with a share of its rated and its stall torque left: see :func:`derating`."""
         return replace(self, rated_torque=self.rated_torque * share, stall_torque=self.stall_torque * share)
 
@@ -54,7 +52,7 @@ class Motor:
         """Return the torque (Nm) that it can give all the time at a mean speed (rad/s): see :func:`continuous`."""
         return continuous(self.rated_torque, self.stall_torque, self.rated_speed, speed)
 
-    def corners(self, lowest_speed: float, knee: float = 0.0, fall: float = 0.0) -> Corners:
+    def corners(self, lowest_speed: float, knee: float = 0.0, fall: float = 0.0) -> "Corners":
         """Return the limits as a line round the plane of speed and torque, from the upper left corner.
 
         It begins at speed 0, or on the other side too where ``lowest_speed`` (rad/s) says that the motor turns

@@ -1,7 +1,5 @@
 """Pieces of motions side by side: values of many of them by one call of NumPy each."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import perm, pi
@@ -29,11 +27,11 @@ class Rows:
             value = value + a * w**order * np.sin(w * u + (phi + order * pi / 2.0))
         return value
 
-    def taken(self, index: Any) -> Rows:
+    def taken(self, index: Any) -> "Rows":
         """Return the pieces at places among them."""
         return Rows(self.powers[:, index], tuple(sine[:, index] for sine in self.sines))
 
-    def over(self, axes: int) -> Rows:
+    def over(self, axes: int) -> "Rows":
         """Return the same for places in an array of so many axes, a piece along the first."""
         shape = (-1, *([1] * (axes - 1)))
         return Rows(

@@ -6,8 +6,6 @@ Exact at constant ratio without viscous friction for peaks, where the accelerati
 to the bound that the sheets state. :class:`engine.drive.results.DriveResults` is the exact way.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

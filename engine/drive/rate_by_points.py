@@ -5,8 +5,6 @@ the square of the rate is 1/use times the present one. It is met exactly at the 
 friction or where power turns round, to about 1 %. :func:`engine.drive.max_rate.highest_rate` is exact. SI units.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """What a cycle asks of its motor and its gears: peaks, RMS torque and energy, exact and not from samples. SI units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Extremes and integrals of functions that are smooth between two points: for what has no closed form."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """The largest torque of a servo-motor against its speed. SI units."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

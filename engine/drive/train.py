@@ -1,7 +1,5 @@
 """A motor, gears, a mechanism of any ratio and all that acts on the load over a cycle. SI units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field

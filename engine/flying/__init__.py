@@ -9,18 +9,6 @@ from engine.flying.sizes import Sizes, sizes
 from engine.flying.tool import LONGER, Tool, flying_saw, rotary_drum
 
 __all__ = [
-    "LONGER",
-    "SAME_LENGTH",
-    "Beyond",
-    "Case",
-    "Cut",
-    "CycleState",
-    "ShaftMotion",
-    "Sizes",
-    "Tool",
-    "ToolMotion",
-    "flying_saw",
-    "generalized_torque",
-    "rotary_drum",
-    "sizes",
-]
+    "LONGER", "SAME_LENGTH", "Beyond", "Case", "Cut", "CycleState", "ShaftMotion", "Sizes", "Tool", "ToolMotion",
+    "flying_saw", "generalized_torque", "rotary_drum", "sizes",
+]  # fmt: skip

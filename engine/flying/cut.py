@@ -1,7 +1,5 @@
 """A cut: what a product length asks of the tool. Lengths in m along the line, speeds in m/s, angles in rad."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property

@@ -1,7 +1,5 @@
 """The tool over a cycle: its motion, that of its shaft, and where the cycle is."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
@@ -32,7 +30,7 @@ class ToolMotion(NamedTuple):
     acceleration: Array
     jerk: Array
 
-    def at_shaft(self, radius: float) -> ShaftMotion:
+    def at_shaft(self, radius: float) -> "ShaftMotion":
         """Return the motion of the shaft, whose tool goes ``radius`` (m) a rad: s/R_t, v/R_t, a/R_t."""
         return ShaftMotion(self.position / radius, self.speed / radius, self.acceleration / radius)
 

@@ -1,7 +1,5 @@
 """The tool over a cycle as one table of pieces: a second route to its motion."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

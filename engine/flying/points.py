@@ -3,8 +3,6 @@
 Source: S5, 'Model of dynamic system', T_M = (J_M/τ) ω̇_L + τ (T_L + J_L ω̇_L), and its step 7 for η and J_T.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

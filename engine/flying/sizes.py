@@ -1,7 +1,5 @@
 """How large the quantities of a cut are: beside these, what rounding leaves of a zero is next to nothing."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

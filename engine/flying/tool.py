@@ -1,7 +1,5 @@
 """What carries the tool: a drum that goes round, or a slide that comes back."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The motion laws: one family a file, each with its claims; :mod:`engine.laws.registry` lists them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from engine.laws.base import Coefficients, Kinematics, Law
@@ -12,18 +10,9 @@ from engine.laws.pieces import PieceLaw
 from engine.laws.registry import CATALOGUE, UnknownLawError, law
 
 __all__ = [
-    "CATALOGUE",
-    "Claims",
-    "Coefficients",
-    "Dwell",
-    "Entry",
-    "Kinematics",
-    "Law",
-    "Piece",
-    "PieceLaw",
-    "UnknownLawError",
-    "law",
-]
+    "CATALOGUE", "Claims", "Coefficients", "Dwell", "Entry", "Kinematics", "Law", "Piece", "PieceLaw",
+    "UnknownLawError", "law",
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

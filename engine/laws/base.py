@@ -1,7 +1,5 @@
 """What every motion law offers: s, v, a, j over ξ in [0, 1], exact coefficients, a catalogue entry."""
 
-from __future__ import annotations
-
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -129,10 +127,10 @@ class Law(ABC):
         """Every ξ between 0 and 1 at which the formula changes, in order; a stage of no duration repeats one."""
 
     @abstractmethod
-    def as_pieces(self) -> tuple[Piece, ...]:
+    def as_pieces(self) -> "tuple[Piece, ...]":
         """Return the law as pieces, each a polynomial and a sine: what the cells of its page must hold."""
 
-    def monotone_pieces(self) -> tuple[Piece, ...]:
+    def monotone_pieces(self) -> "tuple[Piece, ...]":
         """Return the pieces cut where the acceleration is largest or lowest: it is monotone on each.
 
         Sines are cut at their quarters, polynomials at their peaks. What is entered piece by piece, and a polynomial

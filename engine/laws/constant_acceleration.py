@@ -1,11 +1,9 @@
 """Constant acceleration (ACS)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.polynomial_pulse import CONSTANT
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
@@ -41,15 +39,7 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=1,
         order_inside=1,
-        coefficients={
-            "cv": "2",
-            "ca_max": "4",
-            "ca_min": "-4",
-            "ca_rms": "4",
-            "cj": "inf",
-            "va_max": "8",
-            "va_min": "-8",
-        },
+        coefficients=formulas("cv = 2; ca_max = 4; ca_min = -4; ca_rms = 4; cj = inf; va_max = 8; va_min = -8"),
     ),
     example=ConstantAcceleration,
     others=(ConstantAcceleration(0.3),),

@@ -1,7 +1,5 @@
 """How smooth a law is by itself: what jumps where its pieces meet, and against rest at its ends."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Where functions change their sign: many brackets narrowed at once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

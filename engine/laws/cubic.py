@@ -1,12 +1,10 @@
 """Cubic (CUB)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedCubic
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import LINE_DOWN
 
@@ -33,15 +31,9 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=1,
         order_inside=math.inf,
-        coefficients={
-            "cv": "3/2",
-            "ca_max": "6",
-            "ca_min": "-6",
-            "ca_rms": "sqrt(12)",
-            "cj": "inf",
-            "va_max": "2*sqrt(3)",
-            "va_min": "-2*sqrt(3)",
-        },
+        coefficients=formulas(
+            "cv = 3/2; ca_max = 6; ca_min = -6; ca_rms = sqrt(12); cj = inf; va_max = 2*sqrt(3); va_min = -2*sqrt(3)"
+        ),
     ),
     example=Cubic,
     others=(Cubic(0.3),),

@@ -1,12 +1,10 @@
 """Cycloidal (CIC)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.pulse import CYCLOIDAL
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
@@ -44,15 +42,10 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=2,
         order_inside=math.inf,
-        coefficients={
-            "cv": "2",
-            "ca_max": "2*pi",
-            "ca_min": "-2*pi",
-            "ca_rms": "pi*sqrt(2)",
-            "cj": "4*pi**2",
-            "va_max": "3*sqrt(3)*pi/2",
-            "va_min": "-3*sqrt(3)*pi/2",
-        },
+        coefficients=formulas(
+            "cv = 2; ca_max = 2*pi; ca_min = -2*pi; ca_rms = pi*sqrt(2); cj = 4*pi**2; "
+            "va_max = 3*sqrt(3)*pi/2; va_min = -3*sqrt(3)*pi/2"
+        ),
     ),
     example=Cycloidal,
     others=(Cycloidal(0.3),),

@@ -1,7 +1,5 @@
 """Double harmonic (DHM): the law of two sines."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Literal
@@ -9,7 +7,7 @@ from typing import Literal
 import numpy as np
 
 from engine.laws.base import Array, Coefficients, Law
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.piece import Piece
 from engine.laws.piece_rules import cut, reversed_pieces
 
@@ -95,15 +93,10 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=1,
         order_inside=math.inf,
-        coefficients={
-            "cv": "3*sqrt(3)*pi/8",
-            "ca_max": "9*pi**2/16",
-            "ca_min": "-pi**2",
-            "ca_rms": "pi**2/2",
-            "cj": "inf",
-            "va_max": "pi**3/4",
-            "va_min": "-675*sqrt(15)*pi**3/8192",
-        },
+        coefficients=formulas(
+            "cv = 3*sqrt(3)*pi/8; ca_max = 9*pi**2/16; ca_min = -pi**2; ca_rms = pi**2/2; cj = inf; "
+            "va_max = pi**3/4; va_min = -675*sqrt(15)*pi**3/8192"
+        ),
     ),
     example=DoubleHarmonic,
     others=(DoubleHarmonic("start"),),

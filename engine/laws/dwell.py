@@ -1,7 +1,5 @@
 """Dwell."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

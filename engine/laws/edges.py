@@ -1,7 +1,5 @@
 """The edge of a pulse next to a law's greatest velocity: where v·a of a law between rests is greatest."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 
@@ -25,10 +23,7 @@ class InnerEdge(NamedTuple):
 def inner_edges(law: PulseLaw) -> tuple[InnerEdge | None, InnerEdge | None]:
     """Return the inner edges of both pulses, told from either end; None of a pulse that has no such edge."""
     c = law.pulses
-    return (
-        _inner(c.rise, law.acceleration * c.rise_time),
-        _inner(c.fall, law.deceleration * c.fall_time),
-    )
+    return (_inner(c.rise, law.acceleration * c.rise_time), _inner(c.fall, law.deceleration * c.fall_time))
 
 
 def _inner(pulse: Pulse, size: float) -> InnerEdge | None:

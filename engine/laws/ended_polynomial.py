@@ -1,7 +1,5 @@
 """Polynomials between prescribed ends: cubic (y, v), quintic (y, v, a) and septic (y, v, a, j)."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from dataclasses import dataclass
 from functools import cached_property

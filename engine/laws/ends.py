@@ -1,7 +1,5 @@
 """What a movement has to meet at its two ends, and which laws can."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from dataclasses import astuple, dataclass, replace
 from typing import ClassVar, NamedTuple, Self
@@ -86,12 +84,12 @@ class EndedLaw(Law):
         """Whether it keeps the velocities that it has at its ends, whatever is beside it."""
         return False
 
-    def between(self, ends: Ends) -> EndedLaw:
+    def between(self, ends: Ends) -> "EndedLaw":
         """Return the law between these ends, with their stroke; raise EndError, with the reason, if it has none."""
         require_ends(self, ends, self.takes)
         return self._with(ends)
 
-    def opened(self, begin: bool, end: bool) -> EndedLaw:
+    def opened(self, begin: bool, end: bool) -> "EndedLaw":
         """Return the law where nothing precedes it (``begin``) or follows it (``end``): most laws rest there."""
         del begin, end
         return self

@@ -1,7 +1,5 @@
 """All that the registry knows of a law: its class, names, source, claims, and parameters to measure them at."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import NamedTuple
@@ -28,6 +26,11 @@ class Claims:
     where: Mapping[str, str] = field(default_factory=dict)
     start: tuple[float, float] = (0.0, 0.0)  # s, v
     end: tuple[float, float] = (1.0, 0.0)
+
+
+def formulas(text: str) -> dict[str, str]:
+    """Return formulas by their names, of a text like "cv = 3/2; ca_max = 6"."""
+    return {name: formula for name, _, formula in (one.partition(" = ") for one in text.split("; "))}
 
 
 class Vendors(NamedTuple):

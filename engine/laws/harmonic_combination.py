@@ -1,14 +1,12 @@
 """Harmonic combination (HAC)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from engine.laws.ends import REST, EndError, Ends, require_ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
@@ -48,7 +46,7 @@ class HarmonicCombination(PulseLaw):
         rise, fall = (REST_SIDE, FALLING) if self._at_end else (FALLING, REST_SIDE)
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
-    def between(self, ends: Ends) -> HarmonicCombination:
+    def between(self, ends: Ends) -> "HarmonicCombination":
         """Return the law between these ends; where an acceleration is asked for at the reversal, with another share.
 
         Raises EndError where no share between 0 and 1 gives that acceleration.
@@ -87,23 +85,12 @@ ENTRY = Entry(
         order_ends=1,
         order_inside=2,
         where={"d": "6 + pi/2", "y": "(sqrt(73) - 1)/12"},
-        coefficients={
-            "cv": "4*pi/d",
-            "ca_max": "4*pi**2/d",
-            "ca_min": "-ca_max",
-            "ca_rms": "2*pi**2*sqrt(2)/d",
-            "cj": "inf",
-            "va_max": "ca_max**2/(4*pi)*(1 + 3*y)*sqrt(1 - y**2)",
-            "va_min": "cv*ca_min/2",
-        },
+        coefficients=formulas(
+            "cv = 4*pi/d; ca_max = 4*pi**2/d; ca_min = -ca_max; ca_rms = 2*pi**2*sqrt(2)/d; cj = inf; "
+            "va_max = ca_max**2/(4*pi)*(1 + 3*y)*sqrt(1 - y**2); va_min = cv*ca_min/2"
+        ),
     ),
     example=HarmonicCombination,
-    others=(
-        HarmonicCombination(0.3),
-        HarmonicCombination(0.6, "start"),
-    ),
-    beyond=(
-        HarmonicCombination(0.4, "end", Ends(1.0, 0.7)),
-        HarmonicCombination(0.4, "start", Ends(1.0, 0.1, 0.7)),
-    ),
+    others=(HarmonicCombination(0.3), HarmonicCombination(0.6, "start")),
+    beyond=(HarmonicCombination(0.4, "end", Ends(1.0, 0.7)), HarmonicCombination(0.4, "start", Ends(1.0, 0.1, 0.7))),
 )

@@ -1,7 +1,5 @@
 """The inverse of a motion law: the share of its time at which it has reached a share of its rise."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 import numpy as np

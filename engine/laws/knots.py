@@ -5,8 +5,6 @@ v·a is stationary where a = ±√(W/3), and is ∓W a/(3j) there. The engine's 
 :mod:`engine.laws.piece_extremes`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Every zero of a polynomial plus a sine: each derivative's zeros bracket those of the function before it."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import dataclass
@@ -27,18 +25,18 @@ class Curve:
             value = value * u + c
         return value + sum(p * math.sin(w * u + phi) for p, w, phi in self.sines)
 
-    def derivative(self) -> Curve:
+    def derivative(self) -> "Curve":
         """Return f'."""
         c = tuple(i * c for i, c in enumerate(self.c))[1:]
         return Curve(c, tuple((p * w, w, phi + math.pi / 2.0) for p, w, phi in self.sines))
 
-    def integral(self, start: float) -> Curve:
+    def integral(self, start: float) -> "Curve":
         """Return ∫f from ``start`` at u = 0. Raises ValueError for a curve with a sine."""
         if self.sines:
             raise ValueError("a curve with a sine is given; expected a polynomial")
         return Curve((start, *(c / (i + 1) for i, c in enumerate(self.c))))
 
-    def times(self, other: Curve) -> Curve:
+    def times(self, other: "Curve") -> "Curve":
         """Return the product of two polynomials."""
         product = [0.0] * (len(self.c) + len(other.c) - 1)
         for (i, a), (k, b) in itertools.product(enumerate(self.c), enumerate(other.c)):

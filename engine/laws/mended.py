@@ -1,7 +1,5 @@
 """An own law that misses its rise or does not come to rest, with its entries scaled so that it does."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -1,12 +1,10 @@
 """Modified sine (MSN)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 
 from engine.laws.ends import REST, EndError, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_part, require_share
@@ -47,7 +45,7 @@ class ModifiedSine(PulseLaw):
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
     @classmethod
-    def with_deceleration(cls, deceleration: float, ends: Ends) -> ModifiedSine:
+    def with_deceleration(cls, deceleration: float, ends: Ends) -> "ModifiedSine":
         """Return the classic law whose second pulse has the height B, by its share λ: the option Ca* of a cam editor.
 
         μ = [N(H − v0) − π(v1 − v0)/2]/[B + Nκ'(v1 − v0)], κ' = (3π − 4)/4π, N = 2π²/(4 + π).
@@ -73,21 +71,12 @@ ENTRY = Entry(
         order_ends=2,
         order_inside=3,  # with λ = ½; else 2
         where={"n": "2*pi**2/(4 + pi)", "y": "(sqrt(73) - 1)/12"},  # the sine at which v·a is greatest
-        coefficients={
-            "cv": "4*pi/(4 + pi)",
-            "ca_max": "2*n",
-            "ca_min": "-ca_max",
-            "ca_rms": "sqrt(2)*n",
-            "cj": "8*pi*n",
-            "va_max": "n**2/pi*(1 + 3*y)*sqrt(1 - y**2)",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = 4*pi/(4 + pi); ca_max = 2*n; ca_min = -ca_max; ca_rms = sqrt(2)*n; cj = 8*pi*n; "
+            "va_max = n**2/pi*(1 + 3*y)*sqrt(1 - y**2); va_min = -va_max"
+        ),
     ),
     example=ModifiedSine,
-    others=(
-        ModifiedSine(0.3),
-        ModifiedSine(0.3, 0.25, 0.4),
-        ModifiedSine(0.6, 0.0, 1.0),
-    ),
+    others=(ModifiedSine(0.3), ModifiedSine(0.3, 0.25, 0.4), ModifiedSine(0.6, 0.0, 1.0)),
     beyond=(ModifiedSine(0.4, ends=Ends(1.0, 2.0, -0.5)),),
 )

@@ -1,11 +1,9 @@
 """Modified trapezoidal acceleration with seven durations (MTP)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.seven_stages import pulses_of
@@ -47,15 +45,10 @@ ENTRY = Entry(
         order_ends=2,
         order_inside=3,  # with equal sines at the middle; else 2
         where={"y": "2/(1 + pi + sqrt((1 + pi)**2 + 8))"},  # sin x where v·a is greatest
-        coefficients={
-            "cv": "2",
-            "ca_max": "8*pi/(2 + pi)",
-            "ca_min": "-ca_max",
-            "ca_rms": "ca_max*sqrt(3)/2",
-            "cj": "4*pi*ca_max",
-            "va_max": "ca_max**2/(4*pi)*(1 + pi + y)*sqrt(1 - y**2)",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = 2; ca_max = 8*pi/(2 + pi); ca_min = -ca_max; ca_rms = ca_max*sqrt(3)/2; cj = 4*pi*ca_max; "
+            "va_max = ca_max**2/(4*pi)*(1 + pi + y)*sqrt(1 - y**2); va_min = -va_max"
+        ),
     ),
     example=ModifiedTrapezoidal,
     others=tuple(

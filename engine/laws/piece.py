@@ -1,7 +1,5 @@
 """One piece of a law, a(u) = polynomial(u) + sines, and its integrals."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Where v, a, j and v·a of one piece are stationary, and the extremes of pieces one after the other."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import NamedTuple

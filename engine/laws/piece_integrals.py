@@ -1,7 +1,5 @@
 """What a table of an own law works out of its pieces: accelerations at their ends, and jumps."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import NamedTuple

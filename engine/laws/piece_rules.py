@@ -1,7 +1,5 @@
 """Pieces made of pieces: scaled to another height and time, told backwards, turned upside down."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The engineer's own law, piece by piece (OWN)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array, Coefficients, Law, stage_of
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, formulas
 from engine.laws.piece import POWERS, SINES, Piece, gains, gains_of
 from engine.laws.piece_extremes import coefficients_of
 
@@ -99,15 +97,10 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=2,
         order_inside=math.inf,
-        coefficients={
-            "cv": "15/8",
-            "ca_max": "10/sqrt(3)",
-            "ca_min": "-ca_max",
-            "ca_rms": "sqrt(120/7)",
-            "cj": "60",
-            "va_max": "225/8*(6/7)**3/sqrt(7)",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = 15/8; ca_max = 10/sqrt(3); ca_min = -ca_max; ca_rms = sqrt(120/7); cj = 60; "
+            "va_max = 225/8*(6/7)**3/sqrt(7); va_min = -va_max"
+        ),
     ),
     example=lambda: PieceLaw(POLYNOMIAL_345),
     others=(PieceLaw(MIXED),),

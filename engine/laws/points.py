@@ -4,8 +4,6 @@ Peaks are those of the points, or of the parabola by the slopes at two neighbour
 sign; the RMS is by the points' weights. What is true is in :mod:`engine.laws.piece_extremes`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,12 +1,10 @@
 """Polynomial 3-4-5 (PO5)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedQuintic
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import HALF_345
 
@@ -33,15 +31,10 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=2,
         order_inside=math.inf,
-        coefficients={
-            "cv": "15/8",
-            "ca_max": "10/sqrt(3)",
-            "ca_min": "-ca_max",
-            "ca_rms": "sqrt(120/7)",
-            "cj": "60",
-            "va_max": "6075/(343*sqrt(7))",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = 15/8; ca_max = 10/sqrt(3); ca_min = -ca_max; ca_rms = sqrt(120/7); cj = 60; "
+            "va_max = 6075/(343*sqrt(7)); va_min = -va_max"
+        ),
     ),
     example=Polynomial345,
     others=(Polynomial345(0.3),),

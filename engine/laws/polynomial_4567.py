@@ -1,12 +1,10 @@
 """Polynomial 4-5-6-7 (PO7)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 from engine.laws.ended_polynomial import EndedSeptic
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.polynomial_law import HalvedPolynomial
 from engine.laws.polynomial_pulse import HALF_4567
 
@@ -33,15 +31,10 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=3,
         order_inside=math.inf,
-        coefficients={
-            "cv": "35/16",
-            "ca_max": "84/(5*sqrt(5))",
-            "ca_min": "-ca_max",
-            "ca_rms": "sqrt(280/11)",
-            "cj": "105/2",
-            "va_max": "58800/1024*(10/11)**5/sqrt(11)",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = 35/16; ca_max = 84/(5*sqrt(5)); ca_min = -ca_max; ca_rms = sqrt(280/11); cj = 105/2; "
+            "va_max = 58800/1024*(10/11)**5/sqrt(11); va_min = -va_max"
+        ),
     ),
     example=Polynomial4567,
     others=(Polynomial4567(0.3),),

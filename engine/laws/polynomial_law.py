@@ -1,7 +1,5 @@
 """Symmetric polynomials shifted by a share, and what a polynomial becomes between prescribed ends."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import ClassVar
 

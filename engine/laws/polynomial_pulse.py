@@ -1,7 +1,5 @@
 """Pulses that are polynomials: the halves of symmetric polynomial laws."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import cached_property
@@ -65,7 +63,7 @@ class PolynomialPulse(Pulse):
         return (max(flat, key=self._acceleration),) if flat else ()
 
     @property
-    def turned(self) -> PolynomialPulse:
+    def turned(self) -> "PolynomialPulse":
         """Σ c_i (1 − x)ⁱ, in powers of x."""
         return PolynomialPulse(tuple(-c for c in backwards(self.pieces[0]).c[: len(self.c)]))
 

@@ -1,7 +1,5 @@
 """Pulses of acceleration: what a law does between rest and its greatest velocity, and backwards from its end."""
 
-from __future__ import annotations
-
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -34,7 +32,7 @@ class Quarter(NamedTuple):
         """Largest v·a, for unit height: cos x (v2 + g sin x)."""
         return math.sqrt(1.0 - self.sin**2) * (self.velocity + self.gain * self.sin)
 
-    def scaled(self, height: float) -> Quarter:
+    def scaled(self, height: float) -> "Quarter":
         """Return the same for another height of the acceleration."""
         return Quarter(height * self.velocity, height * self.gain)
 
@@ -83,7 +81,7 @@ class Pulse(ABC):
 
     @property
     @abstractmethod
-    def turned(self) -> Pulse:
+    def turned(self) -> "Pulse":
         """The pulse told from its inner end: p(1 − x)."""
 
     @property
@@ -207,7 +205,7 @@ class HalfSine(SineEdged):
         return (0.5,)
 
     @property
-    def turned(self) -> HalfSine:
+    def turned(self) -> "HalfSine":
         """Itself."""
         return self
 

@@ -1,7 +1,5 @@
 """Laws of two pulses and a cruise: from one velocity to the greatest, and on to another, by one formula."""
 
-from __future__ import annotations
-
 import math
 from abc import abstractmethod
 from collections.abc import Sequence

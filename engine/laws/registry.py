@@ -6,8 +6,6 @@ else (the stack of pieces, drop-downs, variations, tests) goes through the regis
 numbers in a workbook.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from importlib import import_module
 from typing import Any

@@ -1,7 +1,5 @@
 """A rise of a law in its own units: h in the time t_a."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from engine.laws.base import Array, Law

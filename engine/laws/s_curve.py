@@ -1,14 +1,12 @@
 """Jerk-limited S-curve with seven durations (SCV)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import NamedTuple, Self
 
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, formulas
 from engine.laws.pulse import LinearEdged
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.seven_stages import pulses_of
@@ -30,7 +28,7 @@ class Limits(NamedTuple):
 class TimedCurve(NamedTuple):
     """A law and the time that it takes."""
 
-    law: SCurve
+    law: "SCurve"
     time: float
 
 
@@ -109,15 +107,7 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=2,
         order_inside=2,
-        coefficients={
-            "cv": "3/2",
-            "ca_max": "6",
-            "ca_min": "-6",
-            "ca_rms": "4",
-            "cj": "72",
-            "va_max": "15/2",
-            "va_min": "-15/2",
-        },
+        coefficients=formulas("cv = 3/2; ca_max = 6; ca_min = -6; ca_rms = 4; cj = 72; va_max = 15/2; va_min = -15/2"),
     ),
     example=SCurve,
     others=(

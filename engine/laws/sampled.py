@@ -1,7 +1,5 @@
 """Equal steps of ξ."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from engine.laws.base import Array

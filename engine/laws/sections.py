@@ -1,7 +1,5 @@
 """Where a law changes its formula, where it crosses a level, where it is fastest: for exact peaks."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Seven durations as two edged pulses and a cruise."""
 
-from __future__ import annotations
-
 from engine.laws.pulse import Edged
 from engine.laws.pulse_law import TwoPulses
 

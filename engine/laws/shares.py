@@ -1,7 +1,5 @@
 """Checks of shares that several families have."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from engine.laws.base import require_finite

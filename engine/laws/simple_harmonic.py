@@ -1,12 +1,10 @@
 """Simple harmonic (SHM)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
@@ -44,15 +42,10 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=1,
         order_inside=math.inf,
-        coefficients={
-            "cv": "pi/2",
-            "ca_max": "pi**2/2",
-            "ca_min": "-ca_max",
-            "ca_rms": "pi**2/(2*sqrt(2))",
-            "cj": "inf",
-            "va_max": "pi**3/8",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = pi/2; ca_max = pi**2/2; ca_min = -ca_max; ca_rms = pi**2/(2*sqrt(2)); cj = inf; "
+            "va_max = pi**3/8; va_min = -va_max"
+        ),
     ),
     example=SimpleHarmonic,
     others=(SimpleHarmonic(0.3),),

@@ -1,11 +1,9 @@
 """Sine, constant and cosine acceleration: the SCCA family (SCC)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, formulas
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import SUM_TOLERANCE, require_part, require_share
@@ -62,20 +60,13 @@ ENTRY = Entry(
         order_ends=2,
         order_inside=3,  # with λ = ½ and nothing straight; else 2
         where={"k": "(1/pi + 1/2)/3", "g": "1/(3*pi)", "y": "2*g/(k + sqrt(k**2 + 8*g**2))"},
-        coefficients={
-            "ca_max": "4*pi**2/(pi**2 - 2*pi*(pi - 2)/3)",
-            "cv": "ca_max*(2/(3*pi) + 1/6)",
-            "ca_min": "-ca_max",
-            "ca_rms": "ca_max*sqrt(2/3)",
-            "cj": "3*pi*ca_max",
-            "va_max": "ca_max**2*(k + g*y)*sqrt(1 - y**2)",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "ca_max = 4*pi**2/(pi**2 - 2*pi*(pi - 2)/3); cv = ca_max*(2/(3*pi) + 1/6); ca_min = -ca_max; "
+            "ca_rms = ca_max*sqrt(2/3); cj = 3*pi*ca_max; va_max = ca_max**2*(k + g*y)*sqrt(1 - y**2); "
+            "va_min = -va_max"
+        ),
     ),
     example=SineConstantCosine,
-    others=(
-        SineConstantCosine(0.1, 0.6, 0.3),
-        SineConstantCosine(0.2, 0.0, 0.6, 0.2, 0.4),
-    ),
+    others=(SineConstantCosine(0.1, 0.6, 0.3), SineConstantCosine(0.2, 0.0, 0.6, 0.2, 0.4)),
     beyond=(SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6, Ends(1.0, -0.4, 0.9)),),
 )

@@ -1,11 +1,9 @@
 """Trapezoidal velocity with ramps of a squared sine (SRT)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.pulse import CYCLOIDAL
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.trapezoidal_velocity import require_breaks
@@ -41,15 +39,10 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=2,
         order_inside=2,
-        coefficients={
-            "cv": "4/3",
-            "ca_max": "8*pi/3",
-            "ca_min": "-ca_max",
-            "ca_rms": "4*pi/3",
-            "cj": "32*pi**2/3",
-            "va_max": "4*sqrt(3)*pi/3",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = 4/3; ca_max = 8*pi/3; ca_min = -ca_max; ca_rms = 4*pi/3; cj = 32*pi**2/3; "
+            "va_max = 4*sqrt(3)*pi/3; va_min = -va_max"
+        ),
     ),
     example=SineRamps,
     others=(SineRamps(0.2, 0.7), SineRamps(0.4, 0.4)),

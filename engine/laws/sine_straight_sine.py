@@ -1,12 +1,10 @@
 """Sine, straight line, sine: from reversal to reversal (SGS)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_share
 from engine.laws.simple_harmonic import FALLING
@@ -48,20 +46,12 @@ ENTRY = Entry(
     claims=Claims(
         order_ends=1,
         order_inside=2,
-        coefficients={
-            "cv": "2*pi/(2 + pi)",
-            "ca_max": "2*pi*cv",
-            "ca_min": "-ca_max",
-            "ca_rms": "pi*cv",
-            "cj": "inf",
-            "va_max": "ca_max*cv/2",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = 2*pi/(2 + pi); ca_max = 2*pi*cv; ca_min = -ca_max; ca_rms = pi*cv; cj = inf; "
+            "va_max = ca_max*cv/2; va_min = -va_max"
+        ),
     ),
     example=SineStraightSine,
-    others=(
-        SineStraightSine(0.3, 0.4),
-        SineStraightSine(1.0),
-    ),
+    others=(SineStraightSine(0.3, 0.4), SineStraightSine(1.0)),
     beyond=(SineStraightSine(0.3, 0.4, Ends(1.0, 0.5, 0.2)),),
 )

@@ -1,7 +1,5 @@
 """Points joined by a cubic spline (SPL)."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Sequence
@@ -14,7 +12,7 @@ from numpy.typing import NDArray
 
 from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, require_finite
 from engine.laws.ends import REST, EndedLaw, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import coefficients_of
 
@@ -53,7 +51,7 @@ class Spline(EndedLaw):
                 require_finite(**{f"the {name} slope": slope})
         object.__setattr__(self, "points", points)
 
-    def opened(self, begin: bool, end: bool) -> Spline:
+    def opened(self, begin: bool, end: bool) -> "Spline":
         """Return the spline with natural ends where nothing precedes or follows it, and no slope is entered."""
         free = [self.natural[k] or (open_ and self.slopes[k] is None) for k, open_ in enumerate((begin, end))]
         return replace(self, natural=(free[0], free[1]))
@@ -74,7 +72,7 @@ class Spline(EndedLaw):
         return tridiagonal(*self.system)
 
     @cached_property
-    def system(self) -> System:
+    def system(self) -> "System":
         """The equations of the moments: with the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points,
 
         d_{k−1} a_{k−1} + 2(d_{k−1} + d_k) a_k + d_k a_{k+1} = 6(m_k − m_{k−1}),
@@ -210,15 +208,10 @@ ENTRY = Entry(
         order_ends=1,
         order_inside=2,
         where={"a": "192/35", "b": "24/7"},  # moments at ξ = 0 and ¼; by symmetry 0 at ½
-        coefficients={
-            "cv": "(a + 2*b)/8",
-            "ca_max": "a",
-            "ca_min": "-a",
-            "ca_rms": "sqrt((a**2 + a*b + 2*b**2)/6)",
-            "cj": "inf",
-            "va_max": "(a + b)/8*b",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = (a + 2*b)/8; ca_max = a; ca_min = -a; ca_rms = sqrt((a**2 + a*b + 2*b**2)/6); cj = inf; "
+            "va_max = (a + b)/8*b; va_min = -va_max"
+        ),
     ),
     example=Spline,
     others=(Spline(WAVE),),

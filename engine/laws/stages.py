@@ -1,7 +1,5 @@
 """Closed forms stage by stage, evaluated for many ξ at once."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Straight line (LIN)."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -4,8 +4,6 @@ The position on a piece is S0 + u (S1 + polynomial) − P/ω² sin(ωu + φ), it
 P/ω cos(ωu + φ), of two sines less both: one formula each for every piece of every law.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,12 +1,10 @@
 """Modified trapezoid by its share, also from rest to reversal (MTS)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Literal
 
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry, Vendors
+from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.pulse import SineEdged
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.shares import require_part, require_share
@@ -54,21 +52,12 @@ ENTRY = Entry(
         order_ends=2,
         order_inside=3,  # with λ = ½; else 2
         where={"y": "2/(1 + pi + sqrt((1 + pi)**2 + 8))"},
-        coefficients={
-            "cv": "2",
-            "ca_max": "8*pi/(2 + pi)",
-            "ca_min": "-ca_max",
-            "ca_rms": "ca_max*sqrt(3)/2",
-            "cj": "4*pi*ca_max",
-            "va_max": "ca_max**2/(4*pi)*(1 + pi + y)*sqrt(1 - y**2)",
-            "va_min": "-va_max",
-        },
+        coefficients=formulas(
+            "cv = 2; ca_max = 8*pi/(2 + pi); ca_min = -ca_max; ca_rms = ca_max*sqrt(3)/2; cj = 4*pi*ca_max; "
+            "va_max = ca_max**2/(4*pi)*(1 + pi + y)*sqrt(1 - y**2); va_min = -va_max"
+        ),
     ),
     example=TrapezoidByShare,
-    others=(
-        TrapezoidByShare(0.3),
-        TrapezoidByShare(0.5, "end"),
-        TrapezoidByShare(0.3, "start", 0.7),
-    ),
+    others=(TrapezoidByShare(0.3), TrapezoidByShare(0.5, "end"), TrapezoidByShare(0.3, "start", 0.7)),
     beyond=(TrapezoidByShare(0.4, ends=Ends(1.0, 0.6, 1.1)),),
 )

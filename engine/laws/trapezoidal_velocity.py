@@ -1,12 +1,10 @@
 """Trapezoidal velocity (TVP), symmetric or not."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry
+from engine.laws.entry import Claims, Entry, formulas
 from engine.laws.polynomial_pulse import CONSTANT
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 
@@ -46,25 +44,14 @@ def require_breaks(rise_end: float, fall_start: float) -> None:
 
 ENTRY = Entry(
     law=TrapezoidalVelocity,
-    aliases=(
-        "trapezoidal speed",
-        "asymmetric trapezoidal",
-        "asymmetric trapezoidal speed profile",
-        "s-shape",
-    ),
+    aliases=("trapezoidal speed", "asymmetric trapezoidal", "asymmetric trapezoidal speed profile", "s-shape"),
     source="S1, 'Asymmetric trapezoidal speed profile'; S3, function TVP",
     claims=Claims(
         order_ends=1,
         order_inside=1,
-        coefficients={
-            "cv": "3/2",
-            "ca_max": "9/2",
-            "ca_min": "-9/2",
-            "ca_rms": "9/2*sqrt(2/3)",
-            "cj": "inf",
-            "va_max": "27/4",
-            "va_min": "-27/4",
-        },
+        coefficients=formulas(
+            "cv = 3/2; ca_max = 9/2; ca_min = -9/2; ca_rms = 9/2*sqrt(2/3); cj = inf; va_max = 27/4; va_min = -27/4"
+        ),
     ),
     example=TrapezoidalVelocity,
     others=(TrapezoidalVelocity(0.1, 0.7), TrapezoidalVelocity(0.45, 0.45), TrapezoidalVelocity(0.02, 0.98)),

@@ -5,14 +5,6 @@ from engine.motion.motionlaw import MotionSamples, motionlaw
 from engine.motion.phase import Ends, Junction, MotionValues, Phase, TimeValues
 
 __all__ = [
-    "EDGE_TOLERANCE",
-    "ZERO_TOLERANCE",
-    "Ends",
-    "Junction",
-    "Motion",
-    "MotionSamples",
-    "MotionValues",
-    "Phase",
-    "TimeValues",
-    "motionlaw",
-]
+    "EDGE_TOLERANCE", "ZERO_TOLERANCE", "Ends", "Junction", "Motion", "MotionSamples", "MotionValues", "Phase",
+    "TimeValues", "motionlaw",
+]  # fmt: skip

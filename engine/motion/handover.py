@@ -1,7 +1,5 @@
 """What a phase becomes of its law where its neighbours hand velocity over to it: halves of the law, or a polynomial."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property

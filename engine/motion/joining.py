@@ -1,7 +1,5 @@
 """Phases that hand over at speed: what each end has to meet, and which laws can."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -42,7 +40,7 @@ class EndedPhase(Phase):
         """Whether it moves: also where it comes back to where it began."""
         return True
 
-    def rescaled(self, ratio: float, speed: float) -> EndedPhase:
+    def rescaled(self, ratio: float, speed: float) -> "EndedPhase":
         """Return the phase with ``ratio`` times its lift, where the abscissa advances at ``speed``."""
         return EndedPhase(self.law, self.lift * ratio, self.duration / speed, self.origin, self.scale * ratio)
 

@@ -1,7 +1,5 @@
 """Phases joined into a motion over an abscissa: the angle of a shaft, time, or the travel of a product."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from functools import cached_property

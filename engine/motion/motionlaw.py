@@ -1,7 +1,5 @@
 """S3's call in Python: a motion sampled from three lists."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 

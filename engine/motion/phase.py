@@ -1,7 +1,5 @@
 """A phase: a law carried out over a lift in a duration; what it comes to, and what jumps behind it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Generic, NamedTuple
 
@@ -60,7 +58,7 @@ class Phase:
         """Whether it moves."""
         return self.lift != 0.0
 
-    def rescaled(self, ratio: float, speed: float) -> Phase:
+    def rescaled(self, ratio: float, speed: float) -> "Phase":
         """Return the phase with ``ratio`` times its lift, where the abscissa advances at ``speed``."""
         return Phase(self.law, self.lift * ratio, self.duration / speed)
 

@@ -1,7 +1,5 @@
 """A motion as one table of pieces, in its own units: a second route to y and its derivatives."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property

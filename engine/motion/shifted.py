@@ -1,7 +1,5 @@
 """A motion that begins at another angle, and how near two of them come to each other."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

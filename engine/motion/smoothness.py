@@ -1,7 +1,5 @@
 """How smooth a motion is: every jump of velocity, acceleration or jerk, at the joints and within the laws."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Iterator, Sequence
 from typing import Literal, NamedTuple

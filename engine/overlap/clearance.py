@@ -1,7 +1,5 @@
 """What is free between tool and transfer: at each angle, and least, at the corners of the diagram."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

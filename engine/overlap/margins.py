@@ -1,7 +1,5 @@
 """What a margin costs: the tool's angles and peak acceleration for each."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The parts: a transfer that brings the work, a tool, and what one leaves to the other."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

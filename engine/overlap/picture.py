@@ -3,8 +3,6 @@
 The sizes that no entry gives are shares of the strokes: what is drawn shows where the parts stand, not their shape.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property

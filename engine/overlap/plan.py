@@ -1,7 +1,5 @@
 """The schedules: one after the other, and with the longest ways in and out that the passage allows."""
 
-from __future__ import annotations
-
 import math
 from functools import lru_cache
 from typing import NamedTuple

@@ -3,8 +3,6 @@
 The exact one is :func:`engine.laws.inverse.inverse`; this is within :data:`HEIGHT` of it in height.
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Both motions over one turn of the master shaft: when the tool goes in and out, how fast, where it is."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -114,7 +112,7 @@ class Schedule:
         """Return the tool's largest acceleration in m/s², at ``rate`` cycles per second."""
         return max(self.movement_peaks(rate))
 
-    def times_lower(self, before: Schedule) -> float:
+    def times_lower(self, before: "Schedule") -> float:
         """Return how many times lower its peak acceleration is than that of another schedule, at any rate.
 
         Source: S2, 4.154/0.804 = 5.17.

@@ -3,8 +3,6 @@
 Each is what :class:`engine.drive.drive_points.DrivePoints` says of it alone.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property

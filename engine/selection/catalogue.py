@@ -1,7 +1,5 @@
 """Catalogues of motors and reducers as arrays, and the torque–speed curve of a motor. SI units."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -55,7 +53,7 @@ class Motors:
         falls = ~(self.full_torque_to >= self.max_speed)
         _require_each("motor", self.names, "full_torque_to", falls, self.full_torque_to, "below max_speed")
 
-    def derated(self, share: float) -> Motors:
+    def derated(self, share: float) -> "Motors":
         """Return them with a share of rated and stall torque left: see :func:`engine.drive.derating`."""
         return replace(self, rated_torque=self.rated_torque * share, stall_torque=self.stall_torque * share)
 

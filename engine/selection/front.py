@@ -1,7 +1,5 @@
 """The designs that no other beats in all that is asked of them."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

@@ -4,8 +4,6 @@ Torques are those of the points of a cycle (:mod:`engine.selection.point_load`);
 this is, take the motor as driving all the time.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import cached_property

@@ -5,8 +5,6 @@ drives it, d the direction of rotation. Squares of T are sums of means of α, S 
 Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

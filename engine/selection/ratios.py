@@ -4,8 +4,6 @@
 the minus in (14) and (18), τ_opt with J_r for J_L.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -3,8 +3,6 @@
 Misprint of S5 mended here: T*²_L,rms is printed without the square.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -43,14 +41,14 @@ class Task:
             raise ValueError(f"load: power_rate_mean is {self.power_rate_mean:g}; expected −{bound:g} to {bound:g}")
 
     @classmethod
-    def of_figures(cls, acceleration_rms: float, torque_rms: float, power_rate_mean: float, max_speed: float) -> Task:
+    def of_figures(cls, acceleration_rms: float, torque_rms: float, power_rate_mean: float, max_speed: float) -> "Task":
         """Return the task of figures that were found apart: the mean at most ±ω̇_rms T*_rms, past which rounding,
         and the samples of an own law, may put it."""
         bound = acceleration_rms * torque_rms
         return cls(acceleration_rms, torque_rms, max(-bound, min(bound, power_rate_mean)), max_speed)
 
     @classmethod
-    def of_load(cls, load: Load, phases: Sequence[Phase], radius: float = 1.0) -> Task:
+    def of_load(cls, load: Load, phases: Sequence[Phase], radius: float = 1.0) -> "Task":
         """Return the task of a load over phases (m and s on a wheel of ``radius`` (m), or rad), exact by the laws.
 
         As :class:`engine.drive.lossless.LosslessCycle` has them.

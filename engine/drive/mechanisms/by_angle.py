@@ -4,8 +4,6 @@ The motion is that of the axis, φ; the load follows by x(φ), and its torque at
 T = x' F: x' = dx/dφ passes through 0 in the dead centres, and nothing divides by it. SI units.
 """
 
-from __future__ import annotations
-
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass

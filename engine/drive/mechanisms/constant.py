@@ -1,7 +1,5 @@
 """The mechanisms: each is gears in line and a last element, which the load hangs on. SI units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """A crank that drives a slide through a connecting rod. SI units."""
 
-from __future__ import annotations
-
 import math
 from typing import Literal
 

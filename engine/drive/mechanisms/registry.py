@@ -1,7 +1,5 @@
 """Every mechanism by its name, of a constant ratio or of one that depends on the load's position. SI units."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """A lever on a shaft that drives a slide through a link, to and fro. SI units."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """A lever on a shaft that drives a slide through a link: the geometry of crank-slider and rocker. SI units."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -78,7 +76,7 @@ class Triangle(NamedTuple):
     slope: Array
 
     @classmethod
-    def of(cls, linkage: SlideLinkage, y: Array) -> Triangle:
+    def of(cls, linkage: SlideLinkage, y: Array) -> "Triangle":
         """Return them at positions within reach: K = 2 r d sin A by the lever's angle, |dK/dx| from it."""
         x = linkage.zero + linkage.direction * y
         d = np.hypot(x, linkage.offset)

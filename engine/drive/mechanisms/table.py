@@ -1,7 +1,5 @@
 """A mechanism known by points: the shaft's angle over the load's position, by a curve of fifth degree. SI units."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -27,7 +25,7 @@ class Parabolas(NamedTuple):
     calm: NDArray[np.bool_]
 
     @classmethod
-    def of(cls, angle: Array, y: Array) -> Parabolas:
+    def of(cls, angle: Array, y: Array) -> "Parabolas":
         """Return them of points; at an end those of the nearest three, of two points those of a straight line."""
         h, chord = np.diff(y), np.diff(angle) / np.diff(y)
         slope, bend = _through_three(angle, y)

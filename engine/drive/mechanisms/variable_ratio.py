@@ -1,7 +1,5 @@
 """A mechanism whose ratio depends on its load's position: the angle of its shaft along the load's way. SI units."""
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass

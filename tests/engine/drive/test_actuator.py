@@ -8,18 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.drive import (
-    KINDS,
-    Drive,
-    Load,
-    Motor,
-    Part,
-    Slide,
-    Stage,
-    derating,
-    motor_inertia,
-    resisting,
-)
+from engine.drive import KINDS, Drive, Load, Motor, Part, Slide, Stage, derating, motor_inertia, resisting
 from engine.laws import CATALOGUE, ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Phase
 from tests.engine.profiles import thirds

@@ -4,14 +4,7 @@ import math
 
 import pytest
 
-from engine.laws import (
-    CATALOGUE,
-    ConstantAcceleration,
-    Cubic,
-    Cycloidal,
-    ModifiedTrapezoidal,
-    TrapezoidalVelocity,
-)
+from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
 
 INF = math.inf
 HARMONIC = ModifiedTrapezoidal((0, 0, 1 / 2, 0, 1 / 2, 0, 0))

@@ -39,10 +39,7 @@ def test_zeros_of_a_sine(w):
     assert zeros(Curve((), ((1.5, w, 0.4),)), 2.0) == pytest.approx(expected, abs=1e-15)
 
 
-@given(
-    c=st.lists(number, min_size=1, max_size=6),
-    sine=st.tuples(number, st.floats(-30, 30), number),
-)
+@given(c=st.lists(number, min_size=1, max_size=6), sine=st.tuples(number, st.floats(-30, 30), number))
 def test_a_polynomial_with_a_sine_changes_its_sign_where_samples_do_and_nowhere_else(c, sine):
     f = Curve(tuple(c), (sine,))
     found = [0.0, *zeros(f, 1.0), 1.0]

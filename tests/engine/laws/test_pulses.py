@@ -26,9 +26,7 @@ def shares(draw):
 
 
 pulses = st.one_of(
-    st.sampled_from(WHOLE),
-    st.builds(lambda d: SineEdged(*d), shares()),
-    st.builds(lambda d: LinearEdged(*d), shares()),
+    st.sampled_from(WHOLE), st.builds(lambda d: SineEdged(*d), shares()), st.builds(lambda d: LinearEdged(*d), shares())
 )
 
 

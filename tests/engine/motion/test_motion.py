@@ -175,11 +175,7 @@ def test_motionlaw_hands_parameters_to_their_phase():
     settings = [None, {"rise_end": 0.2, "fall_start": 0.7}, {}]
     samples = motionlaw(["Dwell", "TVP", "TVP"], [0, 2, -2], [1, 2, 2], 51, settings)
     other = Motion(
-        [
-            Phase(Dwell(), 0, 1),
-            Phase(TrapezoidalVelocity(0.2, 0.7), 2, 2),
-            Phase(TrapezoidalVelocity(), -2, 2),
-        ]
+        [Phase(Dwell(), 0, 1), Phase(TrapezoidalVelocity(0.2, 0.7), 2, 2), Phase(TrapezoidalVelocity(), -2, 2)]
     ).at(np.linspace(0, 5, 51))
     for got, expected in zip(samples[1:], other, strict=True):
         assert (got == expected).all()

@@ -13,8 +13,7 @@ from engine.overlap.picture import Scene, lane
 
 TOOLS = (0.05, 0.03, 0.08)  # strokes
 SCENE = Scene(
-    Transfer(Cycloidal(), 0.1, radians(150)),
-    [(Tool(Cycloidal(), h, 0.0), Passage(0.01, 0.04)) for h in TOOLS],
+    Transfer(Cycloidal(), 0.1, radians(150)), [(Tool(Cycloidal(), h, 0.0), Passage(0.01, 0.04)) for h in TOOLS]
 )
 
 
