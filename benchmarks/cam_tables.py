@@ -19,10 +19,9 @@ from rich.table import Table
 
 from engine import law
 from engine.cams.certificate import certify
-from engine.cams.interpolation import lines, quintics, spline
+from engine.cams.interpolation import lines, quintics, segmented, spline
 from engine.cams.points import equal
 from engine.cams.profile import CamProfile, profile_of_motion
-from engine.cams.segments import segmented
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 from workbook.axes import CamAxis

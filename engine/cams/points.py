@@ -5,8 +5,7 @@ from math import factorial
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.bernstein import DEGREE, enclosing
-from engine.cams.certificate import derived, intervals, local, peaks
+from engine.cams.certificate import DEGREE, derived, enclosing, intervals, local, peaks
 from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 

@@ -3,7 +3,7 @@
 mechanisms      screw, belt, rollers …; crank-slider, rocker, table of positions; the register of all
 chain           stages and parts on shafts; the torque at each shaft
 loads, losses   masses on guides, forces, cylinders; efficiency by the direction of power
-motor           its limits, derating; torque_curve and falling_peak: its peak torque over the speed
+motor           its limits, its peak torque over the speed, derating
 drive           a motor on a mechanism of constant ratio: torque, speed and power for any motion
 train           a motor, gears and a mechanism of any ratio, and the forces of the process
 curves          forces within a piece as powers and sines
@@ -14,8 +14,7 @@ max_rate        the highest rate at which all limits are met, exact
 quadrature      a load at points of a cycle, as the sheets have it
 drive_points    its motor there; rate_by_points: the highest rate by these points
 dc_bus          power of several drives, on a common DC bus and without one
-lossless        mean squares in closed form, where nothing is lost
-search          extremes and integrals where there is no closed form; piece_rows: many pieces at once
+search          extremes and integrals where there is no closed form
 """
 
 from engine.drive.chain import Load, Mechanism, Part, Stage, reflected_inertia

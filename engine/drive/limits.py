@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from engine.drive.cycle import DriveCycle, TorqueInterval
-from engine.drive.motor import LimitCheck, Motor
+from engine.drive.motor import LimitCheck, Motor, TorqueCurve
 from engine.drive.results import DriveResults
 from engine.drive.search import Function, largest
-from engine.drive.torque_curve import TorqueCurve
 from engine.laws.base import Array
 
 BELOW = "torque below the curve"

@@ -11,6 +11,42 @@ from engine.drive.chain import require_not_negative
 from engine.drive.losses import STANDSTILL
 from engine.laws.base import Array
 
+
+class Falling(NamedTuple):
+    """The speed beyond which a peak torque falls (rad/s), and by how much (Nm s): 0 where it does not."""
+
+    knee: float = 0.0
+    fall: float = 0.0
+
+    @classmethod
+    def between(cls, knee: float, peak_torque: float, fastest: float, end_torque: float) -> "Falling":
+        """Return how a peak torque (Nm) falls from a knee to another torque at the largest speed (rad/s).
+
+        Not at all where the second is not smaller, or the knee not below that speed.
+        """
+        return cls(knee, max(0.0, peak_torque - end_torque) / (fastest - knee)) if knee < fastest else cls()
+
+    def corner(self, peak_torque: float) -> float:
+        """Return the falling line at no speed (Nm); no limit where it does not fall."""
+        return peak_torque + self.fall * self.knee if self.fall else math.inf
+
+    def reserve(self, peak_torque: float, torque: Array, speed: Array) -> Array:
+        """Return what a motor of a peak torque (Nm) has left at speeds (rad/s) at which it gives torques (Nm)."""
+        curve = peak_torque - self.fall * np.maximum(0.0, np.abs(speed) - self.knee)
+        return np.asarray(curve - np.abs(torque))
+
+
+class TorqueCurve(NamedTuple):
+    """Largest torque (Nm) of a servo-motor against its speed (rad/s): corners, speeds rising from 0."""
+
+    speed: Array
+    torque: Array
+
+    def at(self, speed: ArrayLike) -> Array:
+        """Return T_M,max at a speed of either direction; 0 beyond the last corner."""
+        return np.asarray(np.interp(np.abs(speed), self.speed, self.torque, right=0.0))
+
+
 RATED_AT = 25.0
 """°C at which a motor's rated torque holds in S4"""
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from engine.drive import Motor
 from engine.drive.drive_points import DrivePoints
-from engine.drive.falling_peak import Falling
 from engine.drive.limits import ReducerLimits
+from engine.drive.motor import Falling
 from engine.laws.base import Array
 
 

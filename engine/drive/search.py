@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array
-from engine.laws.crossings import narrowed
+from engine.laws.ladder import narrowed
 
 PARTS = 16
 ROUNDS = 9  # of narrowing a bracket, to an eighth by each

@@ -4,9 +4,17 @@ A cycle re-positions first (0 to t_R), then works at line speed (t_R to t_C), as
 """
 
 from engine.flying.cut import SAME_LENGTH, Beyond, Case, Cut
-from engine.flying.motion import CycleState, ShaftMotion, ToolMotion, generalized_torque
-from engine.flying.sizes import Sizes, sizes
-from engine.flying.tool import LONGER, Tool, flying_saw, rotary_drum
+from engine.flying.points import Sizes, sizes
+from engine.flying.tool import (
+    LONGER,
+    CycleState,
+    ShaftMotion,
+    Tool,
+    ToolMotion,
+    flying_saw,
+    generalized_torque,
+    rotary_drum,
+)
 
 __all__ = [
     "LONGER", "SAME_LENGTH", "Beyond", "Case", "Cut", "CycleState", "ShaftMotion", "Sizes", "Tool", "ToolMotion",

@@ -8,8 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from engine.flying.motion import MOVES, WAITS, WORKS, CycleState, ToolMotion
-from engine.flying.tool import Tool, require
+from engine.flying.tool import MOVES, WAITS, WORKS, CycleState, Tool, ToolMotion, require
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import is_monotone

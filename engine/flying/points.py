@@ -3,8 +3,10 @@
 Source: S5, 'Model of dynamic system', T_M = (J_M/τ) ω̇_L + τ (T_L + J_L ω̇_L), and its step 7 for η and J_T.
 """
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -69,3 +71,33 @@ def furthest(load: LoadPoints, still: float) -> tuple[Array, Array]:
     x = np.divide(v0, v0 - v, out=np.zeros(v.shape), where=turns)
     chord = s0 + v0 * x * step / 2.0
     return x, np.where(turns, chord + x**2 * (3.0 - 2.0 * x) * (s - s0 - (v0 + v) * step / 2.0), s)
+
+
+class Sizes(NamedTuple):
+    """Sizes in SI: of lengths, and of what the line speed over such a length makes of speeds, accelerations, β."""
+
+    length: float
+    speed: float
+    acceleration: float
+    angle: float
+    angular_speed: float
+    angular_acceleration: float
+    torque: float
+    power_rate: float
+
+
+def sizes(cut: Cut, inertia: float, torque: float) -> Sizes:
+    """Return the sizes for a load of J_L (kg m²) and T_L (Nm): a = v_L²/L, β = J_L (a/R_t)²."""
+    length, radius = max(cut.tool.design_length, cut.product_length), cut.tool.radius
+    acceleration = cut.line_speed**2 / length
+    turning = acceleration / radius
+    return Sizes(
+        length,
+        cut.line_speed,
+        acceleration,
+        length / radius,
+        cut.line_speed / radius,
+        turning,
+        math.hypot(inertia * turning, torque),
+        inertia * turning**2,
+    )

@@ -4,13 +4,12 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.polynomial_pulse import CONSTANT
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.shares import require_share
+from engine.laws.pulse import CONSTANT
+from engine.laws.pulse_law import HalvedLaw
 
 
 @dataclass(frozen=True)
-class ConstantAcceleration(PulseLaw):
+class ConstantAcceleration(HalvedLaw):
     """a = 2/λ over the share λ of the time, −2/(1 − λ) over the rest; with λ = ½, s = 2ξ², then 1 − 2(1 − ξ)².
 
     ``share`` is λ, between 0 and 1, else ValueError.
@@ -19,16 +18,9 @@ class ConstantAcceleration(PulseLaw):
 
     code = "ACS"
     name = "Constant acceleration"
-    STAGES = (0, 2)
+    HALF = CONSTANT
 
-    share: float = 0.5
     ends: Ends = REST
-
-    def __post_init__(self) -> None:
-        require_share("share", self.share)
-
-    def _pulses(self) -> TwoPulses:
-        return TwoPulses(CONSTANT, self.share, 0.0, CONSTANT, 1.0 - self.share)
 
 
 ENTRY = Entry(

@@ -3,10 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from engine.laws.ended_polynomial import EndedCubic
+from engine.laws.ended_polynomial import EndedCubic, HalvedPolynomial
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.polynomial_law import HalvedPolynomial
-from engine.laws.polynomial_pulse import LINE_DOWN
+from engine.laws.pulse import LINE_DOWN
 
 
 @dataclass(frozen=True)

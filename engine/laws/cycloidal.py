@@ -5,13 +5,12 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.pulse import CYCLOIDAL
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.shares import require_share
+from engine.laws.pulse import HALF_SINE
+from engine.laws.pulse_law import HalvedLaw
 
 
 @dataclass(frozen=True)
-class Cycloidal(PulseLaw):
+class Cycloidal(HalvedLaw):
     """a = (π/λ) sin(πξ/λ) over the share λ of the time, −(π/μ) sin(π(ξ − λ)/μ) over the rest, μ = 1 − λ.
 
     With λ = ½, a = 2π sin 2πξ; v = 1 − cos 2πξ; s = ξ − sin(2πξ)/2π. ``share`` is λ, between 0 and 1, else
@@ -20,16 +19,9 @@ class Cycloidal(PulseLaw):
 
     code = "CIC"
     name = "Cycloidal"
-    STAGES = (0, 2)
+    HALF = HALF_SINE
 
-    share: float = 0.5
     ends: Ends = REST
-
-    def __post_init__(self) -> None:
-        require_share("share", self.share)
-
-    def _pulses(self) -> TwoPulses:
-        return TwoPulses(CYCLOIDAL, self.share, 0.0, CYCLOIDAL, 1.0 - self.share)
 
 
 ENTRY = Entry(

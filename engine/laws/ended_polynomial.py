@@ -3,11 +3,13 @@
 from abc import abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
+from typing import ClassVar
 
 from engine.laws.base import Array, Coefficients
-from engine.laws.ends import EndedLaw, Ends
+from engine.laws.ends import REST, EndedLaw, EndError, Ends, require_ends
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import coefficients_of
+from engine.laws.pulse_law import HalvedLaw
 from engine.laws.stages import Staged, carried
 
 
@@ -138,3 +140,30 @@ class EndedSeptic(EndedPolynomial):
             30.0 * (70.0 * h - 34.0 * w + 6.5 * alpha - 0.5 * gamma),
             42.0 * (-20.0 * h + 10.0 * w - 2.0 * alpha + gamma / 6.0),
         )
+
+
+@dataclass(frozen=True)
+class HalvedPolynomial(HalvedLaw):
+    """Two halves of a symmetric polynomial, S: s = 2λ S(ξ/2λ) up to ξ = λ, s = 1 − 2μ S((1 − ξ)/2μ) from there.
+
+    The halves meet on the diagonal, s(λ) = λ, with the polynomial's own C_v and a = 0. With λ = ½ it is the
+    polynomial, and only then are its ends prescribed: by the polynomial of the same degree.
+    """
+
+    ends = REST
+    ENDED: ClassVar[type[EndedPolynomial]]
+
+    @property
+    def takes(self) -> str:
+        """What the polynomial takes; nothing where a share shifts it."""
+        return self.TAKES if self.share == 0.5 else ""
+
+    def between(self, ends: Ends) -> EndedPolynomial:
+        """Return the polynomial of this degree between these ends; EndError where a share shifts the law."""
+        require_ends(self, ends, self.TAKES)
+        if self.share != 0.5:
+            raise EndError(
+                f"{self.name} with the share {self.share:g} is made of two halves that begin and end at rest; "
+                "with the share 0.5 its ends can be prescribed"
+            )
+        return self.ENDED(ends)

@@ -7,12 +7,10 @@ import numpy as np
 
 from engine.laws.ends import REST, EndError, Ends, require_ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.shares import require_share
-from engine.laws.simple_harmonic import FALLING
+from engine.laws.pulse import FALLING_SINE, sine_edged
+from engine.laws.pulse_law import PulseLaw, TwoPulses, require_share
 
-REST_SIDE = SineEdged(0.25, 0.0, 0.75)
+REST_SIDE = sine_edged(0.25, 0.0, 0.75)
 
 
 @dataclass(frozen=True)
@@ -43,7 +41,7 @@ class HarmonicCombination(PulseLaw):
         return self.reversal == "end"
 
     def _pulses(self) -> TwoPulses:
-        rise, fall = (REST_SIDE, FALLING) if self._at_end else (FALLING, REST_SIDE)
+        rise, fall = (REST_SIDE, FALLING_SINE) if self._at_end else (FALLING_SINE, REST_SIDE)
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
     def between(self, ends: Ends) -> "HarmonicCombination":
@@ -66,9 +64,9 @@ class HarmonicCombination(PulseLaw):
             w_r B (κ_r − κ) μ² + [w_r B κ − (v − v_r)(1 − κ)] μ = H − v (1 − κ) − v_r κ
         """
         far, near = (self.ends.v0, self.ends.v1) if self._at_end else (self.ends.v1, self.ends.v0)
-        lead, gain = REST_SIDE.lead, FALLING.gain * height
+        lead, gain = REST_SIDE.lead, FALLING_SINE.gain * height
         left = self.ends.stroke - far * (1.0 - lead) - near * lead
-        quadratic = (gain * (FALLING.lead - lead), gain * lead - (far - near) * (1.0 - lead), -left)
+        quadratic = (gain * (FALLING_SINE.lead - lead), gain * lead - (far - near) * (1.0 - lead), -left)
         found = [float(root.real) for root in np.roots(quadratic) if not root.imag and 0.0 < root.real < 1.0]
         if not found:
             raise EndError(f"no share between 0 and 1 gives a harmonic combination {height:g} at its reversal")

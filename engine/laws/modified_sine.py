@@ -5,9 +5,8 @@ from dataclasses import dataclass, replace
 
 from engine.laws.ends import REST, EndError, Ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.shares import require_part, require_share
+from engine.laws.pulse import sine_edged
+from engine.laws.pulse_law import PulseLaw, TwoPulses, require_part, require_share
 
 N = 2.0 * math.pi**2 / (4.0 + math.pi)
 LATE = (3.0 * math.pi - 4.0) / (4.0 * math.pi)
@@ -40,8 +39,8 @@ class ModifiedSine(PulseLaw):
         require_part("fall_edge", self.fall_edge)
 
     def _pulses(self) -> TwoPulses:
-        rise = SineEdged(self.rise_edge, 0.0, 1.0 - self.rise_edge)
-        fall = SineEdged(self.fall_edge, 0.0, 1.0 - self.fall_edge)
+        rise = sine_edged(self.rise_edge, 0.0, 1.0 - self.rise_edge)
+        fall = sine_edged(self.fall_edge, 0.0, 1.0 - self.fall_edge)
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
     @classmethod

@@ -4,10 +4,8 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.seven_stages import pulses_of
-from engine.laws.shares import seven_durations
+from engine.laws.pulse import sine_edged
+from engine.laws.pulse_law import PulseLaw, TwoPulses, pulses_of, seven_durations
 
 CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)
 
@@ -33,7 +31,7 @@ class ModifiedTrapezoidal(PulseLaw):
         object.__setattr__(self, "durations", seven_durations(self.durations))
 
     def _pulses(self) -> TwoPulses:
-        return pulses_of(self.durations, SineEdged)
+        return pulses_of(self.durations, sine_edged)
 
 
 ENTRY = Entry(

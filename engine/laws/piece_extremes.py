@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
-from engine.laws.crossings import narrowed
-from engine.laws.ladder import Curve, Sine, zeros
+from engine.laws.ladder import Curve, Sine, narrowed, zeros
 from engine.laws.piece import Piece, gains
 
 CELLS = 512  # at least, in which the power of a mixed piece is searched for changes of sign

@@ -8,18 +8,46 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import Legendre
+from numpy.polynomial import Legendre, Polynomial
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients, Law
 from engine.laws.piece import Piece, bends, gains
 from engine.laws.piece_extremes import extremes_of, reach_of
-from engine.laws.piece_integrals import ends
 from engine.laws.pieces import PieceLaw
 from engine.laws.sections import velocity_peak
 from engine.laws.table import begins, carried
+
+
+class Ends(NamedTuple):
+    """The acceleration at both ends of a piece; what the pieces so far have reached; the jump from there."""
+
+    begin: float
+    end: float
+    reached: float
+    jump: float
+
+
+def ends(pieces: Sequence[Piece]) -> list[Ends]:
+    """Return the accelerations at the ends of pieces that follow rest; a piece of no duration neither jumps nor counts.
+
+    The jump is |a| from what was reached to the begin of the piece, 0 before the first.
+    """
+    found, reached = [], 0.0
+    for piece in pieces:
+        begin, end = _acceleration(piece, 0.0), _acceleration(piece, piece.duration)
+        jump = abs(begin - reached) if piece.duration > 0.0 else 0.0
+        reached = end if piece.duration > 0.0 else reached
+        found.append(Ends(begin, end, reached, jump))
+    return found
+
+
+def _acceleration(piece: Piece, u: float) -> float:
+    return float(Polynomial(piece.c)(u)) + piece.amplitude * math.sin(piece.omega * u + piece.phase)
+
 
 POINTS = 9
 """of a piece, both its ends among them"""

@@ -3,10 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from engine.laws.ended_polynomial import EndedQuintic
+from engine.laws.ended_polynomial import EndedQuintic, HalvedPolynomial
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.polynomial_law import HalvedPolynomial
-from engine.laws.polynomial_pulse import HALF_345
+from engine.laws.pulse import HALF_345
 
 
 @dataclass(frozen=True)

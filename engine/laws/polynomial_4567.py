@@ -3,10 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from engine.laws.ended_polynomial import EndedSeptic
+from engine.laws.ended_polynomial import EndedSeptic, HalvedPolynomial
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.polynomial_law import HalvedPolynomial
-from engine.laws.polynomial_pulse import HALF_4567
+from engine.laws.pulse import HALF_4567
 
 
 @dataclass(frozen=True)

@@ -2,18 +2,56 @@
 
 import math
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
 from typing import ClassVar, NamedTuple, TypeVar
 
-from engine.laws.base import Array, Coefficients, Shapes
+from engine.laws.base import Array, Coefficients, Shapes, require_finite
 from engine.laws.ends import EndedLaw
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import power_extremes
 from engine.laws.piece_rules import cut, scaled_piece
-from engine.laws.pulse import Pulse
+from engine.laws.pulse import Edge, Pulse
 from engine.laws.stages import Staged, carried
+
+SUM_TOLERANCE = 1e-9
+
+
+def require_share(name: str, value: float, low: float = 0.0, high: float = 1.0) -> None:
+    """Raise ValueError unless a share is a number strictly between two others."""
+    require_finite(**{name: value})
+    if not low < value < high:
+        raise ValueError(f"{name} is {value:g}; expected a share between {low:g} and {high:g}")
+
+
+def require_part(name: str, value: float) -> None:
+    """Raise ValueError unless a share is a number from 0 to 1."""
+    require_finite(**{name: value})
+    if not 0.0 <= value <= 1.0:
+        raise ValueError(f"{name} is {value:g}; expected a share from 0 to 1")
+
+
+def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
+    """Return seven durations as floats.
+
+    Raises ValueError unless they are seven, none negative, of sum 1 (within 1e-9), neither the first three nor
+    the last three all zero.
+    """
+    durations = tuple(float(d) for d in given)
+    if len(durations) != 7:
+        raise ValueError(f"{len(durations)} durations are given; expected seven")
+    for i, d in enumerate(durations, 1):
+        if not 0.0 <= d <= 1.0 + SUM_TOLERANCE:
+            raise ValueError(f"the duration of stage {i} is {d:g}; expected a share from 0 to 1")
+    if abs(sum(durations) - 1.0) > SUM_TOLERANCE:
+        raise ValueError(f"the seven durations sum to {sum(durations):.12g}; expected 1")
+    for stages, part in (("1 to 3", durations[:3]), ("5 to 7", durations[4:])):
+        if not sum(part) > 0.0:
+            raise ValueError(f"the durations of stages {stages} are all zero; expected one that lasts")
+    return durations
+
 
 JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
 
@@ -85,6 +123,15 @@ class PulseLaw(EndedLaw):
         return (self.top - self.ends.v1) / (self.pulses.fall.gain * self.pulses.fall_time)
 
     @property
+    def inner_edges(self) -> tuple[Edge | None, Edge | None]:
+        """The edges of both pulses next to V, told from either end: where v·a of a law between rests is greatest."""
+        c, sizes = self.pulses, (self.acceleration * self.pulses.rise_time, self.deceleration * self.pulses.fall_time)
+        one, other = (
+            pulse.edge and pulse.edge.scaled(size) for pulse, size in zip((c.rise, c.fall), sizes, strict=True)
+        )
+        return one, other
+
+    @property
     def own_acceleration(self) -> tuple[bool, bool]:
         """Whether the first pulse begins, and the second ends, above 0."""
         return self.pulses.rise.outer != 0.0, self.pulses.fall.outer != 0.0
@@ -100,7 +147,7 @@ class PulseLaw(EndedLaw):
     def breaks(self) -> tuple[float, ...]:
         """The ends of all stages but the last."""
         c = self.pulses
-        rise, fall = ([piece.duration for piece in pulse.pieces] for pulse in (c.rise, c.fall.turned))
+        rise, fall = ([piece.duration for piece in pieces] for pieces in (c.rise.pieces, c.fall.turned_pieces))
         times = (*(d * c.rise_time for d in rise), c.cruise, *(d * c.fall_time for d in fall))
         return tuple(accumulate(self._taken(times)[:-1]))
 
@@ -111,13 +158,13 @@ class PulseLaw(EndedLaw):
     def monotone_pieces(self) -> tuple[Piece, ...]:
         """Return the same, each pulse cut at its peak: at shares of its time, so between prescribed ends too."""
         c = self.pulses
-        return tuple(part for piece in self._stages(c.rise.peaks, c.fall.turned.peaks) for part in piece)
+        return tuple(part for piece in self._stages(c.rise.peaks, c.fall.turned_peaks) for part in piece)
 
     def _stages(self, rising: Sequence[float], falling: Sequence[float]) -> tuple[list[Piece], ...]:
         """Return the pieces of each stage, cut at these shares of the pulses."""
         c = self.pulses
         rise = [cut(scaled_piece(piece, self.acceleration, c.rise_time), rising) for piece in c.rise.pieces]
-        fall = [cut(scaled_piece(piece, -self.deceleration, c.fall_time), falling) for piece in c.fall.turned.pieces]
+        fall = [cut(scaled_piece(piece, -self.deceleration, c.fall_time), falling) for piece in c.fall.turned_pieces]
         return self._taken((*rise, [Piece(c.cruise)], *fall))
 
     def _taken(self, stages: tuple[T, ...]) -> tuple[T, ...]:
@@ -183,3 +230,29 @@ class PulseLaw(EndedLaw):
             return power_extremes(self.as_pieces(), self.ends.v0)
         rise = self.acceleration**2 * c.rise_time * c.rise.power
         return rise, -(self.deceleration**2) * c.fall_time * c.fall.power
+
+
+@dataclass(frozen=True)
+class HalvedLaw(PulseLaw):
+    """A pulse over the share λ of the time, and the same backwards over the rest.
+
+    Raises ValueError unless λ, the ``share``, is between 0 and 1.
+    """
+
+    STAGES = (0, 2)
+    HALF: ClassVar[Pulse]
+
+    share: float = 0.5
+
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
+
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)
+
+
+def pulses_of(durations: tuple[float, ...], edged: Callable[[float, float, float], Pulse]) -> TwoPulses:
+    """Return the pulses of an edge, a constant, an edge, a cruise, and the same mirrored, with these durations."""
+    d1, d2, d3, d4, d5, d6, d7 = durations
+    up, down = d1 + d2 + d3, d5 + d6 + d7
+    return TwoPulses(edged(d1 / up, d2 / up, d3 / up), up, d4, edged(d7 / down, d6 / down, d5 / down), down)

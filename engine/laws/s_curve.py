@@ -7,10 +7,8 @@ from typing import NamedTuple, Self
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, formulas
-from engine.laws.pulse import LinearEdged
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.seven_stages import pulses_of
-from engine.laws.shares import seven_durations
+from engine.laws.pulse import linear_edged
+from engine.laws.pulse_law import PulseLaw, TwoPulses, pulses_of, seven_durations
 
 HALVINGS = 200
 
@@ -51,7 +49,7 @@ class SCurve(PulseLaw):
         object.__setattr__(self, "durations", seven_durations(self.durations))
 
     def _pulses(self) -> TwoPulses:
-        return pulses_of(self.durations, LinearEdged)
+        return pulses_of(self.durations, linear_edged)
 
     @classmethod
     def of_shares(cls, ramp: float, jerk: float) -> Self:

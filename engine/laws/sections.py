@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from engine.laws.base import BREAK_TOLERANCE, Array, Law
-from engine.laws.crossings import narrowed
+from engine.laws.ladder import narrowed
 
 SAMPLES = 257
 """of a stage, between which a crossing is looked for: two crossings within one step are not seen"""
@@ -53,3 +53,8 @@ def velocity_peak(law: Law) -> float:
     xi = velocity_extremes(law)
     v = law.v(xi)
     return float(xi[np.argmax(v >= v.max() - 1e-12 * abs(v.max()))])
+
+
+def abscissae(intervals: int) -> Array:
+    """Return ξ = k/N for k = 0 … N."""
+    return np.arange(intervals + 1) / intervals

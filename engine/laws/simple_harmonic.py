@@ -5,15 +5,12 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.shares import require_share
-
-FALLING = SineEdged(0.0, 0.0, 1.0)
+from engine.laws.pulse import FALLING_SINE
+from engine.laws.pulse_law import HalvedLaw
 
 
 @dataclass(frozen=True)
-class SimpleHarmonic(PulseLaw):
+class SimpleHarmonic(HalvedLaw):
     """s = (1 − cos πξ)/2; with the share λ, a quarter of a cosine over λ and one of a sine over 1 − λ.
 
     It begins and ends with an acceleration: a law from reversal to reversal. Raises ValueError unless λ, the
@@ -23,15 +20,9 @@ class SimpleHarmonic(PulseLaw):
     code = "SHM"
     name = "Simple harmonic"
     STAGES = (2, 4)
+    HALF = FALLING_SINE
 
-    share: float = 0.5
     ends: Ends = REST
-
-    def __post_init__(self) -> None:
-        require_share("share", self.share)
-
-    def _pulses(self) -> TwoPulses:
-        return TwoPulses(FALLING, self.share, 0.0, FALLING, 1.0 - self.share)
 
 
 ENTRY = Entry(

@@ -4,9 +4,8 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, formulas
-from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.shares import SUM_TOLERANCE, require_part, require_share
+from engine.laws.pulse import sine_edged
+from engine.laws.pulse_law import SUM_TOLERANCE, PulseLaw, TwoPulses, require_part, require_share
 
 
 @dataclass(frozen=True)
@@ -48,7 +47,7 @@ class SineConstantCosine(PulseLaw):
 
     def _pulses(self) -> TwoPulses:
         bent = self._bent
-        pulse = SineEdged(self.sine / bent, self.constant / bent, self.cosine / bent)
+        pulse = sine_edged(self.sine / bent, self.constant / bent, self.cosine / bent)
         return TwoPulses(pulse, self.share * bent, self.straight, pulse, (1.0 - self.share) * bent)
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.pulse import CYCLOIDAL
+from engine.laws.pulse import HALF_SINE
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.trapezoidal_velocity import require_breaks
 
@@ -28,7 +28,7 @@ class SineRamps(PulseLaw):
         require_breaks(self.rise_end, self.fall_start)
 
     def _pulses(self) -> TwoPulses:
-        return TwoPulses(CYCLOIDAL, self.rise_end, self.fall_start - self.rise_end, CYCLOIDAL, 1.0 - self.fall_start)
+        return TwoPulses(HALF_SINE, self.rise_end, self.fall_start - self.rise_end, HALF_SINE, 1.0 - self.fall_start)
 
 
 ENTRY = Entry(

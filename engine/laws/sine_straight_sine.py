@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.shares import require_share
-from engine.laws.simple_harmonic import FALLING
+from engine.laws.pulse import FALLING_SINE
+from engine.laws.pulse_law import PulseLaw, TwoPulses, require_share
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,7 @@ class SineStraightSine(PulseLaw):
 
     def _pulses(self) -> TwoPulses:
         late = self.curved * (1.0 - self.share)
-        return TwoPulses(FALLING, self.curved * self.share, 1.0 - self.curved, FALLING, late)
+        return TwoPulses(FALLING_SINE, self.curved * self.share, 1.0 - self.curved, FALLING_SINE, late)
 
 
 ENTRY = Entry(

@@ -5,11 +5,10 @@ from typing import Literal
 
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.pulse import SineEdged
-from engine.laws.pulse_law import PulseLaw, TwoPulses
-from engine.laws.shares import require_part, require_share
+from engine.laws.pulse import sine_edged
+from engine.laws.pulse_law import PulseLaw, TwoPulses, require_part, require_share
 
-CLASSIC = SineEdged(0.25, 0.5, 0.25)
+CLASSIC = sine_edged(0.25, 0.5, 0.25)
 
 
 @dataclass(frozen=True)
@@ -38,7 +37,7 @@ class TrapezoidByShare(PulseLaw):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'none', 'start' or 'end'")
 
     def _pulses(self) -> TwoPulses:
-        cut = SineEdged(0.0, 1.0 - self.edge, self.edge)
+        cut = sine_edged(0.0, 1.0 - self.edge, self.edge)
         rise, fall = (cut if self.reversal == end else CLASSIC for end in ("start", "end"))
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
 from engine.laws.entry import Claims, Entry, formulas
-from engine.laws.polynomial_pulse import CONSTANT
+from engine.laws.pulse import CONSTANT
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 
 

@@ -1,7 +1,6 @@
 """Phases joined into a motion over an abscissa: the angle of a shaft, time, or the travel of a product."""
 
-from engine.motion.motion import EDGE_TOLERANCE, ZERO_TOLERANCE, Motion
-from engine.motion.motionlaw import MotionSamples, motionlaw
+from engine.motion.motion import EDGE_TOLERANCE, ZERO_TOLERANCE, Motion, MotionSamples, motionlaw
 from engine.motion.phase import Ends, Junction, MotionValues, Phase, TimeValues
 
 __all__ = [

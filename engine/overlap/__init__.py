@@ -6,9 +6,8 @@ stations are as many schedules over the same transfer: each meets the transfer, 
 """
 
 from engine.overlap.clearance import Clearance, Corners, clearance, colliding, corners
-from engine.overlap.margins import MarginSweep, sweep_margin
 from engine.overlap.parts import Passage, Tool, Transfer
-from engine.overlap.plan import Room, blocked, one_after_the_other, overlap, rests, room
+from engine.overlap.plan import MarginSweep, Room, blocked, one_after_the_other, overlap, rests, room, sweep_margin
 from engine.overlap.points import HEIGHT, INTERVALS, REST, Between, Points, between, inverse_by_points, points_of
 from engine.overlap.schedule import ANGLE_TOLERANCE, Rates, Schedule, movement_time
 

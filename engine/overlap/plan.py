@@ -1,11 +1,12 @@
 """The schedules: one after the other, and with the longest ways in and out that the passage allows."""
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from engine.laws.base import Array
 from engine.overlap.parts import Passage, Tool, Transfer
@@ -102,3 +103,31 @@ def free_angle(occupied: float, tool: Tool) -> float:
         taken, dwell = math.degrees(occupied), math.degrees(tool.dwell)
         raise ValueError(f"transfer ({taken:g} degrees) and dwell ({dwell:g} degrees) leave the tool no angle of 360")
     return free
+
+
+class MarginSweep(NamedTuple):
+    """What a margin costs: arrays over the margins."""
+
+    margin: Array
+    angle_in: Array
+    angle_out: Array
+    acceleration: Array
+    """m/s²"""
+    ratio: Array
+    """of the peak acceleration without overlap to that with it"""
+
+
+def sweep_margin(transfer: Transfer, tool: Tool, passage: Passage, margins: ArrayLike, rate: float) -> MarginSweep:
+    """Return the tool's angles, peak acceleration and gain for each margin (m), at ``rate`` cycles per second.
+
+    Raises ValueError where a margin is not from 0 to the clearance, or no angle is left.
+    """
+    margin = np.asarray(margins, dtype=np.float64)
+    for extreme in (margin.min(), margin.max()):
+        replace(passage, margin=float(extreme))
+    way_in, way_out, _ = tool_angles(room(transfer, tool, passage), tool, passage, margin)
+    scale = tool.stroke * (FULL_TURN * rate) ** 2
+    peaks = [law.coefficients.ca * scale / way**2 for law, way in ((tool.law, way_in), (tool.out, way_out))]
+    acceleration = np.maximum(*peaks)
+    before = one_after_the_other(transfer, tool, passage.split).peak_acceleration(rate)
+    return MarginSweep(margin, way_in, way_out, acceleration, before / acceleration)

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive.motor import continuous
-from engine.drive.torque_curve import TorqueCurve
+from engine.drive.motor import TorqueCurve, continuous
 from engine.laws.base import Array
 
 

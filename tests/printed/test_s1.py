@@ -9,7 +9,6 @@ import pytest
 from engine.drive import KINDS, Drive, Part, resisting
 from engine.drive.chain import gear_speed_ratio
 from engine.drive.cycle import DriveCycle
-from engine.drive.lossless import LosslessCycle, at_shaft
 from engine.drive.results import DriveResults
 from engine.drive.train import Train
 from engine.laws import (
@@ -21,6 +20,7 @@ from engine.laws import (
     TrapezoidalVelocity,
 )
 from engine.motion import Motion, Phase
+from engine.selection.task import LosslessCycle, at_shaft
 from engine.timing import Axis, shaft_speed
 from tests.engine.sizing import effective_inertia
 from tests.engine.sizing import operating_points as points_of

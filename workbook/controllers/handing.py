@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.certificate import Certificate, certify
+from engine.cams.interpolation import straight
 from engine.cams.points import doubled, equal, jumps, spread
 from engine.cams.profile import SAME, CamProfile
-from engine.cams.segments import straight
 from engine.laws.base import Array
 from workbook.axes import CamAxis
 from workbook.controllers.files import parsed

@@ -11,7 +11,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from engine.laws.edges import inner_edges
 from engine.laws.pulse import K
 from engine.laws.pulse_law import PulseLaw
 from workbook.book.declare import Quantity, calc
@@ -188,7 +187,7 @@ class Stages:
         """Return the rows that find the greatest v·a of either side on an edge that ends without acceleration."""
         rows: list[Quantity] = []
         sides = (("@drive", "driving", RISE, "@ca_max"), ("@brake", "braking", FALL, "(0-@ca_min)"))
-        for (name, side, stages, height), edge in zip(sides, inner_edges(law), strict=True):
+        for (name, side, stages, height), edge in zip(sides, law.inner_edges, strict=True):
             k, form = self.forms(stages)[-1]
             if form.word in SEARCHES and edge is not None:
                 words, where, formula, source = SEARCHES[form.word]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from engine.laws import Law
 from engine.laws.rise import Rise
-from engine.laws.sampled import abscissae
+from engine.laws.sections import abscissae
 from engine.laws.table import begins
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result

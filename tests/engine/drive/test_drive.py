@@ -23,10 +23,10 @@ from engine.drive import (
     resisting,
 )
 from engine.drive.chain import gear_speed_ratio
-from engine.drive.lossless import LosslessCycle, at_shaft
 from engine.drive.motor import reserve
 from engine.laws import Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Motion, Phase
+from engine.selection.task import LosslessCycle, at_shaft
 from tests.engine.sizing import OperatingPoints, Sizing, effective_inertia, from_shaft, operating_points
 
 RADIUS = 0.134

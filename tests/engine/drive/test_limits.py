@@ -14,8 +14,8 @@ from engine.drive.limits import BELOW, LimitChecks, Limits, ReducerLimits, use
 from engine.drive.max_rate import at_speed, highest_rate
 from engine.drive.mechanisms.crank_slider import crank_slider
 from engine.drive.mechanisms.registry import VARIABLE_RATIO
+from engine.drive.motor import TorqueCurve
 from engine.drive.results import DriveResults
-from engine.drive.torque_curve import TorqueCurve
 from engine.drive.train import Train
 from engine.laws import Dwell, law
 from engine.motion import Motion

@@ -19,11 +19,11 @@ from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.curves import position, trimmed
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
-from engine.drive.falling_peak import Falling
 from engine.drive.limits import LimitChecks, Limits, ReducerLimits
 from engine.drive.losses import of_friction
 from engine.drive.max_rate import highest_rate
 from engine.drive.mechanisms.variable_ratio import OutOfReachError
+from engine.drive.motor import Falling
 from engine.drive.quadrature import SHARES, WEIGHTS, Cycle
 from engine.drive.rate_by_points import by_rms, shares
 from engine.drive.results import DriveResults

@@ -261,7 +261,7 @@ class Unsaid(Law):
             lambda: replace(law_entry("CUB"), claims=Claims(1, 1, {"cv": "2"})),
             "Cubic: lacks the claim of ca_max, ca_min",
         ),
-        (lambda: entry_of("crossings"), "engine/laws/crossings.py has no ENTRY"),
+        (lambda: entry_of("ladder"), "engine/laws/ladder.py has no ENTRY"),
         (lambda: entry_of("missing_law"), "missing_law"),
     ],
 )

@@ -15,7 +15,7 @@ from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
 from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomial_345 import Polynomial345
 from engine.laws.polynomial_4567 import Polynomial4567
-from engine.laws.polynomial_pulse import PolynomialPulse
+from engine.laws.pulse import polynomial_pulse
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.s_curve import SCurve
 from engine.laws.simple_harmonic import SimpleHarmonic
@@ -39,7 +39,7 @@ class TwoQuartics(PulseLaw):
         self.share = share
 
     def _pulses(self):
-        pulse = PolynomialPulse((0.0, 4.0, -4.0))
+        pulse = polynomial_pulse(0.0, 4.0, -4.0)
         return TwoPulses(pulse, self.share, 0.0, pulse, 1.0 - self.share)
 
 

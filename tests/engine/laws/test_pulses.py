@@ -10,12 +10,20 @@ from hypothesis import strategies as st
 from engine.laws.piece import Piece, gains
 from engine.laws.piece_extremes import extremes_of, power_extremes
 from engine.laws.piece_rules import backwards, reversed_pieces, scaled_piece
-from engine.laws.polynomial_pulse import CONSTANT, HALF_345, HALF_4567, LINE_DOWN, PolynomialPulse
-from engine.laws.pulse import CYCLOIDAL, LinearEdged, SineEdged
+from engine.laws.pulse import (
+    CONSTANT,
+    HALF_345,
+    HALF_4567,
+    HALF_SINE,
+    LINE_DOWN,
+    linear_edged,
+    polynomial_pulse,
+    sine_edged,
+)
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
-QUARTIC = PolynomialPulse((0.0, 4.0, -4.0))
-WHOLE = (CONSTANT, CYCLOIDAL, HALF_345, HALF_4567, LINE_DOWN, QUARTIC)
+QUARTIC = polynomial_pulse(0.0, 4.0, -4.0)
+WHOLE = (CONSTANT, HALF_SINE, HALF_345, HALF_4567, LINE_DOWN, QUARTIC)
 
 
 @st.composite
@@ -26,7 +34,9 @@ def shares(draw):
 
 
 pulses = st.one_of(
-    st.sampled_from(WHOLE), st.builds(lambda d: SineEdged(*d), shares()), st.builds(lambda d: LinearEdged(*d), shares())
+    st.sampled_from(WHOLE),
+    st.builds(lambda d: sine_edged(*d), shares()),
+    st.builds(lambda d: linear_edged(*d), shares()),
 )
 
 
@@ -75,13 +85,13 @@ def test_the_pieces_last_one(pulse):
     ("pulse", "gain", "lead", "square", "power"),
     [
         (CONSTANT, 1, 1 / 2, 1, 1),
-        (CYCLOIDAL, 2 / math.pi, 1 / 2, 1 / 2, 3 * math.sqrt(3) / (4 * math.pi)),
-        (SineEdged(1, 0, 0), 2 / math.pi, 1 - 2 / math.pi, 1 / 2, 2 / math.pi),
-        (SineEdged(0, 0, 1), 2 / math.pi, 2 / math.pi, 1 / 2, 1 / math.pi),
-        (SineEdged(1 / 4, 0, 3 / 4), 2 / math.pi, (math.pi + 4) / (4 * math.pi), 1 / 2, 2.244369709691 / math.tau),
-        (SineEdged(1 / 4, 1 / 2, 1 / 4), 1 / 2 + 1 / math.pi, 1 / 2, 3 / 4, None),
-        (LinearEdged(0.2, 0.6, 0.2), 0.8, 1 / 2, 1 - 0.8 / 3, 0.7),
-        (LinearEdged(0.5, 0.0, 0.5), 0.5, 1 / 2, 1 / 3, 0.5 * (2 / 3) ** 1.5),
+        (HALF_SINE, 2 / math.pi, 1 / 2, 1 / 2, 3 * math.sqrt(3) / (4 * math.pi)),
+        (sine_edged(1, 0, 0), 2 / math.pi, 1 - 2 / math.pi, 1 / 2, 2 / math.pi),
+        (sine_edged(0, 0, 1), 2 / math.pi, 2 / math.pi, 1 / 2, 1 / math.pi),
+        (sine_edged(1 / 4, 0, 3 / 4), 2 / math.pi, (math.pi + 4) / (4 * math.pi), 1 / 2, 2.244369709691 / math.tau),
+        (sine_edged(1 / 4, 1 / 2, 1 / 4), 1 / 2 + 1 / math.pi, 1 / 2, 3 / 4, None),
+        (linear_edged(0.2, 0.6, 0.2), 0.8, 1 / 2, 1 - 0.8 / 3, 0.7),
+        (linear_edged(0.5, 0.0, 0.5), 0.5, 1 / 2, 1 / 3, 0.5 * (2 / 3) ** 1.5),
         (LINE_DOWN, 1 / 2, 2 / 3, 1 / 3, math.sqrt(3) / 9),
         (HALF_345, 3 * math.sqrt(3) / 8, 8 / 15, 18 / 35, 2 * 6075 / (343 * math.sqrt(7)) * 3 / 100),
         (HALF_4567, 25 * math.sqrt(5) / 96, 16 / 35, 625 / 1386, None),
@@ -94,7 +104,7 @@ def test_known_pulses(pulse, gain, lead, square, power):
 
 
 @pytest.mark.parametrize("given_", [(0.5, 0.6, -0.1), (0.5, 0.4, 0.0), (0.0, math.nan, 1.0)])
-@pytest.mark.parametrize("edged", [SineEdged, LinearEdged])
+@pytest.mark.parametrize("edged", [sine_edged, linear_edged])
 def test_shares_of_a_pulse_that_cannot_be(edged, given_):
     with pytest.raises(ValueError, match="expected three, none negative, of sum 1"):
         edged(*given_)
@@ -124,7 +134,7 @@ def test_a_stretched_piece():
 def test_a_pulse_turned_is_told_from_its_inner_end(pulse):
     """The pieces of −p(1 − x) are those of the pulse, each and all backwards."""
     back = [piece for piece in reversed_pieces(pulse.pieces) if piece.duration]
-    turned = [piece for piece in pulse.turned.pieces if piece.duration]
+    turned = [piece for piece in pulse.turned_pieces if piece.duration]
     assert [piece.duration for piece in turned] == pytest.approx([piece.duration for piece in back])
     for one, other in zip(turned, back, strict=True):
         u = one.duration * np.linspace(0, 1, 21)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from engine.drive.drive_points import DrivePoints, peak
-from engine.drive.falling_peak import Falling
+from engine.drive.motor import Falling
 from engine.drive.quadrature import Cycle
 from engine.motion.pieces import motion_pieces
 from engine.selection.batch import DriveBatch, Limits, tops

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.drive import Load, direction
-from engine.drive.torque_curve import TorqueCurve
+from engine.drive.motor import TorqueCurve
 from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
 from engine.motion import Motion, Phase
 from engine.selection import Motors, Reducers, Task

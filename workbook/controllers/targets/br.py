@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from engine.cams.interpolation import quintics_between
 from engine.cams.profile import CamProfile, ProfilePiece, profile
-from engine.cams.segments import quintics_between
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, literal
 from workbook.controllers.structured import assigned, comments, indexed, scalar

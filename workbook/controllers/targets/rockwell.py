@@ -9,8 +9,8 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
+from engine.cams.interpolation import straight
 from engine.cams.profile import ProfilePiece, profile
-from engine.cams.segments import straight
 from workbook.controllers.number import REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.controllers.target import Claim, Handed, Target

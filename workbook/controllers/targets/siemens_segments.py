@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from engine.cams.interpolation import HIGHEST, segmented, simple
 from engine.cams.profile import CamProfile, ProfilePiece, profile
-from engine.cams.segments import HIGHEST, segmented, simple
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, literal
 from workbook.controllers.structured import assigned, comments, indexed

@@ -12,8 +12,7 @@ from pydantic import AfterValidator, Field
 
 from engine import laws as engine
 from engine.laws import Entry, Law, PieceLaw
-from engine.laws.piece_integrals import ends
-from engine.laws.points import PointedLaw, Points, points_of
+from engine.laws.points import PointedLaw, Points, ends, points_of
 from engine.laws.table import begins
 from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given

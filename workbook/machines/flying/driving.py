@@ -3,8 +3,7 @@
 import numpy as np
 
 from engine.drive.drive_points import DrivePoints
-from engine.drive.falling_peak import Falling
-from engine.drive.motor import Motor, reserve
+from engine.drive.motor import Falling, Motor, reserve
 from engine.flying.points import cycle_of, furthest, train_of
 from engine.laws.base import Array
 from engine.selection.point_load import PointLoad

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from engine.laws.base import Array, Kinematics
 from engine.laws.continuity import Meeting, code, continuity, meetings
-from engine.laws.sampled import abscissae
+from engine.laws.sections import abscissae
 from workbook.laws.library import NamedLaw
 from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws

@@ -10,14 +10,13 @@ import numpy as np
 from engine.drive import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, cylinder
 from engine.drive.chain import gear_speed_ratio
 from engine.drive.cycle import DriveCycle, MotionPieces
-from engine.drive.falling_peak import Falling
 from engine.drive.limits import LimitChecks, Limits
 from engine.drive.losses import of_friction
 from engine.drive.mechanisms.by_angle import Arm, ByAngle
 from engine.drive.mechanisms.registry import VARIABLE_RATIO
 from engine.drive.mechanisms.variable_ratio import Linkage
+from engine.drive.motor import Falling, TorqueCurve
 from engine.drive.results import DriveResults
-from engine.drive.torque_curve import TorqueCurve
 from engine.drive.train import Train, Window
 from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si

@@ -6,8 +6,8 @@ from typing import NamedTuple, TypeVar
 
 from engine.drive import Motor, derating
 from engine.drive.chain import Part
-from engine.drive.falling_peak import Falling
 from engine.drive.limits import ReducerLimits
+from engine.drive.motor import Falling
 from workbook.book.declare import Quantity, calc, check, given
 from workbook.entries.texts import place_of
 from workbook.entries.units import KG_CM2, KW, PER_HOUR, RPM, shown, si

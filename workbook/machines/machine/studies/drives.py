@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.drive.dc_bus import Means, means
-from engine.drive.falling_peak import Falling
 from engine.drive.limits import factor_at
-from engine.drive.motor import continuous
+from engine.drive.motor import Falling, continuous
 from engine.drive.results import Energies
 from engine.laws.base import Array
 from engine.selection.batch import DriveBatch, Extremes, Limits
