@@ -1,7 +1,6 @@
 """A lever on a shaft that drives a slide through a link: the geometry of crank-slider and rocker. SI units."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
@@ -64,24 +63,3 @@ def slopes(lever: float, offset: float, psi: Array, x: Array) -> tuple[Array, Ar
     sin, c = lever * np.sin(psi), lever * np.cos(psi)
     s, q = sin - offset, x - c
     return -(sin + s * c / q), -(c + (c * c - s * sin) / q + (s * c) ** 2 / q**3)
-
-
-class Triangle(NamedTuple):
-    """Shaft, lever's end and slide: x and d of the slide, K = 4 areas, the lever's end c along the line, dK/dx."""
-
-    x: Array
-    d: Array
-    k: Array
-    c: Array
-    slope: Array
-
-    @classmethod
-    def of(cls, linkage: SlideLinkage, y: Array) -> "Triangle":
-        """Return them at positions within reach: K = 2 r d sin A by the lever's angle, |dK/dx| from it."""
-        x = linkage.zero + linkage.direction * y
-        d = np.hypot(x, linkage.offset)
-        psi = lever_angle(linkage.lever, linkage.link, linkage.offset, linkage.side, x)
-        inner = np.abs(psi - np.arctan2(linkage.offset, x))
-        k = 2.0 * linkage.lever * d * np.sin(inner)
-        slope = 2.0 * x * (linkage.lever**2 + linkage.link**2 - d**2) / k
-        return cls(x, d, k, linkage.lever * np.cos(psi), slope)
