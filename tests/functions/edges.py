@@ -5,7 +5,7 @@ from itertools import chain
 
 from tests.functions.case import ANY_ERROR, DIV0, NA, NUM, VALUE, Case
 from tests.functions.cases import CLASSIC, POLYNOMIAL_345
-from workbook.functions.taken import CODES
+from workbook.functions.declared import CODES
 from workbook.laws.registry import FAMILY
 
 FAILED, MISSING = "=1/0", "=NA()"

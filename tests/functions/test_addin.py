@@ -19,8 +19,9 @@ from tests.functions.edges import edge_cases
 from workbook.functions import oxt
 from workbook.functions.addin.motion_functions import library
 from workbook.functions.addin.motion_functions.cells import parameters
-from workbook.functions.declared import FUNCTIONS
-from workbook.functions.taken import CODES, OWN_WIDTH, PARAMETERS
+from workbook.functions.addin.motion_functions.laws import LAWS, OWN_WIDTH
+from workbook.functions.declared import CODES, FUNCTIONS, PARAMETERS
+from workbook.laws.tops import OWN_ENTRIES
 from workbook.template import FOLDER
 
 OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-in has
@@ -233,7 +234,7 @@ def test_the_types_were_made_from_what_is_declared():
 
 @pytest.mark.parametrize("code", CODES)
 def test_the_add_in_knows_the_law(code):
-    assert code == "OWN" or library.PARAMETERS.get(code) == PARAMETERS[code], f"{code} is not in the add-in's library"
+    assert code == "OWN" or len(LAWS[code].delivered) == PARAMETERS[code], f"laws.py delivers {code} otherwise"
     for p in known(code):
         made, one = engine_law(code, p), library.law(code, parameters(code, p))
         for xi in (0.0, 0.07, 0.3, 0.5, 0.81, 1.0):
@@ -241,8 +242,8 @@ def test_the_add_in_knows_the_law(code):
 
 
 def test_the_add_in_knows_no_other_law():
-    assert {*library.PARAMETERS, "OWN"} == {*CODES}
-    assert library.OWN_WIDTH == OWN_WIDTH
+    assert {*LAWS, "OWN"} == {*CODES}
+    assert len(OWN_ENTRIES) == OWN_WIDTH
 
 
 def test_the_same_bytes_each_time(add_in, tmp_path):

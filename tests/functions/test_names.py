@@ -10,8 +10,7 @@ from tests.functions import lambdas
 from tests.functions.case import Case
 from tests.functions.cases import POLYNOMIAL_345, engine_law, value_cases
 from tests.functions.edges import edge_cases
-from workbook.functions.declared import FUNCTIONS
-from workbook.functions.taken import CODES
+from workbook.functions.declared import CODES, FUNCTIONS
 
 
 @pytest.fixture(scope="module")

@@ -14,11 +14,10 @@ from tests.functions import lambdas
 from tests.workbook.office import TIMEOUT, profile, started
 from workbook.cli import app
 from workbook.functions import publish
-from workbook.functions.declared import FUNCTIONS
+from workbook.functions.declared import CODES, FUNCTIONS
 from workbook.functions.names import definitions
 from workbook.functions.page import declare
 from workbook.functions.shown import EXAMPLE
-from workbook.functions.taken import CODES
 from workbook.writing import archive
 
 SHEET = "xl/worksheets/sheet1.xml"

@@ -1,8 +1,8 @@
 """The functions as names of Excel: LAMBDA formulas, as they are read and as a file stores them.
 
-``formulas.txt`` holds them in the spelling that Excel shows. A file marks what Excel 2007 did not know: functions by
-``_xlfn.``, the parameters of LAMBDA and the variables of LET by ``_xlpm.``, an optional parameter, ``[name]`` as Excel
-shows it, by ``_xlop.`` where it is declared
+``formulas.txt`` holds them in the spelling that Excel shows; what differs by law comes from ``lambdas.py``. A file
+marks what Excel 2007 did not know: functions by ``_xlfn.``, the parameters of LAMBDA and the variables of LET by
+``_xlpm.``, an optional parameter, ``[name]`` as Excel shows it, by ``_xlop.`` where it is declared
 (Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
 """
 
@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 
 from workbook.functions.declared import FUNCTIONS
+from workbook.functions.lambdas import tables
 
 SOURCE = Path(__file__).with_name("formulas.txt")
 FUTURE = {
@@ -60,7 +61,10 @@ def definitions() -> tuple[Definition, ...]:
     """Return every name: the functions in the order of their declaration, then the helpers they call."""
     helps = {function.name: function.help.en for function in FUNCTIONS}
     found = {}
-    for block in SOURCE.read_text(encoding="utf-8").split("\n\n"):
+    text = SOURCE.read_text(encoding="utf-8")
+    for name, formula in tables().items():
+        text = text.replace(f"«{name}»", formula)
+    for block in text.split("\n\n"):
         lines = block.strip()
         if lines.startswith("//"):
             continue

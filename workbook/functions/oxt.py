@@ -16,8 +16,8 @@ from xml.etree.ElementTree import Element, SubElement
 
 from workbook import __version__
 from workbook.errors import WriteError
+from workbook.functions.addin.motion_functions.laws import Text
 from workbook.functions.declared import CATEGORY, FUNCTIONS, NAMESPACE, Function
-from workbook.functions.taken import LANGUAGES, Text
 from workbook.writing.archive import zipped
 from workbook.writing.place import refuse_existing, replace
 
@@ -132,7 +132,7 @@ def calc_add_ins() -> bytes:
     for function in FUNCTIONS:
         entry = node(functions, function.key, new=True)
         for name in ("DisplayName", "CompatibilityName"):  # without the second, a saved .xlsx gets empty names
-            localized(entry, name, Text(*[function.name] * len(LANGUAGES)))
+            localized(entry, name, Text(*[function.name] * len(Text._fields)))
         localized(entry, "Description", function.help)
         SubElement(SubElement(entry, "prop", {"oor:name": "Category"}), "value").text = "Add-In"
         localized(entry, "CategoryDisplayName", CATEGORY)

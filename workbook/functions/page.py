@@ -9,9 +9,8 @@ from engine.laws.inverse import inverse
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Sheet, Text, calc, constant, given, result
 from workbook.book.rows import filled
-from workbook.functions.declared import FUNCTIONS, Argument
+from workbook.functions.declared import FUNCTIONS, TAKES, Argument
 from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
-from workbook.functions.taken import TAKES
 from workbook.laws.family import value_at
 from workbook.laws.registry import FAMILIES
 

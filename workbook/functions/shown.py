@@ -15,7 +15,7 @@ from engine.laws.base import Kinematics
 from engine.motion import Motion, MotionValues, Phase
 from engine.motion.joining import joined
 from workbook.entries.types import Model, NotNegative, Number, Share
-from workbook.functions.taken import CODES, TAKES
+from workbook.functions.declared import CODES, TAKES
 from workbook.laws.entries import Laws, as_listed
 from workbook.laws.registry import CODES as BASIC
 from workbook.laws.registry import FAMILY

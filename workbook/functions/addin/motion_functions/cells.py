@@ -12,7 +12,8 @@ from typing import Tuple, Union
 from .composed import Motion
 from .joined import AGREES, Row, Rows, Via, joined
 from .law import Law
-from .library import OWN, OWN_WIDTH, PARAMETERS, law
+from .laws import OWN, OWN_WIDTH, PARAMETERS
+from .library import law
 from .refused import NUM, VALUE, Refused
 
 Cell = Union[float, str]
