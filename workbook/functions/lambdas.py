@@ -31,6 +31,9 @@ class Term:
     def __add__(self, other: Any) -> Term:
         return Term(f"{self.text} + {term(other).text}", True)
 
+    def __radd__(self, other: Any) -> Term:
+        return term(other) + self
+
     def __sub__(self, other: Any) -> Term:
         return Term(f"{self.text} - {term(other).within}", True)
 
@@ -42,13 +45,10 @@ class Term:
             return self if other else 0.0
         return Term(f"{self.within} * {term(other).within}")
 
-    def __truediv__(self, other: Any) -> Term:
-        return Term(f"{self.within} / {term(other).within}")
-
-    def __rtruediv__(self, other: Any) -> Term:
-        return term(other) / self
-
     __rmul__ = __mul__
+
+    def __truediv__(self, other: float) -> Term:
+        return Term(f"{self.within} / {other:g}")
 
     @property
     def within(self) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import struct
-from functools import wraps
 from typing import Callable
 
 import unohelper
@@ -23,99 +22,53 @@ def failure(number: int) -> float:
     return struct.unpack("<d", struct.pack("<II", number, 0x7FF80000))[0]
 
 
-def answered(function: Callable[..., float]) -> Callable[..., float]:
-    """Let a function return the spreadsheet's error where its arguments are refused or too large to compute with."""
+def of_law(n: int) -> Callable[..., float]:
+    """Return what gives s, v, a or j of a law at ξ."""
+    return lambda law, xi, parameters: named(law, parameters).at(xi)[n]
 
-    @wraps(function)
-    def answer(*arguments: object) -> float:
-        try:
-            return function(*arguments)
-        except Refused as refused:
-            return failure(refused.number)
-        except (ArithmeticError, ValueError):
-            return failure(NUM)
 
-    return answer
+def of_motion(n: int) -> Callable[..., float]:
+    """Return what gives position, velocity or acceleration of a motion at x."""
+    return lambda x, phases: motion(phases).at(x)[n]
+
+
+def coefficient(name: str) -> Callable[..., float]:
+    """Return what gives a coefficient of a law; C_j is infinite, which is #NUM!, where the acceleration jumps."""
+    return lambda law, parameters: getattr(coefficients(named(law, parameters)), name)
+
+
+def inverse(law: str, s: float, parameters: Cells) -> float:
+    """Return the ξ at which a law first reaches s."""
+    found = named(law, parameters)
+    if not monotone(found):
+        raise Refused(NUM)
+    return found.xi_at(s)
+
+
+FUNCTIONS: dict[str, Callable[..., float]] = {
+    "S": of_law(0),
+    "V": of_law(1),
+    "A": of_law(2),
+    "J": of_law(3),
+    "XI": inverse,
+    "CV": coefficient("cv"),
+    "CA": coefficient("ca"),
+    "CARMS": coefficient("ca_rms"),
+    "CJ": coefficient("cj"),
+    "POS": of_motion(0),
+    "VEL": of_motion(1),
+    "ACC": of_motion(2),
+    "JRED": lambda inertias, ratios: reflected(*pairs(inertias, ratios)),
+    "RMS": lambda values, durations: root_mean_square(*pairs(values, durations)),
+}
+"""the functions by the names of their methods; what they take is declared in ``declared.py``"""
 
 
 class MotionFunctions(unohelper.Base, XMotionFunctions, XServiceInfo):
-    """The functions; which they are, and what they take, is declared in ``declared.py``."""
+    """The component, with a method for each of :data:`FUNCTIONS`."""
 
     def __init__(self, context: object) -> None:
         self.context = context
-
-    @answered
-    def S(self, law: str, xi: float, parameters: Cells) -> float:
-        """Return the position of a law."""
-        return named(law, parameters).at(xi)[0]
-
-    @answered
-    def V(self, law: str, xi: float, parameters: Cells) -> float:
-        """Return the velocity of a law."""
-        return named(law, parameters).at(xi)[1]
-
-    @answered
-    def A(self, law: str, xi: float, parameters: Cells) -> float:
-        """Return the acceleration of a law."""
-        return named(law, parameters).at(xi)[2]
-
-    @answered
-    def J(self, law: str, xi: float, parameters: Cells) -> float:
-        """Return the jerk of a law."""
-        return named(law, parameters).at(xi)[3]
-
-    @answered
-    def XI(self, law: str, s: float, parameters: Cells) -> float:
-        """Return the ξ at which a law first reaches s."""
-        found = named(law, parameters)
-        if not monotone(found):
-            raise Refused(NUM)
-        return found.xi_at(s)
-
-    @answered
-    def CV(self, law: str, parameters: Cells) -> float:
-        """Return C_v of a law."""
-        return coefficients(named(law, parameters)).cv
-
-    @answered
-    def CA(self, law: str, parameters: Cells) -> float:
-        """Return C_a of a law."""
-        return coefficients(named(law, parameters)).ca
-
-    @answered
-    def CARMS(self, law: str, parameters: Cells) -> float:
-        """Return C_a,rms of a law."""
-        return coefficients(named(law, parameters)).ca_rms
-
-    @answered
-    def CJ(self, law: str, parameters: Cells) -> float:
-        """Return C_j of a law; infinite, which is #NUM!, where its acceleration jumps."""
-        return coefficients(named(law, parameters)).cj
-
-    @answered
-    def POS(self, x: float, phases: Cells) -> float:
-        """Return the position of a motion."""
-        return motion(phases).at(x)[0]
-
-    @answered
-    def VEL(self, x: float, phases: Cells) -> float:
-        """Return the velocity of a motion."""
-        return motion(phases).at(x)[1]
-
-    @answered
-    def ACC(self, x: float, phases: Cells) -> float:
-        """Return the acceleration of a motion."""
-        return motion(phases).at(x)[2]
-
-    @answered
-    def JRED(self, inertias: Cells, ratios: Cells) -> float:
-        """Return the reflected inertia."""
-        return reflected(*pairs(inertias, ratios))
-
-    @answered
-    def RMS(self, values: Cells, durations: Cells) -> float:
-        """Return the root mean square."""
-        return root_mean_square(*pairs(values, durations))
 
     def getImplementationName(self) -> str:
         """Return the name that LibreOffice registers."""
@@ -130,5 +83,21 @@ class MotionFunctions(unohelper.Base, XMotionFunctions, XServiceInfo):
         return SERVICES
 
 
+def method(function: Callable[..., float]) -> Callable[..., float]:
+    """Return a method that gives the spreadsheet's error where arguments are refused or too large to compute with."""
+
+    def answer(component: MotionFunctions, *arguments: object) -> float:
+        try:
+            return function(*arguments)
+        except Refused as refused:
+            return failure(refused.number)
+        except (ArithmeticError, ValueError):
+            return failure(NUM)
+
+    return answer
+
+
+for name, function in FUNCTIONS.items():
+    setattr(MotionFunctions, name, method(function))
 g_ImplementationHelper = unohelper.ImplementationHelper()  # noqa: N816 - the name that LibreOffice looks for
 g_ImplementationHelper.addImplementation(MotionFunctions, IMPLEMENTATION, SERVICES)
