@@ -30,8 +30,6 @@ What both back ends promise, beside the help texts:
 - MOTION.XI: the first ξ that reaches s; s = 0 gives 0 and the law's end value 1. A law that moves backwards: #NUM!.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Literal
 

@@ -6,8 +6,6 @@ marks what Excel 2007 did not know: functions by ``_xlfn.``, the parameters of L
 (Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 from functools import cache

@@ -6,8 +6,6 @@ compares with :func:`idl`, by LibreOffice's SDK::
     unoidl-write program/types.rdb program/types/offapi.rdb motion.idl motion.rdb
 """
 
-from __future__ import annotations
-
 from importlib import resources
 from importlib.resources.abc import Traversable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The page that shows each function in use: a law, a motion of phases, shafts and a profile, all to be changed."""
 
-from __future__ import annotations
-
 from math import isfinite
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The files by which Excel gets the functions: a workbook with the names, and their text."""
 
-from __future__ import annotations
-
 import re
 import tempfile
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """What the page of the functions has entered, and what the engine says of it."""
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Literal
 

@@ -1,7 +1,5 @@
 """The least stage of a law: what lasts less cannot be told from a jump, in cells as in any drive."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any
 

@@ -5,8 +5,6 @@ down to −B, constant, an edge up. What a family has of them it states by numbe
 ``@d1`` … ``@d7``. Source of the formulas: S1, 'Modified trapezoidal curve (seven parameters)', for any edges.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple

@@ -1,7 +1,5 @@
 """What a description says of the laws: named entries, each of a family, and the names by which phases take them."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass

@@ -4,8 +4,6 @@
 ``@av`` is the cell ``TVP_av`` of the law TVP, ``[@pieces.d.1]`` the first duration in its table ``TVP_pieces``.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass

@@ -3,8 +3,6 @@
 Back substitution goes from the last point to the first, so that each row refers to the one above it only.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 from engine.laws.knots import EQUAL, Interval, Knots

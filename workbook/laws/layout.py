@@ -1,7 +1,5 @@
 """Which laws a workbook has besides the basic ones, told by the names of its cells."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 

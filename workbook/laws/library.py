@@ -1,7 +1,5 @@
 """The laws of a book: each a name, a family, what is entered, and the engine's law of it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any

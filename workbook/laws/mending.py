@@ -1,7 +1,5 @@
 """By how much an own law misses its rise and rest, and its entries scaled so that it does not."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from engine import laws as engine

@@ -1,7 +1,5 @@
 """The sheet of one law, laid out the same for every law."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

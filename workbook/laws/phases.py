@@ -1,7 +1,5 @@
 """Phases in cells: what a row of phases computes from its law's coefficients."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from math import isfinite
 

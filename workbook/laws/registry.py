@@ -1,7 +1,5 @@
 """The families of laws that a workbook knows: those of the engine's registry, each with its page."""
 
-from __future__ import annotations
-
 from importlib import import_module
 from typing import NamedTuple
 

@@ -6,8 +6,6 @@ of each side by side; a piece is found by its key, twice the law's number plus t
 belongs to the last piece.
 """
 
-from __future__ import annotations
-
 from collections.abc import Container
 from itertools import accumulate
 from typing import Any

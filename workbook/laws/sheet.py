@@ -1,7 +1,5 @@
 """The Laws sheet: every law by number, and the stacked pieces of all laws."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

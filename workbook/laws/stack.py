@@ -1,7 +1,5 @@
 """The engine's figures for the stacked pieces of all laws: what the Laws sheet must hold."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby

@@ -4,8 +4,6 @@
 between it and the point before, by the values and the slopes there; the largest of a column is the law's.
 """
 
-from __future__ import annotations
-
 from engine.laws.points import SLOPES, Points
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.laws.sampling import Pieces

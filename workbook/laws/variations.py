@@ -1,7 +1,5 @@
 """What templates' variations share: other parameters for every law, asymmetric, with zero stages, of several pieces."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Container, Iterable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What an engineer may ask of a motion: how smooth it must be."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Literal, get_args
 

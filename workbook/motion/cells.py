@@ -1,7 +1,5 @@
 """Where a motion stands in a book, and what the engine has for it there."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The sheet Export: one axis at equal steps, live in cells, to copy and paste."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 

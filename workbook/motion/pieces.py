@@ -1,7 +1,5 @@
 """The table of a motion's pieces, and what a table of phases adds for it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import partial
 from math import perm

@@ -1,7 +1,5 @@
 """How many pieces a motion has, and the room that its table has for them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any, Protocol

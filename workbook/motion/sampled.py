@@ -1,7 +1,5 @@
 """The columns of a sampled motion: which piece a sample has, and y, y', y'', y''' by one formula each."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import perm
 

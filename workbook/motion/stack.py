@@ -1,7 +1,5 @@
 """What a motion's pieces take from those of the laws, stacked on the sheet Laws: the one place that names them."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from workbook.laws.sampling import Pieces

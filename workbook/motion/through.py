@@ -1,7 +1,5 @@
 """What an engineer enters for the place where two curved phases meet: y' and y'' there, 0 where nothing is entered."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 

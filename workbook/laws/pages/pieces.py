@@ -1,7 +1,5 @@
 """The engineer's own law, piece by piece."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Points joined by a cubic spline: entered point by point, solved in the rows of one table."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise

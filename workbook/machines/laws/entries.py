@@ -1,7 +1,5 @@
 """Motion laws compared: what an engineer enters."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

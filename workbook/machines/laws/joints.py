@@ -1,7 +1,5 @@
 """What jumps where the pieces of a law meet: from the stack of pieces, so from no samples."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

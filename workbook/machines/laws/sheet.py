@@ -1,7 +1,5 @@
 """The Comparison sheet: curves of up to four laws, and every law with what it costs."""
 
-from __future__ import annotations
-
 from engine.laws.continuity import WORDS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result

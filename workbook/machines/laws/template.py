@@ -1,7 +1,5 @@
 """Motion laws compared: every law of the book side by side, and what each costs."""
 
-from __future__ import annotations
-
 from workbook.book.declare import Book, calc, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits

@@ -1,7 +1,5 @@
 """Variations of the comparison: laws with other parameters, every one of them drawn in turn."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws

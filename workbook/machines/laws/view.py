@@ -1,7 +1,5 @@
 """The engine's view of the laws that are compared."""
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import NamedTuple
 
