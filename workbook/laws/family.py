@@ -30,6 +30,13 @@ SINE, SECOND = ("P", "omega", "phi"), ("P2", "omega2", "phi2")
 POWERS = ("c0", "c1", "c2", "c3", "c4", "c5")
 ENTRIES = ("d", *POWERS, *SINE, *SECOND)
 """the columns of a table of pieces; those of a second sine are there in books with a law that needs them"""
+LABELS = {
+    "d": ("duration", "d"), "c0": ("constant", "c0"), "c1": ("slope", "c1"), "c2": ("quadratic", "c2"),
+    "c3": ("cubic", "c3"), "c4": ("quartic", "c4"), "c5": ("quintic", "c5"),
+    "P": ("amplitude", "P"), "omega": ("frequency", "ω"), "phi": ("phase", "φ"),
+    "P2": ("second amplitude", "P₂"), "omega2": ("its frequency", "ω₂"), "phi2": ("its phase", "φ₂"),
+}  # fmt: skip
+"""label and symbol of each"""
 BEHIND = 20
 """the column behind the charts of a law's sheet, where workings of its entries may stand"""
 REACHES = "ABS([@samples.s.last]-1)<check_zero"
@@ -92,6 +99,12 @@ class PieceRow:
     P2: str = "=0"
     omega2: str = "=0"
     phi2: str = "=0"
+
+
+def entries_of(piece: Piece) -> dict[str, float]:
+    """Return the engine's value of each of :data:`ENTRIES`."""
+    sines = piece.amplitude, piece.omega, piece.phase, piece.amplitude2, piece.omega2, piece.phase2
+    return dict(zip(ENTRIES, (piece.duration, *piece.row[: len(POWERS)], *sines), strict=True))
 
 
 class Stacked(NamedTuple):

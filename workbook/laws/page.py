@@ -13,7 +13,7 @@ from workbook.entries.machine import Sizes
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, COEFFICIENTS, Page, value_at
+from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, Page, entries_of, value_at
 from workbook.laws.library import NamedLaw
 
 POWERS = {"c0": "", "c1": " u", "c2": " u²", "c3": " u³", "c4": " u⁴", "c5": " u⁵"}
@@ -117,28 +117,14 @@ def risen(sheet: Sheet, one: NamedLaw, rise: Rise) -> None:
 def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
     """Declare the law's pieces, a textbook equation beside each."""
     rows, pieces = page.pieces, law.monotone_pieces()
-    labels = {
-        "c0": ("constant", "c0", [piece.c[0] for piece in pieces]),
-        "c1": ("slope", "c1", [piece.c[1] for piece in pieces]),
-        "c2": ("quadratic", "c2", [piece.c[2] for piece in pieces]),
-        "c3": ("cubic", "c3", [piece.c[3] for piece in pieces]),
-        "c4": ("quartic", "c4", [piece.row[4] for piece in pieces]),
-        "c5": ("quintic", "c5", [piece.row[5] for piece in pieces]),
-        "P": ("amplitude", "P", [piece.amplitude for piece in pieces]),
-        "omega": ("frequency", "ω", [piece.omega for piece in pieces]),
-        "phi": ("phase", "φ", [piece.phase for piece in pieces]),
-        "P2": ("second amplitude", "P₂", [piece.amplitude2 for piece in pieces]),
-        "omega2": ("its frequency", "ω₂", [piece.omega2 for piece in pieces]),
-        "phi2": ("its phase", "φ₂", [piece.phase2 for piece in pieces]),
-    }
+    values = [entries_of(piece) for piece in pieces]
     sheet.table(
         "@pieces", "Pieces of the law", len(rows),
         constant("name", "piece", "", "", [row.name for row in rows], align="left"),
         constant("k", "number", "k", "", list(range(1, len(rows) + 1))),
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
-        calc("d", "duration", "d", "", [row.d for row in rows], [piece.duration for piece in pieces]),
-        *(calc(name, label, symbol, "", [getattr(row, name) for row in rows], values)
-          for name, (label, symbol, values) in labels.items() if name in page.columns),
+        *(calc(name, *LABELS[name], "", [getattr(row, name) for row in rows], [one[name] for one in values])
+          for name in page.columns),
         constant("equation", "equation in the books", "", "", [row.equation for row in rows], align="left"),
     )  # fmt: skip
 

@@ -1,22 +1,68 @@
 """The Laws sheet: every law by number, and the stacked pieces of all laws."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
 from typing import Any
 
+from engine.laws import Piece
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.points import reach, slowest
+from engine.laws.table import Carried, carried, key
 from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST
 from workbook.entries.machine import Sizes
 from workbook.laws.brief import LEAST_STAGE
+from workbook.laws.family import LABELS, POWERS, SECOND, SINE, entries_of
 from workbook.laws.library import NamedLaw
 from workbook.laws.page import finite
 from workbook.laws.sampling import Pieces
-from workbook.laws.stack import Row
 
 RISE = 1.0
 """what every law goes in a time of 1: so large are its velocity and acceleration at least, somewhere"""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of the stack: its law, number of the piece, formulas of its entries, and the value of each column."""
+
+    law: str
+    number: int
+    k: int
+    piece: Piece
+    formulas: dict[str, str]
+    values: dict[str, float]
+
+
+def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
+    """Return the rows of the stack: the pieces of each law in the order of their numbers."""
+    rows = []
+    for one in laws:
+        found = one.page.stacked(one.law, sizes)
+        places = carried(one.law, [each.piece for each in found])
+        for k, (each, place) in enumerate(zip(found, places, strict=True), 1):
+            formulas = {name: one.own(text) for name, text in each.formulas.items()}
+            rows.append(Row(one.name, one.number, k, each.piece, formulas, worked_out(one.number, place)))
+    return rows
+
+
+def worked_out(number: int, place: Carried) -> dict[str, float]:
+    """Return the engine's figures of a piece of the law of a number, by column."""
+    (ps, ps2), (pv, pv2), (pj, pj2) = place.position_sines, place.velocity_cosines, place.jerk_cosines
+    return entries_of(place.piece) | {
+        "xi": place.begin, "s": place.s, "v": place.v, "ds": place.ds, "dv": place.dv,
+        "ps": ps, "pv": pv, "pj": pj, "ps2": ps2, "pv2": pv2, "pj2": pj2,
+        "s0": place.position_constant, "s1": place.position_slope, "key": key(number, place.begin),
+    }  # fmt: skip
+
+
+def locator(laws: Sequence[NamedLaw], rows: list[Row]) -> Pieces:
+    """Return the stack as the sampled tables search it."""
+    found = groupby(rows, key=lambda row: row.number)
+    numbers = {id(one.law): one.number for one in laws}
+    second_sine = any(one.page.second_sine for one in laws)
+    return Pieces({number: [row.piece for row in group] for number, group in found}, numbers, second_sine)
 
 
 def laws_sheet(
@@ -52,6 +98,9 @@ COEFFICIENTS = (
     ("va_min", "lowest v·a", "min(v·a)"),
 )
 """of a law: name, label and symbol of each"""
+LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), "start", "v_low", "wrong", "low", "high",
+             "s0", "s1", "v0", "v1", "a0", "a1")  # fmt: skip
+"""columns of the table of laws that have names"""
 ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
 
 
@@ -92,13 +141,8 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
           for i, (name, word, end) in enumerate((("low", "lowest", "MIN"), ("high", "highest", "MAX")))),
         *ends,
     )  # fmt: skip
-    sheet.book.name(
-        "laws", law_name="name", law_no="no", law_code="code",
-        law_cv="cv", law_ca_max="ca_max", law_ca_min="ca_min", law_ca_rms="ca_rms", law_cj="cj",
-        law_va_max="va_max", law_va_min="va_min", law_start="start", law_v_low="v_low", law_wrong="wrong",
-        law_low="low", law_high="high", law_s0="s0", law_s1="s1", law_v0="v0", law_v1="v1", law_a0="a0", law_a1="a1",
-        **({"law_way": "way", "law_early": "early"} if ends else {}),
-    )  # fmt: skip
+    names = [*LAW_NAMES, *("way", "early")[: len(ends)]]
+    sheet.book.name("laws", **{f"law_{name}": name for name in names})
 
 
 def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
@@ -111,100 +155,58 @@ def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
     ]  # fmt: skip
 
 
-SECOND = {"piece_P2": "P2", "piece_omega2": "omega2", "piece_phi2": "phi2", "piece_ps2": "ps2", "piece_pv2": "pv2",
-          "piece_pj2": "pj2"}  # fmt: skip
-"""names of the columns of a second sine"""
+AMPLITUDES = (
+    ("ps", "sine of position", "P/ω²", "=IF([omega]>0,[P]/[omega]^2,0)"),
+    ("pv", "cosine of velocity", "P/ω", "=IF([omega]>0,[P]/[omega],0)"),
+    ("pj", "cosine of jerk", "P ω", "=[P]*[omega]"),
+    ("pj2", "second cosine of jerk", "P₂ ω₂", "=[P2]*[omega2]"),
+    ("ps2", "second sine of position", "P₂/ω₂²", "=IF([omega2]>0,[P2]/[omega2]^2,0)"),
+    ("pv2", "second cosine of velocity", "P₂/ω₂", "=IF([omega2]>0,[P2]/[omega2],0)"),
+)
+"""of the sines in position, velocity and jerk; the last three are there with a second sine"""
 GAINED = "=SUMPRODUCT([c0:c5]/{1,2,3,4,5,6},[d]^{1,2,3,4,5,6})-[pv]*(COS([omega]*[d]+[phi])-COS([phi]))"
 TURNED2 = "-[pv2]*(COS([omega2]*[d]+[phi2])-COS([phi2]))"
 TRAVELLED = "=[s0]-[s]+SUMPRODUCT([s1:c5]/{1,2,6,12,20,30,42},[d]^{1,2,3,4,5,6,7})-[ps]*SIN([omega]*[d]+[phi])"
 SWUNG2 = "-[ps2]*SIN([omega2]*[d]+[phi2])"
-
-
-POWERS = ("constant", "slope", "quadratic", "cubic", "quartic", "quintic")
-"""what the coefficients of a piece's acceleration are called"""
-
-
-def amplitudes(rows: list[Row], second: bool) -> list[Quantity]:
-    """Return the amplitudes of the sines in position, velocity and jerk."""
-    first = [
-        ("ps", "sine of position", "P/ω²", "=IF([omega]>0,[P]/[omega]^2,0)"),
-        ("pv", "cosine of velocity", "P/ω", "=IF([omega]>0,[P]/[omega],0)"),
-        ("pj", "cosine of jerk", "P ω", "=[P]*[omega]"),
-    ]
-    other = [
-        ("pj2", "second cosine of jerk", "P₂ ω₂", "=[P2]*[omega2]"),
-        ("ps2", "second sine of position", "P₂/ω₂²", "=IF([omega2]>0,[P2]/[omega2]^2,0)"),
-        ("pv2", "second cosine of velocity", "P₂/ω₂", "=IF([omega2]>0,[P2]/[omega2],0)"),
-    ]
-    return [
-        calc(name, label, symbol, "", formula, [getattr(row, name) for row in rows])
-        for name, label, symbol, formula in (*first, *(other if second else []))
-    ]
-
-
-def carried(rows: list[Row], second: bool) -> list[Quantity]:
-    """Return velocity and position with which each piece begins, and what it adds to them."""
-    gained, travelled = (one + more if second else one for one, more in ((GAINED, TURNED2), (TRAVELLED, SWUNG2)))
-
-    def column(name: str) -> list[float]:
-        return [getattr(row, name) for row in rows]
-
-    return [
-        calc("v", "velocity carried", "v_k", "",
-             "=IF([k]=1,INDEX(law_start,[number]),[v-1]+[dv-1])", column("v"), source="v + ∫a of the piece before"),
-        calc("dv", "gain of velocity", "Δv", "", gained, column("dv"), source="∫a over the piece"),
-        calc("s", "position carried", "s_k", "",
-             "=IF([k]=1,0,[s-1]+[ds-1])", column("s"), source="s + ∫v of the piece before"),
-        calc("ds", "gain of position", "Δs", "", travelled, column("ds"), scale=RISE, source="∫v over the piece"),
-    ]  # fmt: skip
+PIECE_NAMES = (
+    ("law", "number", "k", "d", *POWERS, *SINE, "xi", "ps", "pv", "pj", "v", "dv", "s", "ds", "key"),
+    (*SECOND, "ps2", "pv2", "pj2"),
+)
+"""columns of the stack that have names, and those of a second sine"""
+POWERS_FROM = {"piece_y": "s0:c5", "piece_dy": "s1:c5", "piece_ddy": "c0:c5", "piece_dddy": "c1:c5"}
 
 
 def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
     """Declare the stacked pieces, entries taken from the laws' pages; ``second`` adds the columns of a second sine."""
 
-    def column(name: str) -> list[Any]:
-        return [getattr(row, name) for row in rows]
+    def column(name: str, label: str, symbol: str, formula: str, added: str = "", **more: Any) -> Quantity:
+        formula += added if second else ""
+        return calc(name, label, symbol, "", formula, [row.values[name] for row in rows], **more)
 
-    def entry(name: str, label: str, symbol: str) -> Quantity:
-        return calc(name, label, symbol, "", [row.formulas[name] for row in rows], column(name))
-
-    def only(*quantities: Quantity) -> tuple[Quantity, ...]:
-        return quantities if second else ()
-
-    def both(formula: str, added: str) -> str:
-        return formula + added if second else formula
+    def entry(name: str) -> Quantity:
+        formulas, values = [row.formulas[name] for row in rows], [row.values[name] for row in rows]
+        return calc(name, *LABELS[name], "", formulas, values)
 
     sheet.table(
         "pieces", "Pieces of all laws", len(rows),
-        calc("law", "law", "", "", "=INDEX(law_code,[number])", column("law")),
-        constant("number", "number", "", "", column("number")),
-        constant("k", "piece", "k", "", column("k")),
-        entry("d", "duration", "d"),
-        calc("s0", "constant of position", "S0", "",
-             both("=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])"), column("s0"), source="s_k + P/ω² sin φ"),
-        calc("s1", "slope of position", "S1", "",
-             both("=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])"), column("s1"), source="v_k + P/ω cos φ"),
-        *(entry(f"c{power}", label, f"c{power}") for power, label in enumerate(POWERS)),
-        entry("P", "amplitude", "P"),
-        entry("omega", "frequency", "ω"),
-        entry("phi", "phase", "φ"),
-        *only(
-            entry("P2", "second amplitude", "P₂"),
-            entry("omega2", "its frequency", "ω₂"),
-            entry("phi2", "its phase", "φ₂"),
-        ),
-        calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", column("xi")),
-        *amplitudes(rows, second),
-        *carried(rows, second),
-        calc("key", "key", "", "",
-             "=2*[number]+MIN(1,MAX(0,[xi]))", column("key"), source="2 · number + ξ_k, within its law"),
+        calc("law", "law", "", "", "=INDEX(law_code,[number])", [row.law for row in rows]),
+        constant("number", "number", "", "", [row.number for row in rows]),
+        constant("k", "piece", "k", "", [row.k for row in rows]),
+        entry("d"),
+        column("s0", "constant of position", "S0", "=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])",
+               source="s_k + P/ω² sin φ"),
+        column("s1", "slope of position", "S1", "=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])",
+               source="v_k + P/ω cos φ"),
+        *map(entry, (*POWERS, *SINE, *(SECOND if second else ()))),
+        column("xi", "begins at", "ξ_k", "=IF([k]=1,0,[xi-1]+[d-1])"),
+        *(column(*one) for one in AMPLITUDES[: 6 if second else 3]),
+        column("v", "velocity carried", "v_k", "=IF([k]=1,INDEX(law_start,[number]),[v-1]+[dv-1])",
+               source="v + ∫a of the piece before"),
+        column("dv", "gain of velocity", "Δv", GAINED, TURNED2, source="∫a over the piece"),
+        column("s", "position carried", "s_k", "=IF([k]=1,0,[s-1]+[ds-1])", source="s + ∫v of the piece before"),
+        column("ds", "gain of position", "Δs", TRAVELLED, SWUNG2, scale=RISE, source="∫v over the piece"),
+        column("key", "key", "", "=2*[number]+MIN(1,MAX(0,[xi]))", source="2 · number + ξ_k, within its law"),
     )  # fmt: skip
     sheet.book.keyed.add("pieces.key")
-    sheet.book.name(
-        "pieces", piece_law="law", piece_number="number", piece_k="k", piece_d="d",
-        piece_c0="c0", piece_c1="c1", piece_c2="c2", piece_c3="c3", piece_c4="c4", piece_c5="c5",
-        piece_P="P", piece_omega="omega", piece_phi="phi", piece_xi="xi",
-        piece_ps="ps", piece_pv="pv", piece_pj="pj", piece_v="v", piece_dv="dv", piece_s="s", piece_ds="ds",
-        piece_key="key", piece_y="s0:c5", piece_dy="s1:c5", piece_ddy="c0:c5", piece_dddy="c1:c5",
-        **(SECOND if second else {}),
-    )  # fmt: skip
+    one, two = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
+    sheet.book.name("pieces", **one, **POWERS_FROM, **(two if second else {}))

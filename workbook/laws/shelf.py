@@ -12,8 +12,7 @@ from workbook.laws.entries import Laws
 from workbook.laws.library import named
 from workbook.laws.page import law_sheet
 from workbook.laws.registry import CODES, FAMILY
-from workbook.laws.sheet import laws_sheet
-from workbook.laws.stack import locator, stacked
+from workbook.laws.sheet import laws_sheet, locator, stacked
 
 PAGED = tuple(code for code in CODES if FAMILY[code].page.has_sheet)
 LAW_SIZES = {
