@@ -5,7 +5,7 @@ down to −B, constant, an edge up. What a family has of them it states by numbe
 ``@d1`` … ``@d7``. Source of the formulas: S1, 'Modified trapezoidal curve (seven parameters)', for any edges.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -58,7 +58,8 @@ class Stage(NamedTuple):
     """A stage of a family: its form, none of uniform velocity, and the formula of its duration."""
 
     form: Form | None
-    duration: str
+    duration: str = ""
+    """empty where it is what an engineer enters"""
 
 
 def added(terms: Sequence[str]) -> str:
@@ -68,10 +69,9 @@ def added(terms: Sequence[str]) -> str:
 
 @dataclass(frozen=True)
 class Stages:
-    """The stages of a family by number; ``entered`` where their durations are what an engineer enters."""
+    """The stages of a family by number."""
 
     stages: Mapping[int, Stage]
-    entered: bool = False
 
     def forms(self, side: Sequence[int]) -> list[tuple[int, Form]]:
         """Return the stages of a side that the family has, with their forms."""
@@ -162,7 +162,7 @@ class Stages:
         forms = [form for _, form in self.forms((*RISE, *FALL))]
         mean = [calc("@k", "Mean of a half, or a quarter, sine", "k", "", "=2/PI()", K, source="2/π")]
         return [
-            *([] if self.entered else self.lasting(law)),
+            *self.lasting(law),
             *(mean if any("@k" in form.gain for form in forms) else []),
             calc("@m", "Velocity gained for A = 1", "m", "", f"={self.total(RISE, 'gain')}", rise.velocity),
             calc("@n", "Velocity lost for B = 1", "n", "", f"={self.total(FALL, 'gain')}", fall.velocity),
@@ -179,6 +179,7 @@ class Stages:
         return [
             calc(f"@d{k}", f"Duration of stage {k}", f"d{k}", "", self.stages[k].duration, piece.duration)
             for k, piece in lasts
+            if self.stages[k].duration
         ]
 
     def searched(self, law: PulseLaw) -> list[Quantity]:
@@ -213,14 +214,10 @@ def times(factor: str, of: str) -> str:
     return of if factor == "1" else f"{factor}*{of}"
 
 
-def edged(stages: Stages, **stated: Any) -> Page:
+def edged(forms: Mapping[int, Stage], **stated: Any) -> Page:
     """Return the page of a family by its stages; ``stated`` is what else a page states."""
+    stages = Stages(forms)
     return Page(
         pieces=stages.rows(), workings=stages.workings, coefficients=stages.coefficients(), fastest=stages.fastest,
         early=len([row for k, form in stages.forms(RISE) for row in stages.pieces(k, form)]), **{"way": "=1", **stated},
     )  # fmt: skip
-
-
-def law_of(kind: Callable[..., Any], *fields: str) -> Callable[[Any], Any]:
-    """Return what makes a law of these of its entries, each a parameter of the same name."""
-    return lambda entered: kind(**{field: getattr(entered, field) for field in fields})

@@ -118,15 +118,16 @@ class Stacked(NamedTuple):
 class Page:
     """A family of laws with a sheet of its own; the families without derive from it and say what differs.
 
-    ``made`` makes the engine's law of what is entered (None where nothing is). ``fastest`` is the formula of the
+    ``law`` is the engine's law, whose fields are entries of the same name. ``fastest`` is the formula of the
     first ξ at which v is largest. ``variations`` are other parameters, asymmetric and with stages of no duration:
     templates' variations and tests take them in turn.
     """
 
-    title: str
+    law: type[Law]
+    titled: str = ""
+    """what its sheet is headed by, where that is not the name of the law"""
     source: str
     entries: type[Model] | None = LawSheet
-    made: Callable[[Any], Law]
     pieces: tuple[PieceRow, ...]
     coefficients: Mapping[str, tuple[str, str]]
     """formula of each coefficient, and the equation in words"""
@@ -156,6 +157,15 @@ class Page:
     """whether the functions MOTION.* take it"""
     samples: str = "@samples"
     """the table of its samples; a law without stands still"""
+
+    @property
+    def title(self) -> str:
+        """What its sheet is headed by."""
+        return self.titled or self.law.name
+
+    def made(self, entered: Any) -> Law:
+        """Return the engine's law of what is entered, None where nothing is."""
+        return self.law(**{name: getattr(entered, name) for name in self._fields()})
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the engine's law of its parameters in a row, as the functions MOTION.* take them."""

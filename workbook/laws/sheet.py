@@ -13,11 +13,11 @@ from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST
 from workbook.entries.machine import Sizes
-from workbook.laws.brief import LEAST_STAGE
 from workbook.laws.family import LABELS, POWERS, SECOND, SINE, entries_of
 from workbook.laws.library import NamedLaw
 from workbook.laws.page import finite
 from workbook.laws.sampling import Pieces
+from workbook.laws.shared import LEAST_STAGE
 
 RISE = 1.0
 """what every law goes in a time of 1: so large are its velocity and acceleration at least, somewhere"""

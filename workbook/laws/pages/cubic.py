@@ -1,18 +1,13 @@
 """Cubic."""
 
 from engine.laws.cubic import Cubic
-from workbook.laws.edged import LINE_IN, Stage, Stages, edged, law_of
-from workbook.laws.shared import POLYNOMIAL, SHARE, SHARES, Shared
-
-STAGES = Stages({3: Stage(LINE_IN, "=@share"), 5: Stage(LINE_IN, "=1-@share")})  # fmt: skip
+from workbook.laws.edged import LINE_IN, Stage, edged
+from workbook.laws.shared import POLYNOMIAL, SHARED
 
 PAGE = edged(
-    STAGES,
-    title="Cubic",
+    {3: Stage(LINE_IN, "=@share"), 5: Stage(LINE_IN, "=1-@share")},
     source="S1, S3: the cubic that starts and ends at rest; with λ: LCamHdl, POLY_3",
-    entries=Shared,
-    made=law_of(Cubic, "share"),
-    parameters=(SHARE,),
-    variations=SHARES,
+    **SHARED,
+    law=Cubic,
     way=POLYNOMIAL.format(3),
 )

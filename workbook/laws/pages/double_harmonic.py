@@ -3,7 +3,6 @@
 from typing import Literal
 
 from engine.laws.double_harmonic import DoubleHarmonic
-from workbook.laws.edged import law_of
 from workbook.laws.family import LawSheet, Page, PieceRow
 from workbook.laws.pages.harmonic_combination import REVERSAL
 
@@ -20,10 +19,9 @@ PEAK = "ATAN2(1,SQRT(15))/PI()"
 POWER = "675*SQRT(15)*PI()^3/8192"
 
 PAGE = Page(
-    title="Double harmonic",
     source="LCamHdl, D_R_DOUBLE_HARMONIC; saltire.com, cam functions",
     entries=Reversed,
-    made=law_of(DoubleHarmonic, "reversal"),
+    law=DoubleHarmonic,
     parameters=(REVERSAL,),
     variations=({"reversal": "start"}, {"reversal": "end"}),
     pieces=(

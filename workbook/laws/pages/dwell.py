@@ -4,10 +4,9 @@ from engine.laws import Dwell
 from workbook.laws.family import COEFFICIENTS, Page, PieceRow
 
 PAGE = Page(
-    title="Dwell",
     source="S3, function motionlaw",
     entries=None,
-    made=lambda entered: Dwell(),
+    law=Dwell,
     has_sheet=False,
     samples="",
     pieces=(PieceRow("rest", "s = 0", "=1"),),

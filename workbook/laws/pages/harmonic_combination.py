@@ -3,7 +3,7 @@
 from typing import Literal
 
 from engine.laws.harmonic_combination import HarmonicCombination
-from workbook.laws.edged import SINE_IN, SINE_OUT, Stage, Stages, edged, law_of
+from workbook.laws.edged import SINE_IN, SINE_OUT, Stage, edged
 from workbook.laws.family import Parameter
 from workbook.laws.shared import SHARE, Shared
 
@@ -16,19 +16,16 @@ class Turning(Shared):
 
 REVERSAL = Parameter("@reversal", "It turns round at", "", "reversal", "reversal", source="start or end")
 
-STAGES = Stages({
-    1: Stage(SINE_OUT, '=IF(@reversal="start",0,@share/4)'),
-    3: Stage(SINE_IN, '=@share*IF(@reversal="start",1,3/4)'),
-    5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",1,3/4)'),
-    7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
-})  # fmt: skip
-
 PAGE = edged(
-    STAGES,
-    title="Harmonic combination",
+    {
+        1: Stage(SINE_OUT, '=IF(@reversal="start",0,@share/4)'),
+        3: Stage(SINE_IN, '=@share*IF(@reversal="start",1,3/4)'),
+        5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",1,3/4)'),
+        7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
+    },
     source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI",
     entries=Turning,
-    made=law_of(HarmonicCombination, "share", "reversal"),
+    law=HarmonicCombination,
     parameters=(SHARE, REVERSAL),
     variations=(
         {"share": 0.4, "reversal": "start"},

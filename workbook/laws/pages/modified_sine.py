@@ -2,7 +2,7 @@
 
 from engine.laws.modified_sine import ModifiedSine
 from workbook.entries.types import Share
-from workbook.laws.edged import SINE_IN, SINE_OUT, Stage, Stages, edged, law_of
+from workbook.laws.edged import SINE_IN, SINE_OUT, Stage, edged
 from workbook.laws.family import LawSheet, Parameter
 from workbook.laws.shared import SHARE, Between
 
@@ -15,19 +15,16 @@ class Edges(LawSheet):
     fall_edge: Share = ModifiedSine.fall_edge
 
 
-STAGES = Stages({
-    1: Stage(SINE_OUT, "=@rise_edge*@share"),
-    3: Stage(SINE_IN, "=(1-@rise_edge)*@share"),
-    5: Stage(SINE_IN, "=(1-@fall_edge)*(1-@share)"),
-    7: Stage(SINE_OUT, "=@fall_edge*(1-@share)"),
-})  # fmt: skip
-
 PAGE = edged(
-    STAGES,
-    title="Modified sine",
+    {
+        1: Stage(SINE_OUT, "=@rise_edge*@share"),
+        3: Stage(SINE_IN, "=(1-@rise_edge)*@share"),
+        5: Stage(SINE_IN, "=(1-@fall_edge)*(1-@share)"),
+        7: Stage(SINE_OUT, "=@fall_edge*(1-@share)"),
+    },
     source="LCamHdl, D_D_MOD_SINE",
     entries=Edges,
-    made=law_of(ModifiedSine, "share", "rise_edge", "fall_edge"),
+    law=ModifiedSine,
     parameters=(
         SHARE,
         Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",

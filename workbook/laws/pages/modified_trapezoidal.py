@@ -1,19 +1,15 @@
 """Modified trapezoidal acceleration with seven durations."""
 
 from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
-from workbook.laws.brief import BRIEF
-from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, Stages, edged
-from workbook.laws.seven import DURATIONS, LASTS, SUM_IS_1, SevenDurations
-
-FORMS = {1: SINE_OUT, 2: FLAT, 3: SINE_IN, 4: None, 5: SINE_IN, 6: FLAT, 7: SINE_OUT}
-STAGES = Stages({k: Stage(form, "") for k, form in FORMS.items()}, entered=True)
+from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
+from workbook.laws.shared import DURATIONS, LASTING, SevenDurations
 
 PAGE = edged(
-    STAGES,
-    title="Modified trapezoidal acceleration",
+    dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),
+    titled="Modified trapezoidal acceleration",
     source="S1, seven parameters; S3, figure 2",
     entries=SevenDurations,
-    made=lambda entered: ModifiedTrapezoidal(entered.durations),
+    law=ModifiedTrapezoidal,
     parameters=DURATIONS,
     variations=(
         {"durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]},
@@ -23,5 +19,5 @@ PAGE = edged(
         {"durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]},
         {"durations": [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25]},
     ),
-    checks=(SUM_IS_1, LASTS, BRIEF),
+    checks=LASTING,
 )

@@ -75,11 +75,6 @@ class OwnLaw(LawSheet):
         """The engine's pieces."""
         return [piece.made for piece in self.pieces]
 
-    @property
-    def exact(self) -> PointedLaw:
-        """The engine's law, with its coefficients by points."""
-        return PointedLaw(self.made)
-
 
 POLYNOMIAL_345 = {"duration": 1.0, "c1": 60.0, "c2": -180.0, "c3": 120.0}
 VARIATIONS = (
@@ -104,6 +99,10 @@ MOST_TURN = math.tau
 @dataclass(frozen=True, kw_only=True)
 class OwnPage(Page):
     """The page of an own law: any number of pieces, entered one by one."""
+
+    def made(self, entered: OwnLaw) -> PointedLaw:
+        """Return the engine's law, with its coefficients by points."""
+        return PointedLaw(entered.made)
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the law of pieces in a row, eight numbers each: duration, c0, c1, c2, c3, P, ω, φ."""
@@ -195,10 +194,9 @@ def spread_of(law: Law, room: int) -> Points:
 
 
 PAGE = OwnPage(
-    title="Own law",
     source="entered piece by piece",
     entries=OwnLaw,
-    made=lambda entered: entered.exact,
+    law=PointedLaw,
     pieces=(),
     coefficients={
         "cv": ("=MAX(@v_most,0-@v_least)", "largest of its extremes"),

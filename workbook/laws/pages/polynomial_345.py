@@ -1,17 +1,13 @@
 """Polynomial 3-4-5."""
 
 from engine.laws.polynomial_345 import Polynomial345
-from workbook.laws.edged import law_of
 from workbook.laws.family import Page, PieceRow
-from workbook.laws.shared import POLYNOMIAL, SHARE, SHARES, Shared
+from workbook.laws.shared import POLYNOMIAL, SHARED
 
 PAGE = Page(
-    title="Polynomial 3-4-5",
     source="LCamHdl, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'",
-    entries=Shared,
-    made=law_of(Polynomial345, "share"),
-    parameters=(SHARE,),
-    variations=SHARES,
+    **SHARED,
+    law=Polynomial345,
     pieces=(
         PieceRow("a rises", "s = 2λ S(ξ/2λ), S = 10x³ − 15x⁴ + 6x⁵", "=@share*(1-1/SQRT(3))",
                  c1="=15/@share^2", c2="=0-45/(2*@share^3)", c3="=15/(2*@share^4)"),

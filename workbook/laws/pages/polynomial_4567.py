@@ -1,17 +1,13 @@
 """Polynomial 4-5-6-7."""
 
 from engine.laws.polynomial_4567 import Polynomial4567
-from workbook.laws.edged import law_of
 from workbook.laws.family import Page, PieceRow
-from workbook.laws.shared import POLYNOMIAL, SHARE, SHARES, Shared
+from workbook.laws.shared import POLYNOMIAL, SHARED
 
 PAGE = Page(
-    title="Polynomial 4-5-6-7",
     source="LCamHdl, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'",
-    entries=Shared,
-    made=law_of(Polynomial4567, "share"),
-    parameters=(SHARE,),
-    variations=SHARES,
+    **SHARED,
+    law=Polynomial4567,
     pieces=(
         PieceRow("a rises", "s = 2λ S(ξ/2λ), S = 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷", "=@share*(1-1/SQRT(5))",
                  c2="=105/(2*@share^3)", c3="=0-105/@share^4", c4="=525/(8*@share^5)", c5="=0-105/(8*@share^6)"),

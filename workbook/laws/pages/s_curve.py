@@ -6,12 +6,8 @@ from pydantic import Field
 
 from engine.laws.s_curve import SCurve
 from workbook.entries.types import Share
-from workbook.laws.brief import BRIEF
-from workbook.laws.edged import FLAT, LINE_IN, LINE_OUT, Stage, Stages, edged
-from workbook.laws.seven import DURATIONS, LASTS, SUM_IS_1, SevenDurations
-
-FORMS = {1: LINE_OUT, 2: FLAT, 3: LINE_IN, 4: None, 5: LINE_IN, 6: FLAT, 7: LINE_OUT}
-STAGES = Stages({k: Stage(form, "") for k, form in FORMS.items()}, entered=True)
+from workbook.laws.edged import FLAT, LINE_IN, LINE_OUT, Stage, edged
+from workbook.laws.shared import DURATIONS, LASTING, SevenDurations
 
 
 class Ramps(SevenDurations):
@@ -21,11 +17,10 @@ class Ramps(SevenDurations):
 
 
 PAGE = edged(
-    STAGES,
-    title="Jerk-limited S-curve",
+    dict(enumerate(map(Stage, (LINE_OUT, FLAT, LINE_IN, None, LINE_IN, FLAT, LINE_OUT)), 1)),
     source="TwinCAT NC, set-point generator with seven phases",
     entries=Ramps,
-    made=lambda entered: SCurve(entered.durations),
+    law=SCurve,
     parameters=DURATIONS,
     variations=(
         {"durations": [0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2]},
@@ -33,5 +28,5 @@ PAGE = edged(
         {"durations": [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0]},
         {"durations": [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2]},
     ),
-    checks=(SUM_IS_1, LASTS, BRIEF),
+    checks=LASTING,
 )

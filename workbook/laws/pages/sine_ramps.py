@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from engine.laws.sine_ramps import SineRamps
-from workbook.laws.edged import HALF_SINE, Stage, Stages, edged, law_of
+from workbook.laws.edged import HALF_SINE, Stage, edged
 from workbook.laws.pages.trapezoidal_velocity import ORDER, BreakPoints
 from workbook.laws.pages.trapezoidal_velocity import PAGE as TRAPEZOID
 
@@ -17,18 +17,15 @@ class SmoothRamps(BreakPoints):
     fall_start: Annotated[float, Field(ge=0, lt=1)] = SineRamps.fall_start
 
 
-STAGES = Stages({
-    2: Stage(HALF_SINE, "=@av"),
-    4: Stage(None, "=@aw-@av"),
-    6: Stage(HALF_SINE, "=1-@aw"),
-})  # fmt: skip
-
 PAGE = edged(
-    STAGES,
-    title="Sine-ramp trapezoid",
+    {
+        2: Stage(HALF_SINE, "=@av"),
+        4: Stage(None, "=@aw-@av"),
+        6: Stage(HALF_SINE, "=1-@aw"),
+    },
     source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'",
     entries=SmoothRamps,
-    made=law_of(SineRamps, "rise_end", "fall_start"),
+    law=SineRamps,
     parameters=TRAPEZOID.parameters,
     variations=TRAPEZOID.variations,
     checks=(ORDER,),

@@ -7,10 +7,9 @@ from pydantic import Field
 
 from engine.laws.sine_straight_sine import SineStraightSine
 from workbook.entries.types import DesignError
-from workbook.laws.brief import BRIEF, too_brief
-from workbook.laws.edged import SINE_IN, Stage, Stages, edged, law_of
+from workbook.laws.edged import SINE_IN, Stage, edged
 from workbook.laws.family import Parameter
-from workbook.laws.shared import EVEN, LEAST, SHARE, Shared
+from workbook.laws.shared import BRIEF, EVEN, LEAST, SHARE, Shared, too_brief
 
 
 class Curved(Shared):
@@ -25,18 +24,15 @@ class Curved(Shared):
         yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits)
 
 
-STAGES = Stages({
-    3: Stage(SINE_IN, "=@curved*@share"),
-    4: Stage(None, "=1-@curved"),
-    5: Stage(SINE_IN, "=@curved*(1-@share)"),
-})  # fmt: skip
-
 PAGE = edged(
-    STAGES,
-    title="Sine-straight-sine",
+    {
+        3: Stage(SINE_IN, "=@curved*@share"),
+        4: Stage(None, "=1-@curved"),
+        5: Stage(SINE_IN, "=@curved*(1-@share)"),
+    },
     source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286",
     entries=Curved,
-    made=law_of(SineStraightSine, "curved", "share"),
+    law=SineStraightSine,
     parameters=(
         SHARE,
         Parameter("@curved", "Share of the time that is curved", "c", "curved", "share of the sines",

@@ -100,6 +100,10 @@ VARIATIONS = (
 class SplinePage(Page):
     """The page of a spline: any number of points, entered one by one."""
 
+    def made(self, entered: Points) -> Spline:
+        """Return the engine's law."""
+        return entered.exact
+
     @property
     def of_pieces(self) -> Sequence[str]:
         """The entries of its pieces: of a straight acceleration."""
@@ -190,10 +194,10 @@ def spelled(text: str, *cells: str) -> str:
 
 
 PAGE = SplinePage(
-    title="Cubic spline through points",
+    titled="Cubic spline through points",
     source="the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline",
     entries=Points,
-    made=lambda entered: entered.exact,
+    law=Spline,
     pieces=(),
     coefficients=worked_out(),
     fastest="=@v_at",

@@ -4,9 +4,8 @@ from engine.laws.straight_line import StraightLine
 from workbook.laws.family import COEFFICIENTS, Page, PieceRow
 
 PAGE = Page(
-    title="Straight line",
     source="LCamHdl, CONST_VELO",
-    made=lambda entered: StraightLine(),
+    law=StraightLine,
     pieces=(PieceRow("straight line", "s = ξ", "=1"),),
     coefficients={name: ("=0", "no acceleration") for name, *_ in COEFFICIENTS} | {"cv": ("=1", "v = 1")},
     fastest="=0",

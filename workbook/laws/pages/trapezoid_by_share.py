@@ -4,7 +4,7 @@ from typing import Literal
 
 from engine.laws.trapezoid_by_share import TrapezoidByShare
 from workbook.entries.types import Share
-from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, Stages, edged, law_of
+from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
 from workbook.laws.family import Parameter
 from workbook.laws.shared import SHARE, Shared
 
@@ -16,21 +16,18 @@ class Cut(Shared):
     edge: Share = TrapezoidByShare.edge
 
 
-STAGES = Stages({
-    1: Stage(SINE_OUT, '=IF(@reversal="start",0,@share/4)'),
-    2: Stage(FLAT, '=@share*IF(@reversal="start",1-@edge,1/2)'),
-    3: Stage(SINE_IN, '=@share*IF(@reversal="start",@edge,1/4)'),
-    5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",@edge,1/4)'),
-    6: Stage(FLAT, '=(1-@share)*IF(@reversal="end",1-@edge,1/2)'),
-    7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
-})  # fmt: skip
-
 PAGE = edged(
-    STAGES,
-    title="Modified trapezoid by share",
+    {
+        1: Stage(SINE_OUT, '=IF(@reversal="start",0,@share/4)'),
+        2: Stage(FLAT, '=@share*IF(@reversal="start",1-@edge,1/2)'),
+        3: Stage(SINE_IN, '=@share*IF(@reversal="start",@edge,1/4)'),
+        5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",@edge,1/4)'),
+        6: Stage(FLAT, '=(1-@share)*IF(@reversal="end",1-@edge,1/2)'),
+        7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
+    },
     source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D",
     entries=Cut,
-    made=law_of(TrapezoidByShare, "share", "reversal", "edge"),
+    law=TrapezoidByShare,
     parameters=(
         SHARE,
         Parameter("@reversal", "It turns round at", "", "reversal", "reversal",

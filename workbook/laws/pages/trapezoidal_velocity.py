@@ -8,8 +8,8 @@ from pydantic import Field
 from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
 from workbook.book.sentence import figure
 from workbook.entries.types import DesignError
-from workbook.laws.brief import BRIEF, too_brief
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow
+from workbook.laws.shared import BRIEF, too_brief
 
 
 class BreakPoints(LawSheet):
@@ -36,10 +36,9 @@ BEFORE = '"brakes from "&ROUND(@aw,9)&", before "&ROUND(@av,9)'
 ORDER = LawCheck("@order", "the break points follow each other", "@av<=@aw", "order", BEFORE)
 
 PAGE = Page(
-    title="Trapezoidal velocity",
     source="S1, second and third slide of the asymmetric trapezoidal profile; S3, function TVP",
     entries=BreakPoints,
-    made=lambda entered: TrapezoidalVelocity(entered.rise_end, entered.fall_start),
+    law=TrapezoidalVelocity,
     parameters=(
         Parameter("@av", "End of the acceleration", "α_v", "rise_end", "end of acceleration",
                   source="S1, asymmetric trapezoidal profile, as a share of α_s"),
