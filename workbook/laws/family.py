@@ -4,15 +4,12 @@
 ``@av`` is the cell ``TVP_av`` of the law TVP, ``[@pieces.d.1]`` the first duration in its table ``TVP_pieces``.
 """
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from engine.laws import Entry, Law, Piece
 from engine.laws.base import Kinematics
-from engine.laws.entry import IncompleteError
-from engine.motion.handover import PULSES, early_of, end_mode
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import Said, amount
 from workbook.entries.types import Model, Number, Positive
@@ -80,25 +77,12 @@ class LawCheck(NamedTuple):
     """the formula of where it fails, and by how much"""
 
 
-@dataclass(frozen=True)
 class PieceRow:
-    """One piece as written in the books: a(u) = c0 + … + c5 u⁵ + P sin(ωu + φ), a formula for each entry."""
+    """One piece as written in the books: a(u) = c0 + … + c5 u⁵ + P sin(ωu + φ), a formula each."""
 
-    name: str
-    equation: str
-    d: str
-    c0: str = "=0"
-    c1: str = "=0"
-    c2: str = "=0"
-    c3: str = "=0"
-    c4: str = "=0"
-    c5: str = "=0"
-    P: str = "=0"
-    omega: str = "=0"
-    phi: str = "=0"
-    P2: str = "=0"
-    omega2: str = "=0"
-    phi2: str = "=0"
+    def __init__(self, name: str, equation: str, d: str, **entries: str) -> None:
+        self.name, self.equation = name, equation
+        self.formulas = dict.fromkeys(ENTRIES, "=0") | {"d": d} | entries
 
 
 def entries_of(piece: Piece) -> dict[str, float]:
@@ -165,7 +149,7 @@ class Page:
 
     def made(self, entered: Any) -> Law:
         """Return the engine's law of what is entered, None where nothing is."""
-        return self.law(**{name: getattr(entered, name) for name in self._fields()})
+        return self.law(**{name: getattr(entered, name) for name in self.fields})
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the engine's law of its parameters in a row, as the functions MOTION.* take them."""
@@ -245,12 +229,12 @@ class Page:
     def _entry(self, name: str, k: int) -> str:
         """Return the formula of an entry of the ``k``-th piece, from 1."""
         shown = self.has_sheet and name in self.columns
-        return f"=[@pieces.{name}.{k}]" if shown else str(getattr(self.pieces[k - 1], name))
+        return f"=[@pieces.{name}.{k}]" if shown else self.pieces[k - 1].formulas[name]
 
     @property
     def columns(self) -> tuple[str, ...]:
         """The entries that its table of pieces shows: the duration, powers that a piece has, sines as a whole."""
-        had = {name for name in ENTRIES if any(getattr(row, name) != "=0" for row in self.pieces)} | {"d"}
+        had = {name for name in ENTRIES if any(row.formulas[name] != "=0" for row in self.pieces)} | {"d"}
         whole = {name for sine in (SINE, SECOND) if had & set(sine) for name in sine}
         return tuple(name for name in ENTRIES if name in had | whole)
 
@@ -262,40 +246,12 @@ class Page:
     @property
     def second_sine(self) -> bool:
         """Whether a piece of the family has two sines."""
-        return any(row.P2 != "=0" for row in self.pieces)
+        return any(row.formulas["P2"] != "=0" for row in self.pieces)
 
-    def require_complete(self, entry: Entry) -> None:
-        """Raise IncompleteError, naming the law and what its page leaves out or has too much of."""
-        examples = entry.examples
-        wrong = [name for name, *_ in COEFFICIENTS if name not in self.coefficients]
-        if any(len(law.monotone_pieces()) != len(self.pieces) for law in examples):
-            wrong.append(f"pieces as many as the engine's {len(examples[0].monotone_pieces())}")
-        if any((end_mode(law), early_of(law)) not in self._meets() for law in examples):
-            wrong.append("how it meets its neighbours, as the engine has it")
-        wrong += [f"the parameter {key}" for key in sorted(self._keys() ^ {p.key for p in self.parameters})]
-        wrong += [f"variations of {key}" for key in self._fields() if any(key not in v for v in self.variations)]
-        if self.parameters and len(self.variations) < 2:
-            wrong.append("two variations or more")
-        if wrong:
-            raise IncompleteError(f"the page of {entry.code} lacks {', '.join(wrong)}")
-
-    def _meets(self) -> list[tuple[int, int]]:
-        """Return the ways in which its formula may come out, with the number of early pieces."""
-        ways = [int(found) for found in re.findall(r"(?<=[=,])-?[0-9](?=$|[,)])", self.way)]
-        return [(one, self.early if one == PULSES else 0) for one in ways]
-
-    def _fields(self) -> list[str]:
-        """Return the entries of the family that are parameters of the law."""
+    @property
+    def fields(self) -> list[str]:
+        """The entries of the family that are parameters of the law."""
         return [name for name in self.entries.model_fields if name not in LawSheet.model_fields] if self.entries else []
-
-    def _keys(self) -> set[str]:
-        """Return the key of each number in these entries."""
-        default = self.entries() if self.entries else None
-        found = set()
-        for name in self._fields():
-            value = getattr(default, name)
-            found |= {f"{name}.{i}" for i in range(len(value))} if isinstance(value, list) else {name}
-        return found
 
 
 def value_at(entered: Any, key: str) -> Any:

@@ -123,7 +123,7 @@ def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
         constant("name", "piece", "", "", [row.name for row in rows], align="left"),
         constant("k", "number", "k", "", list(range(1, len(rows) + 1))),
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
-        *(calc(name, *LABELS[name], "", [getattr(row, name) for row in rows], [one[name] for one in values])
+        *(calc(name, *LABELS[name], "", [row.formulas[name] for row in rows], [one[name] for one in values])
           for name in page.columns),
         constant("equation", "equation in the books", "", "", [row.equation for row in rows], align="left"),
     )  # fmt: skip

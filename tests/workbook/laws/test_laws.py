@@ -18,7 +18,7 @@ from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import LawSheet
 from workbook.laws.layout import with_laws
 from workbook.laws.page import COEFFICIENTS
-from workbook.laws.registry import CODES, FAMILIES, FAMILY, family_of
+from workbook.laws.registry import CODES, FAMILIES, FAMILY, family_of, require_complete
 from workbook.laws.variations import SIX, law_for, laws_in, variations
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
@@ -106,13 +106,13 @@ LACKING = {
 @pytest.mark.parametrize("what", LACKING)
 def test_what_a_page_leaves_out_is_named(what):
     family, changed, words = LACKING[what]
-    family.page.require_complete(family.entry)
+    require_complete(family.page, family.entry)
     with pytest.raises(IncompleteError, match=words):
-        replace(family.page, **changed).require_complete(family.entry)
+        require_complete(replace(family.page, **changed), family.entry)
 
 
 def test_a_page_cannot_be_made_without_the_place_of_its_peak():
-    stated = {name: getattr(CUB.page, name) for name in ("title", "source", "made", "pieces", "coefficients")}
+    stated = {name: getattr(CUB.page, name) for name in ("law", "source", "pieces", "coefficients")}
     with pytest.raises(TypeError, match="'fastest'"):
         type(CUB.page)(**stated)
 

@@ -143,9 +143,6 @@ class OwnPage(Page):
             for k, piece in enumerate(pieces, 1)
         ]
 
-    def require_complete(self, entry: Entry) -> None:
-        """Accept it: its pieces are what is entered."""
-
     def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
         """Declare the name and the table of pieces."""
         sheet.rows(given("@name", "Name of the own law", "", "", one.entered.name, f"{one.key}.name"))

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from engine.laws import Entry, Law, Piece
+from engine.laws import Law, Piece
 from engine.laws.knots import Knots, entered_rows
 from engine.laws.spline import EXAMPLE, MOST, NARROWEST, Spline
 from workbook.book.declare import Quantity, Sheet, check, given
@@ -125,9 +125,6 @@ class SplinePage(Page):
             )
             for k in rows
         ]
-
-    def require_complete(self, entry: Entry) -> None:
-        """Accept it: its pieces are what is entered."""
 
     def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
         """Declare slopes and ends, and the table of points."""
