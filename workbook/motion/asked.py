@@ -1,7 +1,11 @@
-"""What an engineer may ask of a motion: how smooth it must be."""
+"""What an engineer may ask of a motion: how smooth it must be, and what it passes where two curved phases meet."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
+
+from engine.motion.joining import Rates
+from workbook.book.declare import Quantity, given
 
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 """what must be continuous: velocity; acceleration too; jerk too"""
@@ -55,3 +59,21 @@ def in_time(asked: Asked, degrees: str, size: str, order: str) -> tuple[str, str
 def timed(asked: Asked, x: float, size: float, order: int) -> tuple[float, float]:
     """Return them by the engine: x is in rad where they are told over time."""
     return (x, size) if asked.speed is None else (x / asked.speed[1], size * asked.speed[1] ** order / asked.lift[1])
+
+
+def passed(phases: Iterable[Any]) -> dict[int, Rates]:
+    """Return what is entered, by the number of the phase that begins there, from 0."""
+    return {k: Rates(one.velocity or 0.0, one.acceleration or 0.0) for k, one in enumerate(phases) if one.passes}
+
+
+def entries(
+    velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],
+    symbols: tuple[str, str] = ("y'", "y''"),
+) -> list[Quantity]:  # fmt: skip
+    """Return the columns in which it is entered; ``key`` is that of the rows in the description."""
+    return [
+        given("velocity", "velocity at its start", symbols[0], units[0], velocities, f"{key}.velocity",
+              format="0.0####", source="between two curved phases; empty: 0"),
+        given("acceleration", "and with", symbols[1], units[1], accelerations, f"{key}.acceleration",
+              format="0.0####", source="between two curved phases; empty: 0"),
+    ]  # fmt: skip

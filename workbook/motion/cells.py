@@ -15,9 +15,34 @@ from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, located, motion_pieces, shares
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
-from workbook.motion.stack import Sine, powers, sines
 
 RAISED = ("", "", "²", "³", "⁴", "⁵", "⁶", "⁷")
+
+
+class Sine(NamedTuple):
+    """A sine in the stack by its columns: P/ω², ω, φ; ``mark`` ends the names of the motion's columns of it."""
+
+    ps: str
+    omega: str
+    phi: str
+    mark: str
+
+
+SINES = (Sine("ps", "omega", "phi", ""), Sine("ps2", "omega2", "phi2", "2"))
+
+
+FIRST = "=MATCH([no],piece_number,0)"
+"""the row of the first piece of a phase's law"""
+
+
+def last_before(number: str, xi: str) -> str:
+    """Return the formula of the row of a law's last piece that begins before ξ: before 1, no spare row does."""
+    return f"MATCH(2*{number}+{xi}-break_tolerance,piece_key,1)"
+
+
+def of_law(column: str) -> str:
+    """Return the formula of an entry of the law's piece, in the row ``m`` of the stack."""
+    return f"INDEX(piece_{column},[m])"
 
 
 @dataclass(frozen=True)
@@ -79,10 +104,6 @@ class Cells:
         """Return the defined name of a column of the pieces' table; ``c`` is that of all coefficients."""
         return f"{self.pieces.removesuffix('_pieces')}_{column}"
 
-    def of_piece(self, column: str, q: str) -> str:
-        """Return the formula of a figure of the piece that a sample has found."""
-        return f"INDEX([{self.pieces}.{column}],[{q}])"
-
     def piece(self, x: str) -> str:
         """Return the formula, without its =, of the piece of a sample: the last that begins at or before it."""
         if self.degrees:
@@ -138,13 +159,13 @@ class PieceRows:
 
     @cached_property
     def sines(self) -> tuple[Sine, ...]:
-        """The sines that a piece may have."""
-        return sines(self.stack)
+        """The sines that a piece may have: two where any law of the book has a second."""
+        return SINES if any(piece.omega2 for pieces in self.stack.pieces.values() for piece in pieces) else SINES[:1]
 
     @cached_property
     def powers(self) -> int:
-        """How many coefficients the polynomial of a piece may have."""
-        return powers(self.stack)
+        """How many coefficients the polynomial of a piece may have: two more than the accelerations of laws."""
+        return max(len(piece.c) for pieces in self.stack.pieces.values() for piece in pieces) + 2
 
     @cached_property
     def counts(self) -> list[int]:

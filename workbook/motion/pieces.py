@@ -10,9 +10,8 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import quoted
 from workbook.entries.units import DEGREE, shown
-from workbook.motion.cells import RAISED, Cells, PieceRows
+from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, Sine, last_before, of_law
 from workbook.motion.room import CROWDED, rule_of
-from workbook.motion.stack import FIRST, Sine, last_before, of_law
 
 TITLE = "The motion as pieces"
 ABOUT = (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -20,26 +20,14 @@ from workbook.motion.cells import PieceRows
 from workbook.motion.sampled import at_begin, at_place, place_columns
 
 RATES = ("v", "a", "j")
-NONE = ('""', "0")
-"""what a text and a number are where nothing jumps"""
+NOTHING: dict[str, Any] = {
+    **dict.fromkeys(("what", "unit", "jump", "who", "lines", "says"), ""),
+    **dict.fromkeys(("before", "after", "other", "straight"), 0),
+    **dict.fromkeys(("place", "size", "slope0", "slope1"), 0.0),
+}
+"""what is told of a jump, by the names of its cells, where nothing jumps"""
+EMPTY = '""'
 WORDS = ",".join(f'"{word}"' for word in ORDERS)
-
-
-class Told(NamedTuple):
-    """What is told of a jump: where it is, how large, between whom, slopes, and the sentence."""
-
-    x: float = 0.0
-    what: str = ""
-    size: float = 0.0
-    unit: str = ""
-    jump: str = ""
-    before: int = 0
-    after: int = 0
-    other: int = 0
-    who: str = ""
-    slopes: tuple[float, ...] = ()
-    lines: str = ""
-    says: str = ""
 
 
 class Joints:
@@ -203,36 +191,36 @@ class Joints:
         order = at(f"{self.name}.order")
         x, size = in_time(asked, at(f"{self.rows.at.pieces}.begin"), f"ABS({at(f'{self.name}.size')})", order)
         units = ",".join(formula for formula, _ in asked.units)
-        who, straight = self._who(), self._straight_lines(told)
+        who, straight = self._who(), self._straight_lines()
         number = self.found.index(self._worst[1]) + 1 if self._worst else 0
         says = (
             f'{f"{name}_who&" if who else ""}"at "&ROUND({name}_place,9)&{asked.place[0]}&": "&{name}_what'
             f'&" jumps by "&{name}_jump&" "&{name}_unit{f"&{name}_lines" if straight else ""}'
         )
         phases = [
-            ("before", "Phase before", at(f"{self.name}.from"), told.before),
-            ("after", "Phase that begins or goes on", at(f"{self.name}.p"), told.after),
+            ("before", "Phase before", at(f"{self.name}.from")),
+            ("after", "Phase that begins or goes on", at(f"{self.name}.p")),
             ("other", "Another phase begins: 1 yes, 0 no",
-             f"IF(OR({name}_before<>{name}_after,{at(f'{self.name}.n')}=1),1,0)", told.other),
+             f"IF(OR({name}_before<>{name}_after,{at(f'{self.name}.n')}=1),1,0)"),
         ]  # fmt: skip
         rows = [
-            ("place", "Where it begins", x, told.x),
-            ("what", "What jumps there", f"CHOOSE({order},{WORDS})", told.what),
-            ("size", "It jumps by", size, told.size),
-            ("unit", "in", f"CHOOSE({order},{units})", told.unit),
-            ("jump", "as told", f'IF({name}_size<1000000000,ROUND({name}_size,9)&"","beyond 1E9")', told.jump),
+            ("place", "Where it begins", x),
+            ("what", "What jumps there", f"CHOOSE({order},{WORDS})"),
+            ("size", "It jumps by", size),
+            ("unit", "in", f"CHOOSE({order},{units})"),
+            ("jump", "as told", f'IF({name}_size<1000000000,ROUND({name}_size,9)&"","beyond 1E9")'),
             *(phases if who or straight else []),
-            *([("who", "Between", who, told.who)] if who else []),
+            *([("who", "Between", who)] if who else []),
             *straight,
-            ("says", "What is less smooth than asked", says, told.says),
+            ("says", "What is less smooth than asked", says),
         ]
         first = f"ROUND(1/SUMPRODUCT(MAX(([{self.name}.order]>0)/[{self.name}.r])),0)"
         return [
             calc(f"{name}_piece", "First piece that begins less smoothly than asked", "", "",
                  f"=IF(SUM([{self.name}.order])=0,0,{first})", number, format="0", source="0 where none does"),
             *(calc(f"{name}_{mark}", label, "", "",
-                   f"=IF({name}_piece=0,{NONE[not isinstance(value, str)]},{formula})", value)
-              for mark, label, formula, value in rows),
+                   f"=IF({name}_piece=0,{EMPTY if NOTHING[mark] == '' else 0},{formula})", told[mark])
+              for mark, label, formula in rows),
         ]  # fmt: skip
 
     def _who(self) -> str:
@@ -243,7 +231,7 @@ class Joints:
             return f'{one}&IF({name}_other=1," to "&{two},"")&" "'
         return f'"row "&{name}_before&IF({name}_other=1," to "&{name}_after,"")&" "' if asked.rows else ""
 
-    def _straight_lines(self, told: Told) -> list[tuple[str, str, str, Any]]:
+    def _straight_lines(self) -> list[tuple[str, str, str]]:
         """Return the rows of the slopes on both sides of the first jump, where both are straight."""
         table, name = self.rows.at.asked, self.asked.order
         if not table:
@@ -253,25 +241,25 @@ class Joints:
                     for end in ("before", "after"))  # fmt: skip
         says = f'": straight lines of "&ROUND({name}_slope0,9)&" and "&ROUND({name}_slope1,9)'
         return [
-            ("straight", "Two straight lines meet there", f"IF({both}=-2,1,0)", int(bool(told.slopes))),
-            ("slope0", "Slope of the first", one, told.slopes[0] if told.slopes else 0.0),
-            ("slope1", "Slope of the second", two, told.slopes[1] if told.slopes else 0.0),
-            ("lines", "as told", f'IF({name}_straight=1,{says},"")', told.lines),
+            ("straight", "Two straight lines meet there", f"IF({both}=-2,1,0)"),
+            ("slope0", "Slope of the first", one),
+            ("slope1", "Slope of the second", two),
+            ("lines", "as told", f'IF({name}_straight=1,{says},"")'),
         ]
 
     def check(self, name: str, label: str) -> Quantity:
         """Return the check that the motion is as smooth as asked; it names joint, jump and phase."""
         asked = self.asked
         head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
-        said = f"{asked.of[1]} {self._told().says}".lstrip() if self._worst else ""
+        said = f"{asked.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
         return check(name, label, f"{asked.order}_piece=0", self._smooth, ABOUT,
                      says=Said(f"{head}{asked.order}_says", said))  # fmt: skip
 
-    def _told(self) -> Told:
-        """Return what is told of the first joint that is less smooth than asked."""
+    def _told(self) -> dict[str, Any]:
+        """Return what is told of the first joint that is less smooth than asked, by the names of its cells."""
         asked = self.asked
         if not self._worst:
-            return Told()
+            return NOTHING
         piece, joint = self._worst
         within = joint.before == piece.phase and joint.lasting > 1
         who = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if asked.rows else ""
@@ -283,8 +271,12 @@ class Joints:
         lines = f": straight lines of {' and '.join(figure(one) for one in slopes)}" if slopes else ""
         what, unit = ORDERS[joint.order - 1], asked.units[joint.order - 1][1]
         says = f"{who}at {figure(x)}{asked.place[1]}: {what} jumps by {jump} {unit}{lines}"
-        phases = joint.before + 1, piece.phase + 1, int(not within)
-        return Told(x, what, size, unit, Sentence(jump), *phases, who, slopes, Sentence(lines), Sentence(says))
+        return NOTHING | {
+            "place": x, "what": what, "size": size, "unit": unit, "jump": Sentence(jump), "who": who,
+            "before": joint.before + 1, "after": piece.phase + 1, "other": int(not within),
+            "straight": int(bool(slopes)), **{f"slope{i}": slope for i, slope in enumerate(slopes)},
+            "lines": Sentence(lines), "says": Sentence(says),
+        }  # fmt: skip
 
     def _slopes(self, piece: MotionPiece, joint: Joint) -> tuple[float, ...]:
         """Return the slopes of the phases on both sides, where both are straight."""

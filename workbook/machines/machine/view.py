@@ -19,7 +19,7 @@ from workbook.latest import latest
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.motion.extremes import measured
 from workbook.machines.machine.switches.view import Lane
-from workbook.motion.through import passed
+from workbook.motion.asked import passed
 
 UNITS = {"mm": MM, "°": DEGREE}
 BASES = {"mm": "m", "°": "rad"}

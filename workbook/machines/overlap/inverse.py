@@ -19,7 +19,7 @@ from workbook.book.sentence import amount
 from workbook.entries.units import MM, PERCENT, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.view import Overlapping, Station
-from workbook.motion.stack import FIRST, last_before
+from workbook.motion.cells import FIRST, last_before
 
 ABOUT = (
     "Between two points of a law as if its acceleration were constant, then corrected once by what is missing at the "

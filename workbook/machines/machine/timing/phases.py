@@ -14,8 +14,8 @@ from workbook.laws import phases as joined
 from workbook.laws.phases import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY, jerks
 from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion.tables import AxisRows
+from workbook.motion.asked import entries
 from workbook.motion.pieces import room_check
-from workbook.motion.through import entries
 
 
 def phases_table(sheet: Sheet, one: AxisRows) -> None:
