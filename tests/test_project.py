@@ -93,17 +93,18 @@ def test_what_is_run_by_hand_finds_all_that_it_imports(folder: str) -> None:
         runpy.run_path(str(path), run_name="imported")
 
 
-@pytest.mark.parametrize("guide", ["README.md", "CONTRIBUTING.md"])
+RECIPES = [f"docs/recipes/{path.name}" for path in sorted((ROOT / "docs/recipes").glob("*.md"))]
+GUIDES = ["README.md", "CONTRIBUTING.md", *(f"docs/{path.name}" for path in sorted((ROOT / "docs").glob("*.md")))]
+
+
+@pytest.mark.parametrize("guide", ["README.md", "CONTRIBUTING.md", *RECIPES])
 def test_the_files_that_a_guide_names_are_there(guide: str) -> None:
     named = set(re.findall(r"`((?:engine|workbook|tests|benchmarks|docs)/[\w/.]+)`", (ROOT / guide).read_text("utf-8")))
     made_up = {name for name in named if re.search("NAME|press", name)}
     assert [name for name in sorted(named - made_up) if not (ROOT / name).exists()] == []
 
 
-GUIDES = ["README.md", "CONTRIBUTING.md", *(f"docs/{path.name}" for path in sorted((ROOT / "docs").glob("*.md")))]
-
-
-@pytest.mark.parametrize("guide", GUIDES)
+@pytest.mark.parametrize("guide", [*GUIDES, *RECIPES])
 def test_the_links_of_a_guide_lead_to_files(guide: str) -> None:
     page = ROOT / guide
     links = re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
@@ -114,6 +115,7 @@ def test_the_links_of_a_guide_lead_to_files(guide: str) -> None:
 def test_the_index_of_the_docs_names_every_page() -> None:
     index = (ROOT / "docs/README.md").read_text(encoding="utf-8")
     pages = {path.name for path in (ROOT / "docs").glob("*.md")} - {"README.md"}
+    pages |= {one.removeprefix("docs/") for one in RECIPES}
     assert {page for page in pages if f"]({page})" not in index} == set()
 
 
