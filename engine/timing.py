@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from engine.laws import Law
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 
@@ -13,10 +12,24 @@ FULL_TURN = 2.0 * math.pi  # rad
 
 
 def shaft_speed(rate: float) -> float:
-    """Return the speed of the master shaft, ω = 2π n, in rad/s, of n cycles per second (one piece a turn).
+    """Return the speed of the master shaft, ω = 2π n, of one cycle a turn.
 
-    Raises ValueError unless n is finite and above 0.
     Source: S1, 'Timing diagram for a cutting machine', 200 pieces per minute = 20.944 rad/s.
+
+    Parameters
+    ----------
+    rate : float, 1/s
+        n, cycles per second; finite and above 0.
+
+    Returns
+    -------
+    float, rad/s
+        ω.
+
+    Raises
+    ------
+    ValueError
+        For another rate.
     """
     if not (math.isfinite(rate) and rate > 0.0):
         raise ValueError(f"rate is {rate:g}; expected a finite number above 0")
@@ -34,9 +47,7 @@ def ratio_of(rates: Array, rate: float) -> Array:
 
 
 def at_rate(figure: float, faster: Array, power: int) -> Array:
-    """Return a figure that grows with this power of the rate, at a rate so many times higher: 1 of ẏ, 2 of ÿ, 3 of it
-    derived once more.
-    """
+    """Return a figure that grows with this power of the rate (1 of ẏ, 2 of ÿ, 3 of the jerk), at so many times it."""
     return np.asarray(figure * faster**power)
 
 
@@ -53,7 +64,17 @@ def lane(y: Array, reach: tuple[float, float], floor: float, share: float) -> Ar
 
 @dataclass(frozen=True)
 class Axis:
-    """A named motion; a ``feed`` advances every cycle and does not come back."""
+    """A named motion.
+
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    motion : Motion
+        Over one cycle.
+    feed : bool
+        Whether it advances every cycle and does not come back.
+    """
 
     name: str
     motion: Motion
@@ -72,63 +93,42 @@ class Axis:
 
 @dataclass(frozen=True)
 class Movement:
-    """One rise or return of an axis and its peaks, in m, rad and s.
+    """One rise or return of an axis and its peaks.
 
-    y'_max = C_v |h|/δ, y''_max = C_a |h|/δ²; at the shaft's speed ω, ẏ_max = y'_max ω,
-    ÿ_max = y''_max ω², and ÿ_rms = C_a,rms |h|/δ² ω² over the movement.
+    ẏ_max = C_v |h|/δ ω, ÿ_max = C_a |h|/δ² ω², ÿ_rms = C_a,rms |h|/δ² ω² over the movement.
     Source: S1, 'Timing diagram for a cutting machine', ÿ_max = c_a h/t_a².
+
+    Parameters
+    ----------
+    axis : str
+        Its name.
+    phase : int
+        Number of the phase, from 0.
+    of : Phase
+        The phase, in m or rad.
+    speed : float, rad/s or 1/s
+        Of the abscissa, e.g. ω.
     """
 
     axis: str
     phase: int
     of: Phase
     speed: float
-    """of the abscissa, e.g. ω in rad/s"""
-
-    @property
-    def law(self) -> Law:
-        """The law of the movement."""
-        return self.of.law
-
-    @property
-    def lift(self) -> float:
-        """h, negative for a return."""
-        return self.of.lift
-
-    @property
-    def duration(self) -> float:
-        """δ, in units of the abscissa."""
-        return self.of.duration
-
-    @property
-    def y1_max(self) -> float:
-        """max |y'|"""
-        return self.of.y1_max
-
-    @property
-    def y2_max(self) -> float:
-        """max |y''|"""
-        return self.of.y2_max
-
-    @property
-    def y3_max(self) -> float:
-        """max |y'''|; infinite where the law's acceleration jumps"""
-        return self.of.y3_max
 
     @property
     def v_max(self) -> float:
-        """max |ẏ|"""
-        return self.y1_max * self.speed
+        """Largest |ẏ|."""
+        return self.of.y1_max * self.speed
 
     @property
     def a_max(self) -> float:
-        """max |ÿ|"""
-        return self.y2_max * self.speed**2
+        """Largest |ÿ|."""
+        return self.of.y2_max * self.speed**2
 
     @property
     def j_max(self) -> float:
-        """max of the jerk in time; infinite where the law's acceleration jumps"""
-        return self.y3_max * self.speed**3
+        """Largest jerk in time; infinite where the law's acceleration jumps."""
+        return self.of.y3_max * self.speed**3
 
     @property
     def a_rms(self) -> float:

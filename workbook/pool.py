@@ -35,7 +35,7 @@ class Died:
 
 
 class Here:
-    """This process, one piece after the other."""
+    """The process itself, one piece after the other."""
 
     distant = False
 

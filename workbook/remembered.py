@@ -1,7 +1,7 @@
-"""What was found out of a file, remembered by the file's SHA-256 and by this version of the program, from run to run.
+r"""What was found out of a file, remembered by the file's SHA-256 and by this version of the program, from run to run.
 
 It lies where the system keeps what may be lost: ``~/.cache/motionbook``, ``~/Library/Caches/motionbook`` on macOS,
-``%LOCALAPPDATA%\\motionbook\\Cache`` on Windows.
+``%LOCALAPPDATA%\motionbook\Cache`` on Windows.
 """
 
 from __future__ import annotations

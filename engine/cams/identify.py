@@ -48,12 +48,12 @@ class Found:
 
     @property
     def rates(self) -> tuple[float, float]:
-        """y' and y'' at its begin, where its ends are prescribed; else 0."""
+        """Rates y' and y'' at its begin, where its ends are prescribed; else 0."""
         return self._prescribed(0)
 
     @property
     def leaves(self) -> tuple[float, float]:
-        """y' and y'' at its end, where its ends are prescribed; else 0."""
+        """Rates y' and y'' at its end, where its ends are prescribed; else 0."""
         return self._prescribed(1)
 
     def _prescribed(self, side: int) -> tuple[float, float]:

@@ -30,11 +30,11 @@ def hermite(x: Array, y: Array, v: Array) -> CamProfile:
 
 
 def parabolas(x: Array, y: Array) -> CamProfile:
-    """Return cubics whose slope at a point is that of the parabola through it and its neighbours, at an
-    end through three.
+    """Return cubics whose slope at a point is that of the parabola through it and its neighbours.
 
-    At equal steps that is the slope of the line between the neighbours. y' is continuous and y'' is not. Of two points
-    it is the line. Source: Bessel's slopes, C. de Boor, A Practical Guide to Splines, IV.
+    At an end it goes through three points. At equal steps that is the slope of the line between the neighbours. y'
+    is continuous and y'' is not. Of two points it is the line. Source: Bessel's slopes, C. de Boor, A Practical
+    Guide to Splines, IV.
     """
     if len(x) == 2:
         return lines(x, y)

@@ -14,11 +14,23 @@ from engine.laws.base import Array, require_finite
 
 @dataclass(frozen=True)
 class Stage:
-    """A transmission: speed before it over speed behind it, and its efficiency.
+    """A transmission: speed at its input over speed at its output, and its efficiency.
 
-    Where it turns rotation into travel, ``ratio`` is in rad/m (lead screw: 2πP; roller: 1/R).
-    ``back_efficiency`` is that where the load drives, the same by default; at 0 or less the stage locks itself.
-    Raises ValueError unless the ratio is above 0, the efficiency above 0 and at most 1, and backward at most 1.
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    ratio : float
+        Above 0; in rad/m where it turns rotation into travel (lead screw: 2πP; roller: 1/R).
+    efficiency : float
+        Above 0, at most 1.
+    back_efficiency : float or None
+        That where the load drives, at most 1, the same by default; at 0 or less the stage locks itself.
+
+    Raises
+    ------
+    ValueError
+        For a figure outside these limits.
     """
 
     name: str
@@ -51,10 +63,25 @@ class Stage:
 
 @dataclass(frozen=True)
 class Part:
-    """``count`` equal parts of an inertia J, kg m² (kg behind a stage that makes travel).
+    """Equal parts that turn with a shaft.
 
-    ``shaft`` counts the stages between the motor and it: 0 is the motor's shaft. ``speed_ratio`` is ω_i/ω of that
-    shaft, for a part that is geared to it. Raises ValueError for a negative count or inertia.
+    Parameters
+    ----------
+    name : str
+        What they are called.
+    inertia : float, kg m²
+        J of one; in kg at the output of a stage that makes travel. 0 or more.
+    shaft : int
+        Stages between the motor and it: 0 is the motor's shaft.
+    count : float
+        How many; 0 or more.
+    speed_ratio : float
+        ω_i/ω of that shaft, for parts that are geared to it.
+
+    Raises
+    ------
+    ValueError
+        For a negative count or inertia.
     """
 
     name: str
@@ -87,19 +114,38 @@ def gear_speed_ratio(driver: float | None, driven: float | None) -> float:
 
 
 def reflected_inertia(parts: Sequence[Part]) -> float:
-    """Return J_tot = Σ count · J · (ω_i/ω)², in kg m² at the shaft that the parts turn with.
+    """Return J_tot = Σ count · J · (ω_i/ω)² of parts.
 
-    Source: S1, 'Feeding group layout', J_tot = 4 J1 + 4 J2.
+    Parameters
+    ----------
+    parts : sequence of Part
+        The parts of one shaft.
+
+    Returns
+    -------
+    float, kg m²
+        At the shaft that the parts turn with. Source: S1, 'Feeding group layout', J_tot = 4 J1 + 4 J2.
     """
     return math.fsum(part.reflected for part in parts)
 
 
 @dataclass(frozen=True)
 class Load:
-    """What hangs on a shaft: its inertia (kg m², or kg), and the torque (Nm, or N) that resists.
+    """What hangs on a shaft.
 
-    ``torque`` acts against positive motion always, also at rest, like a weight; ``friction`` opposes the motion (or,
-    below 0, helps it on), and is zero at standstill. Raises ValueError for a negative inertia.
+    Parameters
+    ----------
+    inertia : float, kg m² or kg
+        0 or more.
+    torque : float, Nm or N
+        Acts against positive motion always, also at rest, like a weight.
+    friction : float, Nm or N
+        Opposes the motion (or, below 0, helps it on); zero at standstill.
+
+    Raises
+    ------
+    ValueError
+        For a negative inertia.
     """
 
     inertia: float
@@ -119,8 +165,21 @@ class Load:
 class Mechanism:
     """Stages from the motor to the load, the parts on their shafts, and the load on the last one.
 
-    Shafts are counted from the motor's, 0, to the load's, as many as there are stages.
-    Raises ValueError for no stages, or a part on a shaft that is not there.
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    stages : tuple of Stage
+        From the motor to the load, at least one.
+    parts : tuple of Part
+        On shafts that are counted from the motor's, 0, to the load's, as many as there are stages.
+    load : Load
+        What hangs on the last shaft.
+
+    Raises
+    ------
+    ValueError
+        For no stages, or a part on a shaft that is not there.
     """
 
     name: str

@@ -16,14 +16,28 @@ Holding = Literal["motor", "brake"]
 
 @dataclass(frozen=True)
 class Drive:
-    """A mechanism, the inertia of the motor that drives it (kg m²), and how losses and rest are counted.
+    """A mechanism, the motor that drives it, and how losses and rest are counted.
 
-    ``method`` physical: each stage's losses count against the motor where it drives and help it where the
-    load drives (at rest, as if it drove). ``document``: S4's, inertia and torque behind a stage always over η.
-    ``holding``: who holds the load at rest; S4 counts no torque there, as with a brake.
-    ``no_load`` is the torque (Nm) at the motor's shaft that opposes its rotation, whatever the load;
-    ``copper`` are the losses of its winding over the square of its torque, P_N/T_N² (W/(Nm)²).
-    Raises ValueError for what is negative, or another word.
+    Parameters
+    ----------
+    mechanism : Mechanism
+        From the motor's shaft to the load.
+    motor_inertia : float, kg m²
+        0 or more.
+    method : {"physical", "document"}
+        Each stage's losses count against the motor where it drives and help it where the load drives (at rest, as if it
+        drove); or S4's, inertia and torque at the output of a stage always over η.
+    holding : {"motor", "brake"}
+        What holds the load at rest; S4 counts no torque there, as with a brake.
+    no_load : float, Nm
+        Torque at the motor's shaft that opposes its rotation, whatever the load; 0 or more.
+    copper : float, W/(Nm)²
+        Losses of its winding over the square of its torque, P_N/T_N²; 0 or more.
+
+    Raises
+    ------
+    ValueError
+        For what is negative, or another word.
     """
 
     mechanism: Mechanism

@@ -15,11 +15,25 @@ Resists = Literal["always", "moving"]
 
 @dataclass(frozen=True)
 class Slide:
-    """A mass (kg) on a guide: friction coefficient μ, slope (rad, rising with positive travel), process force (N),
-    gravity g (m/s²).
+    """A mass on a guide.
 
-    The force acts against positive travel, always. Raises ValueError for a negative mass or μ, or a slope
-    beyond a right angle.
+    Parameters
+    ----------
+    mass : float, kg
+        0 or more.
+    friction : float
+        Coefficient μ, 0 or more.
+    slope : float, rad
+        Of the guide, rising with positive travel; within a right angle either way.
+    force : float, N
+        Acts against positive travel, always.
+    gravity : float, m/s²
+        g.
+
+    Raises
+    ------
+    ValueError
+        For a figure outside these limits.
     """
 
     mass: float

@@ -61,10 +61,27 @@ the peak torque change their slope, the lower first, 3: the largest); above or b
 
 @dataclass(frozen=True)
 class Motor:
-    """Inertia (kg m²), rated and peak torque (Nm) and largest speed (rad/s); no limit is given by infinity.
+    """A motor by its limits; no limit is given by infinity.
 
-    The rated torque is that at ``rated_speed`` (rad/s); the stall torque (Nm) counts where it is larger.
-    Raises ValueError for a negative inertia or a limit that is not above 0.
+    Parameters
+    ----------
+    inertia : float, kg m²
+        0 or more.
+    rated_torque : float, Nm
+        Given continuously at ``rated_speed``.
+    peak_torque : float, Nm
+        The largest for a short time.
+    max_speed : float, rad/s
+        The largest speed.
+    stall_torque : float, Nm
+        Given continuously at standstill; counts where it is larger than the rated torque.
+    rated_speed : float, rad/s
+        That of the rated torque.
+
+    Raises
+    ------
+    ValueError
+        For a negative inertia or a limit that is not above 0.
     """
 
     inertia: float

@@ -144,7 +144,7 @@ class LoadPoints:
 
     @cached_property
     def slopes(self) -> tuple[Array, Array]:
-        """x' and x'' of a load by angle; 1 and 0 of another."""
+        """Derivatives x' and x'' of a load by angle; 1 and 0 of another."""
         by_angle, y = self.train.by_angle, self.position
         return by_angle.slopes(y) if by_angle else (np.ones(y.shape), np.zeros(y.shape))
 

@@ -75,7 +75,7 @@ class Cut:
 
     @property
     def displacement(self) -> float:
-        """h = L_0 − L_p (m), the dynamic displacement; 0 where rounding alone tells them apart."""
+        """Displacement h = L_0 − L_p (m), the dynamic displacement; 0 where rounding alone tells them apart."""
         found = self.tool.design_length - self.product_length
         return found if abs(found) > SAME_LENGTH * self.tool.design_length else 0.0
 
@@ -161,7 +161,7 @@ class Cut:
 
     @property
     def max_angular_speed(self) -> float:
-        """max |ω_L| (rad/s)."""
+        """Largest |ω_L| (rad/s)."""
         return max(abs(v) for v in self.speed_range) / self.tool.radius
 
     @property

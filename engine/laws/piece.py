@@ -21,8 +21,21 @@ Columns = Sequence[Array] | Array
 class Piece:
     """a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂) over a duration, u from its begin.
 
-    ``amplitude`` is P, ``omega`` ω, ``phase`` φ in rad; the second sine is for the one law that needs it. Raises
-    ValueError for a negative duration, for coefficients that are not four to six, and for what is not finite.
+    Parameters
+    ----------
+    duration : float
+        Share of the rise, 0 or more.
+    c : tuple of float
+        c0 to c3, c4 or c5.
+    amplitude, omega, phase : float
+        P, ω and φ (rad).
+    amplitude2, omega2, phase2 : float
+        P₂, ω₂ and φ₂, for the one law that has two sines.
+
+    Raises
+    ------
+    ValueError
+        For a negative duration, other than four to six coefficients, or what is not finite.
     """
 
     duration: float

@@ -27,7 +27,7 @@ def scaled_piece(piece: Piece, height: float, time: float) -> Piece:
 
 
 def cut(piece: Piece, shares: Sequence[float]) -> list[Piece]:
-    """Return the parts of a piece between these shares of its duration, each with its own u::
+    """Return the parts of a piece between these shares of its duration, each with its own u.
 
     c'_i = Σ_{k ≥ i} c_k C(k, i) u₀ᵏ⁻ⁱ, φ' = φ + ω u₀ from the begin u₀ of a part.
     """

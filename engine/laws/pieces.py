@@ -28,8 +28,17 @@ class Carried(NamedTuple):
 class PieceLaw(Law):
     """A law given by its acceleration, piece by piece; s and v are carried on from s = v = 0.
 
-    The durations sum to 1 (within 1e-9), else ValueError. Whether the law ends at s = 1 and at rest is
-    the engineer's affair: see ``end``.
+    Whether the law ends at s = 1 and at rest is the engineer's affair: see ``end``.
+
+    Parameters
+    ----------
+    pieces : sequence of Piece
+        Their durations sum to 1 (within 1e-9).
+
+    Raises
+    ------
+    ValueError
+        For durations that do not.
     """
 
     code = "OWN"

@@ -76,12 +76,14 @@ class Lobe(NamedTuple):
 
 
 class PulseLaw(EndedLaw):
-    """From v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H::
+    """From v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H.
+
+    With::
 
         V = [H − v0 T₁ (1 − κ₁) − v1 T₂ (1 − κ₂)] / (κ₁ T₁ + T_c + κ₂ T₂)
         A = (V − v0)/(w₁ T₁)      B = (V − v1)/(w₂ T₂)
 
-    where w = ∫p and κ = ∫(1 − x)p dx/w of each pulse, the second told backwards. A and B are the heights of the
+    w = ∫p and κ = ∫(1 − x)p dx/w of each pulse, the second told backwards. A and B are the heights of the
     pulses, a = A p and then a = −B p, and may have either sign: ∫a² = A² q₁ T₁ + B² q₂ T₂, the extremes of v are
     among v0, V and v1, and the travel T (v + κ (V − v)) of the pulses and V T_c add up to H.
     """

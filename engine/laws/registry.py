@@ -69,9 +69,26 @@ _KNOWN = by_name(CATALOGUE)
 
 
 def law(name: str, **parameters: Any) -> Law:
-    """Return the law of this code, name or alias (in capitals or not), made with its parameters.
+    """Return a law of the catalogue.
 
-    Raises UnknownLawError, which lists the known laws, and what the law itself raises for its parameters.
+    Parameters
+    ----------
+    name : str
+        Its code, name or alias, in capitals or not.
+    **parameters
+        Those of the law's class.
+
+    Returns
+    -------
+    Law
+        The law, made with its parameters.
+
+    Raises
+    ------
+    UnknownLawError
+        For a name that is not in the catalogue; it lists the known laws.
+    ValueError
+        What the law itself raises for its parameters.
     """
     entry = _KNOWN.get(_key(name))
     if entry is None:

@@ -68,12 +68,12 @@ class Spline(EndedLaw):
 
     @cached_property
     def moments(self) -> Array:
-        """a at each point."""
+        """Acceleration a at each point."""
         return tridiagonal(*self.system)
 
     @cached_property
     def system(self) -> "System":
-        """The equations of the moments: with the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points,
+        """The equations of the moments, with the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points.
 
         d_{k−1} a_{k−1} + 2(d_{k−1} + d_k) a_k + d_k a_{k+1} = 6(m_k − m_{k−1}),
         and at an end with the slope v, 2 d_0 a_0 + d_0 a_1 = 6(m_0 − v).

@@ -12,7 +12,7 @@ DEGREES = 6  # coefficients of a piece's polynomial
 
 
 class Stage(NamedTuple):
-    """A stage with its own time t = sign ξ + origin, counted from its begin, or backwards from its end::
+    """A stage with its own time t = sign ξ + origin, counted from its begin, or backwards from its end.
 
     a = sign (Σ c_i tⁱ + P sin x)      v = v0 + Σ c_i tⁱ⁺¹/(i + 1) − P r cos x
     s = s0 + sign (v0 t + Σ c_i tⁱ⁺²/((i + 1)(i + 2)) − P r² sin x)      x = φ + t/r

@@ -62,7 +62,7 @@ class Handover:
 
     @property
     def slope(self) -> float:
-        """y' of a straight line; 0 of all else."""
+        """Slope y' of a straight line; 0 of all else."""
         return slope(self.phase) or 0.0
 
     @property
@@ -132,7 +132,7 @@ class Handover:
 
     @property
     def reversing(self) -> float:
-        """y' between the two pulses; 0 of all else."""
+        """Velocity y' between the two pulses; 0 of all else."""
         law = self.phase.law
         return law.top / self.phase.duration if self.mode == PULSES and isinstance(law, PulseLaw) else 0.0
 

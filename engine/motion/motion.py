@@ -22,10 +22,23 @@ ZERO_TOLERANCE = 1e-9
 class Motion:
     """Phases one after the other: y = y_k + h s(ξ), y' = h v(ξ)/δ, y'' = h a(ξ)/δ², ξ = (x − x_k)/δ.
 
-    The abscissa begins at ``start``, the position at ``position``, and each phase takes over the position
-    where the lifts before have brought it. (S3's listing leaves that out, so that a dwell after a rise would
-    drop to 0.) Right-continuous at the edges; at the last edge the left limit.
-    Raises ValueError for no phases. Source: S3, function motionlaw.
+    Each phase takes over the position where the lifts before have brought it. (S3's listing leaves that out, so that a
+    dwell after a rise would drop to 0.) Right-continuous at the edges; at the last edge the left limit.
+    Source: S3, function motionlaw.
+
+    Parameters
+    ----------
+    phases : sequence of Phase
+        At least one.
+    start : float
+        Where the abscissa begins, in its unit.
+    position : float
+        y there, in the unit of the lifts.
+
+    Raises
+    ------
+    ValueError
+        For no phases.
     """
 
     def __init__(self, phases: Sequence[Phase], start: float = 0.0, position: float = 0.0) -> None:
@@ -120,7 +133,7 @@ class Motion:
 
     @cached_property
     def sizes(self) -> MotionValues[float]:
-        """Largest |h|, |h|/δ, |h|/δ², |h|/δ³ of any phase; 1 where nothing moves: what is nothing beside them?"""
+        """Largest |h|, |h|/δ, |h|/δ², |h|/δ³ of any phase; 1 where nothing moves."""
         return MotionValues(*(self.size(order) for order in range(4)))
 
     def size(self, order: int) -> float:
@@ -222,13 +235,32 @@ def motionlaw(
     n: int,
     parameters: Sequence[Mapping[str, Any] | None] | None = None,
 ) -> MotionSamples:
-    """Return n samples, at equal steps, of the phases that three lists describe: S3's call in Python.
+    """Return samples of the phases that three lists describe: S3's call in Python.
 
-    ``laws`` are names of the catalogue, ``lifts`` in any unit of y, ``durations`` in any unit of the
-    abscissa, ``parameters`` (if given) a mapping or None a phase, handed to its law.
-    Raises ValueError for lists of unequal length, fewer than two samples, or a phase that cannot be
-    (which says the phase), UnknownLawError for a name that is not in the catalogue.
     Source: S3, function motionlaw, its misprint mended (see :class:`engine.motion.Motion`).
+
+    Parameters
+    ----------
+    laws : sequence of str
+        Names of the catalogue, one a phase.
+    lifts, durations : sequence of float
+        One a phase, in any unit of y and of the abscissa.
+    n : int
+        Samples at equal steps, at least 2.
+    parameters : sequence of mapping or None
+        What is handed to the law of each phase.
+
+    Returns
+    -------
+    MotionSamples
+        Abscissa, y and its first three derivatives: arrays of shape (n,).
+
+    Raises
+    ------
+    UnknownLawError
+        For a name that is not in the catalogue.
+    ValueError
+        For lists of unequal length, fewer than two samples, or a phase that cannot be (it says which).
     """
     given = {"laws": laws, "lifts": lifts, "durations": durations}
     if parameters is not None:
@@ -239,7 +271,7 @@ def motionlaw(
         raise ValueError(f"{counts} are given; expected as many of each")
     if n < 2:
         raise ValueError(f"n is {n}; expected at least 2 samples")
-    settings = parameters if parameters is not None else [None] * len(laws)
+    settings = [None] * len(laws) if parameters is None else parameters
     phases = [
         numbered_phase(k, law(name, **(more or {})), lift, duration)
         for k, (name, lift, duration, more) in enumerate(zip(laws, lifts, durations, settings, strict=True), 1)

@@ -27,9 +27,21 @@ class TimeValues(NamedTuple, Generic[Real]):
 
 @dataclass(frozen=True)
 class Phase:
-    """A law, carried out over a lift (negative for a return) in a duration (in units of the abscissa).
+    """A law, carried out over a lift in a duration.
 
-    Raises ValueError unless the duration is positive, both are finite, and a dwell has no lift.
+    Parameters
+    ----------
+    law : Law
+        From rise 0 to rise 1.
+    lift : float, any unit of y
+        Negative for a return; 0 in a dwell.
+    duration : float, any unit of the abscissa
+        Above 0.
+
+    Raises
+    ------
+    ValueError
+        For a duration that is not above 0, a dwell with a lift, or what is not finite.
     """
 
     law: Law
@@ -74,17 +86,17 @@ class Phase:
 
     @property
     def y1_max(self) -> float:
-        """max |y'| = C_v |h|/δ."""
+        """Largest |y'| = C_v |h|/δ."""
         return self.law.coefficients.cv * abs(self.scale) / self.duration
 
     @property
     def y2_max(self) -> float:
-        """max |y''| = C_a |h|/δ². Source: S1, 'Timing diagram for a cutting machine'."""
+        """Largest |y''| = C_a |h|/δ². Source: S1, 'Timing diagram for a cutting machine'."""
         return self.law.coefficients.ca * abs(self.scale) / self.duration**2
 
     @property
     def y3_max(self) -> float:
-        """max |y'''| = C_j |h|/δ³; infinite where the law's acceleration jumps."""
+        """Largest |y'''| = C_j |h|/δ³; infinite where the law's acceleration jumps."""
         return self.law.coefficients.cj * abs(self.scale) / self.duration**3 if self.scale else 0.0
 
     @property

@@ -63,9 +63,7 @@ class Schedule:
 
     @property
     def parts(self) -> tuple[Scaled, Scaled, Scaled, Scaled]:
-        """Dwell, way out, rest and way in (m, rad), counted from the tool's arrival; what is shorter than the
-        tolerance of an angle lasts 0.
-        """
+        """Dwell, way out, rest and way in (m, rad) from the tool's arrival; below the tolerance of an angle none."""
         h, dwell, out, into = self.tool.stroke, self.tool.dwell, self.angle_out, self.angle_in
         rest = FULL_TURN - dwell - into - out
         return (

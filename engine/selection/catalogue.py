@@ -90,12 +90,13 @@ class Motors:
 
 @dataclass(frozen=True)
 class Reducers:
-    """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), largest input speed (rad/s), output
-    torque and mean output torque (Nm), infinite where not given; size (kg) and cost, NaN where not given; the no-load
-    torque at the input (Nm). The output torque holds up to ``full_rate`` cycles (1/s), beyond over ``cycle_factor``.
+    """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), limits, size and cost.
 
-    A single number stands for all. Raises ValueError for lengths that differ, i not above 0, η not above 0 and
-    at most 1, or J_T below 0 (that names the reducer).
+    Limits are the largest input speed (rad/s), output torque and mean output torque (Nm), infinite where not given;
+    size (kg) and cost are NaN where not given; the no-load torque (Nm) is that at the input. The output torque
+    holds up to ``full_rate`` cycles (1/s), beyond over ``cycle_factor``. A single number stands for all. Raises
+    ValueError for lengths that differ, i not above 0, η not above 0 and at most 1, or J_T below 0 (that names the
+    reducer).
     """
 
     names: tuple[str, ...]
@@ -120,7 +121,7 @@ class Reducers:
 
     @cached_property
     def ratio(self) -> Array:
-        """τ = ω_L/ω_M = 1/i"""
+        """τ = ω_L/ω_M = 1/i."""
         return 1.0 / self.reduction
 
 

@@ -27,9 +27,11 @@ PARTS = 10_000
 
 
 class Wanted(NamedTuple):
-    """What a usable pair holds: the largest inertia at the motor over the motor's, the least and the greatest rated
-    torque over RMS torque; the factor on the torque that a reducer must hold; the least peak torque and largest speed
-    of a motor over what is asked of it."""
+    """What a usable pair meets: the largest inertia ratio, the least and the greatest rated torque over RMS torque.
+
+    Besides the factor on the torque that a reducer carries, and the least peak torque and largest speed of a motor over
+    what is asked of it.
+    """
 
     inertia_ratio: float
     least_margin: float
@@ -88,8 +90,10 @@ def used(motor: Motor, speed: float, rms: float, mean: float) -> Used:
 
 @dataclass(frozen=True)
 class PairMatrix:
-    """Every motor of a catalogue (down) behind every reducer (across); ``beside`` turns with the motor (kg m²),
-    ``rate`` counts cycles (1/s)."""
+    """Every motor of a catalogue (down) behind every reducer (across).
+
+    ``beside`` turns with the motor (kg m²), ``rate`` counts cycles (1/s).
+    """
 
     load: PointLoad
     motors: Motors

@@ -123,8 +123,10 @@ class Task:
 
     @classmethod
     def of_figures(cls, acceleration_rms: float, torque_rms: float, power_rate_mean: float, max_speed: float) -> "Task":
-        """Return the task of figures that were found apart: the mean at most ±ω̇_rms T*_rms, past which rounding,
-        and the samples of an own law, may put it."""
+        """Return the task of figures that were found apart: the mean at most ±ω̇_rms T*_rms.
+
+        Past that rounding, and the samples of an own law, may put it.
+        """
         bound = acceleration_rms * torque_rms
         return cls(acceleration_rms, torque_rms, max(-bound, min(bound, power_rate_mean)), max_speed)
 

@@ -28,9 +28,9 @@ def test_an_axis_fills_its_share_of_a_lane_from_the_floor_and_lies_on_it_where_i
 
 def test_movements_are_the_phases_that_lift():
     found = [one for axis in (Axis("cam", CAM), Axis("feed", FEED, feed=True)) for one in axis.movements(2.0)]
-    assert [(m.axis, m.phase, m.lift) for m in found] == [("cam", 0, 0.02), ("cam", 2, -0.02), ("feed", 0, 0.3)]
-    assert [m.duration for m in found[:2]] == [EDGES[1] - EDGES[0], EDGES[3] - EDGES[2]]
-    assert found[0].law is ASYMMETRIC
+    assert [(m.axis, m.phase, m.of.lift) for m in found] == [("cam", 0, 0.02), ("cam", 2, -0.02), ("feed", 0, 0.3)]
+    assert [m.of.duration for m in found[:2]] == [EDGES[1] - EDGES[0], EDGES[3] - EDGES[2]]
+    assert found[0].of.law is ASYMMETRIC
 
 
 @pytest.mark.parametrize("number", [0, 1])
@@ -39,8 +39,8 @@ def test_peaks_are_what_dense_samples_show(number):
     movement = Axis("cam", CAM).movements(shaft_speed(rate))[number]
     x = np.linspace(EDGES[movement.phase], EDGES[movement.phase + 1], 100_001)[:-1]
     at, timed = CAM.at(x), CAM.at_speed(x, shaft_speed(rate))
-    assert movement.y1_max == pytest.approx(np.abs(at.y1).max(), rel=1e-7)
-    assert movement.y2_max == pytest.approx(np.abs(at.y2).max(), rel=1e-7)
+    assert movement.of.y1_max == pytest.approx(np.abs(at.y1).max(), rel=1e-7)
+    assert movement.of.y2_max == pytest.approx(np.abs(at.y2).max(), rel=1e-7)
     assert movement.v_max == pytest.approx(np.abs(timed.v).max(), rel=1e-7)
     assert movement.a_max == pytest.approx(np.abs(timed.a).max(), rel=1e-7)
     assert movement.a_rms == pytest.approx(math.sqrt(np.mean(timed.a**2)), rel=1e-7)

@@ -49,8 +49,10 @@ def cutting_machine() -> Iterator[Figure]:
     rise = s1.movements(ConstantAcceleration(), 200 / 60)[0]
     section = "Timing diagram for a cutting machine"
     yield Figure(section, "speed of the master shaft at 200 pieces/min", "rad/s", "20.944", shaft_speed(200 / 60))
-    yield Figure(section, "MC01, geometric velocity, peak", "m/rad", "0.43", rise.y1_max)
-    yield Figure(section, "MC01, geometric acceleration, peak", "m/rad²", "0.61", rise.y2_max, "cut off, not rounded")
+    yield Figure(section, "MC01, geometric velocity, peak", "m/rad", "0.43", rise.of.y1_max)
+    yield Figure(
+        section, "MC01, geometric acceleration, peak", "m/rad²", "0.61", rise.of.y2_max, "cut off, not rounded"
+    )
     yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max)
     yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max)
     load, feed = s1.feeding_group().mechanism.reduced, s1.results(s1.MTP)

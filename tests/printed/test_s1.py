@@ -88,8 +88,8 @@ def test_speed_of_the_master_shaft_at_200_pieces_a_minute():
 def test_mc01_with_constant_acceleration_as_printed():
     """Printed: y' = 0.43 m/rad, y'' = 0.61 m/rad², ẏ = 9 m/s, ÿ = 270 m/s²."""
     rise = movements(ConstantAcceleration(), 200 / 60)[0]
-    assert rise.y1_max == pytest.approx(0.43, abs=0.005)
-    assert math.floor(rise.y2_max * 100) / 100 == 0.61  # 0.6155, cut off and not rounded
+    assert rise.of.y1_max == pytest.approx(0.43, abs=0.005)
+    assert math.floor(rise.of.y2_max * 100) / 100 == 0.61  # 0.6155, cut off and not rounded
     assert (rise.v_max, rise.a_max) == pytest.approx((9.0, 270.0), rel=1e-13)
 
 
@@ -106,7 +106,7 @@ def test_mc01_with_constant_acceleration_as_printed():
 )
 def test_mc01_rise_with_each_law(law, y1, y2, v, a):
     rise = movements(law, 200 / 60)[0]
-    assert (rise.y1_max, rise.y2_max) == pytest.approx((y1, y2), abs=5e-6)
+    assert (rise.of.y1_max, rise.of.y2_max) == pytest.approx((y1, y2), abs=5e-6)
     assert (rise.v_max, rise.a_max) == pytest.approx((v, a), abs=5e-4)
 
 
@@ -123,7 +123,7 @@ def test_mc01_rise_with_each_law(law, y1, y2, v, a):
 def test_movements_with_the_modified_trapezoidal_law(number, name, y1, y2, v, a):
     movement = movements(MTP, 200 / 60)[number]
     assert movement.axis == name
-    assert (movement.y1_max, movement.y2_max) == pytest.approx((y1, y2), abs=5e-6)
+    assert (movement.of.y1_max, movement.of.y2_max) == pytest.approx((y1, y2), abs=5e-6)
     assert movement.v_max == pytest.approx(v, abs=5e-5)
     assert movement.a_max == pytest.approx(a, abs=5e-4)
 

@@ -37,8 +37,10 @@ PLAIN = re.compile(r"([A-Z]{1,3})([1-9][0-9]{0,6})")
 
 
 class Written(NamedTuple):
-    """A cell as it is written: its place, the number of its style, the type of its value (``n``, ``str`` ...), the
-    value's text, if it has one, and the attributes and the text of its formula, if it has one."""
+    """A cell as it is written: its place, the number of its style, the type of its value (``n``, ``str`` ...).
+
+    Besides the value's text, and the attributes and the text of its formula, where it has them.
+    """
 
     row: int
     column: int
@@ -68,8 +70,10 @@ def corner(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
 
 
 class Rows:
-    """What one worksheet holds, as expat tells it: its ``written`` cells in order, the ``looks`` of rows, by number,
-    the ``fonts`` within texts, by row and column, and where in the part's bytes the rows lie."""
+    """What one worksheet contains, read by expat: its ``written`` cells in order, the ``looks`` of rows by number.
+
+    Besides the ``fonts`` within texts, by row and column, and where in the part's bytes the rows are.
+    """
 
     def __init__(self, name: str, count: Count, prefix: str) -> None:
         self.name, self.count, self.prefix = name, count, prefix

@@ -1,5 +1,7 @@
-"""Other catalogues and choices at which ``verify`` evaluates a Selection sheet: every rank, proposed and named
-pairs, figures that are missing, limits that are not given, and no pair at all."""
+"""Other catalogues and choices at which ``verify`` evaluates a Selection sheet.
+
+Every rank, proposed and named pairs, figures that are missing, limits that are not given, and no pair at all.
+"""
 
 from typing import Any
 

@@ -248,8 +248,10 @@ def values_of(plan: Plan, vary: Vary, path: tuple[str, ...], where: str) -> list
 
 
 def alike(plan: Plan, path: tuple[str, ...], where: str) -> list[str]:
-    """Return the laws with the ends of the one that is entered, of the book and of all families; those that do not fit
-    elsewhere are left out by trying."""
+    """Return the laws with the ends of the one that is entered, of the book and of all families.
+
+    Those that do not fit elsewhere are left out by trying.
+    """
     given = next((one for one in references(plan.base) if tuple(one.key.split(".")) == path), None)
     if given is None:
         raise InputError([f"{where} names no law; expected the law of a phase"])

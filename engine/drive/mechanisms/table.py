@@ -14,8 +14,10 @@ from engine.laws.base import Array, require_finite
 
 
 class Parabolas(NamedTuple):
-    """Of each point y' and y'' by φ, φ'' by y, how far the parts beside it reach, the flatter chord Δφ/Δy, and whether
-    Bernstein's coefficients of both parts rise with that slope and curvature."""
+    """The parabolas through points: y' and y'' by φ, φ'' by y, the widths of the parts beside, the flatter chord Δφ/Δy.
+
+    ``calm`` says whether Bernstein's coefficients of both parts rise with that slope and curvature.
+    """
 
     slope: Array
     bend: Array

@@ -36,17 +36,17 @@ class MeasuredPhase(EndedPhase):
 
     @cached_property
     def y1_max(self) -> float:
-        """max |y'|."""
+        """Largest |y'|."""
         return self._most(1, super().y1_max)
 
     @cached_property
     def y2_max(self) -> float:
-        """max |y''|."""
+        """Largest |y''|."""
         return self._most(2, super().y2_max)
 
     @cached_property
     def y3_max(self) -> float:
-        """max |y'''|; infinite where the acceleration jumps."""
+        """Largest |y'''|; infinite where the acceleration jumps."""
         return self._most(3, super().y3_max)
 
     @cached_property

@@ -12,8 +12,10 @@ Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), 
 
 
 class Choice(Ranked):
-    """The catalogues, those that come with the templates where none are told or by the word; with an axis, a sheet
-    Selection that looks for its motor and reducer."""
+    """The catalogues: those that come with the templates where none are entered, or by the word.
+
+    With an axis, a sheet Selection looks for its motor and reducer.
+    """
 
     axis: Called | None = Field(
         default=None,

@@ -97,11 +97,11 @@ def geometric_extremes(one: AxisRows) -> list[Quantity]:
     base, shown_as = one.axis.base, calc if one.machine.over.measured else result
     return [
         shown_as("y1", "geometric velocity", "y'", f"{base}/rad",
-                 own(one, "vmax", VELOCITY), moving(one, lambda m: m.y1_max), source="C_v h/δ"),
+                 own(one, "vmax", VELOCITY), moving(one, lambda m: m.of.y1_max), source="C_v h/δ"),
         shown_as("y2", "geometric acceleration", "y''", f"{base}/rad²",
-                 own(one, "amax", ACCELERATION), moving(one, lambda m: m.y2_max), source="C_a h/δ²"),
+                 own(one, "amax", ACCELERATION), moving(one, lambda m: m.of.y2_max), source="C_a h/δ²"),
         shown_as("y3", "geometric jerk", "y'''", f"{base}/rad³",
-                 own(one, "jmax", JERK), jerks(moving(one, lambda m: m.y3_max)), source="C_j h/δ³"),
+                 own(one, "jmax", JERK), jerks(moving(one, lambda m: m.of.y3_max)), source="C_j h/δ³"),
     ]  # fmt: skip
 
 
