@@ -272,10 +272,7 @@ def motionlaw(
     if n < 2:
         raise ValueError(f"n is {n}; expected at least 2 samples")
     settings = [None] * len(laws) if parameters is None else parameters
-    phases = [
-        numbered_phase(k, law(name, **(more or {})), lift, duration)
-        for k, (name, lift, duration, more) in enumerate(zip(laws, lifts, durations, settings, strict=True), 1)
-    ]
-    motion = Motion(phases)
+    rows = enumerate(zip(laws, lifts, durations, settings, strict=True), 1)
+    motion = Motion([numbered_phase(k, law(name, **(more or {})), h, d) for k, (name, h, d, more) in rows])
     abscissa = np.linspace(0.0, motion.total, n)
     return MotionSamples(abscissa, *motion.at(abscissa))
