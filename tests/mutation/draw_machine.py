@@ -12,7 +12,7 @@ from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.switches.entries import TIMES
 from workbook.machines.machine.time_based import in_units_of
-from workbook.machines.machine.variations import drives, of_shapes
+from workbook.machines.machine.variations import of_shapes
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
@@ -39,7 +39,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
     if data["selection"]["axis"] is not None:
         data["selection"] |= {
-            "axis": drawn.choice(drives(data)),
+            "axis": drawn.choice([axis["name"] for axis in data["axes"] if axis["motor"]]),
             "rank": drawn.choice(get_args(Rank)), "inertia_ratio": 10 ** drawn.uniform(-1, 4),
             "least_margin": 10 ** drawn.uniform(-5, 0.5), "greatest_margin": 10 ** drawn.uniform(0, 6),
             "torque_factor": 10 ** drawn.uniform(-4, 0.3),

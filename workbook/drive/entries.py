@@ -1,7 +1,7 @@
 """What descriptions say of rotating parts, and of efficiencies."""
 
 from collections.abc import Iterator
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -10,6 +10,11 @@ from workbook.entries.texts import Text
 from workbook.entries.types import DesignError, Model, NotNegative, Positive
 
 Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
+
+
+def in_unit(unit: str, description: str, default: Any = ..., title: str | None = None) -> Any:
+    """Return the field of an entry in a unit; it must be told where there is no default."""
+    return Field(default, title=title, description=description, json_schema_extra={"unit": unit})
 
 
 class RotatingParts(Model):

@@ -151,7 +151,8 @@ def uses(sheet: Sheet, view: Choosing) -> None:
         row, there = f"INDEX([motors.nmax],MAX(1,[@order.m.{k}]))", f"[@order.m.{k}]>0"
         point(sheet, k, f"=IF({there},[@best.n.{k}]/{row},0-1)",
               f"=IF({there},[@best.share.{k}],0-1)", view.used(k - 1))  # fmt: skip
-    point(sheet, 0, "=@own_speed/@held_nmax", "=@own_rms/@held_rated", view.own_use)
+    point(sheet, 0, "=@own_speed/@held_nmax", "=@own_rms/@held_rated",
+          Used(view.own.speed / view.held("nmax"), view.own.rms / view.held("rated")))  # fmt: skip
 
 
 def point(sheet: Sheet, k: int, speed: str, torque: str, used: Used) -> None:

@@ -26,35 +26,17 @@ MOTORS, REDUCERS = "motors.csv", "reducers.csv"
 TEXTS = ("name", "source")
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")  # Python takes 1_000 and ١٢ too
 MOTOR_COLUMNS = {
-    "name": "name",
-    "inertia_kgcm2": "inertia",
-    "stall_torque_Nm": "stall_torque",
-    "rated_torque_Nm": "rated_torque",
-    "rated_speed_rpm": "rated_speed",
-    "peak_torque_Nm": "peak_torque",
-    "max_speed_rpm": "max_speed",
-    "full_torque_to_rpm": "full_torque_to",
-    "torque_at_max_speed_Nm": "end_torque",
-    "copper_losses_kW": "copper_losses",
-    "mass_kg": "mass",
-    "cost": "cost",
-    "source": "source",
-}
+    "name": "name", "inertia_kgcm2": "inertia", "stall_torque_Nm": "stall_torque", "rated_torque_Nm": "rated_torque",
+    "rated_speed_rpm": "rated_speed", "peak_torque_Nm": "peak_torque", "max_speed_rpm": "max_speed",
+    "full_torque_to_rpm": "full_torque_to", "torque_at_max_speed_Nm": "end_torque",
+    "copper_losses_kW": "copper_losses", "mass_kg": "mass", "cost": "cost", "source": "source",
+}  # fmt: skip
 REDUCER_COLUMNS = {
-    "name": "name",
-    "reduction": "reduction",
-    "efficiency": "efficiency",
-    "inertia_at_input_kgcm2": "inertia",
-    "no_load_torque_Nm": "no_load_torque",
-    "max_input_speed_rpm": "max_speed",
-    "max_output_torque_Nm": "max_torque",
-    "full_torque_to_cycles_per_h": "full_cycles",
-    "factor_beyond": "cycle_factor",
-    "max_mean_torque_Nm": "mean_torque",
-    "mass_kg": "mass",
-    "cost": "cost",
-    "source": "source",
-}
+    "name": "name", "reduction": "reduction", "efficiency": "efficiency", "inertia_at_input_kgcm2": "inertia",
+    "no_load_torque_Nm": "no_load_torque", "max_input_speed_rpm": "max_speed", "max_output_torque_Nm": "max_torque",
+    "full_torque_to_cycles_per_h": "full_cycles", "factor_beyond": "cycle_factor",
+    "max_mean_torque_Nm": "mean_torque", "mass_kg": "mass", "cost": "cost", "source": "source",
+}  # fmt: skip
 
 
 def read_motors(path: Path) -> list[Product]:
@@ -93,7 +75,7 @@ def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Product]
     try:
         head = [cell.strip() for cell in next(table)]
         require_head(path, head, model, columns)
-        rows = list(parse(path, table, head, separator, (model, columns), faults))
+        rows = list(parse(path, table, head, separator, model, columns, faults))
     except csv.Error as error:
         raise ReadError(f"{path}: line {table.line_num}: {error}; expected a catalogue, a .csv file") from error
     if faults:
@@ -122,15 +104,10 @@ def others(found: list[str]) -> str:
 
 
 def parse(
-    path: Path,
-    table: Any,
-    head: list[str],
-    separator: str,
-    target: tuple[type[Row], dict[str, str]],
+    path: Path, table: Any, head: list[str], separator: str, model: type[Row], columns: dict[str, str],
     faults: list[str],
-) -> Iterator[Product]:
+) -> Iterator[Product]:  # fmt: skip
     """Yield what each line says; enter what is wrong with its structure and types in ``faults``."""
-    model, columns = target
     names = {entry: column for column, entry in columns.items()}
     for cells in table:
         if not any(cell.strip() for cell in cells):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from engine.laws.base import Array
 from engine.selection import Motors, Reducers
 from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Used, Wanted, gears, reserve
-from engine.selection.point_load import Gears, shares_of
+from engine.selection.point_load import shares_of
 from workbook.book.rows import filled
 from workbook.entries.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
@@ -20,8 +20,6 @@ from workbook.selection.shaft import Shaft
 
 BEST = 20
 """rows of the list of the best pairs"""
-
-
 AS_ENTERED = "as entered"
 
 
@@ -33,37 +31,25 @@ def figures(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = 
 
 def engine_motors(rows: Sequence[MotorRow]) -> Motors:
     """Return the engine's catalogue of the motors entered."""
+    of = {name: figures(rows, name) for name in MotorRow.model_fields if name not in ("name", "source")}
     return Motors(
-        tuple(row.name for row in rows),
-        si(figures(rows, "inertia"), KG_CM2),
-        figures(rows, "rated_torque"),
-        figures(rows, "peak_torque"),
-        si(figures(rows, "max_speed"), RPM),
-        figures(rows, "mass"),
-        figures(rows, "cost"),
-        si(figures(rows, "full_torque_to"), RPM),
-        figures(rows, "end_torque"),
-        figures(rows, "stall_torque"),
-        si(figures(rows, "rated_speed"), RPM),
-    )
+        tuple(row.name for row in rows), si(of["inertia"], KG_CM2), of["rated_torque"], of["peak_torque"],
+        si(of["max_speed"], RPM), of["mass"], of["cost"], si(of["full_torque_to"], RPM), of["end_torque"],
+        of["stall_torque"], si(of["rated_speed"], RPM),
+    )  # fmt: skip
 
 
 def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
     """Return the engine's catalogue of the reducers entered."""
+    none = {"inertia": 0.0, "no_load_torque": 0.0, "full_cycles": FULL_CYCLES, "cycle_factor": 1.0}
+    none |= dict.fromkeys(("max_speed", "max_torque", "mean_torque"), math.inf)
+    of = {name: figures(rows, name, none.get(name, math.nan))
+          for name in ReducerRow.model_fields if name not in ("name", "source")}  # fmt: skip
     return Reducers(
-        tuple(row.name for row in rows),
-        figures(rows, "reduction"),
-        figures(rows, "efficiency"),
-        si(figures(rows, "inertia", missing=0.0), KG_CM2),
-        si(figures(rows, "max_speed", missing=math.inf), RPM),
-        figures(rows, "max_torque", missing=math.inf),
-        figures(rows, "mean_torque", missing=math.inf),
-        figures(rows, "mass"),
-        figures(rows, "cost"),
-        figures(rows, "no_load_torque", missing=0.0),
-        si(figures(rows, "full_cycles", missing=FULL_CYCLES), PER_HOUR),
-        figures(rows, "cycle_factor", missing=1.0),
-    )
+        tuple(row.name for row in rows), of["reduction"], of["efficiency"], si(of["inertia"], KG_CM2),
+        si(of["max_speed"], RPM), of["max_torque"], of["mean_torque"], of["mass"], of["cost"], of["no_load_torque"],
+        si(of["full_cycles"], PER_HOUR), of["cycle_factor"],
+    )  # fmt: skip
 
 
 class Figures(NamedTuple):
@@ -78,13 +64,17 @@ class Figures(NamedTuple):
 
 
 class Choosing:
-    """The choice for the shaft that is named, or the only one."""
+    """The choice for the shaft that is named, or the only one.
+
+    ``rooms`` are the rows and columns of the grid, ``pairs`` their number, ``rank`` that of what pairs are ranked by.
+    """
 
     def __init__(self, given: Ranked, sizes: SelectionSizes, shafts: Sequence[Shaft], number: int = 0) -> None:
         self.given, self.shafts, self.number = given, shafts, number
         self.shaft = shafts[number]
         self.load = self.shaft.load
-        self.rooms = sizes.motors, sizes.reducers
+        self.rooms, self.pairs = (sizes.motors, sizes.reducers), sizes.motors * sizes.reducers
+        self.rank = RANKS.index(given.rank) + 1
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         self.reducers = engine_reducers(given.reducers)
 
@@ -104,33 +94,12 @@ class Choosing:
     @cached_property
     def mixed(self) -> Array:
         """The mean of ω̇ S before each reducer, with its losses (W/s)."""
-        return self.load.mixed(self._reducers)
+        return self.load.mixed(gears(0.0, self.reducers.reduction, self.reducers.efficiency, self.reducers.no_load))
 
     @cached_property
     def square(self) -> Array:
         """The mean square of the load's torque at the motor before each reducer (N²m²)."""
-        return self.load.square(self._reducers)
-
-    @property
-    def _reducers(self) -> Gears:
-        """The reducers without a motor."""
-        r = self.reducers
-        return gears(0.0, r.reduction, r.efficiency, r.no_load)
-
-    @property
-    def pairs(self) -> int:
-        """Pairs of the grid, spare rows and columns among them."""
-        return np.zeros(self.rooms).size
-
-    @property
-    def beta_scale(self) -> float:
-        """How large the load factor's parts are."""
-        return self.shaft.product
-
-    @property
-    def rank(self) -> int:
-        """The number of what pairs are ranked by, from 1."""
-        return RANKS.index(self.given.rank) + 1
+        return self.load.square(gears(0.0, self.reducers.reduction, self.reducers.efficiency, self.reducers.no_load))
 
     @cached_property
     def keys(self) -> Array:
@@ -147,16 +116,11 @@ class Choosing:
         return int(np.ravel_multi_index(pair, self.rooms))
 
     @property
-    def held_motor(self) -> str:
-        """The name of the drive's motor."""
-        row = int(self.held("row"))
-        return self.motors.names[row - 1] if row else AS_ENTERED
-
-    @property
-    def held_reducer(self) -> str:
-        """The name of the drive's reducer."""
-        row = int(self.held("gear"))
-        return self.reducers.names[row - 1] if row else AS_ENTERED
+    def held_names(self) -> tuple[str, str]:
+        """The names of the drive's motor and reducer."""
+        motor, reducer = int(self.held("row")), int(self.held("gear"))
+        return (self.motors.names[motor - 1] if motor else AS_ENTERED,
+                self.reducers.names[reducer - 1] if reducer else AS_ENTERED)  # fmt: skip
 
     def curve(self, motor: int) -> Curve:
         """Return the curve of a motor of the catalogue."""
@@ -166,15 +130,13 @@ class Choosing:
     @cached_property
     def listed(self) -> list[Figures]:
         """The best pairs."""
-        return [self._figures(m, r) for m, r in self.ranked[:BEST]]
-
-    def _figures(self, m: int, r: int) -> Figures:
-        g = self.grid
-        rms = float(g.rms[m, r])
-        margin = shares_of(np.array(1.0), g.uses[m, r])
-        spare = reserve(self.load, g.pair(m, r), self.curve(m))
-        peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
-        return Figures(rms, float(margin), peak, speed, float(g.inertia_ratio[m, r]), spare)
+        g, found = self.grid, []
+        for m, r in self.ranked[:BEST]:
+            margin = float(shares_of(np.array(1.0), g.uses[m, r]))
+            spare = reserve(self.load, g.pair(m, r), self.curve(m))
+            peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
+            found.append(Figures(float(g.rms[m, r]), margin, peak, speed, float(g.inertia_ratio[m, r]), spare))
+        return found
 
     def named(self, count: int) -> list[str]:
         """Return the names of the first pairs."""
@@ -186,11 +148,6 @@ class Choosing:
         if place >= len(self.ranked):
             return Used(-1.0, -1.0)
         return self.grid.use(*self.ranked[place])
-
-    @property
-    def own_use(self) -> Used:
-        """What the drive's pair uses of its motor."""
-        return Used(self.own.speed / self.held("nmax"), self.own.rms / self.held("rated"))
 
     @cached_property
     def proposed(self) -> int | None:

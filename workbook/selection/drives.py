@@ -50,6 +50,7 @@ def chosen(sheet: Sheet, view: Choosing) -> None:
 def held(view: Choosing) -> Sequence[Quantity]:
     """Return what the drive's reducer makes of the load, and the names of motor and reducer."""
     own, load = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}, view.load
+    motor, reducer = view.held_names
     pair = gears(0.0, *(view.held(name) for name in ("i", "eta", "no_load")))
     return [
         calc("@held_mixed", "Mean of ω̇ S at its motor, with losses", "", "W/s", f"={MIXED.format(**own)}",
@@ -57,10 +58,9 @@ def held(view: Choosing) -> Sequence[Quantity]:
         calc("@held_square", "Mean square torque at its motor, without inertia", "", "N²m²",
              f"={SQUARE.format(**own)}", float(load.square(pair)[0]), scale=view.shaft.torque**2),
         calc("@held_motor", "Its motor", "", "",
-             f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', view.held_motor, align="left"),
+             f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', motor, align="left"),
         calc("@held_reducer", "Its reducer", "", "",
-             f'=IF(@held_gear=0,"{AS_ENTERED}",INDEX([reducers.name],MAX(1,@held_gear)))', view.held_reducer,
-             align="left"),
+             f'=IF(@held_gear=0,"{AS_ENTERED}",INDEX([reducers.name],MAX(1,@held_gear)))', reducer, align="left"),
     ]  # fmt: skip
 
 
@@ -102,24 +102,16 @@ def named(
     if len(names) == 1:
         return [calc(column, label, symbol, unit, f"={whole.format(names[0])}+0", chosen, **more)]
     if len(names) <= GROUP:
-        return [
-            calc(column, label, symbol, unit, f"={whole.format(f'CHOOSE(@no,{chr(44).join(names)})')}", chosen, **more)
-        ]
+        one = whole.format(f"CHOOSE(@no,{','.join(names)})")
+        return [calc(column, label, symbol, unit, f"={one}", chosen, **more)]
     found = []
     for first in range(0, len(names), GROUP):
         group = names[first : first + GROUP]
-        within = f"AND(@no>{first},@no<={first + len(group)})"
-        here = first <= view.number < first + len(group)
+        last = first + len(group)
+        one = whole.format(f"CHOOSE(@no-{first},{','.join(group)})")
         found.append(
-            calc(
-                f"{column}{first + 1}",
-                f"{label}, drives {first + 1} to {first + len(group)}",
-                symbol,
-                unit,
-                f"=IF({within},{whole.format(f'CHOOSE(@no-{first},{chr(44).join(group)})')},0)",
-                chosen if here else 0.0,
-                **more,
-            )
-        )
+            calc(f"{column}{first + 1}", f"{label}, drives {first + 1} to {last}", symbol, unit,
+                 f"=IF(AND(@no>{first},@no<={last}),{one},0)", chosen if first <= view.number < last else 0.0, **more)
+        )  # fmt: skip
     parts = "+".join(f"[{one.name}]" for one in found)
     return [*found, calc(column, label, symbol, unit, f"={parts}", chosen, **more)]

@@ -14,8 +14,6 @@ from workbook.selection.catalogue_files import committed_motors, committed_reduc
 
 MOST_PRODUCTS = 100  # rows of a catalogue
 UNCHOSEN = "no axis with a drive is named "
-
-
 COMMITTED: dict[str, Callable[[], Sequence[Model]]] = {"motors": committed_motors, "reducers": committed_reducers}
 REFERENCE = "committed"
 """instead of a catalogue: the one that comes with the templates, whatever lies beside the description"""
@@ -95,9 +93,7 @@ class SelectionSizes(Sizes):
 
 def require_room(selection: Products, sizes: SelectionSizes) -> None:
     """Raise EntryError where a catalogue has more rows than its table."""
-    for entry, filled, room in (
-        ("motors", len(selection.motors), sizes.motors),
-        ("reducers", len(selection.reducers), sizes.reducers),
-    ):
+    for entry in ("motors", "reducers"):
+        filled, room = len(getattr(selection, entry)), getattr(sizes, entry)
         if filled > room:
             raise EntryError(f"selection.{entry}", f"{filled} rows do not fit into {room}; raise sizes.{entry}")

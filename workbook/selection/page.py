@@ -86,7 +86,7 @@ def asked(sheet: Sheet, view: Choosing) -> None:
         calc("@most", "Largest share of the continuous torque", "", "", "=1/@least", 1.0 / view.given.least_margin),
         calc("@little", "Least share of it", "", "", "=1/@greatest", 1.0 / view.given.greatest_margin),
         result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
-               view.grid.load_factor, scale=view.beta_scale, source="2 (ω̇_rms S_rms + mean ω̇ S); S5, eq. (15)"),
+               view.grid.load_factor, scale=view.shaft.product, source="2 (ω̇_rms S_rms + mean ω̇ S); S5, eq. (15)"),
     )  # fmt: skip
 
 
@@ -114,9 +114,10 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
               says=Said("@message", message(view)))
     )  # fmt: skip
     sheet.heading("The pair that the drive has")
+    motor, reducer = view.held_names
     sheet.rows(
-        result("@own_motor", "Motor", "", "", "=@held_motor&\"\"", view.held_motor, align="left"),
-        result("@own_reducer", "Reducer", "", "", "=@held_reducer&\"\"", view.held_reducer, align="left"),
+        result("@own_motor", "Motor", "", "", "=@held_motor&\"\"", motor, align="left"),
+        result("@own_reducer", "Reducer", "", "", "=@held_reducer&\"\"", reducer, align="left"),
         *own_pair(view),
     )  # fmt: skip
 

@@ -73,7 +73,7 @@ class RatiosSheet:
                  "=IF(AND(sel_wrms>ratio_none,sel_trms>ratio_none,sel_wmax>ratio_none),1,0)", int(self.task.moves),
                  source="1 yes, 0 no"),
             calc("ratio_beta", "Load factor", "β", "W/s", "=sel_moves*sel_beta", self.task.load_factor,
-                 scale=self.choice.beta_scale),
+                 scale=self.choice.shaft.product),
             calc("ratio_alpha", "Accelerating factor of the motor in use", "α", "W/s",
                  "=drive_motor_rated^2/drive_jm", alpha, source="T_N²/J_M"),
             constant("ratio_least", "Figure 12 begins at this share of α at least", "", "", LEAST, format="0.0##"),
@@ -150,7 +150,8 @@ class RatiosSheet:
         sheet.table(
             "ratio_pair", "The pair in use", 1,
             calc("x", "motor", "", "", "=MAX(1,drive_motor_row)", [m + 1]),
-            calc("beta", "load factor", "β", "W/s", "=ratio_beta+0", [self.task.load_factor], scale=choice.beta_scale),
+            calc("beta", "load factor", "β", "W/s", "=ratio_beta+0", [self.task.load_factor],
+                 scale=choice.shaft.product),
             calc("tau", "ratio", "τ", "", "=1/drive_i", [1.0 / self.view.gears[1]]),
         )  # fmt: skip
 

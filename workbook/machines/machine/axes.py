@@ -44,10 +44,9 @@ def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
     """
     driven = Driven(one, machine)
     if driven.linkage is None:
-        return replace(
-            load, profile=profile(one, machine.over, shown(driven.mechanism.ratio, DEGREE)), y_unit=ANGLE_UNIT
-        )
-    linkage, degrees = driven.linkage, shown(driven.stage.ratio, DEGREE)
+        turning = profile(one, machine.over, shown(driven.mechanism.ratio, DEGREE))
+        return replace(load, profile=turning, y_unit=ANGLE_UNIT)
+    linkage, degrees = driven.linkage, shown(driven.reducer.ratio, DEGREE)
 
     def angle(y: Array) -> Seen:
         return Seen(*(degrees * each for each in linkage.shaft(y)))

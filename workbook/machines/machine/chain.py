@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from workbook.book.sentence import figure
-from workbook.drive.entries import Efficiency, RotatingParts
+from workbook.drive.entries import Efficiency, RotatingParts, in_unit
 from workbook.entries.texts import LOOKED_UP
 from workbook.entries.types import Angle, DesignError, EmptyCell, Model, NotNegative, Number, Positive
 from workbook.selection.catalogue import Factor
@@ -44,15 +44,9 @@ WINDOWS = 4
 class SwingingArm(Model):
     """The weight of an arm that swings in a vertical plane; its inertia is entered with the load's."""
 
-    mass: NotNegative = Field(default=0.0, description="Mass of the arm", json_schema_extra={"unit": "kg"})
-    radius: NotNegative = Field(
-        default=0.0, description="Its centre of mass from the axis", json_schema_extra={"unit": "mm"}
-    )
-    angle: Number = Field(
-        default=0.0,
-        description="Its angle above the horizontal where the axis is at 0",
-        json_schema_extra={"unit": "°"},
-    )
+    mass: NotNegative = in_unit("kg", "Mass of the arm", 0.0)
+    radius: NotNegative = in_unit("mm", "Its centre of mass from the axis", 0.0)
+    angle: Number = in_unit("°", "Its angle above the horizontal where the axis is at 0", 0.0)
 
 
 class AxisLoad(Model):

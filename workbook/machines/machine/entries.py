@@ -104,28 +104,19 @@ class Axis(Model):
     def _driven(self) -> Self:
         if self.motor is not None and self.mechanism is None:
             raise EntryError("mechanism", "empty; expected the mechanism that the motor drives")
-        if self.motor is None:
-            self._nothing_driven()
+        for name in ("rate", "printed", "load", "parts", "reducer") if self.motor is None else ():
+            if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
+                raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
         if self.mechanism and self.unit not in self.mechanism.UNITS:
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
         if self.printed and self.mechanism and self.mechanism.kind not in PRINTED:
             raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
-        self._loaded()
-        return self
-
-    def _loaded(self) -> None:
-        """Raise EntryError for what is no load of such an axis."""
         slides = self.mechanism is not None and self.mechanism.SLIDES
         moved = f"a {self.mechanism.kind}" if slides and self.mechanism else f"an axis in {self.unit}"
         for name in (*TURNING_LOAD, "arm") if slides or self.unit == "mm" else TRAVELLING_LOAD:
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of {moved}; expected none")
-
-    def _nothing_driven(self) -> None:
-        """Raise EntryError for what belongs to a drive, and would stand nowhere."""
-        for name in ("rate", "printed", "load", "parts", "reducer"):
-            if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
-                raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
+        return self
 
     @property
     def repeats(self) -> bool:
@@ -159,8 +150,8 @@ def following(name: str, phases: Sequence[AxisPhase], over: Abscissa = ANGLE) ->
 class MachineSizes(SelectionSizes):
     """How large the tables are built: also the points of a mechanism that is told by a table."""
 
-    positions: Annotated[int, Field(ge=3, le=40)] = Field(
-        default=12, description="Rows for the points of a mechanism that is told by a table"
+    positions: int = Field(
+        default=12, ge=3, le=40, description="Rows for the points of a mechanism that is told by a table"
     )
 
 
@@ -189,9 +180,8 @@ class AnyMachine(Exporting):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        require_distinct((axis.name for axis in self.axes), "axis", "axes.{}.name")
-        require_distinct((switch.name for switch in self.switches), "switch", "switches.{}.name")
-        require_distinct((one.name for one in self.clearances), "clearance", "clearances.{}.name")
+        for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
+            require_distinct((one.name for one in getattr(self, key)), kind, f"{key}.{{}}.name")
         require_axes(self.clearances, [axis.name for axis in self.axes])
         if self.power != PowerEntry() and not any(axis.motor for axis in self.axes):
             raise EntryError("power", "no axis has a drive; expected none")
@@ -205,16 +195,12 @@ class AnyMachine(Exporting):
                 if name and place_of(name, [row.name for row in rows]) < 0:
                     raise EntryError(f"axes.{i}.{entry}.name", f"no {entry} of the catalogue is named {name!r}")
         for i, axis in enumerate(self.axes):
-            if len(axis.parts) > self.sizes.rotors:
-                said = f"{len(axis.parts)} rows do not fit into {self.sizes.rotors}; raise sizes.rotors"
-                raise EntryError(f"axes.{i}.parts", said)
             points = axis.mechanism.points if isinstance(axis.mechanism, Table) else []
-            if len(points) > self.sizes.positions:
-                said = f"{len(points)} rows do not fit into {self.sizes.positions}; raise sizes.positions"
-                raise EntryError(f"axes.{i}.mechanism.points", said)
-            if len(axis.phases) > self.sizes.phases:
-                said = f"{len(axis.phases)} rows do not fit into {self.sizes.phases}; raise sizes.phases"
-                raise EntryError(f"axes.{i}.phases", said)
+            for entry, told, room in (("parts", axis.parts, "rotors"), ("mechanism.points", points, "positions"),
+                                      ("phases", axis.phases, "phases")):  # fmt: skip
+                if len(told) > getattr(self.sizes, room):
+                    said = f"{len(told)} rows do not fit into {getattr(self.sizes, room)}; raise sizes.{room}"
+                    raise EntryError(f"axes.{i}.{entry}", said)
         require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
         self._find_room()
         return self
@@ -250,14 +236,9 @@ class AnyMachine(Exporting):
         """The switches, likewise."""
         return self.switches
 
-    @property
-    def choosable(self) -> list[int]:
-        """The axes, from 0, that the sheet Selection may look at: with a drive."""
-        return [i for i, axis in enumerate(self.axes) if axis.mechanism]
-
     def _chooses(self) -> None:
         """Raise an error where Selection looks at no axis with a drive."""
-        name, names = self.selection.axis, [self.axes[i].name for i in self.choosable]
+        name, names = self.selection.axis, [axis.name for axis in self.axes if axis.mechanism]
         if name is None or place_of(name, names) >= 0:
             return
         if not names:

@@ -52,9 +52,7 @@ def rate_of(view: DriveView) -> Iterator[str]:
 
 def truths(machine: AnyMachine) -> list[str]:
     """Return a line for each result that is farther from the exact engine's than its sheet states, and on rates."""
-    lines = []
-    for view in drives_of(machine):
-        lines += [*results_of(view), *rate_of(view)]
+    lines = [line for view in drives_of(machine) for line in (*results_of(view), *rate_of(view))]
     rows = axes_of(machine)
     gaps = (gap_of(Apart(one, k, rows)) for k, one in enumerate(machine.clearances, 1))
     return [*lines, *filter(None, gaps), *(line for one in rows for line in extremes_of(one.axis))]
@@ -79,16 +77,13 @@ def gap_of(one: Apart) -> str:
 
 def results_of(view: DriveView) -> Iterator[str]:
     """Yield a line for each result of a drive that is farther off than stated."""
-    exact, points = view.driven.results, view.points
-    behind = view.load.output_torque
-    driving, _ = view.energy
-    peak = exact.torque.peak
+    exact, points, behind, (driving, _) = view.driven.results, view.points, view.load.output_torque, view.energy
+    peak, fastest, turning = exact.torque.peak, shown(exact.speed.peak, RPM), exact.shaft_torque(1).peak
     found = (
         ("RMS torque", "Nm", points.rms_torque, exact.rms_torque, RMS * peak),
         ("peak torque", "Nm", points.size(points.torque), peak, PEAK * peak),
-        ("speed", "rpm", shown(view.speed, RPM), shown(exact.speed.peak, RPM), PEAK * shown(exact.speed.peak, RPM)),
-        ("peak torque behind the reducer", "Nm", points.size(behind), exact.shaft_torque(1).peak,
-         PEAK * exact.shaft_torque(1).peak),
+        ("speed", "rpm", shown(view.speed, RPM), fastest, PEAK * fastest),
+        ("peak torque behind the reducer", "Nm", points.size(behind), turning, PEAK * turning),
         ("energy driven", "J", driving, exact.energy.driving, ENERGY * exact.energy.driving),
     )  # fmt: skip
     for what, unit, told, true, bound in found:

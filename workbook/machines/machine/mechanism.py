@@ -5,7 +5,7 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import Field
 
-from workbook.drive.entries import Efficiency
+from workbook.drive.entries import Efficiency, in_unit
 from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 
 UNSIZED = "a size of the mechanism is empty"
@@ -14,12 +14,12 @@ LEAST_POINTS = 2
 
 def sized(label: str) -> Any:
     """Return the field of a size in mm; the sheet of the drive has its ``label`` too."""
-    return Field(title=label, description=label, json_schema_extra={"unit": "mm"})
+    return in_unit("mm", label, title=label)
 
 
 def size(label: str, note: str = "") -> Any:
     """Return the field of a size in mm that may be empty, until the design is finished or for good."""
-    return Field(default=None, title=label, description=f"{label}{note}", json_schema_extra={"unit": "mm"})
+    return in_unit("mm", f"{label}{note}", None, title=label)
 
 
 class MechanismEntry(Model):
@@ -63,16 +63,13 @@ class MechanismEntry(Model):
 class Belted(MechanismEntry):
     """A mechanism of which a belt moves with the load."""
 
-    belt_mass: NotNegative | None = Field(
-        default=None, description="Mass of the belt; it moves with the load", json_schema_extra={"unit": "kg"}
-    )
+    belt_mass: NotNegative | None = in_unit("kg", "Mass of the belt; it moves with the load", None)
 
 
 class LeadScrew(MechanismEntry):
     """A screw and its nut: the axis travels the lead a revolution."""
 
     SIZE: ClassVar[str] = "lead"
-
     kind: Literal["lead screw"]
     lead: Positive = sized("Lead of the screw")
 
@@ -81,7 +78,6 @@ class Conveyor(Belted):
     """A belt over rollers that carries the load."""
 
     SIZE: ClassVar[str] = "roller_diameter"
-
     kind: Literal["conveyor"]
     roller_diameter: Positive = sized("Diameter of the roller")
 
@@ -90,7 +86,6 @@ class RackAndPinion(MechanismEntry):
     """A pinion on a rack."""
 
     SIZE: ClassVar[str] = "pinion_diameter"
-
     kind: Literal["rack and pinion"]
     pinion_diameter: Positive = sized("Pitch diameter of the pinion")
 
@@ -99,7 +94,6 @@ class Belt(Belted):
     """A belt over pulleys that pulls the load."""
 
     SIZE: ClassVar[str] = "pulley_diameter"
-
     kind: Literal["belt"]
     pulley_diameter: Positive = sized("Pitch diameter of the pulley")
 
@@ -108,7 +102,6 @@ class FeedRollers(MechanismEntry):
     """Rollers that feed a web or film."""
 
     SIZE: ClassVar[str] = "roller_radius"
-
     kind: Literal["feed rollers"]
     roller_radius: Positive = sized("Radius of the rollers")
 
@@ -117,7 +110,6 @@ class RotaryTable(MechanismEntry):
     """A table that turns with the reducer's output shaft."""
 
     UNITS: ClassVar[tuple[str, ...]] = ("°",)
-
     kind: Literal["rotary table"]
 
 
@@ -125,7 +117,6 @@ class GearTrain(MechanismEntry):
     """A shaft that turns with the reducer's output shaft."""
 
     UNITS: ClassVar[tuple[str, ...]] = ("°",)
-
     kind: Literal["gear train"]
 
 
@@ -135,15 +126,12 @@ class PressCrank(MechanismEntry):
     UNITS: ClassVar[tuple[str, ...]] = ("°",)
     LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1.0, "rod_length": 10.0}
     SLIDES: ClassVar[bool] = True
-
     kind: Literal["press crank"]
     crank_radius: Positive = sized("Radius of the crank")
     rod_length: Positive = sized("Length of the connecting rod")
     offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
-    start_angle: Number | None = Field(
-        default=None,
-        description="Angle of the crank from the line of the slide, outwards, where the axis is at 0; 0 if empty",
-        json_schema_extra={"unit": "°"},
+    start_angle: Number | None = in_unit(
+        "°", "Angle of the crank from the line of the slide, outwards, where the axis is at 0; 0 if empty", None
     )
 
 
@@ -152,7 +140,6 @@ class CrankSlider(MechanismEntry):
 
     NEEDED: ClassVar[tuple[str, ...]] = ("crank_radius", "rod_length")
     LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1e4, "rod_length": 5e4, "start": 1e4}
-
     kind: Literal["crank-slider"]
     crank_radius: Positive | None = size("Radius of the crank")
     rod_length: Positive | None = size(
@@ -175,15 +162,12 @@ class Rocker(MechanismEntry):
 
     NEEDED: ClassVar[tuple[str, ...]] = ("lever_length", "link_length", "start_angle")
     LARGE: ClassVar[dict[str, Any]] = {"lever_length": 1e5, "link_length": 5e5, "offset": 1e5, "start_angle": 90.0}
-
     kind: Literal["rocker"]
     lever_length: Positive | None = size("Length of the lever")
     link_length: Positive | None = size("Length of the link")
     offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
-    start_angle: Number | None = Field(
-        default=None,
-        description="Angle of the lever from the direction of the slide's line where the motion begins",
-        json_schema_extra={"unit": "°"},
+    start_angle: Number | None = in_unit(
+        "°", "Angle of the lever from the direction of the slide's line where the motion begins", None
     )
     slide: Literal["ahead", "behind"] | None = Field(
         default=None, description="Whether the slide is ahead of the lever's end, or behind; ahead if empty"
@@ -196,7 +180,7 @@ class Rocker(MechanismEntry):
 class TablePoint(Model):
     """A point of a table: an angle of the shaft in °, and the position of the load there, in mm or °."""
 
-    angle: Number = Field(description="Angle of the shaft", json_schema_extra={"unit": "°"})
+    angle: Number = in_unit("°", "Angle of the shaft")
     position: Number = Field(description="Position of the load there, in the axis' unit")
 
 
@@ -205,11 +189,9 @@ class Table(MechanismEntry):
 
     UNITS: ClassVar[tuple[str, ...]] = ("mm", "°")
     LARGE: ClassVar[dict[str, Any]] = {"points": [{"angle": end, "position": end} for end in (-1e4, 1e4)]}
-
     kind: Literal["table"]
     points: list[TablePoint] = Field(
-        default=[],
-        description="The load's position over the shaft's angle, both strictly rising",
+        default=[], description="The load's position over the shaft's angle, both strictly rising"
     )
 
     def design_faults(self) -> Iterator[DesignError]:
@@ -218,20 +200,8 @@ class Table(MechanismEntry):
             yield DesignError("points", UNSIZED, "sized", self.LARGE["points"])
 
 
-Mechanism = Annotated[
-    LeadScrew
-    | Conveyor
-    | RackAndPinion
-    | Belt
-    | FeedRollers
-    | RotaryTable
-    | GearTrain
-    | PressCrank
-    | CrankSlider
-    | Rocker
-    | Table,
-    Field(discriminator="kind"),
-]
+Turned = LeadScrew | Conveyor | RackAndPinion | Belt | FeedRollers | RotaryTable | GearTrain
+Mechanism = Annotated[Turned | PressCrank | CrankSlider | Rocker | Table, Field(discriminator="kind")]
 MECHANISMS: dict[str, type[MechanismEntry]] = {
     get_args(model.model_fields["kind"].annotation)[0]: model for model in get_args(get_args(Mechanism)[0])
 }

@@ -1,6 +1,5 @@
 """The sheet S4: what the document prints of its two machines beside this book's figures, and what is misprinted."""
 
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -57,13 +56,6 @@ FIGURES = (
     Printed("Derating at 35 °C", "", "@derate", NONE, "0.142/0.147", (1, 0.9660918),
             "S4 lowers the torque asked for; here what the motor gives is lowered"),
 )  # fmt: skip
-
-
-def printed_sheets(book: Book, drives: Iterable[DriveView]) -> None:
-    """Declare the sheet of each axis that asks for it."""
-    for view in drives:
-        if view.driven.entered.printed:
-            printed_sheet(book, view)
 
 
 def printed_sheet(book: Book, view: DriveView) -> None:

@@ -18,12 +18,12 @@ from workbook.latest import latest
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, shelf_of
 from workbook.machines.machine.axes import axes, switches
-from workbook.machines.machine.check import check
 from workbook.machines.machine.clearance.gap import Apart
 from workbook.machines.machine.clearance.sheet import clearances_sheet
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.points import asks
+from workbook.machines.machine.drive.reach import require_mechanisms
 from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 from workbook.machines.machine.entries import AnyMachine
@@ -32,7 +32,7 @@ from workbook.machines.machine.from_names import fixed, laid_out
 from workbook.machines.machine.motion.tables import AxisRows, pieces_sheet
 from workbook.machines.machine.power.sheet import power_sheet, supply
 from workbook.machines.machine.power.view import Mains
-from workbook.machines.machine.printed import printed_sheets
+from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches.sheet import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
@@ -56,14 +56,9 @@ def declare(given: AnyMachine) -> Book:
     both = [driven(machine, axis, shelf.stack) for axis in machine.axes]
     rows, drives = [one for one, _ in both], {one.axis.number: view for one, view in both if view}
     bus = Mains(list(drives.values()), given.power)
-    sheet = summary_sheet(
-        book,
-        given,
-        f"A machine: the motions of its axes over a cycle in {machine.over.unit}."
-        if machine.over.measured
-        else "A machine: the motions of its axes over one master shaft, at one rate.",
-        [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *supply(bus)],
-    )  # fmt: skip
+    over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
+    told = [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *supply(bus)]
+    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", told)
     axes_in_short(
         sheet,
         [in_short(axis, drives.get(axis.number)) for axis in machine.axes],
@@ -75,7 +70,7 @@ def declare(given: AnyMachine) -> Book:
     book.name("axes", axis_name="name")
     for one in rows:
         if view := drives.get(one.axis.number):
-            again(book, "drive sheets", (view, machine.near), partial(driven_sheet, book, view))
+            again(book, "drive sheets", (view, machine.near), partial(named_drive_sheet, book, view))
     clearances_sheet(book, [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)])
     power_sheet(book, bus)
     if given.selection.axis is not None:
@@ -83,7 +78,9 @@ def declare(given: AnyMachine) -> Book:
         number = place_of(given.selection.axis, [one.name for one in shafts])
         selection_sheet(book, Choosing(given.selection, given.sizes, shafts, number), given.selection.axis)
     catalogue_sheet(book, given.selection, given.sizes)
-    printed_sheets(book, drives.values())
+    for view in drives.values():
+        if view.driven.entered.printed:
+            printed_sheet(book, view)
     shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     cycle_sheets(book, machine, rows)
     of_pieces = tuple((one.pieces, one.joints, one.ends) for one in rows)
@@ -108,12 +105,6 @@ def driven(machine: Whole, axis: MovingAxis, stack: Pieces) -> tuple[AxisRows, D
     return one, view
 
 
-def driven_sheet(book: Book, view: DriveView) -> None:
-    """Declare the sheet of a drive, with the names of what others look up there."""
-    drive_sheet(book, view)
-    name_points(book, view)
-
-
 def pace(machine: Whole) -> list[Quantity]:
     """Return the results of how fast the machine goes; where nothing tells that, of how long its cycle is."""
     over = machine.over
@@ -136,8 +127,9 @@ def in_short(axis: MovingAxis, view: DriveView | None) -> InShort:
                           ratio=driven.reducer.ratio, highest=view.highest)  # fmt: skip
 
 
-def name_points(book: Book, view: DriveView) -> None:
-    """Give names to the columns of a drive that its samples, the sheets Power and Selection look up."""
+def named_drive_sheet(book: Book, view: DriveView) -> None:
+    """Declare the sheet of a drive, with names of the columns that its samples, Power and Selection look up."""
+    drive_sheet(book, view)
     i, names = view.driven.number, {"at": "theta", "T": "T", "n": "n"} | ({"phi": "phi"} if view.varies else {})
     if asks(view):
         names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "S"}
@@ -160,46 +152,19 @@ def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list
     told = [
         f"INDEX([axes_short.{name}],{first})" if axes > 1 else f"[axes_short.{name}.1]" for name in ("axis", "binds")
     ]
-    shortest_of = [shortest(least)] if over.measured else []
+    time = turn_time(si(least, PER_MINUTE)) if isinstance(least, float) and least > 0 else NO_DRIVE
+    shortest = f'=IF(ISNUMBER(about_highest),IF(about_highest>0,60/about_highest,"{NO_DRIVE}"),"{NO_DRIVE}")'
     said = f"{views[binding].driven.axis.given.name}: {rates[binding].limit}" if known else NONE_BINDS
     return [
         result("about_highest", "Highest rate", "N_max", "cycles/min",
                f'=IF(COUNT({column})=0,"{NONE_BINDS}",MIN({column}))', least, align="right",
                source="of all drives; approximate"),
-        *shortest_of,
+        *([result("about_shortest", "Shortest cycle", "t_c,min", "s", shortest, time, align="right",
+                  source="all times scaled")] if over.measured else []),
         result("about_binds", "Axis and limiting factor", "", "",
                f'=IF(COUNT({column})=0,"{NONE_BINDS}",{told[0]}&": "&{told[1]})', said, align="right",
                source="the first, of equal ones"),
     ]  # fmt: skip
-
-
-def shortest(rate: float | str) -> Quantity:
-    """Return the result of the shortest cycle: at the highest rate."""
-    time = turn_time(si(rate, PER_MINUTE)) if isinstance(rate, float) and rate > 0 else NO_DRIVE
-    formula = f'=IF(ISNUMBER(about_highest),IF(about_highest>0,60/about_highest,"{NO_DRIVE}"),"{NO_DRIVE}")'
-    return result("about_shortest", "Shortest cycle", "t_c,min", "s", formula, time, align="right",
-                  source="all times scaled")  # fmt: skip
-
-
-TEMPLATE = Template(
-    "machine",
-    AnyMachine,
-    declare,
-    variants,
-    LAW_SIZES
-    | {"cycle": ("cycle1", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
-    | {"rotors": ("drive#_parts", 0), "positions": ("drive#_points", 0)}
-    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
-    check,
-    laid_out=laid_out,
-    fixed=fixed,
-    axes=axes,
-    scaling=SCALING,
-    truths=truths,
-    rates=rates,
-    switches=switches,
-    others={"master.cycle": Other(TimedMachine, told_in_seconds)},
-)
 
 
 SEVERAL, DWELL = "several", 1
@@ -232,3 +197,24 @@ def law_of(phases: Sequence[TurnPhase], names: Sequence[str]) -> str:
     """Return the law of all movements, as the sheet Laws has it."""
     moving = {names.index(phase.law) for phase in phases} - {DWELL - 1}
     return SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE
+
+
+TEMPLATE = Template(
+    "machine",
+    AnyMachine,
+    declare,
+    variants,
+    LAW_SIZES
+    | {"cycle": ("cycle1", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
+    | {"rotors": ("drive#_parts", 0), "positions": ("drive#_points", 0)}
+    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
+    require_mechanisms,
+    laid_out=laid_out,
+    fixed=fixed,
+    axes=axes,
+    scaling=SCALING,
+    truths=truths,
+    rates=rates,
+    switches=switches,
+    others={"master.cycle": Other(TimedMachine, told_in_seconds)},
+)

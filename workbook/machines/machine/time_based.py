@@ -4,7 +4,7 @@ Or over another abscissa, that does not tell how time passes: an angle, the trav
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Annotated, Any, Protocol, Self, TypeVar
+from typing import Annotated, Any, Self, TypeVar
 
 from pydantic import Field, model_validator
 
@@ -18,18 +18,6 @@ from workbook.machines.machine.entries import MOST_AXES, AnyMachine, Axis, AxisP
 from workbook.machines.machine.switches.entries import KEYS, MOST_SWITCHES, TIMES, UNUSED, SwitchEntry, TimeOn, meeting
 
 RATES = ("velocity", "acceleration")
-
-
-class Lasts(Protocol):
-    """What lasts from one place of the cycle to another."""
-
-    @property
-    def start(self) -> float | None:
-        """Where it begins."""
-
-    @property
-    def stop(self) -> float | None:
-        """Where it ends."""
 
 
 Lasting = TypeVar("Lasting", bound=Model)
@@ -151,13 +139,13 @@ class TimedMachine(AnyMachine):
         for i, axis in enumerate(self.axes):
             phases, spread = axis.phases, filling(axis.phases, over.length)
             found = [*forward(axis.name, phases, over.after, over.length), *following(axis.name, phases, over)]
-            beyond = within(f"{axis.name} row", phases, over, ("phases", "within"), spread)
+            beyond = within(f"{axis.name} row", phases, over, "phases", "within", spread)
             windows = axis.load.windows
             inside = [one.model_dump() | {end: min(getattr(one, end), over.length) for end in KEYS} for one in windows]
-            forces = within(f"{axis.name} process force", windows, over, ("load.windows", "forces"), inside)
+            forces = within(f"{axis.name} process force", windows, over, "load.windows", "forces", inside)
             yield from numbered("axes", i, [*(found or beyond), *forces])
         for i, (one, degrees) in enumerate(zip(self.switches, self.switches_turned, strict=True)):
-            beyond = within(f"{one.name} time", one.on, over, ("on", "ends"), [UNUSED for _ in one.on])
+            beyond = within(f"{one.name} time", one.on, over, "on", "ends", [UNUSED for _ in one.on])
             yield from numbered("switches", i, [*beyond] or [*meeting(degrees, over)])
 
 
@@ -187,24 +175,20 @@ def turned(one: Lasting, over: Abscissa) -> Lasting:
     return one.model_copy(update={name: None if x is None else min(over.degrees(x), TURN) for name, x in ends.items()})
 
 
-def within(
-    name: str, each: Sequence[Lasts], over: Abscissa, rule: tuple[str, str], fits: Any
-) -> Iterator[DesignError]:  # fmt: skip
-    """Yield the first of several that goes on beyond the cycle; the rule has a key and a name."""
+def within(name: str, each: Sequence[Any], over: Abscissa, key: str, rule: str, fits: Any) -> Iterator[DesignError]:
+    """Yield the first of several, each with its ``start`` and ``stop``, that goes on beyond the cycle."""
     for k, one in enumerate(each, 1):
         last = max(x for x in (0.0, one.start, one.stop) if x is not None)
         if over.degrees(last) - TURN > ANGLE_TOLERANCE:
             at, by = (f"{figure(x)}{over.after}" for x in (last, last - over.length))
-            key, called = rule
-            yield DesignError(key, f"{name} {k} goes to {at}, {by} beyond the cycle", called, fits)
+            yield DesignError(key, f"{name} {k} goes to {at}, {by} beyond the cycle", rule, fits)
             return
 
 
 def told_in_seconds(machine: AnyMachine) -> TimedMachine:
     """Return the same machine, which is told at a rate, without its master shaft."""
-    data = machine.model_dump()
     cycle = shown(shown(1.0, machine.per_minute), PER_MINUTE)
-    data["master"] = {"cycle": cycle}
+    data = machine.model_dump() | {"master": {"cycle": cycle}}
     in_units_of(data, "s", cycle)
     return TimedMachine.model_validate(data)
 

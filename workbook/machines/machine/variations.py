@@ -36,11 +36,9 @@ def shaped(laws: dict[str, Any]) -> list[str]:
     The polynomial 4-5-6-7 and two sines too. Beside a straight line a phase may move there and back: not behind every
     mechanism.
     """
-    return [
-        name
-        for name, family in ((name, told_family(name, entry)) for name, entry in laws.items())
-        if (of_shapes(family) or family.page.way == SEVENTH or family.page.second_sine) and family.page.way != STRAIGHT
-    ]
+    families = {name: told_family(name, entry) for name, entry in laws.items()}
+    return [name for name, one in families.items() if one.page.way != STRAIGHT
+            and (of_shapes(one) or one.page.way == SEVENTH or one.page.second_sine)]  # fmt: skip
 
 
 def of_shapes(family: Family) -> bool:
@@ -63,11 +61,8 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     pace = next(iter(master))
     master[pace] *= next(scale)
     for i, axis in enumerate(data["axes"]):
-        axis |= {
-            "closes": "feed" if (i + k) % 2 else "position",
-            "smoothness": smoothness_for(turn + i),
-            "shift": SHIFTS[(i + k) % SIX],
-        }
+        axis |= {"closes": "feed" if (i + k) % 2 else "position", "smoothness": smoothness_for(turn + i),
+                 "shift": SHIFTS[(i + k) % SIX]}  # fmt: skip
         driven = axis["motor"] is not None
         constant = driven and axis["mechanism"]["kind"] not in LINKED
         axis["position"] = 0.0 if driven and not constant else (k - 2) * (7.5 + i)
@@ -86,7 +81,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         data["power"] = {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}
     if any(axis["motor"] is not None and axis["unit"] == "mm" for axis in data["axes"]):
         data["gravity"] = 9.81 - 0.7 * k
-    choose(data, drives(data), k)
+    choose(data, k)
     for i, one in enumerate(data["clearances"]):
         one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
                 "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
@@ -109,14 +104,10 @@ def bend(products: dict[str, Any], k: int) -> None:
     products["falling"] = True
 
 
-def drives(data: dict[str, Any]) -> list[str]:
-    """Return the axes with a drive."""
-    return [axis["name"] for axis in data["axes"] if axis["motor"]]
-
-
-def choose(data: dict[str, Any], names: list[str], k: int) -> None:
+def choose(data: dict[str, Any], k: int) -> None:
     """Turn the axis that Selection looks at, what it ranks by, and the limits of pairs: from all to none of them."""
     if data["selection"]["axis"] is not None:
+        names = [axis["name"] for axis in data["axes"] if axis["motor"]]
         data["selection"] |= {
             "axis": names[k % len(names)], "rank": RANKS[k % len(RANKS)],
             "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
@@ -130,13 +121,8 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
     """Return times of being on: up to the table's last, one across the end, one not entered; always on, and never."""
     if (i + k) % SIX in (1, 4):
         return [{"start": 0.0, "stop": 360.0}] if (i + k) % SIX == 1 else []
-    found: list[dict[str, float | None]] = [
-        {
-            "start": (60.0 * t + 17.0 * k + 3.5 * i + 40.0) % 360,
-            "stop": (60.0 * t + 17.0 * k + 3.5 * i + 71.25 + k) % 360,
-        }
-        for t in range(TIMES if k == 0 else 1 + (i + k) % 4)
-    ]
+    begins = [60.0 * t + 17.0 * k + 3.5 * i for t in range(TIMES if k == 0 else 1 + (i + k) % 4)]
+    found: list[dict[str, float | None]] = [{"start": (x + 40.0) % 360, "stop": (x + 71.25 + k) % 360} for x in begins]
     if len(found) > 2:
         found[1] = {"start": None, "stop": None}
     return found
@@ -234,20 +220,12 @@ def load(axis: dict[str, Any], i: int, k: int, travels: bool) -> None:
 
 def parts(k: int, room: int) -> list[dict[str, Any]]:
     """Return parts on the motor's shaft and on the mechanism's, by inertia or as cylinders; once ``room`` of them."""
-    return [
-        {
-            "name": f"part {j + 1}",
-            "count": 1.0 + j,
-            **(
-                CYLINDER | {"length": 100.0 + 15 * k, "bore": 20.0 if k % 2 else None}
-                if (j + k) % 3 == 1
-                else {"inertia": 20.0 * (j + k)}
-            ),
-            "shaft": ("motor", "mechanism")[(j + k) % 2],
-            **({"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}),
-        }
-        for j in range(room if k == 0 else k % 3)
-    ]
+    cylinder, made = CYLINDER | {"length": 100.0 + 15 * k, "bore": 20.0 if k % 2 else None}, []
+    for j in range(room if k == 0 else k % 3):
+        part = {"name": f"part {j + 1}", "count": 1.0 + j, "shaft": ("motor", "mechanism")[(j + k) % 2]}
+        geared = {"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}
+        made.append(part | (cylinder if (j + k) % 3 == 1 else {"inertia": 20.0 * (j + k)}) | geared)
+    return made
 
 
 def motor(entries: dict[str, Any], i: int, k: int) -> None:

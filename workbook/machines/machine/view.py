@@ -81,12 +81,8 @@ class MovingAxis:
     def joined(self) -> Joined:
         """The motion, with what its phases take from their neighbours: rests are among these."""
         start, phases = self._told()
-        return joined(phases, self.passed, self.given.repeats, start, self.begin, shares=False)
-
-    @property
-    def begin(self) -> float:
-        """Where it begins (m, or rad)."""
-        return si(self.given.position, self.unit)
+        begin = si(self.given.position, self.unit)
+        return joined(phases, self.passed, self.given.repeats, start, begin, shares=False)
 
     def _told(self) -> tuple[float, list[Phase]]:
         """Where the motion begins (rad), and its phases and the rests between them, each between rests.
@@ -95,18 +91,16 @@ class MovingAxis:
         """
         phases = self.given.phases
         ends = [0.0, *(p.stop for p in phases)]
-        edges: list[float] = []
-        lifts: list[float] = []
-        laws: list[Law] = []
-        for i in range(len(phases) + 1):
+        steps: list[tuple[Law, float, float]] = []
+        for i, end in enumerate(ends):
             if i in self.rests:
-                edges, lifts, laws = [*edges, ends[i]], [*lifts, 0.0], [*laws, Dwell()]
+                steps.append((Dwell(), 0.0, end))
             if i < len(phases):
-                edges, lifts = [*edges, phases[i].start], [*lifts, si(phases[i].lift, self.unit)]
-                laws = [*laws, self.library[phases[i].law]]
+                steps.append((self.library[phases[i].law], si(phases[i].lift, self.unit), phases[i].start))
         last = TURN if len(phases) in self.rests else ends[-1]
-        spans = si(np.diff([*edges, last]), DEGREE).tolist()
-        return si(edges[0], DEGREE), [Phase(*one) for one in zip(laws, lifts, spans, strict=True)]
+        spans = si(np.diff([*(begin for *_, begin in steps), last]), DEGREE).tolist()
+        moved = [Phase(law, lift, span) for (law, lift, _), span in zip(steps, spans, strict=True)]
+        return si(steps[0][2], DEGREE), moved
 
     @cached_property
     def axis(self) -> Axis:
@@ -171,10 +165,17 @@ class MovingAxis:
 
 
 class Whole:
-    """The engine's view of a machine."""
+    """The engine's view of a machine.
+
+    A turn lasts its ``time`` (s), at the ``speed`` of the master shaft (rad/s): a turn of the cycle by its unit over an
+    abscissa that tells no time. ``room`` are the rows of the table of an axis' pieces. A machine that ``hands_over``
+    velocity between phases has a straight line in its book.
+    """
 
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
-        self.machine, self.over = machine, machine.over
+        self.machine, self.over, rate = machine, machine.over, si(machine.per_minute, PER_MINUTE)
+        self.time, self.speed, self.room = turn_time(rate), shaft_speed(rate), machine.sizes.motion_pieces or 0
+        self.hands_over = bool(machine.laws.of("LIN"))
         both = zip(machine.axes_turned, machine.axes, strict=True)
         speed, over = self.speed, self.over
         moving = [
@@ -185,26 +186,6 @@ class Whole:
         each = zip(machine.switches_turned, machine.switches, strict=True)
         self.lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(each, 1)]
 
-    @property
-    def time(self) -> float:
-        """Time of a turn (s)."""
-        return turn_time(si(self.machine.per_minute, PER_MINUTE))
-
-    @property
-    def speed(self) -> float:
-        """Speed of the master shaft (rad/s); over an abscissa that tells no time, turn of the cycle by its unit."""
-        return shaft_speed(si(self.machine.per_minute, PER_MINUTE))
-
-    @property
-    def hands_over(self) -> bool:
-        """Whether phases may hand velocity over: where the book has a straight line."""
-        return bool(self.machine.laws.of("LIN"))
-
-    @property
-    def room(self) -> int:
-        """Rows of the table of an axis' pieces."""
-        return self.machine.sizes.motion_pieces or 0
-
     @cached_property
     def angles(self) -> Array:
         """The sampled angles of the master shaft in degrees."""
@@ -214,11 +195,6 @@ class Whole:
     def samples(self) -> Array:
         """The same in rad."""
         return si(self.angles, DEGREE)
-
-    @property
-    def times(self) -> Array:
-        """The sampled angles as they are shown."""
-        return self.over.shown(self.angles)
 
     @property
     def near(self) -> float:

@@ -123,7 +123,7 @@ def taken(one: Handing, room: int) -> list[Quantity]:
     def of(figure: Callable[[Handover, bool, MotionPiece], Any]) -> list[Any]:
         found = []
         for piece in pieces:
-            step = one.handed[one.in_row[piece.phase]]
+            step = one.step_of(piece)
             found.append(figure(step, step.mode == PULSES and piece.number >= step.early, piece))
         return filled(found, room, found[-1])
 
@@ -176,15 +176,13 @@ def rates(one: Handing) -> list[Quantity]:
     def end(column: str) -> str:
         return f"INDEX([{at.ends}.{column}],[k])"
 
-    def acceleration(i: int) -> str:
-        return f"=(INDEX(law_a{i},{no})*{end(f'h{i}')}+{end(f'b{i}')})*{rate}^2"
-
     return [
         *(calc(f"v{i}", f"velocity at its {word}", "", at.unit(1),
                f"=INDEX(law_v{i},{no})*{end(f'h{i}')}*{rate}+{end(f'd{i}')}",
                one.spread([(found.begin, found.end)[i].y1 for found in motion]), scale=size(1))
           for i, word in enumerate(WORDS)),
-        *(calc(f"a{i}", f"acceleration at its {word}", "", at.unit(2), acceleration(i),
+        *(calc(f"a{i}", f"acceleration at its {word}", "", at.unit(2),
+               f"=(INDEX(law_a{i},{no})*{end(f'h{i}')}+{end(f'b{i}')})*{rate}^2",
                one.spread([(found.begin, found.end)[i].y2 for found in motion]), scale=size(2))
           for i, word in enumerate(WORDS)),
     ]  # fmt: skip

@@ -4,7 +4,6 @@ Velocity and acceleration of a law of two pulses are exact by the heights of its
 """
 
 from collections.abc import Callable
-from functools import cached_property
 from math import isfinite
 from typing import Any
 
@@ -41,11 +40,6 @@ def points(book: Book, sheet: Sheet) -> None:
     )  # fmt: skip
     book.name("piece_points", xi="xi")
     book.name("gauss", xi_g="xi", w_g="w")
-
-
-def extremes(one: Handing) -> list[Quantity]:
-    """Return the columns of the extremes of each step with prescribed ends."""
-    return [*inside(one), *peaks(one), *reach(one)]
 
 
 def ended(one: Handing, figure: Callable[[Handover], float]) -> list[Any]:
@@ -104,7 +98,7 @@ def peaks(one: Handing) -> list[Quantity]:
              f"=IF([mode]=1,MAX(ABS([h0])*{law.format('law_ca_max')},0-ABS([h1])*{law.format('law_ca_min')}),[pa])"
              f"*{rate}^2", ended(one, lambda step: step.phase.y2_max), scale=size(2)),
         calc("jumps", "jumps of its acceleration", "", "",
-             f"=IF([mode]=1,SUMPRODUCT({own.format('leap')})+{jump},0)", InPieces(one).jumps, format="0"),
+             f"=IF([mode]=1,SUMPRODUCT({own.format('leap')})+{jump},0)", jumps(one), format="0"),
         calc("jmax", "greatest jerk", "", at.unit(3),
              f'=IF([mode]=1,IF([jumps]>0,"∞",SUMPRODUCT(MAX({own.format("jerk")}))),[pj]*{rate}^3)',
              [value if isfinite(value) else "∞" for value in ended(one, lambda step: step.phase.y3_max)],
@@ -133,83 +127,66 @@ def both_ends(piece: MotionPiece) -> Array:
     return np.array([0.0, piece.duration])
 
 
-class InPieces:
-    """What the pieces of laws of two pulses add to the extremes of their steps."""
+def leaps(one: Handing) -> tuple[list[float], list[int]]:
+    """Return what y'' is before each piece that lasts, in its phase (0 of the first), and whether it jumps there."""
+    before, earlier, found = [0.0] * one.room, [], []
+    for piece in one.rows.pieces:
+        lasts, (first, last) = piece.duration > 0.0, piece.at(both_ends(piece)).y2.tolist()
+        earlier.append(before[piece.phase] if lasts else 0.0)
+        found.append(int(lasts and abs(first - earlier[-1]) > LOST * one.step_of(piece).phase.y2_max))
+        before[piece.phase] = last if lasts else before[piece.phase]
+    return earlier, found
 
-    def __init__(self, one: Handing) -> None:
-        self.one, self.pieces = one, one.rows.pieces
-        self.steps = [one.handed[one.in_row[piece.phase]] for piece in self.pieces]
 
-    @cached_property
-    def earlier(self) -> list[float]:
-        """What y'' is before each piece that lasts, in its phase; 0 of the first."""
-        before, found = [0.0] * self.one.room, []
-        for piece in self.pieces:
-            lasts = piece.duration > 0.0
-            found.append(before[piece.phase] if lasts else 0.0)
-            before[piece.phase] = piece.at(both_ends(piece)).y2.tolist()[1] if lasts else before[piece.phase]
-        return found
+def jumps(one: Handing) -> list[int]:
+    """Return how often y'' jumps at the pieces of each step of two pulses, and at its end."""
+    found = [0] * one.room
+    for piece, leap in zip(one.rows.pieces, leaps(one)[1], strict=True):
+        found[piece.phase] += leap
+    for place, step, at in zip(one.axis.places, one.handed, one.motion.ends, strict=True):
+        last = abs(at.end.y2) > LOST * step.phase.y2_max
+        found[place] = found[place] + last if step.mode == PULSES else 0
+    return found
 
-    @cached_property
-    def leaps(self) -> list[int]:
-        """Whether y'' jumps at the begin of each piece from what is before it in its phase, or from 0."""
-        found = []
-        for piece, step, before in zip(self.pieces, self.steps, self.earlier, strict=True):
-            jump = abs(piece.at(both_ends(piece)).y2.tolist()[0] - before)
-            found.append(int(piece.duration > 0.0 and jump > LOST * step.phase.y2_max))
-        return found
 
-    @property
-    def jumps(self) -> list[int]:
-        """How often y'' jumps at the pieces of each step of two pulses, and at its end."""
-        found = [0] * self.one.room
-        for piece, leap in zip(self.pieces, self.leaps, strict=True):
-            found[piece.phase] += leap
-        for place, step, at in zip(self.one.axis.places, self.one.handed, self.one.motion.ends, strict=True):
-            last = abs(at.end.y2) > LOST * step.phase.y2_max
-            found[place] = found[place] + last if step.mode == PULSES else 0
-        return found
+def in_pieces(one: Handing, room: int) -> list[Quantity]:
+    """Return the columns of the pieces' table: what pieces of laws of two pulses add to the extremes of their steps."""
+    at, size = one.rows.at, one.motion.size
+    joints = at.pieces.replace("_pieces", "_joints")
+    first = f"OR(INDEX([{joints}.n],[r])=1,INDEX([{joints}.from],[r])<>[p])"
+    pulses = f"=IF([d]*({at.of_end('mode')}={PULSES})>0,{{0}},0)"
+    jerk = f"MAX({JERK.format('0')},{JERK.format('[d]')})"
+    earlier, jumping = leaps(one)
 
-    def of_pulses(self, figure: Callable[[MotionPiece], float], room: int) -> list[float]:
-        """Return a figure of each piece of two pulses; 0 of all else."""
-        both = zip(self.pieces, self.steps, strict=True)
+    def of(figure: Callable[[MotionPiece], float]) -> list[float]:
+        both = ((piece, one.step_of(piece)) for piece in one.rows.pieces)
         return filled((figure(piece) if step.mode == PULSES and piece.duration else 0.0 for piece, step in both), room)
 
-    def from_begin(self, piece: MotionPiece, end: Callable[[Array], Any]) -> float:
-        """Return the lowest or highest position of a piece, from that at the begin of its phase."""
-        begin = self.one.motion.ends[self.one.in_row[piece.phase]].begin.y
-        return float(end(at_points(piece, 0))) - begin
+    def begin(piece: MotionPiece) -> float:
+        return one.motion.ends[one.in_row[piece.phase]].begin.y
 
-    def columns(self, room: int) -> list[Quantity]:
-        """Return the columns of the pieces' table."""
-        at, size = self.one.rows.at, self.one.motion.size
-        joints = at.pieces.replace("_pieces", "_joints")
-        first = f"OR(INDEX([{joints}.n],[r])=1,INDEX([{joints}.from],[r])<>[p])"
-        pulses, jerk = (
-            f"=IF([d]*({at.of_end('mode')}={PULSES})>0,{{0}},0)",
-            f"MAX({JERK.format('0')},{JERK.format('[d]')})",
-        )
-        squares = self.of_pulses(lambda piece: mean_square(piece) * piece.duration, room)
-        return [
-            calc("before", "y'' before it in its phase", "", at.unit(2),
-                 f"=IF({first},0,INDEX([{joints}.a1],MAX([r]-1,1)))", filled(self.earlier, room), scale=size(2),
-                 source="0 of the first"),
-            calc("leap", "y'' jumps within its phase", "", "",
-                 f"=IF([d]>0,IF(ABS(INDEX([{joints}.a0],[r])-[before])>"
-                 f"check_zero*INDEX([{at.phases}.{at.peaks[1]}],[p]),1,0),0)", filled(self.leaps, room), format="0",
-                 source="or begins with one"),
-            calc("jerk", "greater jerk of its ends", "", at.unit(3), pulses.format(jerk),
-                 self.of_pulses(lambda piece: float(np.abs(piece.at(both_ends(piece)).y3).max()), room), scale=size(3),
-                 source="of two pulses"),
-            calc("square", "∫y''² dx", "", "",
-                 pulses.format(f"[d]*SUMPRODUCT(w_g,({ACCELERATION.format('[d]*xi_g')})^2)"), squares,
-                 scale=max(squares) or 1.0, source="Gauss's rule"),
-            *(calc(name, f"{word} position", "", at.y,
-                   pulses.format(f"[c0]-{at.of_phase('y0')}+SUMPRODUCT({word_of}({POSITION.format('[d]*xi')}))"),
-                   self.of_pulses(lambda piece, end=end: self.from_begin(piece, end), room),  # type: ignore[misc]
-                   scale=size(0), source="from the begin of its phase, at points")
-              for name, word, word_of, end in (("low", "lowest", "MIN", np.min), ("high", "highest", "MAX", np.max))),
-        ]  # fmt: skip
+    lows = of(lambda piece: float(at_points(piece, 0).min()) - begin(piece))
+    highs = of(lambda piece: float(at_points(piece, 0).max()) - begin(piece))
+    squares = of(lambda piece: mean_square(piece) * piece.duration)
+    return [
+        calc("before", "y'' before it in its phase", "", at.unit(2),
+             f"=IF({first},0,INDEX([{joints}.a1],MAX([r]-1,1)))", filled(earlier, room), scale=size(2),
+             source="0 of the first"),
+        calc("leap", "y'' jumps within its phase", "", "",
+             f"=IF([d]>0,IF(ABS(INDEX([{joints}.a0],[r])-[before])>"
+             f"check_zero*INDEX([{at.phases}.{at.peaks[1]}],[p]),1,0),0)", filled(jumping, room), format="0",
+             source="or begins with one"),
+        calc("jerk", "greater jerk of its ends", "", at.unit(3), pulses.format(jerk),
+             of(lambda piece: float(np.abs(piece.at(both_ends(piece)).y3).max())), scale=size(3),
+             source="of two pulses"),
+        calc("square", "∫y''² dx", "", "",
+             pulses.format(f"[d]*SUMPRODUCT(w_g,({ACCELERATION.format('[d]*xi_g')})^2)"), squares,
+             scale=max(squares) or 1.0, source="Gauss's rule"),
+        *(calc(name, f"{word} position", "", at.y,
+               pulses.format(f"[c0]-{at.of_phase('y0')}+SUMPRODUCT({end}({POSITION.format('[d]*xi')}))"), values,
+               scale=size(0), source="from the begin of its phase, at points")
+          for name, word, end, values in (("low", "lowest", "MIN", lows), ("high", "highest", "MAX", highs))),
+    ]  # fmt: skip
 
 
 def mean_square(piece: MotionPiece) -> float:

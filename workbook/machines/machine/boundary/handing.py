@@ -8,10 +8,10 @@ D_C_ and C_D_ laws, POLY_3, POLY_5, POLY_7.
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cached_property
 from typing import Any
 
 from engine.motion.handover import FIXED, NEVER, Handover, handovers
+from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, check
 from workbook.book.rows import spread
 from workbook.book.sentence import Said, first_text
@@ -27,24 +27,23 @@ BESIDE = ": its begin is entered otherwise than the straight line or dwell there
 
 
 class Handing:
-    """What the phases of an axis take from their neighbours; they stand in every second row of its steps."""
+    """What the phases of an axis take from their neighbours; they stand in every second row of its steps.
+
+    The table of steps has as many rows as there is ``room``; ``in_row`` has the number in the motion of the step of
+    each row that is used, both from 0.
+    """
 
     def __init__(self, rows: PieceRows, axis: MovingAxis, over: Abscissa) -> None:
         self.rows, self.axis, self.over, self.motion = rows, axis, over, axis.motion
         self.handed = handovers(replace(axis.joined, motion=axis.motion), axis.passed, axis.given.repeats)
         self.entries = f"axis{axis.number}"
         self.asked, self.kinds, self.last = rows.at.asked, f"{self.entries}_kinds", f"{self.entries}_last"
-        self.open = f'[axes.closes.{axis.number}]="open"'
+        self.open, self.room = f'[axes.closes.{axis.number}]="open"', len(rows.firsts)
+        self.in_row = {place: k for k, place in enumerate(axis.places)}
 
-    @property
-    def room(self) -> int:
-        """Rows of the table of steps."""
-        return len(self.rows.firsts)
-
-    @cached_property
-    def in_row(self) -> dict[int, int]:
-        """The number in the motion, from 0, of the step of each row that is used."""
-        return {place: k for k, place in enumerate(self.axis.places)}
+    def step_of(self, piece: MotionPiece) -> Handover:
+        """Return the step that a piece is of."""
+        return self.handed[self.in_row[piece.phase]]
 
     def of(self, figure: Callable[[Handover], Any], spare: Any = 0.0) -> list[Any]:
         """Return a figure of each step, row by row."""

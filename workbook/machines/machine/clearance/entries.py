@@ -29,16 +29,9 @@ def spelled_out(clearances: Any, axes: Any) -> Any:
     """Return clearances with the names of axes that are told by their numbers, from 1, as a book's layout does."""
     if not isinstance(clearances, list) or not isinstance(axes, list):
         return clearances
-    return [_named(one, axes) if isinstance(one, Mapping) else one for one in clearances]
-
-
-def _named(one: Mapping[str, Any], axes: Sequence[Any]) -> dict[str, Any]:
-    told = dict(one)
-    for end in ENDS:
-        number = told.get(end)
-        if isinstance(number, int) and 0 < number <= len(axes) and isinstance(axes[number - 1], Mapping):
-            told[end] = axes[number - 1].get("name")
-    return told
+    names = {i: axis.get("name") for i, axis in enumerate(axes, 1) if isinstance(axis, Mapping)}
+    return [{**one, **{end: names[one[end]] for end in ENDS if type(one.get(end)) is int and one[end] in names}}
+            if isinstance(one, Mapping) else one for one in clearances]  # fmt: skip
 
 
 def require_axes(clearances: Sequence[ClearanceEntry], names: Sequence[str]) -> None:

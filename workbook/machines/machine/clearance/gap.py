@@ -30,23 +30,21 @@ class Lowest(NamedTuple):
 
 
 class Apart:
-    """A clearance: its gap over the cycle, in the unit of the first axis; angles in degrees of the master shaft."""
+    """A clearance: its gap over the cycle, in the unit of the first axis; angles in degrees of the master shaft.
+
+    ``name`` is that of the cell that tells what it is called, and of which axes it is; ``scales`` are what a position
+    of each axis in m or rad is multiplied by.
+    """
 
     def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisRows]) -> None:
         self.given, self.number = given, number
-        self.rows = [rows[axis_place(name, rows)] for name in (given.first, given.second)]
-        self.over = self.rows[0].machine.over
+        names = [one.axis.given.name for one in rows]
+        places = [(place_of(name, names), name) for name in (given.first, given.second)]
+        self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]  # a file's layout tells numbers
+        self.over, self.unit = self.rows[0].machine.over, self.rows[0].axis.given.unit
+        self.name = clearance_name(number, *(one.axis.number for one in self.rows))
         self.factors = (given.first_factor, given.second_factor)
-
-    @property
-    def name(self) -> str:
-        """The name of the cell that tells what it is called, and of which axes it is."""
-        return clearance_name(self.number, *(one.axis.number for one in self.rows))
-
-    @property
-    def scales(self) -> list[float]:
-        """What a position of each axis in m or rad is multiplied by."""
-        return [shown(factor, one.axis.unit) for factor, one in zip(self.factors, self.rows, strict=True)]
+        self.scales = [shown(factor, one.axis.unit) for factor, one in zip(self.factors, self.rows, strict=True)]
 
     @cached_property
     def terms(self) -> list[tuple[float, Shifted]]:
@@ -57,11 +55,6 @@ class Apart:
     def exact(self) -> Gap:
         """The least gap by closed forms, and where (rad)."""
         return least_gap(self.terms, self.given.offset)
-
-    @property
-    def unit(self) -> str:
-        """The unit of the gap: that of the first axis."""
-        return self.rows[0].axis.given.unit
 
     @property
     def size(self) -> float:
@@ -148,9 +141,3 @@ class Apart:
     def kept(self) -> bool:
         """Whether the least gap is left."""
         return meets_least(self.least, self.given.least, self.size)
-
-
-def axis_place(name: str, rows: list[AxisRows]) -> int:
-    """Return the place of an axis by its name; where a file's layout tells it, by its number."""
-    place = place_of(name, [one.axis.given.name for one in rows])
-    return place if place >= 0 else int(name) - 1

@@ -1,31 +1,16 @@
 """A load that follows the angle of its axis, in cells: a slide on a crank, the weight of a swinging arm."""
 
-from engine.drive.mechanisms.by_angle import Arm
-from workbook.book.declare import Quantity, calc, check
+from workbook.book.declare import Quantity, check
 from workbook.book.sentence import amount, quoted
 from workbook.entries.turn import TURN
 from workbook.entries.units import shown
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.linkages import SHORT
-from workbook.machines.machine.drive.mechanisms import press_crank
 from workbook.machines.machine.drive.mechanisms.crank_slider import FITS, HOLDS
 from workbook.machines.machine.drive.view import DriveView
 
 NEAR = 1e-9
 """of a turn, and of the sheet's check_zero: how near to whole turns a cycle must end"""
-
-
-def rows(driven: Driven) -> list[Quantity]:
-    """Return the row of an arm's moment."""
-    if not isinstance(driven.by_angle, Arm):
-        return []
-    return [calc("@arm", "Arm: torque of its weight, level", "m_a g r_a", "Nm", "=@arm_mass*gravity*@arm_radius/1000",
-                 driven.by_angle.moment)]  # fmt: skip
-
-
-def columns(view: DriveView) -> list[Quantity]:
-    """Return the columns of the slide by the crank's angle."""
-    return press_crank.columns(view.driven, view.load, view.by_point) if view.slides else []
 
 
 def resisting(view: DriveView) -> tuple[str, str]:
@@ -39,11 +24,10 @@ def resisting(view: DriveView) -> tuple[str, str]:
 
 def driving(view: DriveView) -> tuple[str, str]:
     """Return the formula of what drives the load, at its axis, and its equation."""
-    v, viscous = "[vs]" if view.slides else "[v]", view.driven.entered.load.viscous is not None
-    resists = f"+@viscous*{v}" if viscous else ""
-    return (
-        (f"=[R]+[dx]*(@m*[as]{resists})", "F_r + dx/dψ m ẍ") if view.slides else (f"=[R]+@m*[a]{resists}", "F_r + m ÿ")
-    )
+    resists = f"+@viscous*{'[vs]' if view.slides else '[v]'}" if view.driven.entered.load.viscous is not None else ""
+    if view.slides:
+        return f"=[R]+[dx]*(@m*[as]{resists})", "F_r + dx/dψ m ẍ"
+    return f"=[R]+@m*[a]{resists}", "F_r + m ÿ"
 
 
 def ends_in_place(driven: Driven) -> bool:
@@ -61,8 +45,6 @@ def checks(view: DriveView) -> list[Quantity]:
     whole = check("@ok_turns", f"{driven.called}: a cycle ends at the angle where it begins",
                   f"ABS({cell}/360-ROUND({cell}/360,0))<=check_zero", ends_in_place(driven),
                   "whole turns, or none", says=amount(cell, travel, "it ends ", " ° from where it begins"))  # fmt: skip
-    if not view.slides:
-        return [whole]
     fits = check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", FITS, True, HOLDS,
                  f":linked{i}", quoted(SHORT))  # fmt: skip
-    return [fits, whole]
+    return [fits, whole] if view.slides else [whole]

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from engine.drive import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, cylinder
+from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.chain import gear_speed_ratio
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.limits import LimitChecks, Limits
@@ -23,11 +23,11 @@ from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
 from workbook.latest import latest
 from workbook.machines.machine.drive.linkages import linkage_of, press_of
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import SCREWS, Belted, MechanismEntry, PressCrank
+from workbook.machines.machine.mechanism import SCREWS, Belted, PressCrank
 from workbook.machines.machine.selection.in_use import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
 
-M = TypeVar("M", bound=MechanismEntry)
+T = TypeVar("T")
 SHAFTS = ("motor", "mechanism")
 SCREW = "lead screw"
 
@@ -40,8 +40,15 @@ def inertia_of(part: RotatingParts) -> float:
     return cylinder(diameter, length, part.density or 0.0, bore)
 
 
+def as_a(kind: type[T], what: object) -> T:
+    """Return a mechanism, as it is entered or the engine's, as of its kind; raise TypeError for one of another."""
+    if not isinstance(what, kind):
+        raise TypeError(f"{what} is no {kind.__name__}")
+    return what
+
+
 class Driven:
-    """An axis with its drive."""
+    """An axis with its drive; ``left`` is the share of its rated torque that the motor has at its temperature."""
 
     def __init__(self, axis: MovingAxis, machine: AnyMachine) -> None:
         products = machine.selection
@@ -52,6 +59,7 @@ class Driven:
         self.catalogued_falling = falling_of(axis.given.motor.name, products)
         self.falling = self.catalogued_falling if products.knows_falling else Falling()
         self.motor_used, self.reducer = motor_in_use(axis.given, products), reducer_in_use(axis.given, products)
+        self.motor, self.left = self.motor_used.motor, left_of(axis.given.motor)
         self.number, self.products, self.gravity = axis.number, products, machine.gravity
 
     @property
@@ -63,17 +71,6 @@ class Driven:
     def travels(self) -> bool:
         """Whether the load travels: with its axis, or as the slide of a crank."""
         return self.entered.unit == "mm" or self.given.SLIDES
-
-    @property
-    def size(self) -> float:
-        """Size of the last element as the engine takes it: turns a metre of a screw, a length in m."""
-        return shown(1.0, si(self.given.size, MM)) if self.given.kind == SCREW else si(self.given.size, MM)
-
-    def of_kind(self, model: type[M]) -> M:
-        """Return the mechanism as entered; raise TypeError where it is of another kind."""
-        if not isinstance(self.given, model):
-            raise TypeError(f"a {self.given.kind} is no {model.__name__}")
-        return self.given
 
     @cached_property
     def linkage(self) -> Linkage | None:
@@ -104,16 +101,6 @@ class Driven:
             return Load(si(e.inertia, KG_CM2), e.torque, e.friction_torque)
         return Slide(e.mass, e.friction, radians(e.slope), e.force, self.gravity).load
 
-    @property
-    def belt(self) -> float:
-        """Mass of the belt that moves with the load (kg)."""
-        return self.given.belt_mass or 0.0 if isinstance(self.given, Belted) else 0.0
-
-    @property
-    def viscous(self) -> float:
-        """Viscous friction of the load (N per m/s, or Nm per rad/s)."""
-        return self.entered.load.viscous or 0.0
-
     @cached_property
     def parts(self) -> list[Part]:
         """The rotating parts."""
@@ -126,24 +113,17 @@ class Driven:
 
     @cached_property
     def mechanism(self) -> Mechanism:
-        """Reducer and mechanism, their parts and the load."""
-        if self.given.kind in VARIABLE_RATIO:
-            made = VARIABLE_RATIO[self.given.kind].of(self.load, self.given.efficiency, [self.stage], self.turned)
+        """Reducer and mechanism, their parts and the load; a screw is told by its turns a metre, all else by a size."""
+        reducer = [Stage("reducer", self.reducer.ratio, self.reducer.efficiency)]
+        turned, kind, size = [self.reducer.part, *self.parts], self.given.kind, si(self.given.size, MM)
+        if kind in VARIABLE_RATIO:
+            made = VARIABLE_RATIO[kind].of(self.load, self.given.efficiency, reducer, turned)
         else:
-            kind = KINDS[self.given.kind]
-            made = kind.of(self.load, self.size, self.given.efficiency, [self.stage], self.turned, self.belt)
+            size = shown(1.0, size) if kind == SCREW else size
+            belt = self.given.belt_mass or 0.0 if isinstance(self.given, Belted) else 0.0
+            made = KINDS[kind].of(self.load, size, self.given.efficiency, reducer, turned, belt)
         *gears, last = made.stages
         return replace(made, stages=(*gears, replace(last, back_efficiency=self.back_efficiency)))
-
-    @property
-    def stage(self) -> Stage:
-        """The reducer as a stage."""
-        return Stage("reducer", self.reducer.ratio, self.reducer.efficiency)
-
-    @property
-    def turned(self) -> list[Part]:
-        """All that turns on the motor's shaft and on the mechanism's."""
-        return [self.reducer.part, *self.parts]
 
     @cached_property
     def drive(self) -> Drive:
@@ -154,7 +134,7 @@ class Driven:
     @property
     def train(self) -> Train:
         """The drive with all that acts on the load."""
-        return Train(self.drive, self.linkage, self.viscous, self.windows, self.by_angle)
+        return Train(self.drive, self.linkage, self.entered.load.viscous or 0.0, self.windows, self.by_angle)
 
     @cached_property
     def drive_cycle(self) -> DriveCycle:
@@ -169,33 +149,13 @@ class Driven:
         return DriveResults(self.drive_cycle)
 
     @property
-    def inertia(self) -> float:
-        """Inertia at the motor, without it (kg m²), of a constant ratio."""
-        return self.mechanism.inertia()
-
-    @property
-    def curve(self) -> TorqueCurve | None:
-        """The motor's peak torque over its speed, where it falls."""
-        knee, fall = self.falling
-        if not fall:
-            return None
-        peak, fastest = self.motor.peak_torque, self.motor.max_speed
-        return TorqueCurve(np.array([0.0, knee, fastest]), np.array([peak, peak, peak - fall * (fastest - knee)]))
-
-    @cached_property
     def judged(self) -> LimitChecks:
-        """The drive and its limits, exact."""
-        return LimitChecks(self.drive_cycle, Limits(self.motor, self.curve, self.reducer.limits))
-
-    @property
-    def left(self) -> float:
-        """Share of its rated torque that the motor can give at the temperature around it."""
-        return left_of(self.entered.motor) if self.entered.motor else 1.0
-
-    @cached_property
-    def motor(self) -> Motor:
-        """The motor with its limits."""
-        return self.motor_used.motor
+        """The drive and its limits, exact: the motor's peak torque is level, or falls beyond its knee."""
+        knee, fall = self.falling
+        peak, fastest = self.motor.peak_torque, self.motor.max_speed
+        torques = np.array([peak, peak, peak - fall * (fastest - knee)])
+        curve = TorqueCurve(np.array([0.0, knee, fastest]), torques) if fall else None
+        return LimitChecks(self.drive_cycle, Limits(self.motor, curve, self.reducer.limits))
 
     @cached_property
     def windows(self) -> tuple[Window, ...]:

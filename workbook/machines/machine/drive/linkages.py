@@ -9,7 +9,7 @@ from engine.drive.mechanisms.table import PositionTable
 from engine.drive.mechanisms.variable_ratio import Linkage
 from workbook.book.sentence import figure
 from workbook.entries.units import DEGREE, MM, si
-from workbook.machines.machine.mechanism import CrankSlider, MechanismEntry, PressCrank, Rocker, Table, TablePoint
+from workbook.machines.machine.mechanism import CrankSlider, MechanismEntry, PressCrank, Rocker, Table
 
 
 def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
@@ -45,20 +45,15 @@ APART = {
 
 
 def apart(given: MechanismEntry, unit: str) -> str:
-    """Return what is wrong with sizes that do not go together; nothing where they do."""
+    """Return what is wrong with sizes that do not go together, of a table the first point that does not rise."""
+    for row, (one, other) in enumerate(pairwise(given.points if isinstance(given, Table) else []), 2):
+        if other.angle <= one.angle or other.position <= one.position:
+            (angle, position), (low, lowest) = ((figure(p.angle), figure(p.position)) for p in (other, one))
+            return FALLS.format(row, angle, position, unit, low, lowest, unit)
     if isinstance(given, Table):
-        return unlike_table(given.points, unit)
+        return ""
     try:
         _ = press_of(given) if isinstance(given, PressCrank) else linkage_of(given, MM)
     except ValueError:
         return APART[given.kind]
-    return ""
-
-
-def unlike_table(points: list[TablePoint], unit: str) -> str:
-    """Return which point of a table does not rise, or between which the table bends too sharply; nothing if none."""
-    for row, (one, other) in enumerate(pairwise(points), 2):
-        if other.angle <= one.angle or other.position <= one.position:
-            (angle, position), (low, lowest) = ((figure(p.angle), figure(p.position)) for p in (other, one))
-            return FALLS.format(row, angle, position, unit, low, lowest, unit)
     return ""

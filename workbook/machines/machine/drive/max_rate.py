@@ -4,7 +4,8 @@ With T_s the torque without motion and I = T − T_s, a rate √x times the pres
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 from engine.drive.rate_by_points import Share, by_cycles, line, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
@@ -32,41 +33,29 @@ def grown(torque: str, limit: str, *more: str) -> str:
     return f"MAX({','.join((*(f'SUMPRODUCT(MAX({way}))' for way in ways), *more))})"
 
 
-USES = {
-    "RMS torque": "IF(OR(@speed=0,[stands]>=[limit]),0,"
-    "(SQRT(@half^2+@grow*([limit]*([limit]-@sink*@near)-@stand))+@half)/([limit]*([limit]-@sink*@near)-@stand))",
-    "peak torque": grown("T", "@motor_peak"),
-    "motor speed": "(@speed/[limit])^2",
-    "reducer input speed": "IF([limit]=0,0,(@speed/[limit])^2)",
-    "reducer peak torque": f"IF([limit]=0,0,{grown('S', '[limit]', '@many')})",
-    "reducer mean torque": "IF([limit]<=[stands],0,MAX(0,@smean-[stands])/([limit]-[stands]))",
-    "torque below the curve": "MAX(MAX([@pt.uc]),MAX([@pt.ub]))",
-}
+class Limit(NamedTuple):
+    """Of a limit in cells: the limit itself, what stands at any rate, and the share that grows with its square."""
+
+    limit: str
+    stands: str
+    use: str
+
+
+MOTOR_STANDS = "MAX(MAX([@pt.T0]),0-MIN([@pt.T0]))"
 LIMITS = {
-    "RMS torque": "@line", "peak torque": "@motor_peak", "motor speed": "@motor_nmax",
-    "reducer input speed": "@reducer_nmax", "reducer peak torque": "@reducer_peak",
-    "reducer mean torque": "@reducer_mean", "torque below the curve": "@corner",
+    "RMS torque": Limit(
+        "@line", "SQRT(@stand)",
+        "IF(OR(@speed=0,[stands]>=[limit]),0,"
+        "(SQRT(@half^2+@grow*([limit]*([limit]-@sink*@near)-@stand))+@half)/([limit]*([limit]-@sink*@near)-@stand))"),
+    "peak torque": Limit("@motor_peak", MOTOR_STANDS, grown("T", "@motor_peak")),
+    "motor speed": Limit("@motor_nmax", "0", "(@speed/[limit])^2"),
+    "reducer input speed": Limit("@reducer_nmax", "0", "IF([limit]=0,0,(@speed/[limit])^2)"),
+    "reducer peak torque": Limit("@reducer_peak", "MAX(MAX([@pt.S0]),0-MIN([@pt.S0]))",
+                                 f"IF([limit]=0,0,{grown('S', '[limit]', '@many')})"),
+    "reducer mean torque": Limit("@reducer_mean", "@smean0",
+                                 "IF([limit]<=[stands],0,MAX(0,@smean-[stands])/([limit]-[stands]))"),
+    "torque below the curve": Limit("@corner", MOTOR_STANDS, "MAX(MAX([@pt.uc]),MAX([@pt.ub]))"),
 }  # fmt: skip
-STANDS = {
-    "RMS torque": "SQRT(@stand)",
-    "peak torque": "MAX(MAX([@pt.T0]),0-MIN([@pt.T0]))",
-    "motor speed": "0",
-    "reducer input speed": "0",
-    "reducer peak torque": "MAX(MAX([@pt.S0]),0-MIN([@pt.S0]))",
-    "reducer mean torque": "@smean0",
-    "torque below the curve": "MAX(MAX([@pt.T0]),0-MIN([@pt.T0]))",
-}
-
-
-def names(view: DriveView) -> list[str]:
-    """Return the names of the limits that the sheet knows."""
-    return list(LIMITS) if view.knows_falling else list(LIMITS)[:-1]
-
-
-def share_of(view: DriveView, name: str) -> Share:
-    """Return the share of a limit; of a curve that does not fall none is used."""
-    none = view.shares["peak torque"]._replace(limit=0.0, use=0.0)
-    return view.shares.get(name, none)
 
 
 def rates_table(sheet: Sheet, view: DriveView) -> None:
@@ -92,19 +81,22 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
              points.cubic_mean(view.load.output_torque_at_rest), scale=view.scales.behind),
         *many_cycles(view),
     )  # fmt: skip
-    each = names(view)
-    found = [share_of(view, name) for name in each]
-    limits = [0.0 if math.isinf(one.limit) else one.limit for one in found]
+    each = list(LIMITS) if view.knows_falling else list(LIMITS)[:-1]
+    cells, level = [LIMITS[name] for name in each], view.shares["peak torque"]._replace(limit=0.0, use=0.0)
+    found = [view.shares.get(name, level) for name in each]  # of a curve that does not fall none is used
+
+    def in_units(values: Iterable[float]) -> list[float]:
+        return [shown(value, RPM) if name in SPEEDS else value for name, value in zip(each, values, strict=True)]
+
     sheet.row += 1
     sheet.table(
         "@held", "Up to which rate each limit is held", len(each),
         constant("name", "limit", "", "", each, align="left"),
-        calc("limit", "limit", "", "Nm or rpm", [f"={LIMITS[name]}+0" for name in each],
-             [in_units(name, limit) for name, limit in zip(each, limits, strict=True)],
-             source="0: none"),
-        calc("stands", "at no speed", "", "", [f"={STANDS[name]}" for name in each],
-             [in_units(name, one.standing) for name, one in zip(each, found, strict=True)], scale=view.scales.torque),
-        calc("use", "share that grows with the square of the rate", "1/x", "", [f"={USES[name]}" for name in each],
+        calc("limit", "limit", "", "Nm or rpm", [f"={cell.limit}+0" for cell in cells],
+             in_units(0.0 if math.isinf(one.limit) else one.limit for one in found), source="0: none"),
+        calc("stands", "at no speed", "", "", [f"={cell.stands}" for cell in cells],
+             in_units(one.standing for one in found), scale=view.scales.torque),
+        calc("use", "share that grows with the square of the rate", "1/x", "", [f"={cell.use}" for cell in cells],
              [one.use for one in found], scale=1.0),
         calc("rate", "met up to", "N", "cycles/min",
              f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,IF([use]<=0,"{NO_LIMIT}",@rate/SQRT([use]))))',
@@ -114,7 +106,7 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
 
 def many_cycles(view: DriveView) -> list[Quantity]:
     """Return the rows of the reducer's torque beyond the cycles that it holds in full for."""
-    reducer = view.driven.reducer
+    reducer, stands = view.driven.reducer, LIMITS["reducer peak torque"].stands
     over, way, many = by_cycles(view.points, reducer.limits, 1.0 / view.time)
     least = reducer.peak_torque / reducer.cycle_factor
     return [
@@ -122,25 +114,16 @@ def many_cycles(view: DriveView) -> list[Quantity]:
              least, source="T_2B/f_s; 0: no limit"),
         calc("@t_f_use", "Share of it that grows with the square of the rate", "", "",
              f"=IF(@t_f=0,0,{grown('S', '@t_f')})", over, scale=1.0),
-        calc("@way", "Square of the cycles over those it holds in full for", "", "", "=(@cycles/@full)^2",
-             way),
+        calc("@way", "Square of the cycles over those it holds in full for", "", "", "=(@cycles/@full)^2", way),
         calc("@many", "Share of the reducer's torque by its cycles", "", "",
-             f"=IF(AND(@t_f>0,{STANDS['reducer peak torque']}>=@t_f),@way,"
-             "MIN(@way,@t_f_use))", many,
-             scale=1.0, source="up to these cycles T_2B holds in full"),
+             f"=IF(AND(@t_f>0,{stands}>=@t_f),@way,MIN(@way,@t_f_use))", many, scale=1.0,
+             source="up to these cycles T_2B holds in full"),
     ]  # fmt: skip
-
-
-def in_units(name: str, value: float) -> float:
-    """Return a limit as it is shown: torques in Nm, speeds in rpm."""
-    return shown(value, RPM) if name in SPEEDS else value
 
 
 def rate(view: DriveView, one: Share) -> float | str:
     """Return the rate up to which a limit is held, or a dash."""
-    if not one.limit:
-        return NO_LIMIT
-    found = one.highest(view.rate)
+    found = one.highest(view.rate) if one.limit else math.inf
     return NO_LIMIT if math.isinf(found) else found
 
 

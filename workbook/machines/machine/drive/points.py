@@ -4,12 +4,9 @@ Intervals are pieces of its motion, cut where a process force begins or ends. Th
 those of the rule of Gauss and Lobatto: both ends and seven between, each with what it counts in a mean.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
-from engine.drive.drive_points import DrivePoints
-from engine.drive.quadrature import COUNT, Interval, LoadPoints
+from engine.drive.quadrature import COUNT, Interval
 from engine.drive.rate_by_points import falling_use
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST, NOT_ZERO
@@ -20,27 +17,14 @@ from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.entered import acting
-from workbook.machines.machine.drive.mechanisms import registry
-from workbook.machines.machine.drive.mechanisms.column import Column
+from workbook.machines.machine.drive.mechanisms import press_crank
+from workbook.machines.machine.drive.mechanisms.registry import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.sampled import FROM_START, arguments, sampled
 
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
 LOSS1 = "IF({0}*[dir]<0,@back1,@ahead1)*{0}"
 BRAKED = "([dir]=0)*@brake"
-
-
-class Ratio(NamedTuple):
-    """The formulas of the mechanism's ratio φ', of the acceleration of its shaft, and of both of the motor's."""
-
-    ratio: str
-    acceleration: str
-    motor_ratio: str
-    motor_acceleration: str
-
-
-VARIES = Ratio("[g]", "[al]", "@i1*[g]", "@i1*[al]")
-CONSTANT = Ratio("@i2", "@i2*[a]", "@i", "@i*[a]")
 
 
 def asks(view: DriveView) -> bool:
@@ -50,10 +34,9 @@ def asks(view: DriveView) -> bool:
 
 def linked(view: DriveView) -> list[Quantity]:
     """Return the columns of a mechanism whose ratio changes: ratio, angle and acceleration of its shaft."""
-    page, load, of = registry.linkage_page(view.driven), view.load, view.by_point
+    load, of = view.load, view.by_point
     return [
-        *page.ratios(view.driven, load.position, of),
-        page.angle(view.driven, load.position, of),
+        *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
         calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
              scale=max(float(np.abs(load.shaft_acceleration).max()), 1e-9), source="φ'' ẏ² + φ' ÿ"),
     ]  # fmt: skip
@@ -64,8 +47,9 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     rows = range(1, view.rows + 1)
     load, points, size = view.load, view.points, view.scales
     (resists, without), (drives, equation) = by_angle.resisting(view), by_angle.driving(view)
-    turning = VARIES if view.varies else CONSTANT
-    of = view.by_point
+    turned = ("[g]", "[al]", "@i1*[g]", "@i1*[al]") if view.varies else ("@i2", "@i2*[a]", "@i", "@i*[a]")
+    ratio, turning, motor_ratio, motor_turning = turned
+    of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
     sheet.table(
         "@pt", "The drive at nine points of each interval", view.rows * COUNT,
         constant("k", "point", "k", "", list(range(1, view.rows * COUNT + 1))),
@@ -73,31 +57,29 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         constant("s", "share of it", "", "", list(SHARES) * view.rows),
         constant("w", "counts", "", "", list(WEIGHTS) * view.rows),
         *motion(view),
-        *([position(view)] if view.varies or view.driven.by_angle else []),
+        *([calc("y", "position", "y", axis.base, f"={sampled(view.one.pieces, 0)}", of(load.position),
+                scale=axis.motion.size(0))] if view.varies or view.driven.by_angle else []),
         calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX(@up,[iv]))", of(load.direction),
              format="0"),
-        *by_angle.columns(view),
-        calc("R", "resisting force", "F_r", force_unit(view), resists, of(load.resisting), scale=size.force,
-             source=without),
+        *(press_crank.columns(view.driven, load, of) if view.slides else []),
+        calc("R", "resisting force", "F_r", unit, resists, of(load.resisting), scale=size.force, source=without),
         *(linked(view) if view.varies else ()),
-        calc("F", "force at the load", "F", force_unit(view), drives, of(load.force), scale=size.force,
-             source=equation),
-        *torques(view, load, turning, of),
-        result("n", "speed of the motor", "n", "rpm", f"={turning.motor_ratio}*[v]*30/PI()",
+        calc("F", "force at the load", "F", unit, drives, of(load.force), scale=size.force, source=equation),
+        calc("S", "output torque of the reducer", "T_1", "Nm", f"={LOSS2.format('[F]')}/{ratio}+@j1*{turning}",
+             of(load.output_torque), scale=size.behind, source="F/(η_2 φ') + J_p φ̈"),
+        result("T", "torque of the motor", "T", "Nm",
+               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*{motor_turning}+@no_load*[dir])",
+               of(points.torque), scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈ ± T_nl"),
+        result("n", "speed of the motor", "n", "rpm", f"={motor_ratio}*[v]*30/PI()",
                of(shown(points.speed, RPM)), scale=size.rpm, source="i_1 φ' ẏ"),
         result("P", "power of the motor", "P", "kW", "=[T]*[n]*PI()/30000+@copper*[T]^2",
                of(shown(points.power, KW)), scale=size.power, source="T ω + P_Cu (T/T_N)²"),
         calc("share", "share of the cycle", "", "",
              "=[w]*INDEX([@iv.len],[iv])/360", of(load.share, 0.0), scale=1.0,
              source="what it counts in a mean"),
-        *standing(view, turning.ratio),
+        *standing(view, ratio),
         blank="[share]=0",
     )  # fmt: skip
-
-
-def force_unit(view: DriveView) -> str:
-    """Return the unit of forces at the axis."""
-    return "N" if view.driven.axis.base == "m" else "Nm"
 
 
 def motion(view: DriveView) -> list[Quantity]:
@@ -105,8 +87,9 @@ def motion(view: DriveView) -> list[Quantity]:
     rows, load, axis = view.one.pieces, view.load, view.driven.axis
     of = view.by_point
     numbers = np.array([one.piece for one in view.cycle.intervals])[:, None]
-    local, base = view.local, axis.base
-    sines = np.array([one.sines for one in view.cycle.pieces])[numbers[:, 0]]
+    pieces, base = view.cycle.pieces, axis.base
+    local = load.x - np.array([pieces[one.piece].begin for one in view.cycle.intervals])[:, None]
+    sines = np.array([one.sines for one in pieces])[numbers[:, 0]]
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.sines))]
     return [
         calc("theta", "angle of its phases", "θ", "°",
@@ -120,26 +103,6 @@ def motion(view: DriveView) -> list[Quantity]:
              scale=max(axis.fastest, 1e-9), source="y' ω"),
         calc("a", "acceleration", "ÿ", f"{base}/s²", f"=@omega^2*({sampled(rows, 2)})", of(load.acceleration),
              scale=max(axis.hardest, 1e-9), source="y'' ω²"),
-    ]  # fmt: skip
-
-
-def position(view: DriveView) -> Quantity:
-    """Return the column of the load's position."""
-    return calc("y", "position", "y", view.driven.axis.base, f"={sampled(view.one.pieces, 0)}",
-                view.by_point(view.load.position), scale=view.driven.axis.motion.size(0))  # fmt: skip
-
-
-def torques(view: DriveView, load: LoadPoints, turning: Ratio, of: Column) -> list[Quantity]:
-    """Return the columns of the torque behind the reducer and of the motor's, at places of the motion."""
-    size = view.scales
-    return [
-        calc("S", "output torque of the reducer", "T_1", "Nm",
-             f"={LOSS2.format('[F]')}/{turning.ratio}+@j1*{turning.acceleration}", of(load.output_torque),
-             scale=size.behind,
-             source="F/(η_2 φ') + J_p φ̈"),
-        result("T", "torque of the motor", "T", "Nm",
-               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*{turning.motor_acceleration}+@no_load*[dir])",
-               of(DrivePoints(load).torque), scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈ ± T_nl"),
     ]  # fmt: skip
 
 
@@ -194,6 +157,9 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)] + [-n for n in steps]
     sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in steps]
     edge = f"IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
+    near = view.one.machine.near
+    kept = [TURN if at > TURN - near or any(abs(at - one) < near for one in edges[:k]) else at
+            for k, at in enumerate(edges)]  # fmt: skip
     if view.steps > 1:
         edge = f"IF([window]<0,0-[window]*360/{view.steps},{edge})"
     sheet.table(
@@ -207,14 +173,8 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
         calc("at", "cut", "θ", "°",
              "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<timing_eps^2)*([@cuts.k]<[k]))+([edge]>360-timing_eps)>0,360,"
              "[edge])",
-             kept(edges, view.one.machine.near), scale=TURN, format="0.0##", source="360: one before it is there"),
+             kept, scale=TURN, format="0.0##", source="360: one before it is there"),
     )  # fmt: skip
-
-
-def kept(edges: list[float], near: float) -> list[float]:
-    """Return the edges in degrees, 360 instead of one that an earlier one is near to."""
-    return [TURN if edge > TURN - near or any(abs(edge - one) < near for one in edges[:k]) else edge
-            for k, edge in enumerate(edges)]  # fmt: skip
 
 
 def intervals_table(sheet: Sheet, view: DriveView) -> None:

@@ -1,26 +1,30 @@
-"""Whether a mechanism reaches every position of its axis: by row and amount, in cells."""
+"""Whether a mechanism can be, and reaches every position of its axis: by row and amount, in cells."""
 
-from engine.drive.mechanisms.variable_ratio import Linkage, Reach
+from engine.drive.mechanisms.variable_ratio import Linkage
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure, rounded
 from workbook.book.sentence import shown as rounding
+from workbook.entries.types import DesignError
 from workbook.entries.units import shown
-from workbook.machines.machine.drive.mechanisms import registry
+from workbook.laws.library import laws
+from workbook.machines.machine.drive.linkages import apart, linkage_of
+from workbook.machines.machine.drive.mechanisms.registry import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.view import MovingAxis
+from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.view import MovingAxis, Whole
 
 WORDS = " reaches {} {}, {} {} beyond the {}"
 
 
-def reach_table(sheet: Sheet, view: DriveView) -> None:
+def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     """Declare by how much each phase leaves the reach."""
-    i, axis, n = view.driven.number, view.driven.axis, view.one.machine.machine.sizes.phases
+    i, axis, n = view.driven.number, view.driven.axis, view.one.rows
     reaches = [axis.motion.reaches[k] for k in axis.entered]
-    low, high, *ends = reach_of(view)
-    unit, size, page = axis.base, axis.motion.size(0), registry.linkage_page(view.driven)
+    low, high, *ends = linkage.reach
+    unit, size, named = axis.base, axis.motion.size(0), LINKAGES[view.driven.given.kind].ENDS
     sheet.rows(*(
-        calc(f"@{which}_end", f"{label} position: what is there", "", "", f"={page.end(which)}", name, align="left")
+        calc(f"@{which}_end", f"{label} position: what is there", "", "", f"={named[which]}", name, align="left")
         for which, label, name in zip(("low", "high"), ("Lowest", "Highest"), ends, strict=True)
     ))  # fmt: skip
 
@@ -51,19 +55,12 @@ def beyond(view: DriveView) -> str:
     return f'=IF([out]=0,"",[k]&" reaches "&ROUND({place}{shows},9)&" {unit}, "&{by}&" {unit} beyond the "&{end})'
 
 
-def reach_of(view: DriveView) -> Reach:
-    """Return between which positions a mechanism can bring its load. Raises ValueError for one without ends."""
-    if view.driven.linkage is None:
-        raise ValueError(f"{view.driven.called} has a constant ratio")
-    return view.driven.linkage.reach
-
-
 def reach_check(view: DriveView) -> Quantity:
     """Return the check that every position is reached."""
     driven, i = view.driven, view.driven.number
     says = f'[axes.name.{i}]&" row "&INDEX([@reach.says],MATCH(1,[@reach.out],0))'
     return check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
-                 registry.linkage_page(driven).WITHIN, f":reach{i}", says)  # fmt: skip
+                 LINKAGES[driven.given.kind].WITHIN, f":reach{i}", says)  # fmt: skip
 
 
 def unreached_row(axis: MovingAxis, linkage: Linkage) -> str:
@@ -86,3 +83,19 @@ def back_check(view: DriveView) -> Quantity:
     return check("@ok_back", f"{driven.called}: the axis comes back every cycle", back, driven.axis.motion.closes,
                  "its mechanism has ends",
                  says=amount(cell, travel, "it ends ", f" {unit} from where it begins"))  # fmt: skip
+
+
+def require_mechanisms(machine: AnyMachine) -> None:
+    """Raise DesignError for a mechanism that cannot be, or that does not reach a position of its axis."""
+    sized = [axis.mechanism for axis in machine.axes if axis.mechanism and axis.mechanism.LARGE]
+    for axis in Whole(machine, laws(machine.laws)).axes if sized else ():
+        i, given = axis.number, axis.given.mechanism
+        if given is None or not given.LARGE:
+            continue
+        where, large = f"axes.{i - 1}.mechanism", given.model_dump() | given.LARGE
+        said = apart(given, axis.given.unit)
+        if said:
+            raise DesignError(where, said, f"linked{i}", large)
+        said = "" if given.SLIDES else unreached_row(axis, linkage_of(given, axis.unit))
+        if said:
+            raise DesignError(where, said, f"reach{i}", large)

@@ -1,7 +1,7 @@
 """The charts of a drive, and the drive at the samples of the cycle, for them and for the sheet Power."""
 
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.book.declare import Sheet, calc, constant, result
 from workbook.drive.motor import plane
 from workbook.entries.units import KW, RPM, shown
 from workbook.machines.machine.drive.view import DriveView
@@ -21,7 +21,12 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
         result("torque", "torque of the motor", "T", "Nm", line("T"), torque, scale=size.torque),
         result("power", "power of the motor", "P", "kW", f"=[torque]*{speed}+@copper*[torque]^2",
                shown(power, KW), scale=size.power, source="T ω + P_Cu (T/T_N)²"),
-        *shaft(view),
+        *([] if view.driven.linkage is None else [
+            calc("phi", "angle of the shaft", "φ", "rad", line("phi"),
+                 view.between.of(view.driven.linkage.shaft(view.load.position).angle), scale=1.0),
+            calc("n", "speed of the motor", "n", "rpm", line("n"), shown(view.between.of(view.points.speed), RPM),
+                 scale=size.rpm),
+        ]),
         constant("k", "sample", "k", "", list(range(len(torque)))),
         calc("at", "point before it", "", "", f"=MATCH(MIN({at}+timing_eps,360-timing_eps),@at,1)",
              view.between.point + 1.0, format="0"),
@@ -35,45 +40,16 @@ def line(column: str) -> str:
     return f"=INDEX(@{column},[at])*(1-[s])+INDEX(@{column},[at]+1)*[s]"
 
 
-def shaft(view: DriveView) -> list[Quantity]:
-    """Return the columns of a ratio that changes: the angle of the mechanism's shaft, and the motor's speed."""
-    if view.driven.linkage is None:
-        return []
-    angle = view.driven.linkage.shaft(view.load.position).angle
-    return [
-        calc("phi", "angle of the shaft", "φ", "rad", line("phi"), view.between.of(angle), scale=1.0),
-        calc("n", "speed of the motor", "n", "rpm", line("n"), shown(view.between.of(view.points.speed), RPM),
-             scale=view.scales.rpm),
-    ]  # fmt: skip
-
-
 CHART_COLUMN = 10
 
 
 def charts(sheet: Sheet, view: DriveView) -> None:
     """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
     sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=CHART_COLUMN, row=5, width=8, height=22)
-    sheet.chart(over_cycle(view), column=CHART_COLUMN, row=28, width=8, height=11)
-    if view.varies:
-        sheet.chart(angles(view), column=CHART_COLUMN, row=40, width=8, height=11)
-
-
-def x_of(view: DriveView) -> str:
-    """Return the column that charts over the cycle are drawn over."""
-    return f"[cycle{view.driven.number}.{view.one.machine.over.column}]"
-
-
-def over_cycle(view: DriveView) -> Chart:
-    """Return the chart of the motor's torque over the cycle."""
-    over = view.one.machine.over
-    lines = (Series("torque", x_of(view), "[@cycle.torque]"),)
-    return Chart("Torque of the motor over the cycle", over.title, "T [Nm]", lines,
-                 f"Torque of the motor over {over.cycle}", over.axis(60))  # fmt: skip
-
-
-def angles(view: DriveView) -> Chart:
-    """Return the chart of the mechanism's shaft over the cycle."""
-    over = view.one.machine.over
-    lines = (Series("angle", x_of(view), "[@cycle.phi]"),)
-    return Chart("Angle of the mechanism's shaft", over.title, "φ [rad]", lines,
-                 f"Angle of the mechanism's shaft over {over.cycle}", over.axis(60))  # fmt: skip
+    over, places = view.one.machine.over, {"column": CHART_COLUMN, "width": 8, "height": 11}
+    drawn = [("Torque of the motor", "T [Nm]", "torque", "torque", " over the cycle", 28)]
+    drawn += [("Angle of the mechanism's shaft", "φ [rad]", "angle", "phi", "", 40)] if view.varies else []
+    for what, y, name, column, cycle, row in drawn:
+        line = Series(name, f"[cycle{view.driven.number}.{over.column}]", f"[@cycle.{column}]")
+        about = f"{what} over {over.cycle}"
+        sheet.chart(Chart(f"{what}{cycle}", over.title, y, (line,), about, over.axis(60)), row=row, **places)

@@ -33,27 +33,39 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet."""
     driven, sizes = view.driven, view.one.machine.machine.sizes
     page = registry.page(driven)
-    sheet = begun(book, driven)
+    title = sheet_title(driven.called, [sheet.title for sheet in book.sheets])
+    sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
+    sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
         entries(sheet, driven, page.entries(driven, f"axes.{driven.number - 1}"))
         outcome(sheet, view)
-        sheet.checks(*checks(view), *windows_check(view), *(linkage_checks(view) if view.varies else ()),
-                     *by_angle.checks(view))  # fmt: skip
+        mends = max_rate.mending(view)
+        sheet.checks(
+            *limit_checks(view.reserve, driven.called, mends=mends), *reducer_checks(view, mends),
+            *in_use.checks(driven.number, driven.called), curve_check(view, mends), *windows_check(view),
+            *(linkage_checks(view) if view.varies else ()), *by_angle.checks(view),
+        )  # fmt: skip
         charts(sheet, view)
-        page.entered(sheet, driven, sizes.positions)
-        tables(sheet, view)
+        if driven.given.kind in registry.ENTERED:
+            registry.ENTERED[driven.given.kind](sheet, driven, sizes.positions)
+        sheet.heading("Enter: parts and process forces")
+        parts_table(sheet, driven, sizes.rotors)
+        windows_table(sheet, f"axes.{driven.number - 1}", view)
         sheet.heading("Motor and reducer in use")
         sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *cycle_rows(view), *curve_rows(view))
         sheet.not_printed_below()
         workings(sheet, view, page.sizes(driven))
-        page.table(sheet, driven, sizes.positions)
-        if view.varies:
-            reach_table(sheet, view)
+        if driven.given.kind in registry.WORKED:
+            registry.WORKED[driven.given.kind](sheet, driven, sizes.positions)
+        if driven.linkage:
+            reach_table(sheet, view, driven.linkage)
         peaks_table(sheet, view)
         max_rate.rates_table(sheet, view)
         behind.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
-        corners_table(sheet, view)
+        backward = min(0.0, float(view.cycle.direction.min()))
+        corners = driven.motor.corners(backward, *driven.falling)
+        limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         sheet.heading("Workings: the cycle in intervals and points")
         cuts_table(sheet, view)
@@ -61,14 +73,6 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         points_table(sheet, view)
         samples_table(sheet, view)
     sheet.print_columns = 18
-
-
-def begun(book: Book, driven: Driven) -> Sheet:
-    """Return the sheet, called by the name that the axis had when the book was built."""
-    title = sheet_title(driven.called, [sheet.title for sheet in book.sheets])
-    sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
-    sheet.called = driven.called
-    return sheet
 
 
 def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
@@ -97,19 +101,12 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     sheet.rows(*in_use.entries(driven.entered, key))
 
 
-def tables(sheet: Sheet, view: DriveView) -> None:
-    """Declare what is entered row by row: rotating parts, process forces."""
-    sheet.heading("Enter: parts and process forces")
-    parts_table(sheet, view.driven, view.one.machine.machine.sizes.rotors)
-    windows_table(sheet, f"axes.{view.driven.number - 1}", view)
-
-
 def outcome(sheet: Sheet, view: DriveView) -> None:
     """Declare what the cycle asks of the motor, and the highest rate."""
     driven, points, size = view.driven, view.points, view.scales
     motor, reducer, own = view.reserve, view.reducer_checks, driven.entered.rate
-    driving, returned = view.energy
-    torque = points.torque
+    torque, own_inertia = points.torque, driven.motor_used.inertia
+    fastest = f"=MAX({top('n')},0-{top('n', 'low')})" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
     sheet.heading("Results")
     sheet.rows(
         calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
@@ -119,14 +116,15 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
                "J_ext", "kg cm²", "=(@j0-@jm+@j_shaft/@i1^2)*10000", shown(view.inertia, KG_CM2),
                source="the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "",
-               "=IF(@jm>0,@jtot/10000/@jm,0)", view.inertia_ratio, source="load at the motor's shaft / motor"),
+               "=IF(@jm>0,@jtot/10000/@jm,0)", view.inertia / own_inertia if own_inertia else 0.0,
+               source="load at the motor's shaft / motor"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", points.top(torque),
                scale=size.torque, source="to 1 %" if driven.by_angle else PEAKS),
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -points.top(-torque),
                scale=size.torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
                points.rms_torque, scale=size.torque, source="√(Σ share T²), to 0.1 %"),
-        result("@speed", "Motor speed, largest", "n_max", "rpm", speed_of(view), shown(view.speed, RPM), scale=size.rpm,
+        result("@speed", "Motor speed, largest", "n_max", "rpm", fastest, shown(view.speed, RPM), scale=size.rpm,
                source="i_1 φ' ẏ" if view.varies else "C_v h/t, through the ratio"),
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
                shown(points.mean_speed, RPM), scale=size.rpm, source="of |n| over the cycle; with T_rms the RMS point"),
@@ -136,39 +134,33 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         result("@res_peak", "Reserve of peak torque", "", "",
                "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
         result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),
-        *curve_reserve(view),
+        *([result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])", view.spare,
+                  scale=size.torque, source="at its points")] if view.knows_falling else []),
         result("@smax", "Output torque of the reducer, peak", "", "Nm", f"=MAX({top('S')},0-{top('S', 'low')})",
                reducer[0].value, scale=size.behind),
         result("@smean", "Output torque of the reducer, mean", "", "Nm", f"={max_rate.cubic('S')}",
                reducer[1].value, scale=size.behind, source="³√(∫|n||T_1|³ dt/∫|n| dt)"),
+        *energies(view),
+        *max_rate.highest(view),
+    )  # fmt: skip
+
+
+def energies(view: DriveView) -> list[Quantity]:
+    """Return the results of the motor's energy and power over the cycle."""
+    points, size, (driving, returned) = view.points, view.scales, view.energy
+    return [
         result("@energy", "Energy of the motor, driving", "E", "J",
                "=SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]>0)*1)*60/@rate*1000", driving, scale=size.work,
                source="with its copper losses, a cycle; to 3 %"),
         result("@returned", "Energy of the motor, regenerated", "", "J",
                "=0-SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]<0)*1)*60/@rate*1000", returned, scale=size.work),
         result("@power", "Mean power of the motor", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
-               shown((driving - returned) / driven.drive_cycle.time, KW), scale=size.power),
+               shown((driving - returned) / view.driven.drive_cycle.time, KW), scale=size.power),
         result("@pmax", "Motor power, highest", "P_max", "kW", f"=MAX(0,{top('P')})",
                shown(max(0.0, points.top(points.power)), KW), scale=size.power),
         result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
                shown(min(0.0, -points.top(-points.power)), KW), scale=size.power, source="regenerated"),
-        *max_rate.highest(view),
-    )  # fmt: skip
-
-
-def speed_of(view: DriveView) -> str:
-    """Return the formula of the largest speed of the motor (rpm)."""
-    if view.varies:
-        return f"=MAX({top('n')},0-{top('n', 'low')})"
-    return "=ABS(@i)*@vmax*@omega*60/(2*PI())"
-
-
-def curve_reserve(view: DriveView) -> list[Quantity]:
-    """Return the result of what is left below the motor's curve, in books that know one that falls."""
-    if not view.knows_falling:
-        return []
-    return [result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])", view.spare,
-                   scale=view.scales.torque, source="at its points")]  # fmt: skip
+    ]  # fmt: skip
 
 
 def cycle_rows(view: DriveView) -> list[Quantity]:
@@ -211,25 +203,6 @@ def curve_rows(view: DriveView) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def corners_table(sheet: Sheet, view: DriveView) -> None:
-    """Declare the limits of the motor as the chart draws them."""
-    lowest = min(0.0, float(view.cycle.direction.min()))
-    corners = view.driven.motor.corners(lowest, *view.driven.falling)
-    limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
-
-
-def checks(view: DriveView) -> list[Quantity]:
-    """Return the checks against the limits of motor and reducer."""
-    driven, mends = view.driven, max_rate.mending(view)
-    return [
-        *limit_checks(view.reserve, driven.called, mends=mends),
-        *reducer_checks(view, mends),
-        in_use.told(driven.number, driven.called),
-        in_use.cool(driven.number, driven.called),
-        curve_check(view, mends),
-    ]
-
-
 def curve_check(view: DriveView, mends: Said) -> Quantity:
     """Return the check that the torque stays below the curve; that the curve is level where the book knows no other."""
     called = view.driven.called
@@ -244,11 +217,12 @@ def curve_check(view: DriveView, mends: Said) -> Quantity:
 
 def linkage_checks(view: DriveView) -> list[Quantity]:
     """Return the checks of a mechanism whose ratio changes: its sizes, and where it can bring its load to."""
-    driven, i = view.driven, view.driven.number
+    driven, i, page = view.driven, view.driven.number, registry.LINKAGES[view.driven.given.kind]
     return [
-        check("@ok_sized", f"{driven.called}: the mechanism has its sizes", registry.linkage_page(driven).SIZED, True,
+        check("@ok_sized", f"{driven.called}: the mechanism has its sizes", page.SIZED, True,
               rule=f"axes.{i - 1}.mechanism:sized", says=f'"{UNSIZED}"'),
-        *registry.checks(driven),
+        check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", page.FITS, True, page.HOLDS,
+              f":linked{i}", page.WRONG),
         reach_check(view),
         back_check(view),
     ]  # fmt: skip

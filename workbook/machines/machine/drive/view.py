@@ -8,10 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.drive.drive_points import Between, DrivePoints, between
-from engine.drive.limits import LimitChecks, Limits
 from engine.drive.max_rate import highest_rate
 from engine.drive.motor import LimitCheck, Reserve, reserve
-from engine.drive.quadrature import COUNT, Cycle, Interval, LoadPoints
+from engine.drive.quadrature import COUNT, Cycle, LoadPoints
 from engine.drive.rate_by_points import Share, shares
 from engine.laws.base import Array
 from workbook.book.rows import filled
@@ -41,36 +40,20 @@ class Scales(NamedTuple):
 
 
 class DriveView:
-    """A drive over its axis' motion, by intervals and points."""
+    """A drive over its axis' motion, by intervals and points.
+
+    Of the table of intervals it has the ``rows``: of pieces of the motion (their ``room``), cut at edges of process
+    forces and at even ``steps`` of the cycle. The load of one that ``slides`` travels while its axis turns; the ratio
+    of one that ``varies`` depends on the position. ``rate`` is the one that it is sized at (cycles/min).
+    """
 
     def __init__(self, one: AxisRows, driven: Driven) -> None:
-        self.one, self.driven = one, driven
-        self.room = one.machine.room
-
-    @property
-    def rows(self) -> int:
-        """Rows of the table of intervals: pieces of the motion, cut at edges of process forces and at even steps."""
-        return self.room + self.steps - 1
-
-    @property
-    def steps(self) -> int:
-        """Even steps that the cycle is cut into beside."""
-        return self.driven.by_angle.steps if self.driven.by_angle else 1
-
-    @property
-    def slides(self) -> bool:
-        """Whether the load travels while its axis turns."""
-        return self.driven.given.SLIDES
-
-    @property
-    def varies(self) -> bool:
-        """Whether its ratio depends on the position."""
-        return self.driven.linkage is not None
-
-    @property
-    def knows_falling(self) -> bool:
-        """Whether the book's sheets of drives know motors whose peak torque falls."""
-        return self.one.machine.machine.selection.knows_falling
+        self.one, self.driven, machine, own = one, driven, one.machine.machine, driven.entered.rate
+        self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, one.machine.room
+        self.rows = self.room + self.steps - 1
+        self.slides, self.varies = driven.given.SLIDES, driven.linkage is not None
+        self.knows_falling = machine.selection.knows_falling
+        self.rate = machine.per_minute if own is None else own
 
     @cached_property
     def cycle(self) -> Cycle:
@@ -117,16 +100,6 @@ class DriveView:
         flat = np.broadcast_to(values, self.load.x.shape).ravel()
         return filled(flat, self.rows * COUNT, float(flat[-1]) if spare is None else spare)
 
-    def origin(self, one: Interval) -> float:
-        """Return where the piece of an interval begins (rad)."""
-        return self.cycle.pieces[one.piece].begin
-
-    @cached_property
-    def local(self) -> Array:
-        """How far each point is from the begin of its piece (rad)."""
-        origins = np.array([self.origin(one) for one in self.cycle.intervals])
-        return np.asarray(self.load.x - origins[:, None])
-
     @property
     def edges(self) -> list[float]:
         """The edges of process forces in degrees of the motion as its phases tell it; spare ones at the end."""
@@ -159,16 +132,10 @@ class DriveView:
         return shown(1.0 / self.time, PER_HOUR)
 
     @property
-    def rate(self) -> float:
-        """The rate that it is sized at (cycles/min)."""
-        own = self.driven.entered.rate
-        return self.one.machine.machine.per_minute if own is None else own
-
-    @property
     def inertia(self) -> float:
         """Inertia at the motor, without it, the largest over the cycle (kg m²)."""
         if not self.driven.train.inertia_varies:
-            return self.driven.inertia
+            return self.driven.mechanism.inertia()
         m = self.driven.mechanism
         fixed = sum(m.at_motor(m.on_shaft(k), k) for k in range(m.last))
         return float(fixed + m.on_shaft(m.last) * (self.travel / m.stages[0].ratio) ** 2)
@@ -177,12 +144,6 @@ class DriveView:
     def travel(self) -> float:
         """The most that the load moves when the mechanism's shaft turns (m or 1)."""
         return float(np.abs(self.load.slopes[0] / self.load.first).max())
-
-    @property
-    def inertia_ratio(self) -> float:
-        """The same over the motor's; 0 of a motor without inertia."""
-        own = self.driven.motor_used.inertia
-        return self.inertia / own if own else 0.0
 
     @property
     def reserve(self) -> Reserve:
@@ -211,8 +172,7 @@ class DriveView:
 
     def exact_highest(self) -> tuple[float, str]:
         """Return the exact highest rate (cycles/min) and the limit that binds there."""
-        limits = Limits(self.driven.motor, self.driven.curve, self.driven.reducer.limits)
-        found = highest_rate({self.driven.called: LimitChecks(self.driven.drive_cycle, limits)})
+        found = highest_rate({self.driven.called: self.driven.judged})
         return shown(found.speed / (2.0 * math.pi), PER_MINUTE), found.limit
 
     @property
@@ -248,19 +208,13 @@ def with_motor(view: DriveView, driven: Driven) -> DriveView:
     return other
 
 
-def at_rate(view: DriveView, rate: float) -> DriveView:
-    """Return a drive at another rate (cycles/min)."""
-    axis = view.driven.axis
-    moved = axis.at_speed(axis.speed, axis.given.model_copy(update={"rate": rate}))
-    return DriveView(view.one, Driven(moved, view.one.machine.machine))
-
-
 def settled_highest(view: DriveView) -> Highest:
     """Return the highest rate of a drive where it is entered and read again, until it stays."""
-    one = view
+    one, axis = view, view.driven.axis
     for _ in range(SETTLING):
         found = one.highest
         if not isinstance(found.rate, float) or found.rate <= 0.0 or abs(found.rate - one.rate) <= NEAR * one.rate:
             break
-        one = at_rate(one, found.rate)
+        moved = axis.at_speed(axis.speed, axis.given.model_copy(update={"rate": found.rate}))
+        one = DriveView(view.one, Driven(moved, view.one.machine.machine))
     return found._replace(own=view.driven.entered.rate)

@@ -7,21 +7,16 @@ between points, and the parabola finds it to 0.5 %.
 
 from typing import NamedTuple
 
-from engine.drive.drive_points import Peak, peak
+from engine.drive.drive_points import peak
 from engine.drive.losses import held_factor
+from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import COUNT, STANDSTILL
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import DEGREE, KW, RPM, shown
-from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.mechanism import BELTED, SCREWS
-
-
-def back_default(kind: str) -> str:
-    """Return the formula of the efficiency backward where none is entered."""
-    return "2-1/@eta2" if kind in SCREWS else "@eta2"
 
 
 def losses(view: DriveView) -> list[Quantity]:
@@ -29,8 +24,9 @@ def losses(view: DriveView) -> list[Quantity]:
     driven = view.driven
     reducer, mechanism = driven.mechanism.stages
     document = driven.given.method == "document"
-    back = [1.0 / stage.efficiency if document else float(stage.back_efficiency or 0.0) for stage in (mechanism,)]
+    back = 1.0 / mechanism.efficiency if document else driven.back_efficiency
     held = 1.0 / mechanism.efficiency if document else held_factor(mechanism.efficiency, driven.back_efficiency)
+    entered = "2-1/@eta2" if driven.given.kind in SCREWS else "@eta2"  # where none is
     return [
         calc("@ahead1", "Motor torque for 1 Nm behind the reducer", "", "", "=1/@eta1/@i1",
              1.0 / reducer.efficiency / reducer.ratio, source="1/(η i)"),
@@ -40,8 +36,8 @@ def losses(view: DriveView) -> list[Quantity]:
         calc("@brake", "A brake holds it at rest", "", "", '=IF(@holding="brake",1,0)',
              int(driven.holding == "brake"), format="0", source="1 yes, 0 no"),
         calc("@back2", "Loss factor of the mechanism, load driving", "f_2", "",
-             f'=IF(@method="document",1/@eta2,IF(@eta2_back="",{back_default(driven.given.kind)},@eta2_back))',
-             back[0], scale=1.0, source="0 or less: self-locking, driven down by the motor"),
+             f'=IF(@method="document",1/@eta2,IF(@eta2_back="",{entered},@eta2_back))',
+             back, scale=1.0, source="0 or less: self-locking, driven down by the motor"),
         calc("@hold2", "Loss factor of the mechanism at rest", "", "", "=IF(@back2<=0,0,1/@eta2)", held,
              source="0: self-locking"),
     ]  # fmt: skip
@@ -94,7 +90,8 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
              f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
         calc("@still", "Standstill: speeds up to", "", f"{driven.axis.base}/s",
              "=check_zero*@vmax*@omega", still, format="0E+00", scale=max(still, 1e-12)),
-        *by_angle.rows(driven),
+        *([calc("@arm", "Arm: torque of its weight, level", "m_a g r_a", "Nm", "=@arm_mass*gravity*@arm_radius/1000",
+                driven.by_angle.moment)] if isinstance(driven.by_angle, Arm) else []),
     )  # fmt: skip
 
 
@@ -118,12 +115,12 @@ class Figure(NamedTuple):
 def figures(view: DriveView) -> list[Figure]:
     """Return the quantities whose peaks are results: of each its highest and its lowest."""
     points, size = view.points, view.scales
-    found = [
+    return [
         Figure("T", points.torque, "torque of the motor", size.torque),
         Figure("S", view.load.output_torque, "output torque of the reducer", size.behind),
         Figure("P", shown(points.power, KW), "power of the motor", size.power),
+        *([Figure("n", shown(points.speed, RPM), "speed of the motor", size.rpm)] if view.varies else []),
     ]
-    return [*found, Figure("n", shown(points.speed, RPM), "speed of the motor", size.rpm)] if view.varies else found
 
 
 def top(name: str, end: str = "high") -> str:
@@ -144,7 +141,10 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         return [formula.replace("{y}", f"[@pt.{one.column}]") for one, _ in each]
 
     signs = [sign for _, sign in each]
-    neighbours = [[sign * one.values[j] for j in range(3)] for (_, sign), one in zip(each, found, strict=True)]
+    neighbours = [[sign * value for value in one.values] for sign, one in zip(signs, found, strict=True)]
+    gaps = [[one.before for one in found], [one.after for one in found]]
+    slopes = [[(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)]
+              for k in (0, 1)]  # fmt: skip
     inner = "AND(INDEX([@pt.s],[at])>0,INDEX([@pt.s],[at])<1)"
     size_of = "MAX(MAX({y}),0-MIN({y}))"
     sheet.heading("Workings: peaks", ABOUT)
@@ -163,25 +163,15 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         calc("y1", "after it", "w_1", "", of(f"=INDEX({{y}},MIN([at]+1,{last}))"), [n[2] for n in neighbours],
              scale=size),
         calc("a", "to the point before", "Δ_0", "°",
-             f"=IF({inner},INDEX([@pt.theta],[at])-INDEX([@pt.theta],[at]-1),0)", [one.before for one in found],
+             f"=IF({inner},INDEX([@pt.theta],[at])-INDEX([@pt.theta],[at]-1),0)", gaps[0],
              scale=360.0, source="0 at an end"),
         calc("b", "to the point after", "Δ_1", "°",
-             f"=IF({inner},INDEX([@pt.theta],[at]+1)-INDEX([@pt.theta],[at]),0)", [one.after for one in found],
+             f"=IF({inner},INDEX([@pt.theta],[at]+1)-INDEX([@pt.theta],[at]),0)", gaps[1],
              scale=360.0),
-        calc("s0", "slope before", "s_0", "", "=IF([a]>0,([y]-[y0])/[a],0)", slopes(each, found, 0), scale=size),
-        calc("s1", "slope after", "s_1", "", "=IF([b]>0,([y1]-[y])/[b],0)", slopes(each, found, 1), scale=size),
+        calc("s0", "slope before", "s_0", "", "=IF([a]>0,([y]-[y0])/[a],0)", slopes[0], scale=size),
+        calc("s1", "slope after", "s_1", "", "=IF([b]>0,([y1]-[y])/[b],0)", slopes[1], scale=size),
         calc("top", "peak", "", "",
              f"=IF([a]=0,[y],IF(OR({BEYOND}),[sign]*[most],[y]+([s0]*[b]+[s1]*[a])^2/([a]+[b])/4/([s0]-[s1])))",
              [sign * one.top for (_, sign), one in zip(each, found, strict=True)], scale=size,
              source="w + m² (Δ_0 + Δ_1)/4(s_0 − s_1)"),
     )  # fmt: skip
-
-
-def slopes(each: list[tuple[Figure, int]], found: list[Peak], after: int) -> list[float]:
-    """Return the slopes before or after the largest points."""
-    values = []
-    for (_, sign), one in zip(each, found, strict=True):
-        gap = one.after if after else one.before
-        low, high = (one.values[1], one.values[2]) if after else (one.values[0], one.values[1])
-        values.append(sign * (high - low) / gap if gap else 0.0)
-    return values

@@ -12,7 +12,7 @@ from workbook.laws.phases import HIGH, LOW
 from workbook.laws.sampling import Pieces
 from workbook.machines.machine.boundary.asked import asked
 from workbook.machines.machine.boundary.carried import carried, kinds, taken
-from workbook.machines.machine.boundary.extremes import InPieces, extremes, points
+from workbook.machines.machine.boundary.extremes import in_pieces, inside, peaks, points, reach
 from workbook.machines.machine.boundary.handing import Handing
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.asked import Asked
@@ -25,23 +25,20 @@ STEPS = "Steps of axis {}: its phases, and the rests between them"
 
 
 class AxisRows:
-    """An axis at its place in a book: its pieces in cells, and their joints."""
+    """An axis at its place in a book: its pieces in cells, and their joints.
+
+    With its ``name``, that of the table of phases, all its tables begin; that one has so many ``rows``.
+    """
 
     def __init__(self, machine: Whole, axis: MovingAxis, stack: Pieces) -> None:
-        self.axis, self.machine = axis, machine
-        self.steps = machine.machine.sizes.phases + machine.machine.sizes.phases + 1
-        self.pieces: PieceRows = latest("pieces", (axis.motion, self.steps, self.at), partial(self._pieces, stack))
+        self.axis, self.machine, self.name = axis, machine, f"axis{axis.number}"
+        self.rows = machine.machine.sizes.phases
+        self.steps = self.rows + self.rows + 1
+        made = partial(rows_of, self.at, axis.motion, stack, self.steps, axis.places)
+        self.pieces: PieceRows = latest("pieces", (axis.motion, self.steps, self.at), made)
         asked = self.asked
         self.joints = latest("joints", (self.pieces, asked), partial(Joints.of, self.pieces, axis.motion, asked))
         self.ends = Handing(self.pieces, axis, machine.over) if machine.hands_over else None
-
-    def _pieces(self, stack: Pieces) -> PieceRows:
-        return rows_of(self.at, self.axis.motion, stack, self.steps, self.axis.places)
-
-    @property
-    def name(self) -> str:
-        """The name of the table of phases, with which all others of the axis begin."""
-        return f"axis{self.axis.number}"
 
     @property
     def at(self) -> Cells:
@@ -51,11 +48,6 @@ class AxisRows:
             f"{t}_steps", f"{t}_pieces", f"{t}_count", "360", base, "rad", degrees=True, near="timing_eps",
             ends=f"{t}_ends" if self.machine.hands_over else "",
         )  # fmt: skip
-
-    @property
-    def wraps(self) -> str:
-        """The condition under which its cycle follows upon itself."""
-        return f'[axes.closes.{self.axis.number}]<>"open"'
 
     @property
     def asked(self) -> Asked:
@@ -68,7 +60,7 @@ class AxisRows:
             self.axis.given.smoothness, f"[axes.smooth.{i}]", f"{t}_order",
             (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), (f'"{over.after}"', over.after),
             tuple((f'"{unit}"', unit) for unit in units), (f"[axes.name.{i}]", self.axis.given.name),
-            wraps=self.wraps, periodic=self.axis.given.repeats, rows=False,
+            wraps=f'[axes.closes.{i}]<>"open"', periodic=self.axis.given.repeats, rows=False,
             speed=("timing_omega", self.axis.speed) if over.measured else None, lift=(lift.shown, lift.size),
         )  # fmt: skip
 
@@ -82,7 +74,7 @@ def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
         sheet.rows(pieces_in_all(one.pieces), *one.joints.order())
         steps_table(sheet, one)
         room, ends = one.machine.room, one.ends
-        columns, halves = (InPieces(ends).columns(room), taken(ends, room)) if ends else ([], [])
+        columns, halves = (in_pieces(ends, room), taken(ends, room)) if ends else ([], [])
         pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
                      *columns, taken=halves)  # fmt: skip
         one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
@@ -93,11 +85,10 @@ def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
 
 def steps_table(sheet: Sheet, one: AxisRows) -> None:
     """Declare the steps: a rest before each phase and behind the last, of no length where there is none."""
-    t, n, axis = one.name, one.machine.machine.sizes.phases, one.axis
+    t, n, axis = one.name, one.rows, one.axis
     motion, base = axis.motion, axis.base
 
     def each(rest: str, phase: str) -> list[str]:
-        """Return the formulas: of rests, by the phase before and behind; of phases."""
         found = [rest.format(before=0, behind=1)]
         for k in range(1, n + 1):
             found += [phase.format(k), rest.format(before=k, behind=k + 1)]
@@ -156,12 +147,8 @@ def greatest(
 
 def begins(one: AxisRows) -> list[float]:
     """Return where each step begins, in degrees; spare ones where the cycle ends."""
-    phases, n = one.axis.given.phases, one.machine.machine.sizes.phases
-    starts, stops = filled([p.start for p in phases], n, 360.0), filled([p.stop for p in phases], n, 360.0)
-    found = [0.0]
-    for start, stop in zip(starts, stops, strict=True):
-        found += [start, stop]
-    return found
+    ends = [end for p in one.axis.given.phases for end in (p.start, p.stop)]
+    return filled([0.0, *ends], one.steps, 360.0)
 
 
 def carried_back(values: list[float | None], last: float) -> list[float]:
@@ -193,7 +180,11 @@ def place_boundaries(sheet: Sheet, axes: Sequence[Handing]) -> None:
                         format="0"))  # fmt: skip
         for name, title, columns in (
             (one.asked, f"What the steps of {axis} take", asked),
-            (at.ends, f"How the steps of {axis} are carried out", lambda one: [*carried(one), *extremes(one)]),
+            (
+                at.ends,
+                f"How the steps of {axis} are carried out",
+                lambda one: [*carried(one), *inside(one), *peaks(one), *reach(one)],
+            ),
             (one.kinds, f"Ends of the steps of {axis}", kinds),
         ):
             sheet.table(name, title, one.room, *columns(one), blank=spare)

@@ -5,7 +5,6 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import total
 from workbook.book.sentence import amount
-from workbook.entries.abscissa import Abscissa
 from workbook.entries.units import KW, shown
 from workbook.machines.machine.power.view import FINE, LEAST, Mains
 
@@ -24,7 +23,7 @@ def supply(bus: Mains) -> list[Quantity]:
         return []
     hours, beside = bus.entered.hours, "SUMPRODUCT((1-[power.bus])*[power.{}])"
     alone = 1.0 - bus.on_bus
-    peak = bus.peak + float(alone @ [one.mains for one in bus.most])
+    peak = bus.peak + float(alone @ bus.tops[0])
     others = [one for one, is_alone in zip(bus.each, alone, strict=True) if is_alone]
     size = shown(bus.size, KW)
     return [
@@ -62,7 +61,12 @@ def power_sheet(book: Book, bus: Mains) -> None:
                        bus.fine, "it may be higher by less",
                        says=amount("bus_off", shown(bus.missed, KW), "it may be higher by ",
                                    " kW: build the book with more samples, sizes.cycle")))  # fmt: skip
-    sheet.chart(lines_chart(bus.over), column=CHART_COLUMN, row=5, width=9, height=20)
+    over, x = bus.over, "[bus.time]" if bus.over.measured else "[bus.theta]"
+    lines = (Series("on a common bus", x, "[bus.sum]"),
+             Series("each drive alone, from the mains", x, "[bus.alone]", dashed=True))  # fmt: skip
+    chart = Chart(f"Power over the {over.period}", over.title, "P [kW]", lines,
+                  f"Power from the mains over {over.cycle}", over.axis(60))  # fmt: skip
+    sheet.chart(chart, column=CHART_COLUMN, row=5, width=9, height=20)
     sheet.row += 1
     drives_table(sheet, bus)
     sheet.not_printed_below()
@@ -89,12 +93,13 @@ def totals(bus: Mains) -> list[Quantity]:
 def common(bus: Mains) -> list[Quantity]:
     """Return the results of drives on a common bus, and how far they may be off."""
     found, size = bus.common, shown(bus.size, KW)
+    apart = max(float(bus.apart.max()), float((bus.on_bus * bus.tops[0]).max()))
     one = "SUMPRODUCT([power.bus]*[power.mains])"
     added = "SUMPRODUCT([power.bus]*[power.{}])"
     sampled = "SUMPRODUCT([bus.w],[bus.sum],([bus.sum]>0)*1)"
     return [
         result("bus_alone", "Peak power from the mains without the bus", "", "kW",
-               "=MAX(MAX([bus.alone]),SUMPRODUCT(MAX([power.bus]*[power.peak])))", shown(bus.apart_peak, KW),
+               "=MAX(MAX([bus.alone]),SUMPRODUCT(MAX([power.bus]*[power.peak])))", shown(apart, KW),
                scale=size),
         result("bus_mains_peak", "Peak power from the mains", "P_max", "kW",
                "=MAX(0,MAX([bus.sum]),MAX([power.proves]))", shown(bus.peak, KW), scale=size,
@@ -117,7 +122,8 @@ def common(bus: Mains) -> list[Quantity]:
         result("bus_off", "The peaks may be higher by", "", "kW", f"=MAX(0,MIN(bus_most,{total('power.off')}))",
                shown(bus.missed, KW), scale=size, source="what the samples miss of the drives' peaks, if less"),
         calc("bus_net_off", "Error of the mean power of the samples", "", "kW",
-             "=ABS(SUMPRODUCT([bus.w],[bus.sum])-bus_net)", shown(bus.net_off, KW), scale=size,
+             "=ABS(SUMPRODUCT([bus.w],[bus.sum])-bus_net)", shown(abs(float(bus.weights @ bus.sum) - bus.net), KW),
+             scale=size,
              source="beside that of the points"),
     ]  # fmt: skip
 
@@ -145,13 +151,13 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
         result("mains", "mean power from the mains", "P", "kW", "=[driving]/power_efficiency/[time]/1000",
                [shown(one.mains, KW) for one in each], scale=size),
         result("peak", "peak", "P_max", "kW", [f"={scope}pmax/power_efficiency" for scope in scopes],
-               [shown(one.mains, KW) for one in bus.most], scale=size),
+               shown(bus.tops[0], KW).tolist(), scale=size),
         result("resistor", "mean power in its resistor", "", "kW", "=[returned]*power_efficiency/[time]/1000",
                [shown(one.resistor, KW) for one in each], scale=size),
         result("burnt", "peak", "", "kW", [f"=0-{scope}pmin*power_efficiency" for scope in scopes],
-               [shown(one.resistor, KW) for one in bus.most], scale=size),
+               shown(bus.tops[1], KW).tolist(), scale=size),
         calc("bus", "on the common bus", "", "", [f'=IF({scope}own_rate="",1,0)' for scope in scopes],
-             [int(bus.shares(one)) for one in drives], format="0", source="1: yes"),
+             bus.on_bus.astype(int).tolist(), format="0", source="1: yes"),
         calc("proves", "the bus takes at least", "", "kW", f"=[bus]*([peak]-{burnt})", shown(proves, KW).tolist(),
              scale=size, source="its peak less the others' largest regeneration"),
         calc("burns", "the bus burns at least", "", "kW", f"=[bus]*([burnt]-{taken})", shown(burns, KW).tolist(),
@@ -172,7 +178,7 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
         power = f"INDEX(drive{number}_P,[k]+1)"
         return f"=[power.bus.{row}]*MAX({power}/power_efficiency,{power}*power_efficiency)"
 
-    time = calc("time", over.name, over.symbol, over.unit, "=INDEX([cycle1.time],[k]+1)", machine.times,
+    time = calc("time", over.name, over.symbol, over.unit, "=INDEX([cycle1.time],[k]+1)", over.shown(machine.angles),
                 format=over.format) if over.measured else \
         calc("theta", over.angle, "θ", "°", "=INDEX([cycle1.theta],[k]+1)", machine.angles, format="0.0##")  # fmt: skip
     sheet.heading("Power over the cycle")
@@ -190,12 +196,3 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
                shown(bus.drawn[row - 1], KW), scale=size, source="P/η, or η P that comes back")
           for row, (name, one) in enumerate(zip(columns, bus.drives, strict=True), 1)),
     )  # fmt: skip
-
-
-def lines_chart(over: Abscissa) -> Chart:
-    """Return the chart of the power over the cycle."""
-    x = "[bus.time]" if over.measured else "[bus.theta]"
-    lines = (Series("on a common bus", x, "[bus.sum]"),
-             Series("each drive alone, from the mains", x, "[bus.alone]", dashed=True))  # fmt: skip
-    return Chart(f"Power over the {over.period}", over.title, "P [kW]", lines,
-                 f"Power from the mains over {over.cycle}", over.axis(60))  # fmt: skip

@@ -29,14 +29,10 @@ class Mains:
         """What the cycle is shown over."""
         return self.drives[0].one.machine.over
 
-    def shares(self, one: DriveView) -> bool:
-        """Whether a drive is on the bus: one at a rate of its own has no place in the turn."""
-        return one.driven.entered.rate is None
-
     @cached_property
     def on_bus(self) -> Array:
-        """1 of each drive on the bus, else 0."""
-        return np.array([float(self.shares(one)) for one in self.drives])
+        """1 of each drive on the bus, else 0: one at a rate of its own has no place in the turn."""
+        return np.array([float(one.driven.entered.rate is None) for one in self.drives])
 
     @cached_property
     def each(self) -> list[Means]:
@@ -49,6 +45,12 @@ class Mains:
         """The peak powers of each drive without a common bus (W)."""
         powers = [(one.points, one.points.power) for one in self.drives]
         return [peaks(at.top(power), -at.top(-power), self.entered.efficiency) for at, power in powers]
+
+    @cached_property
+    def tops(self) -> tuple[Array, Array]:
+        """The same of all drives, from the mains and in the resistors."""
+        mains, resistor = zip(*self.most, strict=True)
+        return np.array(mains), np.array(resistor)
 
     @cached_property
     def alone(self) -> Means:
@@ -80,16 +82,11 @@ class Mains:
         found[[0, -1]] /= 2.0
         return found
 
-    def others(self, figures: Array) -> Array:
-        """Return of each drive the sum of a figure of the other drives on the bus."""
-        own = self.on_bus * figures
-        return np.asarray(own.sum() - own)
-
     @cached_property
     def proved(self) -> tuple[Array, Array]:
         """What the bus takes from the mains, and burns, at least, as one drive's peak proves (W)."""
-        mains, resistor = (np.array([getattr(one, name) for one in self.most]) for name in ("mains", "resistor"))
-        return self.on_bus * (mains - self.others(resistor)), self.on_bus * (resistor - self.others(mains))
+        mains, resistor = (self.on_bus * tops for tops in self.tops)
+        return self.on_bus * (mains - (resistor.sum() - resistor)), self.on_bus * (resistor - (mains.sum() - mains))
 
     @property
     def peak(self) -> float:
@@ -100,12 +97,6 @@ class Mains:
     def burnt_peak(self) -> float:
         """The largest power in the brake resistor (W)."""
         return max(0.0, -float(self.sum.min()), float(self.proved[1].max()))
-
-    @property
-    def apart_peak(self) -> float:
-        """The largest power from the mains without the bus (W)."""
-        own = self.on_bus * [one.mains for one in self.most]
-        return max(float(self.apart.max()), float(own.max()))
 
     @property
     def net(self) -> float:
@@ -123,14 +114,14 @@ class Mains:
     @cached_property
     def off(self) -> Array:
         """By how much the samples of each drive on the bus miss its peaks (W)."""
-        mains, resistor = (np.array([getattr(one, name) for one in self.most]) for name in ("mains", "resistor"))
+        mains, resistor = self.tops
         missed = np.maximum(mains - self.drawn.max(axis=1), resistor + self.drawn.min(axis=1))
         return np.asarray(self.on_bus * missed)
 
     @property
     def added(self) -> float:
         """By how much the peaks of all drives on the bus, added up, exceed those of the bus (W)."""
-        mains, resistor = (self.on_bus @ [getattr(one, name) for one in self.most] for name in ("mains", "resistor"))
+        mains, resistor = (self.on_bus @ tops for tops in self.tops)
         return float(max(mains - self.peak, resistor - self.burnt_peak))
 
     @property
@@ -142,11 +133,6 @@ class Mains:
     def fine(self) -> bool:
         """Whether the peaks of the bus are known, but for :data:`FINE` of them."""
         return self.missed <= FINE * max(self.peak, self.burnt_peak) + LEAST
-
-    @property
-    def net_off(self) -> float:
-        """By how much the mean of the samples is off that of the points (W)."""
-        return abs(float(self.weights @ self.sum) - self.net)
 
     @property
     def size(self) -> float:

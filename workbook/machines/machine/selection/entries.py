@@ -18,8 +18,7 @@ class Choice(Ranked):
     """
 
     axis: Called | None = Field(
-        default=None,
-        description="Axis with a drive that the sheet Selection looks at; or none",
+        default=None, description="Axis with a drive that the sheet Selection looks at; or none"
     )
     falling: bool | None = Field(
         default=None,
@@ -48,9 +47,8 @@ class Choice(Ranked):
         own = [name for name in type(self).model_fields if name not in {*Products.model_fields, "axis", "falling"}]
         told = [name for name in own if getattr(self, name) != type(self).model_fields[name].default]
         if self.axis is None and told:
-            raise EntryError(
-                told[0], "no axis is told for the sheet Selection; expected selection.axis, or none of this"
-            )
+            said = "no axis is told for the sheet Selection; expected selection.axis, or none of this"
+            raise EntryError(told[0], said)
         return self
 
 

@@ -18,45 +18,46 @@ from workbook.selection.entries import Products
 
 P = TypeVar("P", MotorRow, ReducerRow)
 MOTOR = (
-    ("inertia", "inertia", "J_m", "kg cm²", "with its brake"),
-    ("stall_torque", "stall torque", "T_0", "Nm", "empty: the rated one"),
-    ("rated_torque", "rated torque", "T_N", "Nm", "continuous, at the rated speed"),
-    ("rated_speed", "rated speed", "n_N", "rpm", "empty: the largest speed"),
-    ("peak_torque", "peak torque", "T_M,max", "Nm", ""),
-    ("max_speed", "largest speed", "n_M,max", "rpm", ""),
+    ("inertia", "inertia", "J_m", "kg cm²", "with its brake", "@jm", "inertia"),
+    ("stall_torque", "stall torque", "T_0", "Nm", "empty: the rated one", "@motor_stall", "stall"),
+    ("rated_torque", "rated torque", "T_N", "Nm", "continuous, at the rated speed", "@motor_rated", "rated"),
+    ("rated_speed", "rated speed", "n_N", "rpm", "empty: the largest speed", "@motor_nn", "nn"),
+    ("peak_torque", "peak torque", "T_M,max", "Nm", "", "@motor_peak", "peak"),
+    ("max_speed", "largest speed", "n_M,max", "rpm", "", "@motor_nmax", "nmax"),
 )
 REDUCER = (
-    ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty"),
-    ("efficiency", "efficiency", "η_1", "", "1 if empty"),
-    ("inertia", "inertia at the input", "J_G", "kg cm²", ""),
-    ("no_load_torque", "no-load torque", "T_nl", "Nm", "at the motor, against its rotation"),
-    ("peak_torque", "largest output torque", "", "Nm", "empty: no limit"),
-    ("full_cycles", "cycles an hour up to which that torque holds", "Z", "1/h", "empty: 1,000"),
-    ("cycle_factor", "factor that it counts over beyond", "f_s", "", "as its maker says; empty: 1"),
-    ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit"),
-    ("max_speed", "largest input speed", "", "rpm", "empty: no limit"),
+    ("ratio", "ratio", "i_1", "", "motor over mechanism; 1 if empty", "@i1", "i"),
+    ("efficiency", "efficiency", "η_1", "", "1 if empty", "@eta1", "eta"),
+    ("inertia", "inertia at the input", "J_G", "kg cm²", "", "@j_reducer", "inertia"),
+    ("no_load_torque", "no-load torque", "T_nl", "Nm", "at the motor, against its rotation", "@no_load", "t012"),
+    ("peak_torque", "largest output torque", "", "Nm", "empty: no limit", "@reducer_peak", "tmax"),
+    (
+        "full_cycles",
+        "cycles an hour up to which that torque holds",
+        "Z",
+        "1/h",
+        "empty: 1,000",
+        "@reducer_full",
+        "full",
+    ),
+    (
+        "cycle_factor",
+        "factor that it counts over beyond",
+        "f_s",
+        "",
+        "as its maker says; empty: 1",
+        "@reducer_fs",
+        "fs",
+    ),
+    ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit", "@reducer_mean", "t2n"),
+    ("max_speed", "largest input speed", "", "rpm", "empty: no limit", "@reducer_nmax", "nmax"),
 )
-IN_USE = {
-    "inertia": "@jm", "rated_torque": "@motor_rated", "peak_torque": "@motor_peak", "max_speed": "@motor_nmax",
-    "stall_torque": "@motor_stall", "rated_speed": "@motor_nn",
-}  # fmt: skip
-GEARED = {
-    "ratio": ("@i1", "i"), "efficiency": ("@eta1", "eta"), "inertia": ("@j_reducer", "inertia"),
-    "no_load_torque": ("@no_load", "t012"),
-    "peak_torque": ("@reducer_peak", "tmax"), "mean_torque": ("@reducer_mean", "t2n"),
-    "full_cycles": ("@reducer_full", "full"), "cycle_factor": ("@reducer_fs", "fs"),
-    "max_speed": ("@reducer_nmax", "nmax"),
-}  # fmt: skip
-"""of each entry of a reducer: the cell that is used, and the column of the catalogue"""
-COLUMNS = {
-    "inertia": "inertia", "rated_torque": "rated", "peak_torque": "peak", "max_speed": "nmax",
-    "stall_torque": "stall", "rated_speed": "nn",
-}  # fmt: skip
+"""of each entry: words, symbol, unit and a note, the cell that is used, and the column of the catalogue"""
 DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
-IN_USE_SOURCES = {"rated_torque": "at its temperature", "stall_torque": "at its temperature, T_N at least"}
 ZERO = dict.fromkeys(("peak_torque", "mean_torque", "max_speed"), "0: no limit") | {"full_cycles": "0: not given"}
 AT_LEAST = {"cycle_factor": "MAX(1,{0})"}
 """what counts of an entry that may be empty"""
+SOURCES = {"rated_torque": "at its temperature", "stall_torque": "at its temperature, T_N at least"}
 SI_UNITS = {"kg cm²": "kg m²"}
 """of what is entered in others, for the formulas behind"""
 
@@ -113,10 +114,9 @@ class ReducerInUse(NamedTuple):
     @property
     def limits(self) -> ReducerLimits:
         """Its limits."""
-        return ReducerLimits(
-            self.peak_torque or math.inf, self.mean_torque or math.inf, si(self.max_speed or math.inf, RPM),
-            si(self.full_cycles or FULL_CYCLES, PER_HOUR), self.cycle_factor
-        )  # fmt: skip
+        peak, mean, fastest = (limit or math.inf for limit in (self.peak_torque, self.mean_torque, self.max_speed))
+        full = si(self.full_cycles or FULL_CYCLES, PER_HOUR)
+        return ReducerLimits(peak, mean, si(fastest, RPM), full, self.cycle_factor)
 
 
 def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
@@ -151,17 +151,12 @@ def left_of(motor: AxisMotor) -> float:
 
 def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
     """Return the reducer of an axis, one of ratio 1 where nothing is entered."""
-    e, found = axis.reducer, named(products.reducers, axis.reducer.name)
-    row = place_of(e.name, [one.name for one in products.reducers]) + 1
-    if found:
-        inertia = si(found.inertia or 0.0, KG_CM2)
-        return ReducerInUse(row, found.reduction, found.efficiency, inertia, found.no_load_torque or 0.0,
-                            found.max_torque or 0.0, found.full_cycles or 0.0, found.cycle_factor or 1.0,
-                            found.mean_torque or 0.0, found.max_speed or 0.0)  # fmt: skip
-    inertia = si(e.inertia, KG_CM2)
-    return ReducerInUse(row, e.ratio, e.efficiency, inertia, e.no_load_torque, e.peak_torque or 0.0,
-                        e.full_cycles or 0.0, e.cycle_factor or 1.0,
-                        e.mean_torque or 0.0, e.max_speed or 0.0)  # fmt: skip
+    found = named(products.reducers, axis.reducer.name)
+    row, used = place_of(axis.reducer.name, [one.name for one in products.reducers]) + 1, found or axis.reducer
+    ratio, peak = (found.reduction, found.max_torque) if found else (axis.reducer.ratio, axis.reducer.peak_torque)
+    return ReducerInUse(row, ratio, used.efficiency, si(used.inertia or 0.0, KG_CM2), used.no_load_torque or 0.0,
+                        peak or 0.0, used.full_cycles or 0.0, used.cycle_factor or 1.0, used.mean_torque or 0.0,
+                        used.max_speed or 0.0)  # fmt: skip
 
 
 def entries(axis: Axis, key: str) -> list[Quantity]:
@@ -169,33 +164,22 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
     rows: list[Quantity] = []
     for kind, figures in (("reducer", REDUCER), ("motor", MOTOR)):
         entered = getattr(axis, kind)
-        rows.append(
+        rows += [
             given(f"@{kind}_name", f"{kind.capitalize()} of the catalogue", "", "", entered.name or None,
                   f"{key}.{kind}.name", choices=f"={kind}_name", align="left",
-                  source="leave empty to enter the figures below")
-        )  # fmt: skip
-        rows += [
-            given(f"@own_{kind}_{name}", f"{kind.capitalize()}, as entered: {words}", symbol, unit,
-                  getattr(entered, name), f"{key}.{kind}.{name}", source=source,
-                  format="General" if unit in SI_UNITS else "0.0##")
-            for name, words, symbol, unit, source in figures
+                  source="leave empty to enter the figures below"),
+            *(given(f"@own_{kind}_{name}", f"{kind.capitalize()}, as entered: {words}", symbol, unit,
+                    getattr(entered, name), f"{key}.{kind}.{name}", source=source,
+                    format="General" if unit in SI_UNITS else "0.0##")
+              for name, words, symbol, unit, source, *_ in figures),
         ]  # fmt: skip
-    motor = axis.motor
-    rows.append(
-        given("@losses_rated", "Copper losses of the motor at the rated torque", "P_Cu", "kW",
-              motor.copper_losses if motor else None, f"{key}.motor.copper_losses",
-              source="empty: as the catalogue has it, or none")
-    )  # fmt: skip
-    rows.append(
-        given("@holding", "At rest the load is held by", "", "", motor.holding if motor else None,
-              f"{key}.motor.holding", source="the motor, or a brake")
-    )  # fmt: skip
-    return [*rows, *(temperature(axis.motor, f"{key}.motor") if axis.motor else ())]
-
-
-def temperature(motor: AxisMotor, key: str) -> list[Quantity]:
-    """Return the rows of what lowers the rated torque of the motor."""
+    motor, key = axis.motor or AxisMotor(), f"{key}.motor"
     return [
+        *rows,
+        given("@losses_rated", "Copper losses of the motor at the rated torque", "P_Cu", "kW", motor.copper_losses,
+              f"{key}.copper_losses", source="empty: as the catalogue has it, or none"),
+        given("@holding", "At rest the load is held by", "", "", motor.holding, f"{key}.holding",
+              source="the motor, or a brake"),
         given("@temperature", "Ambient temperature of the motor", "ϑ", "°C", motor.temperature, f"{key}.temperature",
               format="0.0##", source="empty: as rated"),
         given("@rated_at", "Ambient temperature of the rated torque", "ϑ_N", "°C", motor.rated_at, f"{key}.rated_at",
@@ -215,8 +199,7 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
              '=IF(@motor_name="",0,MATCH(@motor_name,[motors.name],0))', motor.row, format="0",
              source="0: as entered"),
     ]  # fmt: skip
-    for name, words, symbol, unit, _ in REDUCER:
-        cell, column = GEARED[name]
+    for name, words, symbol, unit, _, cell, column in REDUCER:
         own = f"@own_reducer_{name}"
         entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
         listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)"
@@ -225,14 +208,21 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
             calc(cell, f"Reducer: {words}", symbol, SI_UNITS.get(unit, unit), f"={in_si(counted, unit)}",
                  getattr(reducer, name), source=ZERO.get(name, ""))
         )  # fmt: skip
+    listed_motor = {name: f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{column}],@motor_row))"
+                    for name, *_, column in MOTOR}  # fmt: skip
+    used = {name: in_si(f"{listed_motor[name]}+0", unit) for name, _, _, unit, *_ in MOTOR} | {
+        "rated_torque": f"{listed_motor['rated_torque']}*@derate",
+        "stall_torque": f"MAX(@motor_rated,{listed_motor['stall_torque']}*@derate)",
+        "rated_speed": "IF(@nn_given=0,@motor_nmax,@nn_given)",
+    }
     rows += [
         calc("@derate", "Motor: share of the rated torque at the ambient temperature", "", "", f"={DERATING}", left,
              source="√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
-        calc("@nn_given", "Motor: rated speed as it is given", "", "rpm", f"={listed_motor('rated_speed')}+0",
+        calc("@nn_given", "Motor: rated speed as it is given", "", "rpm", f"={listed_motor['rated_speed']}+0",
              motor.rated_given, source="0: not given"),
-        *(calc(IN_USE[name], f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={motor_figure(name, unit)}",
-               getattr(motor, name), source=IN_USE_SOURCES.get(name, ""))
-          for name, words, symbol, unit, _ in MOTOR),
+        *(calc(cell, f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={used[name]}", getattr(motor, name),
+               source=SOURCES.get(name, ""))
+          for name, words, symbol, unit, _, cell, _ in MOTOR),
         calc("@losses", "Motor: copper losses at the rated torque", "P_Cu", "kW",
              '=IF(@losses_rated<>"",@losses_rated,IF(@motor_row=0,0,INDEX([motors.pcu],@motor_row)))+0', motor.losses,
              source="0: none are counted"),
@@ -243,36 +233,20 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
     return rows
 
 
-def listed_motor(name: str) -> str:
-    """Return the formula of a figure of the motor, of the catalogue or as entered."""
-    return f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{COLUMNS[name]}],@motor_row))"
-
-
-def motor_figure(name: str, unit: str) -> str:
-    """Return the formula of a figure of the motor in use."""
-    listed = listed_motor(name)
-    of = {"rated_torque": f"{listed}*@derate", "stall_torque": f"MAX(@motor_rated,{listed}*@derate)",
-          "rated_speed": "IF(@nn_given=0,@motor_nmax,@nn_given)"}  # fmt: skip
-    return of.get(name, in_si(f"{listed}+0", unit))
-
-
 def in_si(formula: str, unit: str) -> str:
     """Return the formula of an inertia in kg m², any other as it is."""
     return f"({formula})/10000" if unit in SI_UNITS else formula
 
 
-def told(number: int, called: str) -> Quantity:
-    """Return the check that the motor is named, or entered."""
-    figures = ",".join(f"@own_motor_{name}" for name in NEEDED)
-    return check("@ok_told", f"{called}: a motor is named or entered",
-                 f'OR(@motor_name<>"",COUNT({figures})={len(NEEDED)})', True, rule=f"axes.{number - 1}.motor:told",
-                 says=f'"{UNTOLD}"')  # fmt: skip
-
-
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'
 
 
-def cool(number: int, called: str) -> Quantity:
-    """Return the check that the motor is cooler than its winding may get."""
-    return check("@ok_cool", f"{called}: ambient temperature below the limit", "MAX(@temperature,@rated_at)<@winding",
-                 True, rule=f"axes.{number - 1}.motor:cool", says=HOT)  # fmt: skip
+def checks(number: int, called: str) -> list[Quantity]:
+    """Return the checks that the motor is named, or entered, and cooler than its winding may get."""
+    figures, key = ",".join(f"@own_motor_{name}" for name in NEEDED), f"axes.{number - 1}.motor"
+    return [
+        check("@ok_told", f"{called}: a motor is named or entered",
+              f'OR(@motor_name<>"",COUNT({figures})={len(NEEDED)})', True, rule=f"{key}:told", says=f'"{UNTOLD}"'),
+        check("@ok_cool", f"{called}: ambient temperature below the limit",
+              "MAX(@temperature,@rated_at)<@winding", True, rule=f"{key}:cool", says=HOT),
+    ]  # fmt: skip

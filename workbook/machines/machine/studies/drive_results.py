@@ -12,89 +12,86 @@ from engine.selection.point_load import shares_of
 from workbook.entries.units import KG_CM2, KW, shown
 from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.mechanism import LINKED
-from workbook.machines.machine.studies.drives import WEIGHED, Studied, in_words, within
+from workbook.machines.machine.studies.drives import WEIGHED, Studied, in_words
+from workbook.scaling import Worked
+
+ASKED: dict[str, Callable[[Studied], Any]] = {
+    "rate": lambda one: one.rates.each,
+    "jtot": lambda one: shown(one.at_motor, KG_CM2),
+    "inertias": lambda one: shares_of(one.at_motor, one.motors_used["inertia"]),
+    "tmax": lambda one: one.extremes.torque,
+    "tmin": lambda one: one.extremes.torque_low,
+    "rms": lambda one: one.rms,
+    "speed": lambda one: one.speed,
+    "mean": lambda one: one.mean,
+    "continuous": lambda one: one.continuous,
+    "res_rms": lambda one: shares_of(one.continuous, one.rms),
+    "res_peak": lambda one: shares_of(one.motors_used["peak_torque"], one.extremes.peak),
+    "res_speed": lambda one: shares_of(one.motors_used["max_speed"], one.speed),
+    "smax": lambda one: one.behind(0),
+    "smean": lambda one: one.behind(1),
+    "energy": lambda one: one.works.driving,
+    "returned": lambda one: one.works.regenerated,
+    "power": lambda one: shown(mean_power(one.works, one.time), KW),
+    "pmax": lambda one: shown(np.maximum(0.0, one.extremes.power), KW),
+    "pmin": lambda one: shown(np.minimum(0.0, one.extremes.power_low), KW),
+    "highest": lambda one: one.highest,
+    "binds": lambda one: one.binds,
+    "reducer_held": lambda one: one.reducer_held,
+} | {f"pair_{name}": lambda one, name=name: one.motors_used[name] + one.reducers_used[name] for name in WEIGHED}
+PRODUCTS = {
+    "motors_used": {
+        "motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
+        "motor_nmax": "max_speed", "motor_stall": "stall_torque", "motor_nn": "rated_speed",
+        "motor_mass": "mass", "motor_cost": "cost",
+    },
+    "reducers_used": {
+        "reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia", "no_load": "no_load_torque",
+        "reducer_peak": "peak_torque", "reducer_mean": "mean_torque", "reducer_nmax": "max_speed",
+        "reducer_full": "full_cycles", "reducer_fs": "cycle_factor",
+        "reducer_mass": "mass", "reducer_cost": "cost",
+    },
+}  # fmt: skip
+"""of motors and of reducers: the cells of their figures"""
 
 
-def results(one: Studied) -> dict[str, Callable[[], Any]]:
+def within(limits: Array, value: Any) -> Any:
+    """Return whether what is asked of the reducer is within its limits, 0 for none."""
+    return (limits == 0.0) | (value <= limits)
+
+
+def below_curve(one: Studied) -> Any:
+    """Return whether torques stay below the motor's curve; of a curve that the book does not know they do not."""
+    level = one.motors_used["fall"] == 0.0
+    return level | (one.extremes.spare >= 0.0) if one.products.knows_falling else level
+
+
+CHECKS: dict[str, Callable[[Studied], Any]] = {
+    "ok_rms": lambda one: one.rms <= one.continuous,
+    "ok_peak": lambda one: one.extremes.peak <= one.motors_used["peak_torque"],
+    "ok_speed": lambda one: one.speed <= one.motors_used["max_speed"],
+    "ok_curve": below_curve,
+    "ok_reducer_peak": lambda one: within(one.reducer_held, one.behind(0)),
+    "ok_reducer_mean": lambda one: within(one.reducers_used["mean_torque"], one.behind(1)),
+    "ok_reducer_speed": lambda one: within(one.reducers_used["max_speed"], one.speed),
+}
+
+
+def results(one: Studied) -> Worked:
     """Return all results by name, each worked out when it is called."""
-    each = _asked(one) | _products(one)
-    return {f"drive{one.axis.number}_{name}": value for name, value in each.items()}
+    found: Worked = {name: partial(figure, one) for name, figure in ASKED.items()}
+    for used, cells in PRODUCTS.items():
+        found |= {
+            cell: partial(lambda used, name: getattr(one, used)[name], used, name) for cell, name in cells.items()
+        }
+    if one.products.knows_falling:
+        found["spare"] = lambda: one.extremes.spare
+    return {f"drive{one.axis.number}_{name}": value for name, value in found.items()}
 
 
-def checks(one: Studied) -> dict[str, Callable[[], Any]]:
+def checks(one: Studied) -> Worked:
     """Return the checks of its sheet that entries do not decide."""
-    return {f"drive{one.axis.number}_{name}": value for name, value in _checks(one).items()}
-
-
-def _asked(one: Studied) -> dict[str, Callable[[], Any]]:
-    """Return what the cycle asks of motors and reducers."""
-    motor = one.motors_used.__getitem__
-    found: dict[str, Callable[[], Any]] = {
-        "rate": lambda: one.rates.each,
-        "jtot": lambda: shown(one.at_motor, KG_CM2),
-        "inertias": lambda: shares_of(one.at_motor, motor("inertia")),
-        "tmax": lambda: one.extremes.torque,
-        "tmin": lambda: one.extremes.torque_low,
-        "rms": lambda: one.rms,
-        "speed": lambda: one.speed,
-        "mean": lambda: one.mean,
-        "continuous": lambda: one.continuous,
-        "res_rms": lambda: shares_of(one.continuous, one.rms),
-        "res_peak": lambda: shares_of(motor("peak_torque"), one.extremes.peak),
-        "res_speed": lambda: shares_of(motor("max_speed"), one.speed),
-        "smax": lambda: one.behind,
-        "smean": lambda: one.mean_behind,
-        "energy": lambda: one.works.driving,
-        "returned": lambda: one.works.regenerated,
-        "power": lambda: shown(mean_power(one.works, one.time), KW),
-        "pmax": lambda: shown(np.maximum(0.0, one.extremes.power), KW),
-        "pmin": lambda: shown(np.minimum(0.0, one.extremes.power_low), KW),
-        "highest": lambda: one.highest,
-        "binds": lambda: one.binds,
-    }
-    return found | ({"spare": lambda: one.extremes.spare} if one.products.knows_falling else {})
-
-
-def _products(one: Studied) -> dict[str, Callable[[], Any]]:
-    """Return the figures of motors and reducers themselves."""
-    motor = {"motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
-             "motor_nmax": "max_speed", "motor_stall": "stall_torque", "motor_nn": "rated_speed"}  # fmt: skip
-    reducer = {"reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia",
-               "no_load": "no_load_torque",
-               "reducer_peak": "peak_torque", "reducer_mean": "mean_torque",
-               "reducer_full": "full_cycles", "reducer_fs": "cycle_factor",
-               "reducer_nmax": "max_speed"}  # fmt: skip
-    found: dict[str, Callable[[], Any]] = {"reducer_held": lambda: one.reducer_held}
-    for name, figure in motor.items():
-        found[name] = partial(_figure, one, "motors_used", figure)
-    for name, figure in reducer.items():
-        found[name] = partial(_figure, one, "reducers_used", figure)
-    for figure in WEIGHED:
-        found[f"motor_{figure}"] = partial(_figure, one, "motors_used", figure)
-        found[f"reducer_{figure}"] = partial(_figure, one, "reducers_used", figure)
-        found[f"pair_{figure}"] = partial(one.pair, figure)
-    return found
-
-
-def _figure(one: Studied, products: str, figure: str) -> Array:
-    """Return a figure of the motors or the reducers in use."""
-    found: dict[str, Array] = getattr(one, products)
-    return found[figure]
-
-
-def _checks(one: Studied) -> dict[str, Callable[[], Any]]:
-    """Return the checks of the drive's sheet."""
-    motor, reducer = one.motors_used.__getitem__, one.reducers_used.__getitem__
-    linked = one.axis.given.mechanism and one.axis.given.mechanism.kind in LINKED
-    closes = {"ok_back": lambda: in_words(one.axis.motion.closes)} if linked else {}
-    if one.bases[0].driven.by_angle:
-        closes["ok_turns"] = lambda: in_words(ends_in_place(one.bases[0].driven))
-    return closes | {
-        "ok_rms": lambda: in_words(one.rms <= one.continuous),
-        "ok_peak": lambda: in_words(one.extremes.peak <= motor("peak_torque")),
-        "ok_speed": lambda: in_words(one.speed <= motor("max_speed")),
-        "ok_curve": lambda: one.below_curve,
-        "ok_reducer_peak": lambda: within(one.reducer_held, one.behind),
-        "ok_reducer_mean": lambda: within(reducer("mean_torque"), one.mean_behind),
-        "ok_reducer_speed": lambda: within(reducer("max_speed"), one.speed),
-    }
+    driven = one.bases[0].driven
+    found = CHECKS | ({"ok_back": lambda one: one.axis.motion.closes} if driven.given.kind in LINKED else {})
+    found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
+    return {f"drive{one.axis.number}_{name}": partial(lambda ok: in_words(ok(one)), ok) for name, ok in found.items()}

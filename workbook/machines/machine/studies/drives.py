@@ -93,13 +93,8 @@ class Studied:
     def gears(self) -> Gears:
         """Motors with their reducers."""
         used = self.reducers_used
-        inertia = self.motors_used["inertia"] + self.beside
+        inertia = self.motors_used["inertia"] + (used["inertia"] + self.bases[0].driven.beside_motor)
         return Gears(*self._lined(inertia, used["ratio"], used["efficiency"], used["no_load_torque"]))
-
-    @property
-    def beside(self) -> Array:
-        """Inertia of the reducer and of parts on the motor's shaft (kg m²)."""
-        return self.reducers_used["inertia"] + self.bases[0].driven.beside_motor
 
     def _lined(self, *values: Any) -> list[Any]:
         """Return arrays with a value for each design."""
@@ -136,19 +131,16 @@ class Studied:
         """RMS torques (Nm)."""
         return self._gathered(lambda _, many: (many.load.rms(many.gears),))[0]
 
-    def turning(self, speed: Callable[[DriveView], float]) -> Array:
-        """Return the speeds of motors (rpm) from that of the motor as entered (rad/s)."""
-        return shown(self.of_rate(lambda base: speed(base) / base.driven.reducer.ratio) * self.gears.ratio, RPM)
-
     @cached_property
     def speed(self) -> Array:
-        """Largest speeds (rpm)."""
-        return self.turning(lambda base: base.speed)
+        """Largest speeds of motors (rpm)."""
+        return shown(self.of_rate(lambda base: base.speed / base.driven.reducer.ratio) * self.gears.ratio, RPM)
 
     @cached_property
     def mean(self) -> Array:
-        """Mean speeds (rpm)."""
-        return self.turning(lambda base: base.points.mean_speed)
+        """Mean speeds of motors (rpm)."""
+        speeds = self.of_rate(lambda base: base.points.mean_speed / base.driven.reducer.ratio)
+        return shown(speeds * self.gears.ratio, RPM)
 
     @property
     def continuous(self) -> Array:
@@ -159,17 +151,12 @@ class Studied:
     @property
     def at_motor(self) -> Array:
         """Inertia at the motor, without it (kg m²)."""
-        return self.beside + self.loads[0].inertia / self.gears.ratio**2
+        beside = self.reducers_used["inertia"] + self.bases[0].driven.beside_motor
+        return beside + self.loads[0].inertia / self.gears.ratio**2
 
-    @cached_property
-    def behind(self) -> Array:
-        """Largest torque behind the reducer (Nm)."""
-        return self.of_rate(lambda base: base.reducer_checks[0].value)
-
-    @cached_property
-    def mean_behind(self) -> Array:
-        """Mean torque behind the reducer (Nm)."""
-        return self.of_rate(lambda base: base.reducer_checks[1].value)
+    def behind(self, k: int) -> Array:
+        """Return the largest (0) or the mean (1) torque behind the reducer (Nm)."""
+        return self.of_rate(lambda base: base.reducer_checks[k].value)
 
     @property
     def reducer_held(self) -> Array:
@@ -178,10 +165,6 @@ class Studied:
         full = np.where(used["full_cycles"] == 0.0, FULL_CYCLES, used["full_cycles"])
         factor = factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"])
         return np.asarray(used["peak_torque"] / factor)
-
-    def pair(self, figure: str) -> Array:
-        """Return mass or cost of motor and reducer together."""
-        return self.motors_used[figure] + self.reducers_used[figure]
 
     @cached_property
     def time(self) -> Any:
@@ -201,8 +184,8 @@ class Studied:
 
     def drive(self, motor: int, reducer: int, rate: int) -> Driven:
         """Return the drive with a motor and a reducer at a rate."""
-        given, speed = self.axis_with(motor, reducer, rate), speed_of(self.rates.values[rate])
-        return Driven(self.axis.at_speed(speed, given), self.machine)
+        speed = shaft_speed(si(self.rates.values[rate], PER_MINUTE))
+        return Driven(self.axis.at_speed(speed, self.axis_with(motor, reducer, rate)), self.machine)
 
     @cached_property
     def views(self) -> dict[tuple[int, int, int], DriveView]:
@@ -212,12 +195,11 @@ class Studied:
     @cached_property
     def highest_each(self) -> dict[tuple[int, int, int], Highest]:
         """The highest rate of each drive, and the limit that binds there."""
-        return {one: self._highest(view, self.rates.values[one[2]]) for one, view in self.views.items()}
-
-    def _highest(self, view: DriveView, rate: float) -> Highest:
-        """Return the highest rate of a drive that is at a rate, which the machine's entries do not tell."""
-        found = view.highest
-        return found._replace(rate=found.rate * rate / view.rate) if isinstance(found.rate, float) else found
+        found = {}
+        for one, view in self.views.items():
+            most, rate = view.highest, self.rates.values[one[2]]  # the machine's entries do not tell this rate
+            found[one] = most._replace(rate=most.rate * rate / view.rate) if isinstance(most.rate, float) else most
+        return found
 
     @property
     def highest(self) -> Array:
@@ -229,22 +211,15 @@ class Studied:
         """The limits that bind there."""
         return np.array([self.highest_each[one].limit for one in self.designs], dtype=object)
 
-    @property
-    def below_curve(self) -> Any:
-        """Whether torques stay below the motor's curve; of a curve that the book does not know they do not."""
-        level = self.motors_used["fall"] == 0.0
-        return in_words(level | (self.extremes.spare >= 0.0) if self.products.knows_falling else level)
-
 
 def figures(
     used: Sequence[MotorInUse] | Sequence[ReducerInUse], column: Column, products: Sequence[MotorRow | ReducerRow]
 ) -> dict[str, Array]:
     """Return the figures of products in use in each design, and what those of the catalogue weigh and cost."""
     rows = [None, *products]
-    names = used[0]._fields
-    own = {name: np.array([getattr(one, name) for one in used], dtype=np.float64) for name in names}
-    more = {name: np.array([getattr(rows[one.row], name, None) for one in used], dtype=np.float64) for name in WEIGHED}
-    return {name: values[column.places] for name, values in (own | more).items()}
+    own = {name: [getattr(one, name) for one in used] for name in used[0]._fields}
+    more = {name: [getattr(rows[one.row], name, None) for one in used] for name in WEIGHED}
+    return {name: np.array(values, dtype=np.float64)[column.places] for name, values in (own | more).items()}
 
 
 def only(columns: Mapping[str, Column], place: str) -> tuple[str, Column]:
@@ -257,16 +232,6 @@ def changed(given: Axis, place: str, key: str, value: Any) -> Axis:
     """Return the entries of an axis with another entry of its motor or reducer."""
     entries = getattr(given, place)
     return given.model_copy(update={place: entries.model_copy(update={key: value})}) if key else given
-
-
-def speed_of(rate: float) -> float:
-    """Return the speed of the master shaft (rad/s) at a rate."""
-    return shaft_speed(si(rate, PER_MINUTE))
-
-
-def within(limits: Array, value: Any) -> Any:
-    """Return whether what is asked is within limits, 0 for none, in words."""
-    return in_words((limits == 0.0) | (value <= limits))
 
 
 def in_words(ok: Any) -> Any:

@@ -1,23 +1,23 @@
 """The results of a machine by the names of its book, without a book: of many motors, reducers and rates at once."""
 
 import re
-from collections.abc import Collection, Mapping
-from functools import cached_property, partial
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 
-from engine.drive.dc_bus import Means, together
+from engine.drive.dc_bus import together
 from engine.motion.smoothness import shortfalls
 from engine.timing import at_rate, ratio_of, turn_time
 from workbook.entries.texts import place_of
 from workbook.entries.units import KW, PER_MINUTE, shown, si
 from workbook.laws.family import COEFFICIENTS
 from workbook.laws.library import laws, named
-from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.clearance.gap import Apart
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.power.sheet import KWH
 from workbook.machines.machine.power.view import Mains
@@ -29,8 +29,8 @@ from workbook.selection.choosing import Choosing
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
 MASTER = "master.rate"
-GROWTH = {"v": 1, "a": 2, "j": 3, "rms": 2}
-"""the power of the rate with which a figure of a motion grows"""
+GROWTH = {"v": ("v_max", 1), "a": ("a_max", 2), "j": ("j_max", 3), "rms": ("a_rms", 2)}
+"""by column: a figure of a movement, and the power of the rate with which it grows"""
 
 
 def part(key: str) -> str:
@@ -41,7 +41,7 @@ def part(key: str) -> str:
 
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
-    whole, rows = Whole(machine, laws(machine.laws)), Rows(machine)
+    whole, rows = Whole(machine, laws(machine.laws)), cache(partial(axes_of, machine))
     rate = columns.get(MASTER, Column([machine.per_minute], ONE.places))
     faster = ratio_of(rate.each, machine.per_minute)
     found: Worked = {
@@ -52,14 +52,15 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     drives = []
     for axis in whole.axes:
         found |= of_axis(axis, faster)
-        checks |= checks_of_axis(axis, rows)
+        checks |= checks_of_axis(axis, rows() if machine.laws.of("LIN") else [])
         if axis.given.mechanism and axis.given.motor:
-            drives.append(Studied(axis, machine, columns, partial(rows.of, axis.number)))
+            drives.append(Studied(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
             found |= drive_results.results(drives[-1])
             checks |= drive_results.checks(drives[-1])
-    for k in range(1, len(machine.clearances) + 1):
-        found |= of_clearance(rows, k)
-        checks[f"clear{k}_kept"] = partial(kept, rows, k)
+    for k, given in enumerate(machine.clearances, 1):
+        apart = cache(partial(lambda k, given: Apart(given, k, rows()), k, given))
+        found |= of_clearance(apart, k)
+        checks[f"clear{k}_kept"] = partial(lambda apart: in_words(apart().kept), apart)
     found |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
     each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
@@ -84,132 +85,83 @@ def cycles(rate: Column) -> Any:
     return Column([turn_time(si(one, PER_MINUTE)) for one in rate.values], rate.places).each
 
 
-class Rows:
-    """The axes of a machine as its book cuts them, when they are asked for."""
-
-    def __init__(self, machine: AnyMachine) -> None:
-        self.machine = machine
-        self._made: dict[int, AxisRows] = {}
-
-    @cached_property
-    def shelf(self) -> LawShelf:
-        """The laws."""
-        return LawShelf(self.machine.laws, self.machine.sizes, self.hands_over)
-
-    @cached_property
-    def whole(self) -> Whole:
-        """The machine."""
-        return Whole(self.machine, self.shelf.laws)
-
-    @property
-    def hands_over(self) -> bool:
-        """Whether phases may hand velocity over."""
-        return bool(self.machine.laws.of("LIN"))
-
-    def of(self, number: int) -> AxisRows:
-        """Return an axis by its number, from 1."""
-        if number not in self._made:
-            self._made[number] = AxisRows(self.whole, self.whole.axes[number - 1], self.shelf.stack)
-        return self._made[number]
-
-    @cached_property
-    def apart(self) -> list[Apart]:
-        """The clearances."""
-        each = [self.of(axis.number) for axis in self.whole.axes]
-        return [Apart(one, k, each) for k, one in enumerate(self.machine.clearances, 1)]
-
-
 def of_axis(axis: MovingAxis, faster: Any) -> Worked:
     """Return the results of an axis alone, at rates that are so many times that of the machine."""
-    i, given = axis.number, axis.given
-    phases = {
-        f"axis{i}.{name}.{k}": partial(of_move, axis, k - 1, figure, faster, GROWTH[name])
-        for k in range(1, len(given.phases) + 1)
-        for name, figure in (("v", "v_max"), ("a", "a_max"), ("j", "j_max"), ("rms", "a_rms"))
-    }
-    each = {
-        f"{table}.{name}.{i}": partial(of_whole, axis, figure, faster, GROWTH[name])
-        for table in ("axes", "axes_short")
-        for name, figure in (("v", "fastest"), ("a", "hardest"))
-    }
-    return phases | each | {
-        f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit),
-    }  # fmt: skip
+    i = axis.number
+
+    def of_move(k: int, figure: str, power: int) -> Any:
+        return at_rate(getattr(axis.moves[k], figure), faster, power) if k in axis.moves else 0.0
+
+    def of_whole(figure: str, power: int) -> Any:
+        return at_rate(getattr(axis, figure), faster, power)
+
+    found: Worked = {f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit)}
+    for name, (figure, power) in GROWTH.items():
+        found |= {f"axis{i}.{name}.{k + 1}": partial(of_move, k, figure, power) for k in range(len(axis.given.phases))}
+    for table in ("axes", "axes_short"):
+        found[f"{table}.v.{i}"] = partial(of_whole, "fastest", 1)
+        found[f"{table}.a.{i}"] = partial(of_whole, "hardest", 2)
+    return found
 
 
-def checks_of_axis(axis: MovingAxis, rows: Rows) -> Worked:
-    """Return the checks of an axis alone that its entries do not decide."""
+def checks_of_axis(axis: MovingAxis, rows: Sequence[AxisRows]) -> Worked:
+    """Return the checks of an axis that its entries do not decide; ``rows`` are those of a book that hands over."""
     i, given = axis.number, axis.given
     found: Worked = {
         f"axis{i}_position": lambda: in_words(axis.motion.complete),
         f"axis{i}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),
         f"axis{i}_closes": lambda: in_words(axis.axis.closes),
     }
-    ends = rows.of(i).ends if rows.hands_over else None
+    ends = rows[i - 1].ends if rows else None
     return found | ({q.name: partial(np.array, q.value) for q in ends.checks(f"axis{i}", "")} if ends else {})
 
 
-def of_move(axis: MovingAxis, k: int, figure: str, faster: Any, power: int) -> Any:
-    """Return a figure of a phase, from 0; 0 of one that does not lift."""
-    return at_rate(getattr(axis.moves[k], figure), faster, power) if k in axis.moves else 0.0
-
-
-def of_whole(axis: MovingAxis, figure: str, faster: Any, power: int) -> Any:
-    """Return a figure of the whole motion of an axis."""
-    return at_rate(getattr(axis, figure), faster, power)
-
-
-def of_clearance(rows: Rows, k: int) -> Worked:
+def of_clearance(apart: Callable[[], Apart], k: int) -> Worked:
     """Return the results of a clearance, from 1."""
     return {
-        f"clearances.gap.{k}": lambda: rows.apart[k - 1].least,
-        f"clearances.at.{k}": lambda: rows.apart[k - 1].over.shown(rows.apart[k - 1].place),
+        f"clearances.gap.{k}": lambda: apart().least,
+        f"clearances.at.{k}": lambda: apart().over.shown(apart().place),
     }
-
-
-def kept(rows: Rows, k: int) -> Any:
-    """Return whether the gap of a clearance is left."""
-    return in_words(rows.apart[k - 1].kept)
 
 
 def checks_of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
     """Return the checks of all drives together: the bus, and the choice for the axis that is named for it."""
-    found: Worked = {"bus_fine": partial(bus_fine, machine, drives)}
-    choice = machine.selection
-    chosen = [one for one in drives if choice.axis and place_of(choice.axis, [one.axis.given.name]) == 0]
-    return found | ({"sel_ok": partial(choice_found, machine, chosen[0])} if chosen else {})
 
+    def bus_fine() -> Any:
+        """Return whether the samples tell the peak of the bus; a drive of which nothing differs has one design."""
+        count = max(len(one.designs) for one in drives)
+        each = (one.designs if len(one.designs) == count else one.designs * count for one in drives)
+        designs = [tuple(design) for design in zip(*each, strict=True)]
+        fine = {}
+        for design in dict.fromkeys(designs):
+            views = [one.views[own] for one, own in zip(drives, design, strict=True)]
+            fine[design] = Mains(views, machine.power).fine
+        return in_words(np.array([fine[design] for design in designs]))
 
-def bus_fine(machine: AnyMachine, drives: list[Studied]) -> Any:
-    """Return whether the samples tell the peak of the bus, of each design."""
-    designs = [tuple(each) for each in zip(*lined([one.designs for one in drives]), strict=True)]
-    fine: dict[Any, bool] = {}
-    for design in dict.fromkeys(designs):
-        views = [one.views[own] for one, own in zip(drives, design, strict=True)]
-        fine[design] = Mains(views, machine.power).fine
-    return in_words(np.array([fine[design] for design in designs]))
+    def chosen(one: Studied) -> Any:
+        """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
+        each = (Choosing(machine.selection, machine.sizes, [shaft_of(base)]) for base in one.bases)
+        return in_words(np.array([choice.proposed is not None for choice in each])[one.rates.places])
 
-
-def lined(designs: list[list[Any]]) -> list[list[Any]]:
-    """Return the designs of drives, of which some differ in nothing, as many of each."""
-    count = max(map(len, designs))
-    return [one if len(one) == count else one * count for one in designs]
-
-
-def choice_found(machine: AnyMachine, drive: Studied) -> Any:
-    """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
-    each = [Choosing(machine.selection, machine.sizes, [shaft_of(base)]).proposed is not None for base in drive.bases]
-    return in_words(np.array(each)[drive.rates.places])
+    axis, found = machine.selection.axis, {"bus_fine": bus_fine}
+    named = [one for one in drives if axis and place_of(axis, [one.axis.given.name]) == 0]
+    return found | ({"sel_ok": partial(chosen, named[0])} if named else {})
 
 
 def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
     """Return the results of all drives together."""
-
-    def whole() -> Means:
-        return together([one.mains for one in drives])
+    whole = cache(lambda: together([one.mains for one in drives]))
 
     def year() -> Any:
         return shown(whole().energy_a_year(machine.power.hours), KWH)
+
+    def mean(one: Studied, name: str) -> Any:
+        return shown(getattr(one.mains, name), KW)
+
+    def binding() -> Any:
+        rates = np.array(np.broadcast_arrays(*(one.highest for one in drives)))
+        words = [np.array([f"{one.axis.given.name}: {limit}" for limit in one.binds], dtype=object) for one in drives]
+        return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
     found: Worked = {
         "power_mains": lambda: shown(whole().mains, KW),
@@ -217,32 +169,12 @@ def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
         "power_year": year,
         "about_year": year,
         "power_least": lambda: shown(whole().least, KW),
+        "about_highest": lambda: np.min(np.broadcast_arrays(*(one.highest for one in drives)), axis=0),
+        "about_binds": binding,
     }
     for k, one in enumerate(drives, 1):
-        found |= {f"power.mains.{k}": partial(mains_of, one), f"power.resistor.{k}": partial(resistor_of, one)}
-    return found | {"about_highest": partial(least_rate, drives), "about_binds": partial(binding, drives)}
-
-
-def mains_of(one: Studied) -> Any:
-    """Return the mean power of a drive from the mains (kW)."""
-    return shown(one.mains.mains, KW)
-
-
-def resistor_of(one: Studied) -> Any:
-    """Return the mean power in its resistor (kW)."""
-    return shown(one.mains.resistor, KW)
-
-
-def least_rate(drives: list[Studied]) -> Any:
-    """Return the highest rate at which all drives hold all limits (cycles/min)."""
-    return np.min(np.broadcast_arrays(*(one.highest for one in drives)), axis=0)
-
-
-def binding(drives: list[Studied]) -> Any:
-    """Return the axis and the limit that bind there."""
-    rates = np.array(np.broadcast_arrays(*(one.highest for one in drives)))
-    words = [np.array([f"{one.axis.given.name}: {limit}" for limit in one.binds], dtype=object) for one in drives]
-    return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
+        found |= {f"power.{name}.{k}": partial(mean, one, name) for name in ("mains", "resistor")}
+    return found
 
 
 def most(machine: AnyMachine, keys: Collection[str]) -> dict[str, float]:

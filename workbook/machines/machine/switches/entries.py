@@ -94,25 +94,20 @@ def fault_of(turned: SwitchEntry, over: Abscissa) -> str:
         if time.span <= ANGLE_TOLERANCE:
             return f"time {k} does not last"
     for k, time in told:
-        more = max((beyond(time, other) for j, other in told if j != k), default=0.0)
+        after = [((other.start or 0.0) - (time.start or 0.0)) % TURN for j, other in told if j != k]
+        more = time.span - min(after, default=time.span)
         if more > ANGLE_TOLERANCE:
             return f"time {k} is on {over.said(more)} beyond the begin of another"
     return ""
-
-
-def beyond(time: TimeOn, other: TimeOn) -> float:
-    """Return by how much a time goes on beyond the begin of another (degrees)."""
-    return time.span - ((other.start or 0.0) - (time.start or 0.0)) % TURN
 
 
 def spelled(switches: Any) -> Any:
     """Return the switches of a description with the keys of times that are told as [from, to]."""
     if not isinstance(switches, list):
         return switches
+
+    def keyed(time: Any) -> Any:
+        return dict(zip(KEYS, time, strict=True)) if isinstance(time, list) and len(time) == len(KEYS) else time
+
     return [{**one, "on": [*map(keyed, one["on"])]} if isinstance(one, Mapping) and isinstance(one.get("on"), list)
             else one for one in switches]  # fmt: skip
-
-
-def keyed(time: Any) -> Any:
-    """Return a time with its keys."""
-    return dict(zip(KEYS, time, strict=True)) if isinstance(time, list) and len(time) == len(KEYS) else time

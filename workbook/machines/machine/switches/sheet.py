@@ -31,9 +31,10 @@ def switches_sheet(book: Book, machine: Whole) -> None:
     sheet.heading("Enter")
     sheet.note(f"Of a time that runs past the end of the {period}, to is less than from.")
     entries(sheet, machine)
-    sheet.checks(*(apart(lane.number, machine.over) for lane in machine.lanes))
-    if machine.over.measured:
-        sheet.checks(*(within(lane.number, machine.over) for lane in machine.lanes))
+    faults = [("wrong", "apart", "apart", "each time lasts, and is over where another begins")]
+    faults += [("late", "within", "ends", "no time goes on beyond the cycle")] if machine.over.measured else []
+    for fault in faults:
+        sheet.checks(*(none_with(lane.number, machine.over, *fault) for lane in machine.lanes))
     sheet.not_printed_below()
     sheet.heading("Workings: the times of each switch")
     for lane in machine.lanes:
@@ -102,25 +103,13 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
     )  # fmt: skip
 
 
-def first(i: int, column: str) -> str:
-    """Return the formula of the sentence on the first time of a switch with a text in a column."""
+def none_with(i: int, over: Abscissa, column: str, name: str, rule: str, says: str) -> Quantity:
+    """Return the check that no time of a switch has a text in a column; the first that has is told."""
     texts = f"[switch{i}_times.{column}]"
     at = first_text(texts)
-    return f'[switches.name.{i}]&" time "&{at}&" "&INDEX({texts},{at})'
-
-
-def within(i: int, over: Abscissa) -> Quantity:
-    """Return the check that no time of a switch goes on beyond the cycle."""
-    return check(f"switch{i}_within", f"Switch {i}: no time goes on beyond the cycle",
-                 f'COUNTIF([switch{i}_times.late],"?*")=0', True, rule=over.rule("switches", i, "ends"),
-                 says=first(i, "late"))  # fmt: skip
-
-
-def apart(i: int, over: Abscissa) -> Quantity:
-    """Return the check that each time of a switch lasts, and is over where another begins."""
-    return check(f"switch{i}_apart", f"Switch {i}: each time lasts, and is over where another begins",
-                 f'COUNTIF([switch{i}_times.wrong],"?*")=0', True, rule=over.rule("switches", i, "apart"),
-                 says=first(i, "wrong"))  # fmt: skip
+    return check(f"switch{i}_{name}", f"Switch {i}: {says}", f'COUNTIF({texts},"?*")=0', True,
+                 rule=over.rule("switches", i, rule),
+                 says=f'[switches.name.{i}]&" time "&{at}&" "&INDEX({texts},{at})')  # fmt: skip
 
 
 def corners(sheet: Sheet, machine: Whole) -> None:
@@ -134,17 +123,10 @@ def corners(sheet: Sheet, machine: Whole) -> None:
         i, floor = lane.number, n - lane.number
         places = lane.outline(floor, LANE_SHARE, machine.near)
         columns += [
-            calc(
-                f"x{i}",
-                f"switch {i}: {'time' if over.measured else 'angle'}",
-                "",
-                over.unit,
-                angles(i, over),
-                [over.shown(x) for x, _ in places],
-                format=over.format,
-            ),
-            calc(f"y{i}", f"switch {i}: in the diagram", "", "", heights(i, floor, over), [y for _, y in places]),
-        ]
+            calc(f"x{i}", f"switch {i}: {'time' if over.measured else 'angle'}", "", over.unit, angles(i, over),
+                 [over.shown(x) for x, _ in places], format=over.format),
+            calc(f"y{i}", f"switch {i}: in the diagram", "", "", heights(i, floor), [y for _, y in places]),
+        ]  # fmt: skip
     sheet.table(
         "switch_lanes", "Corners of the lanes", len(ups),
         constant("k", "corner", "k", "", list(range(1, len(ups) + 1))),
@@ -166,12 +148,11 @@ def angles(i: int, over: Abscissa) -> list[str]:
     return [*found, f"={last}"]
 
 
-def heights(i: int, floor: int, over: Abscissa) -> list[str]:
+def heights(i: int, floor: int) -> list[str]:
     """Return the formulas of the corners' heights: on the floor of the lane, or on top of a bar that has a width."""
     line = "={}+[up]*IF({}>timing_eps,timing_lane,0)"
-    found = [line.format(floor, "[cycle1.theta.last]")]
+    widths = ["[cycle1.theta.last]"]
     for t in NUMBERS:
         start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))
-        widths = f"MIN({span},360-{start})", f"({start}+{span}-360)"
-        found += [line.format(floor, width) for width in widths for _ in UPS]
-    return [*found, line.format(floor, "[cycle1.theta.last]")]
+        widths += [width for width in (f"MIN({span},360-{start})", f"({start}+{span}-360)") for _ in UPS]
+    return [line.format(floor, width) for width in (*widths, "[cycle1.theta.last]")]

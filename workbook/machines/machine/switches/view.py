@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from functools import cached_property
 from itertools import chain
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 from engine.timing import Switch
 from workbook.book.rows import filled
@@ -51,22 +51,12 @@ class Lane:
 
     def outline(self, floor: int, height: float, near: float) -> list[tuple[float, float]]:
         """Return the corners of its lane: angle (degrees) and height; a bar no wider than ``near`` is none."""
-        bars = chain.from_iterable(self.each(self.switch.bars, NONE))
-        corners = [corner for low, high in bars for corner in bar(shown(low, DEGREE), shown(high, DEGREE), near)]
-        return [(x, floor + (height if up else 0.0)) for x, up in [(0.0, False), *corners, (TURN, False)]]
-
-
-class Corner(NamedTuple):
-    """A corner of a bar: its angle (degrees), and whether the switch is on there."""
-
-    x: float
-    on: bool
-
-
-def bar(low: float, high: float, near: float) -> list[Corner]:
-    """Return the corners of a bar."""
-    on = high - low > near
-    return [Corner(low, False), Corner(low, on), Corner(high, on), Corner(high, False)]
+        corners = [(0.0, float(floor))]
+        for bar in chain.from_iterable(self.each(self.switch.bars, NONE)):
+            low, high = (shown(end, DEGREE) for end in bar)
+            top = floor + (height if high - low > near else 0.0)
+            corners += [(low, floor), (low, top), (high, top), (high, floor)]
+        return [*corners, (TURN, floor)]
 
 
 def named(number: int) -> str:

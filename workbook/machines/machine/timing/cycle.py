@@ -37,12 +37,14 @@ def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
                    *whole(one, floor))  # fmt: skip
         sheet.row += 1
         theta = constant("theta", over.angle, "θ", "°", machine.angles.tolist(), format="0.0##")
-        time = calc("time", over.name, over.symbol, over.unit, "=[theta]/360*timing_cycle", machine.times,
+        time = calc("time", over.name, over.symbol, over.unit, "=[theta]/360*timing_cycle", over.shown(machine.angles),
                     format=over.format)  # fmt: skip
         sheet.table(
             f"cycle{i}", f"The axis over the {over.name}", samples,
             time if over.measured else theta,
-            *results(one), in_lane(one, floor),
+            *results(one),
+            calc("lane", "in the diagram", "", "", "=@floor+@by_lift*([y]-[n]*@travel)",
+                 one.axis.lane(machine.samples, floor, LANE_SHARE)),
             *([theta] if over.measured else []),
             *found(one),
         )  # fmt: skip
@@ -79,12 +81,6 @@ def results(one: AxisRows) -> list[Quantity]:
                  scale=axis.size(order), source=paced if over.paced else by_x)
           for order, ((name, words, factor, paced, by_x), symbol, shown_in, values) in enumerate(rates, 1)),
     ]  # fmt: skip
-
-
-def in_lane(one: AxisRows, floor: int) -> Quantity:
-    """Return the axis as the timing diagram shows it: the first at the top."""
-    lane = one.axis.lane(one.machine.samples, floor, LANE_SHARE)
-    return calc("lane", "in the diagram", "", "", "=@floor+@by_lift*([y]-[n]*@travel)", lane)
 
 
 def exportable(one: AxisRows) -> Exportable:

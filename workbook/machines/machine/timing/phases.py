@@ -23,7 +23,7 @@ def phases_table(sheet: Sheet, one: AxisRows) -> None:
     measured, geometric = one.machine.over.measured, geometric_extremes(one)
     sheet.table(
         one.name, f"Phases of axis {one.axis.number}: fill one row each, in order; between them it rests; "
-        "leave spare rows empty", one.machine.machine.sizes.phases,
+        "leave spare rows empty", one.rows,
         *entered(one), *passing(one), reached(one), *([] if measured else geometric), *extremes(one),
         *used(one), *(geometric if measured else []), *faults(one),
         rules=[AT_REST],
@@ -32,13 +32,13 @@ def phases_table(sheet: Sheet, one: AxisRows) -> None:
 
 def entry(one: AxisRows, name: str) -> list[Any]:
     """Return what is entered in a column, and nothing in spare rows."""
-    return filled([getattr(p, name) for p in one.axis.typed.phases], one.machine.machine.sizes.phases, None)
+    return filled([getattr(p, name) for p in one.axis.typed.phases], one.rows, None)
 
 
 def moving(one: AxisRows, figure: Callable[[Movement], float]) -> list[float]:
     """Return a figure of each phase that moves, 0 of the others."""
     moves = one.axis.moves
-    return [figure(moves[k]) if k in moves else 0.0 for k in range(one.machine.machine.sizes.phases)]
+    return [figure(moves[k]) if k in moves else 0.0 for k in range(one.rows)]
 
 
 def doubled(formula: str) -> str:
@@ -56,7 +56,7 @@ def entered(one: AxisRows) -> list[Quantity]:
     over, key = one.machine.over, f"axes.{one.axis.number - 1}.phases.*"
     return [
         calc("kind", "phase", "", "", doubled(joined.kind("stop", one.at.ends)),
-             joined.kinds(one.axis.phases, one.machine.machine.sizes.phases)),
+             joined.kinds(one.axis.phases, one.rows)),
         given("start", "from", "", over.unit, entry(one, "start"), f"{key}.start", format=over.format),
         given("stop", "to", "", over.unit, entry(one, "stop"), f"{key}.stop", format=over.format),
         given("lift", "lift", "h", one.axis.given.unit, entry(one, "lift"), f"{key}.lift", format="0.0##"),
@@ -68,7 +68,7 @@ def passing(one: AxisRows) -> list[Quantity]:
     """Return the entries of where phases meet, and the kind of both ends; none where all of them begin at rest."""
     if not one.ends:
         return []
-    n, kinds = one.machine.machine.sizes.phases, [both.kinds for _, both in one.ends.phases]
+    n, kinds = one.rows, [both.kinds for _, both in one.ends.phases]
 
     def end(name: str, word: str, values: list[str]) -> Quantity:
         return result(name, f"kind of its {word}", "", "", f"=INDEX([{one.name}_kinds.{name}],2*[k])",
@@ -84,7 +84,7 @@ def passing(one: AxisRows) -> list[Quantity]:
 
 def reached(one: AxisRows) -> Quantity:
     """Return the position at the end of each phase; of spare rows nothing."""
-    axis, n, lacks = one.axis, one.machine.machine.sizes.phases, f"[{one.name}_steps.h]"
+    axis, n, lacks = one.axis, one.rows, f"[{one.name}_steps.h]"
     ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
     y = f"INDEX([{one.name}_steps.y0],2*[k])+INDEX({lacks},2*[k])-[lack]"
     formula = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
@@ -106,7 +106,7 @@ def geometric_extremes(one: AxisRows) -> list[Quantity]:
 
 
 def extremes(one: AxisRows) -> list[Quantity]:
-    """Return what each movement comes to."""
+    """Return what each movement comes to; over a cycle whose length is entered also how long it lasts."""
     axis, over = one.axis, one.machine.over
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
     source = ("C_v h/t", "C_a h/t²", "C_j h/t³", "C_a,rms h/t²")
@@ -125,25 +125,18 @@ def extremes(one: AxisRows) -> list[Quantity]:
                source=source[2]),
         result("rms", "RMS acceleration", symbols[3], units[1], f"{mean}*timing_omega^2{lift}",
                moving(one, lambda m: axis.rate(m.a_rms)), source=source[3]),
-        *(lengths(one) if over.measured else []),
-    ]  # fmt: skip
-
-
-def lengths(one: AxisRows) -> list[Quantity]:
-    """Return how long each phase lasts, and how long the axis rests before it, in the unit of the cycle."""
-    over, turned = one.machine.over, one.axis.given.phases
-    lasting = [over.shown(p.stop - p.start) for p in turned]
-    return [
-        result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',
-               filled(lasting, one.machine.machine.sizes.phases), scale=over.length),
-        result("rests", "rest before", "", over.unit, f"={over.told('[gap]')}",
-               [over.shown(gap) for gap in gaps(one)], scale=over.length),
+        *([
+            result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',
+                   filled([over.shown(p.stop - p.start) for p in axis.given.phases], one.rows), scale=over.length),
+            result("rests", "rest before", "", over.unit, f"={over.told('[gap]')}",
+                   [over.shown(gap) for gap in gaps(one)], scale=over.length),
+        ] if over.measured else []),
     ]  # fmt: skip
 
 
 def used(one: AxisRows) -> list[Quantity]:
     """Return law, lift and angles of each phase as the cells compute with them."""
-    n, phases, over, turned = one.machine.machine.sizes.phases, one.axis.phases, one.machine.over, one.axis.given.phases
+    n, phases, over, turned = one.rows, one.axis.phases, one.machine.over, one.axis.given.phases
     start, stop = over.in_degrees("[start]"), over.in_degrees("[stop]")
     laws = joined.law_numbers([p.law for p in turned], one.machine.machine.laws, n)
     return [
@@ -172,7 +165,7 @@ def faults(one: AxisRows) -> list[Quantity]:
              source="empty where it does not"),
         *([beyond(over)] if over.measured else []),
         calc("lack", "jump of y", "Δy", one.axis.base, lacking,
-             filled([p.lack for p in one.axis.phases], one.machine.machine.sizes.phases),
+             filled([p.lack for p in one.axis.phases], one.rows),
              source="at its end: the law's lack"),
     ]  # fmt: skip
 
@@ -202,7 +195,7 @@ def going_beyond(last: str, over: Abscissa) -> str:
 
 def gaps(one: AxisRows) -> list[float]:
     """Return how long the axis rests before each phase, in degrees; before the first spare row, behind the last."""
-    phases, n = one.axis.given.phases, one.machine.machine.sizes.phases
+    phases, n = one.axis.given.phases, one.rows
     begins, ends = filled([p.start for p in phases], n, 360.0), [0.0, *filled([p.stop for p in phases], n, 360.0)]
     return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
@@ -228,27 +221,11 @@ def in_row(one: AxisRows, column: str) -> str:
     return f'[axes.name.{one.axis.number}]&" row "&{row}&" "&INDEX([{one.name}.{column}],{row})'
 
 
-def within_check(one: AxisRows) -> list[Quantity]:
-    """Return the check that phases end with the cycle, where an entry says how long that is."""
-    over, t, i = one.machine.over, one.name, one.axis.number
-    if not over.measured:
-        return []
-    return [check(f"{t}_within", f"Axis {i}: no phase goes on beyond the cycle", none_in(one, "beyond"), True,
-                  rule=over.rule("axes", i, "within"), says=in_row(one, "beyond"))]  # fmt: skip
-
-
-def repeats(one: AxisRows) -> list[Quantity]:
-    """Return, of an axis with a drive, the check that its cycle follows upon itself."""
-    i = one.axis.number
-    if one.axis.given.motor is None:
-        return []
-    return [check(f"{one.name}_repeats", f"Axis {i}: its cycle repeats, as its drive needs",
-                  f'[axes.closes.{i}]<>"open"', True, rule=f"axes.{i - 1}:repeats",
-                  says=f'[axes.name.{i}]&" {OPEN_DRIVE}"')]  # fmt: skip
-
-
 def axis_checks(sheet: Sheet, one: AxisRows) -> None:
-    """Declare the checks of one axis; each calls it by its number, as it may get another name."""
+    """Declare the checks of one axis; each calls it by its number, as it may get another name.
+
+    That phases end with the cycle is one where an entry says how long that is; that it repeats, where it has a drive.
+    """
     axis, t, i = one.axis, one.name, one.axis.number
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", one.machine.over
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
@@ -257,7 +234,8 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
               rule=over.rule("axes", i, "forward"), says=in_row(one, "backwards")),
         check(f"{t}_follows", f"{label}: no phase begins before the one above ends", none_in(one, "early"), True,
               rule=over.rule("axes", i, "follows"), says=in_row(one, "early")),
-        *within_check(one),
+        *([check(f"{t}_within", f"{label}: no phase goes on beyond the cycle", none_in(one, "beyond"), True,
+                 rule=over.rule("axes", i, "within"), says=in_row(one, "beyond"))] if over.measured else []),
         check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{lift}", motion.complete,
               says=amount(lack, shown(axis.lack, axis.unit), "a lift lacks ", f" {unit}")),
         room_check(f"{t}_room", one.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
@@ -267,5 +245,7 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
               f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{lift})', axis.axis.closes,
               "in position, or, as a feed, in velocity, or is open",
               says=amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")),
-        *repeats(one),
+        *([] if axis.given.motor is None else [
+            check(f"{t}_repeats", f"{label}: its cycle repeats, as its drive needs", f'[axes.closes.{i}]<>"open"', True,
+                  rule=f"axes.{i - 1}:repeats", says=f'[axes.name.{i}]&" {OPEN_DRIVE}"')]),
     )  # fmt: skip

@@ -3,7 +3,7 @@
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.abscissa import TAKEN, in_unit
-from workbook.entries.units import shown
+from workbook.entries.units import shown, si
 from workbook.machines.machine.from_names import unit_name
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.switches.view import named
@@ -20,10 +20,12 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
     sheet = book.sheet("Timing", f"The axes over {machine.over.cycle}: phases, movements, timing diagram.")
     sheet.heading("Enter")
-    sheet.rows(*(of_length(machine) if machine.over.measured else at_rate(machine)), *gravity(machine))
-    columns = (PHASE_MEASURED if machine.over.measured else PHASE) + (
-        PASSING if any(one.ends is not None for one in axes) else 0
-    )
+    weight = given("gravity", "Gravity", "g", "m/s²", machine.machine.gravity, "gravity", format="0.0####",
+                   source="of all drives")  # fmt: skip
+    sheet.rows(*(of_length(machine) if machine.over.measured else at_rate(machine)),
+               *([weight] if machine.machine.weighs else []))  # fmt: skip
+    columns = PHASE_MEASURED if machine.over.measured else PHASE
+    columns += PASSING if any(one.ends is not None for one in axes) else 0
     draw_diagram(sheet, machine, columns)
     axes_table(sheet, machine, columns)
     for one in axes:
@@ -59,13 +61,6 @@ def at_rate(machine: Whole) -> list[Quantity]:
         calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
     ]  # fmt: skip
-
-
-def gravity(machine: Whole) -> list[Quantity]:
-    """Return the row of gravity, of a machine whose drives move weights."""
-    row = given("gravity", "Gravity", "g", "m/s²", machine.machine.gravity, "gravity", format="0.0####",
-                source="of all drives")  # fmt: skip
-    return [row] if machine.machine.weighs else []
 
 
 def of_length(machine: Whole) -> list[Quantity]:
@@ -142,7 +137,8 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
         calc("late", "shift, as taken", "", "°", f"={over.in_degrees('[shift]')}+0",
              [a.given.shift for a in axes], format="0.0##"),
         calc("y0", "begin, as taken", "y_0", ", ".join(dict.fromkeys(a.base for a in axes)),
-             [f"={inward(a, '[position]')}" for a in axes], [a.begin for a in axes], source="conversion"),
+             ["=[position]/1000" if a.given.unit == "mm" else "=RADIANS([position])" for a in axes],
+             [si(a.given.position, a.unit) for a in axes], source="conversion"),
         *gaps(machine),
     )  # fmt: skip
 
@@ -172,11 +168,6 @@ def gaps(machine: Whole) -> list[Quantity]:
 def outward(axis: MovingAxis, formula: str) -> str:
     """Return the formula that shows in the unit of an axis' entries what is in m or rad."""
     return f"{formula}*1000" if axis.given.unit == "mm" else f"DEGREES({formula})"
-
-
-def inward(axis: MovingAxis, formula: str) -> str:
-    """Return the formula in m or rad of what is in the unit of an axis' entries."""
-    return f"{formula}/1000" if axis.given.unit == "mm" else f"RADIANS({formula})"
 
 
 def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
@@ -209,18 +200,13 @@ def sampled(axis: MovingAxis, x: str, column: str) -> Series:
 def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the charts of position, velocity and acceleration: a row for travelling axes, one for turning axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
+    over, symbols = machine.over, ("y", *machine.over.symbols[1:])
     groups = {unit: [axis for axis in machine.axes if axis.given.unit == unit] for unit in units(machine)}
     for unit, axes in groups.items():
         of = {"mm": " of travelling axes", "°": " of turning axes"}.get(unit, "") if len(groups) > 1 else ""
-        charts = [curves(machine, axes, unit, order, f"{word}{of}") for order, word in enumerate(CURVES)]
+        charts = []
+        for column, word, symbol, shown_in in zip("yva", CURVES, symbols, (unit, *over.rates(unit)), strict=False):
+            lines = tuple(sampled(axis, over.column, column) for axis in axes)
+            about = f"{word}{of} over the {over.name}, a line for each axis"
+            charts.append(Chart(f"{word}{of}", over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60)))
         sheet.chart_row(*charts, width=(columns + 2) // 3, height=18)
-
-
-def curves(machine: Whole, axes: list[MovingAxis], unit: str, order: int, title: str) -> Chart:
-    """Return the chart of position (order 0), velocity or acceleration of axes that move in one unit."""
-    over = machine.over
-    shown_in = (unit, *over.rates(unit))[order]
-    lines = tuple(sampled(axis, over.column, ("y", "v", "a")[order]) for axis in axes)
-    symbol = ("y", *over.symbols[1:])[order]
-    about = f"{title} over the {over.name}, a line for each axis"
-    return Chart(title, over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60))

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from engine.laws.base import Array
-from workbook.book.declare import Quantity, Sheet
+from workbook.book.declare import Quantity
 from workbook.machines.machine.drive.driven import Driven
 
 Column = Callable[[Array], list[float]]
@@ -17,14 +17,8 @@ class MechanismPage(Protocol):
     def entries(self, driven: Driven, key: str) -> list[Quantity]:
         """Return the rows of what is entered."""
 
-    def entered(self, sheet: Sheet, driven: Driven, rows: int) -> None:
-        """Declare the tables of what is entered, if any."""
-
     def sizes(self, driven: Driven) -> list[Quantity]:
         """Return the rows of its sizes in m, and of where it can bring its load to."""
-
-    def table(self, sheet: Sheet, driven: Driven, rows: int) -> None:
-        """Declare tables of workings, if any."""
 
 
 class LinkagePage(MechanismPage, Protocol):
@@ -39,14 +33,10 @@ class LinkagePage(MechanismPage, Protocol):
     WITHIN: str
     """between what it reaches its positions"""
 
-    def wrong(self, driven: Driven) -> str:
-        """Return the formula of what is said of sizes that do not go together."""
-
-    def end(self, which: str) -> str:
-        """Return the formula of the name of an end of the reach, ``low`` or ``high``."""
+    WRONG: str
+    """the formula of what is said where they do not"""
+    ENDS: dict[str, str]
+    """the formulas of the names of both ends of the reach, ``low`` and ``high``"""
 
     def ratios(self, driven: Driven, position: Array, of: Column) -> list[Quantity]:
-        """Return the columns of φ' (``g``) and φ'' (``h``) at the position in the column ``y``."""
-
-    def angle(self, driven: Driven, position: Array, of: Column) -> Quantity:
-        """Return the column of the shaft's angle, behind those of :meth:`ratios`."""
+        """Return the columns of φ' (``g``), φ'' (``h``) and the shaft's angle at the position in the column ``y``."""

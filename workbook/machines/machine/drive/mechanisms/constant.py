@@ -1,6 +1,6 @@
 """A mechanism of a constant ratio in cells: its size, and its ratio."""
 
-from workbook.book.declare import Quantity, Sheet, calc, given
+from workbook.book.declare import Quantity, calc, given
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.mechanism import Belted
 
@@ -24,10 +24,6 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
     return rows
 
 
-def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
-    """Declare no table of entries: what is entered are single cells."""
-
-
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios."""
     travels, m = driven.axis.base == "m", driven.mechanism
@@ -38,7 +34,3 @@ def sizes(driven: Driven) -> list[Quantity]:
         calc("@i", "Ratio from motor to load", "i_tot", "rad/m" if travels else "", "=@i1*@i2", m.ratio,
              source="i_1 i_2"),
     ]  # fmt: skip
-
-
-def table(sheet: Sheet, driven: Driven, rows: int) -> None:
-    """Declare nothing more."""

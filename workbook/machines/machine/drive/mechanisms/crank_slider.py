@@ -1,30 +1,30 @@
 """A crank-slider in cells: what is entered, its sizes and its reach."""
 
-from workbook.book.declare import Quantity, Sheet, calc, given
+from engine.drive.mechanisms.slide import SlideLinkage
+from workbook.book.declare import Quantity, calc, given
 from workbook.book.sentence import quoted
-from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.driven import Driven, as_a
 from workbook.machines.machine.drive.linkages import APART
 from workbook.machines.machine.drive.mechanisms import slides
 from workbook.machines.machine.mechanism import CrankSlider
 
 INNER = "SQRT(MAX(0,(@l-@r)^2-@e^2))"
 OUTER = "SQRT((@l+@r)^2-@e^2)"
-ENDS = {"low": ("inner dead centre", "outer dead centre"), "high": ("outer dead centre", "inner dead centre")}
+ENDS = {
+    "low": 'IF(@zero="outer","outer dead centre","inner dead centre")',
+    "high": 'IF(@zero="outer","inner dead centre","outer dead centre")',
+}
 FITS = "@l>@r+ABS(@e)"
 HOLDS = "rod longer than crank and offset"
 SIZED = "COUNT(@crank_radius,@rod_length)=2"
 WITHIN = "between its dead centres"
-entered, ratios, angle = slides.entered, slides.ratios, slides.angle
-
-
-def wrong(driven: Driven) -> str:
-    """Return the formula of what is said of sizes that do not go together."""
-    return quoted(APART["crank-slider"])
+WRONG = quoted(APART["crank-slider"])
+ratios = slides.ratios
 
 
 def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
-    e, key = driven.of_kind(CrankSlider), f"{key}.mechanism"
+    e, key = as_a(CrankSlider, driven.given), f"{key}.mechanism"
     return [
         *slides.crank(e, key, "load"),
         given("@zero", "Positions grow from the dead centre", "", "", e.zero, f"{key}.zero", align="left",
@@ -38,7 +38,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
 
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the mechanism in m, and of where it can bring its load to."""
-    one = slides.slide_of(driven.linkage)
+    one = as_a(SlideLinkage, driven.linkage)
     low, high, *_ = one.reach
     return [
         calc("@r", "Lever", "r", "m", "=@crank_radius/1000", one.lever),
@@ -54,13 +54,3 @@ def sizes(driven: Driven) -> list[Quantity]:
         calc("@high", "Highest position", "", "m", f"={OUTER}-{INNER}-@start/1000", high, source="the other one"),
         *slides.begun(one),
     ]  # fmt: skip
-
-
-def end(which: str) -> str:
-    """Return the formula of the name of an end of the reach, ``low`` or ``high``."""
-    one, other = ENDS[which]
-    return f'IF(@zero="outer","{other}","{one}")'
-
-
-def table(sheet: Sheet, driven: Driven, rows: int) -> None:
-    """Declare nothing more: the dead centres are told in closed form."""

@@ -5,18 +5,15 @@ import numpy as np
 from engine.drive.mechanisms.by_angle import PressCrank as Crank
 from engine.drive.quadrature import LoadPoints
 from workbook.book.declare import Quantity, calc, given
-from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.linkages import press_of
+from workbook.machines.machine.drive.driven import Driven, as_a
 from workbook.machines.machine.drive.mechanisms import constant, slides
 from workbook.machines.machine.drive.mechanisms.column import Column
 from workbook.machines.machine.mechanism import PressCrank
 
-entered, table = constant.entered, constant.table
-
 
 def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
-    e, key = driven.of_kind(PressCrank), f"{key}.mechanism"
+    e, key = as_a(PressCrank, driven.given), f"{key}.mechanism"
     return [
         *slides.crank(e, key, "slide"),
         given("@start_angle", "Angle of the crank where the axis is at 0", "φ_0", "°", e.start_angle,
@@ -26,7 +23,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
 
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios, and of the crank in m and rad."""
-    one = crank_of(driven)
+    one = as_a(Crank, driven.by_angle)
     return [
         *constant.sizes(driven),
         calc("@r", "Crank", "r", "m", "=@crank_radius/1000", one.crank),
@@ -38,7 +35,7 @@ def sizes(driven: Driven) -> list[Quantity]:
 
 def columns(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
     """Return the columns of the slide: where it is by the crank's angle, its velocity and its acceleration."""
-    one = crank_of(driven)
+    one = as_a(Crank, driven.by_angle)
     psi, x = load.position + one.start, one.position(load.position)
     velocity, acceleration = load.moving
     size = one.crank
@@ -54,8 +51,3 @@ def columns(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
         calc("as", "acceleration of the slide", "ẍ", "m/s²", "=[dx]*[a]+[ddx]*[v]^2", of(acceleration),
              scale=max(float(np.abs(acceleration).max()), 1e-9), source="dx/dψ φ̈ + d²x/dψ² φ̇²"),
     ]  # fmt: skip
-
-
-def crank_of(driven: Driven) -> Crank:
-    """Return the crank as the engine has it."""
-    return press_of(driven.of_kind(PressCrank))

@@ -5,11 +5,11 @@ from math import atan2, sin
 import numpy as np
 
 from engine.drive.mechanisms.rocker import SAME, ends_of
-from engine.drive.mechanisms.slide import lever_angle
+from engine.drive.mechanisms.slide import SlideLinkage, lever_angle
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
 from workbook.book.sentence import quoted
 from workbook.entries.units import DEGREE, si
-from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.driven import Driven, as_a
 from workbook.machines.machine.drive.linkages import APART
 from workbook.machines.machine.drive.mechanisms import slides
 from workbook.machines.machine.mechanism import Rocker
@@ -18,17 +18,20 @@ FITS = "AND(@l^2>(@r*SIN(@theta)-@e)^2,ABS(@ahead)>=check_zero,@high<@none,@low>
 HOLDS = "lever, link and slide where the motion begins"
 SIZED = "COUNT(@lever_length,@link_length,@start_angle)=3"
 WITHIN = "between its dead centres"
-entered, ratios, angle = slides.entered, slides.ratios, slides.angle
-
-
-def wrong(driven: Driven) -> str:
-    """Return the formula of what is said of sizes that do not go together."""
-    return quoted(APART["rocker"])
+WRONG = quoted(APART["rocker"])
+BELOW, ABOVE = (
+    f"INDEX([@ends.name],MATCH({most}([@ends.{side}]),[@ends.{side}],0))"
+    for most, side in (("MAX", "below"), ("MIN", "above"))
+)
+ENDS = {
+    "low": f'IF(@direction="backward",{ABOVE},{BELOW})', "high": f'IF(@direction="backward",{BELOW},{ABOVE})'
+}  # fmt: skip
+ratios = slides.ratios
 
 
 def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered."""
-    e, key = driven.of_kind(Rocker), f"{key}.mechanism"
+    e, key = as_a(Rocker, driven.given), f"{key}.mechanism"
     return [
         given("@lever_length", "Length of the lever", "r", "mm", e.lever_length, f"{key}.lever_length", format="0.0##"),
         given("@link_length", "Length of the link", "l", "mm", e.link_length, f"{key}.link_length", format="0.0##"),
@@ -45,7 +48,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
 
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the mechanism in m, and of where it can bring its load to."""
-    one, begin = slides.slide_of(driven.linkage), si(driven.of_kind(Rocker).start_angle or 0.0, DEGREE)
+    one, begin = as_a(SlideLinkage, driven.linkage), si(as_a(Rocker, driven.given).start_angle or 0.0, DEGREE)
     low, high, *_ = one.reach
     ahead = "SQRT(MAX(0,@l^2-(@r*SIN(@theta)-@e)^2))"
     back = '@direction="backward"'
@@ -73,7 +76,7 @@ def sizes(driven: Driven) -> list[Quantity]:
 
 def table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the places at which the mechanism may lock."""
-    one = slides.slide_of(driven.linkage)
+    one = as_a(SlideLinkage, driven.linkage)
     places = ends_of(one.lever, one.link, one.offset, one.side, one.zero)
     signs = [1, -1, 1, -1, 1, -1, 1, -1]
     ways = [1, 1, -1, -1, 1, 1, -1, -1]
@@ -106,13 +109,3 @@ def table(sheet: Sheet, driven: Driven, rows: int) -> None:
         calc("below", "below the begin", "", "m", "=IF([x]<@x0,[x],0-@none)", of("below"), scale=one.link),
         calc("above", "above it", "", "m", "=IF([x]>@x0,[x],@none)", of("above"), scale=one.link),
     )  # fmt: skip
-
-
-def end(which: str) -> str:
-    """Return the formula of the name of an end of the reach, ``low`` or ``high``."""
-    below, above = (
-        f"INDEX([@ends.name],MATCH({most}([@ends.{side}]),[@ends.{side}],0))"
-        for most, side in (("MAX", "below"), ("MIN", "above"))
-    )
-    one, other = (below, above) if which == "low" else (above, below)
-    return f'IF(@direction="backward",{other},{one})'

@@ -10,10 +10,10 @@ import numpy as np
 
 from engine.drive.mechanisms.rocker import farther
 from engine.drive.mechanisms.slide import SlideLinkage, lever_angle, slopes
-from engine.drive.mechanisms.variable_ratio import Linkage, near_end
+from engine.drive.mechanisms.variable_ratio import near_end
 from engine.laws.base import Array
-from workbook.book.declare import Quantity, Sheet, calc, given
-from workbook.machines.machine.drive.driven import Driven
+from workbook.book.declare import Quantity, calc, given
+from workbook.machines.machine.drive.driven import Driven, as_a
 from workbook.machines.machine.drive.mechanisms.column import Column
 from workbook.machines.machine.mechanism import CrankSlider, PressCrank
 
@@ -59,16 +59,12 @@ def crank(e: CrankSlider | PressCrank, key: str, moved: str) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
-    """Declare no table of entries: what is entered are single cells."""
-
-
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
-    """Return the columns of φ' and φ'' at the position in the column ``y``."""
-    one = slide_of(driven.linkage)
+    """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
+    one = as_a(SlideLinkage, driven.linkage)
     x = one.zero + one.direction * position
     psi = lever_angle(one.lever, one.link, one.offset, one.side, x)
-    _, ratio, change = one.shaft(position)
+    turned, ratio, change = one.shaft(position)
     d = np.hypot(x, one.offset)
     return [
         calc("X", "slide from the shaft", "x", "m", "=@x0+@sense*[y]", of(x), scale=one.link, source="x_0 ± y"),
@@ -82,6 +78,8 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
         calc("g", "ratio", "φ'", "rad/m", "=1/ABS([dx])", of(ratio), source="1/|dx/dψ|"),
         calc("h", "its change", "φ''", "rad/m²", "=0-@sense*[ddx]/ABS([dx])^3", of(change),
              scale=float(np.abs(change).max()), source="dφ'/dy"),
+        calc("phi", "angle of the shaft", "φ", "rad", "=@sense*SIGN([dx])*([psi]-@psi0)", of(turned), scale=1.0,
+             source="from where the motion begins"),
     ]  # fmt: skip
 
 
@@ -107,17 +105,3 @@ def travel(lever: float, offset: float, psi: Array, x: Array, of: Column) -> lis
         calc("ddx", "its change", "d²x/dψ²", "m", "=[tan]*[above]-[c]-([c]+[tan]*[c]*[tan])*[c]/([X]-[c])",
              of(second), scale=lever, source="y_A tan β − x_A − x_A² (1 + tan² β)/(x − x_A)"),
     ]  # fmt: skip
-
-
-def angle(driven: Driven, position: Array, of: Column) -> Quantity:
-    """Return the column of the shaft's angle at positions."""
-    return calc("phi", "angle of the shaft", "φ", "rad", "=@sense*SIGN([dx])*([psi]-@psi0)",
-                of(slide_of(driven.linkage).shaft(position).angle), scale=1.0,
-                source="from where the motion begins")  # fmt: skip
-
-
-def slide_of(linkage: Linkage | None) -> SlideLinkage:
-    """Return a linkage of lever and link as what it is."""
-    if not isinstance(linkage, SlideLinkage):
-        raise TypeError(f"{linkage} is no lever and link")
-    return linkage

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 
 from engine.drive.mechanisms.table import PositionTable
-from engine.drive.mechanisms.variable_ratio import Linkage, near_end
+from engine.drive.mechanisms.variable_ratio import near_end
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
 from workbook.book.polynomial import NOT_ZERO
 from workbook.book.rows import filled
 from workbook.book.sentence import quoted
-from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.driven import Driven, as_a
 from workbook.machines.machine.drive.linkages import FALLS
 from workbook.machines.machine.drive.mechanisms.column import Column
 from workbook.machines.machine.mechanism import Table
@@ -25,16 +25,14 @@ LEVEL = 1e-6
 SIZED = "@count>=2"
 FITS = "SUM([@curve.falls])=0"
 HOLDS = "angle and position rise from point to point"
+WRONG = (
+    f"{quoted(FALLS.partition(' {}')[0] + ' ')}&MATCH(1,[@curve.falls],0)"
+    f"&{quoted(' does not rise in angle and position')}"
+)
 WITHIN = "within its table"
+ENDS = {"low": quoted("begin of the table"), "high": quoted("end of the table")}
 D = "INDEX([@curve.d1:d5],[part],0)"
 """the coefficients of t to t⁵ of the part of the table in which a position is"""
-
-
-def wrong(driven: Driven) -> str:
-    """Return the formula of what is said of points that do not rise."""
-    row = "MATCH(1,[@curve.falls],0)"
-    words = FALLS.partition(" {}")[0]
-    return f"{quoted(words + ' ')}&{row}&{quoted(' does not rise in angle and position')}"
 
 
 def entries(driven: Driven, key: str) -> list[Quantity]:
@@ -44,7 +42,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
 
 def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the points."""
-    e, key, unit = driven.of_kind(Table).points, f"axes.{driven.number - 1}.mechanism.points.*", driven.entered.unit
+    e, key, unit = as_a(Table, driven.given).points, f"axes.{driven.number - 1}.mechanism.points.*", driven.entered.unit
     sheet.row += 1
     sheet.table(
         "@points", "Points of the table: leave spare rows empty", rows,
@@ -58,22 +56,17 @@ def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
 
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of where the mechanism can bring its load to."""
-    one = table_of(driven.linkage)
+    one = as_a(PositionTable, driven.linkage)
     low, high, *_ = one.reach
     base = driven.axis.base
     return [
-        calc("@count", "Points of the table", "", "", "=SUM([@curve.on])", len(driven.of_kind(Table).points),
+        calc("@count", "Points of the table", "", "", "=SUM([@curve.on])", len(as_a(Table, driven.given).points),
              format="0"),
         calc("@low", "Lowest position that is reached", "", base, "=INDEX([@curve.y],1)", low, scale=high - low),
         calc("@high", "Highest position", "", base, "=INDEX([@curve.y],MAX(1,@count))", high, scale=high - low),
         calc("@near_end", "So near to an end counts as beyond it", "", base, "=0-check_zero*(@high-@low)",
              near_end(one), format="0E+00", source="below 0: so far beyond counts as at it"),
     ]  # fmt: skip
-
-
-def end(which: str) -> str:
-    """Return the formula of the name of an end of the reach, ``low`` or ``high``."""
-    return quoted("begin of the table" if which == "low" else "end of the table")
 
 
 def table(sheet: Sheet, driven: Driven, rows: int) -> None:
@@ -97,7 +90,7 @@ AFTER, BEFORE = "MIN([k]+1,MAX(2,@count))", "MAX([k]-1,1)"
 
 def points(driven: Driven, rows: int) -> list[Quantity]:
     """Return the columns of the points in rad and SI, and of the chords between them."""
-    one = table_of(driven.linkage)
+    one = as_a(PositionTable, driven.linkage)
     angle, y, *_ = one.columns
     metres, base = ("{}/1000", "m") if driven.travels else ("RADIANS({})", "rad")
     own = "INDEX([@points.{}],[k])"
@@ -121,7 +114,7 @@ def points(driven: Driven, rows: int) -> list[Quantity]:
 
 def slopes(driven: Driven, rows: int) -> list[Quantity]:
     """Return the columns of φ' and φ'' at the points: of the parabola, and as they are used."""
-    one = table_of(driven.linkage)
+    one = as_a(PositionTable, driven.linkage)
     found = one.parabolas
     before, middle, after = (at("phi", place) for place in ("[m]-1", "[m]", "[m]+1"))
     left, right = at("chord", "[m]-1"), at("chord", "[m]")
@@ -166,7 +159,7 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
 
 def powers(driven: Driven, rows: int) -> list[Quantity]:
     """Return the coefficients of φ over the share t of each part: φ = φ_k + d1 t + d2 t² + … + d5 t⁵."""
-    one = table_of(driven.linkage)
+    one = as_a(PositionTable, driven.linkage)
     found = np.vstack([one.powers[:, 1:], np.zeros((rows - len(one.powers), 5))]).T
     angle, _, first, second = one.columns
     d1, d2 = first[:-1] * one.widths, second[:-1] * one.widths**2 / 2.0
@@ -188,11 +181,11 @@ def powers(driven: Driven, rows: int) -> list[Quantity]:
 
 
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
-    """Return the columns of φ' and φ'' at the position in the column ``y``."""
-    one = table_of(driven.linkage)
+    """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
+    one = as_a(PositionTable, driven.linkage)
     part = one.part(position)
     share = (position - one.columns[1][part]) / one.widths[part]
-    _, first, second = one.shaft(position)
+    turned, first, second = one.shaft(position)
     width = "INDEX([@curve.w],[part])"
     return [
         calc("part", "part of the table", "", "",
@@ -204,18 +197,6 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
              source="dφ/dy"),
         calc("h", "its change", "φ''", "", f"=SUMPRODUCT({D},{{0,2,6,12,20}},[t]^{{0,0,1,2,3}})/{width}^2", of(second),
              scale=max(float(np.abs(second).max()), LEVEL * float(first.max())), source="d²φ/dy²"),
+        calc("phi", "angle of the shaft", "φ", "rad", f"=INDEX([@curve.phi],[part])+SUMPRODUCT({D},[t]^{{1,2,3,4,5}})",
+             of(turned), scale=1.0),
     ]  # fmt: skip
-
-
-def angle(driven: Driven, position: Array, of: Column) -> Quantity:
-    """Return the column of the shaft's angle at positions."""
-    return calc("phi", "angle of the shaft", "φ", "rad",
-                f"=INDEX([@curve.phi],[part])+SUMPRODUCT({D},[t]^{{1,2,3,4,5}})",
-                of(table_of(driven.linkage).shaft(position).angle), scale=1.0)  # fmt: skip
-
-
-def table_of(linkage: Linkage | None) -> PositionTable:
-    """Return a linkage of points as what it is."""
-    if not isinstance(linkage, PositionTable):
-        raise TypeError(f"{linkage} is no table")
-    return linkage
