@@ -1,10 +1,21 @@
-"""From an edit in the browser to its figures: time of the server and size of the answer, for 5 and 24 driven axes."""
+"""The pages: from an edit to its figures, of 5 and 24 driven axes; the first page; pages while 24 axes are built."""
 
 from __future__ import annotations
 
 import asyncio
+import re
+import signal
+import subprocess
+import sys
+import tempfile
 import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from http.client import HTTPConnection
+from pathlib import Path
 from statistics import median
+from urllib.parse import urlencode
 
 import tomli_w
 from rich.console import Console
@@ -12,6 +23,7 @@ from rich.table import Table
 
 from workbook.entries.design import as_entered
 from workbook.reading.descriptions import read_machine
+from workbook.serve.guarded import COOKIE
 from workbook.serve.toml import edited
 from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
@@ -19,6 +31,8 @@ from workbook.templates import TEMPLATES
 EDITS = 15
 GOALS = {5: 0.1, 24: 0.4}
 """seconds of the median edit, by the number of axes, each with a drive"""
+
+ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")
 
 
 def description(axes: int) -> str:
@@ -51,6 +65,62 @@ async def timed(text: str, others: list[str], work: Work) -> tuple[float, int]:
     return median(taken), len(answer.encode())
 
 
+@contextmanager
+def serving(folder: Path) -> Iterator[tuple[str, str]]:
+    """Run the server on a folder; yield its address and token."""
+    command = [sys.executable, "-u", "-m", "workbook", "serve", str(folder), "--no-browse"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        found = ADDRESS.match(process.stdout.readline() if process.stdout else "")
+        if found is None:
+            raise RuntimeError("the server did not begin")
+        yield found[1], found[2]
+        process.send_signal(signal.SIGINT)
+
+
+def asked(server: tuple[str, str], path: str, **fields: str) -> float:
+    """Return how long an answer takes (s); fields are posted."""
+    begin, (host, token) = time.perf_counter(), server
+    headers = {"Cookie": f"{COOKIE}={token}", "Host": host, "Origin": f"http://{host}",
+               "Content-Type": "application/x-www-form-urlencoded"}  # fmt: skip
+    connection = HTTPConnection(host, timeout=600)
+    connection.request("POST" if fields else "GET", path, urlencode(fields) if fields else None, headers)
+    answer = connection.getresponse()
+    answer.read()
+    if answer.status >= 400:
+        raise RuntimeError(f"{path}: {answer.status}")
+    return time.perf_counter() - begin
+
+
+def pages() -> None:
+    """Print how long the first page takes, and pages and edits while a machine of 24 axes is built."""
+    table = Table("Page", "Median [s]", "Longest [s]", "Goal [s]", title="Pages")
+    with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(1) as pool:
+        folder, text = Path(name), description(5)
+        (folder / "small.toml").write_text(text, encoding="utf-8")
+        (folder / "large.toml").write_text(description(24), encoding="utf-8")
+        begin = time.perf_counter()
+        with serving(folder) as server:
+            asked(server, "/")
+            first = time.perf_counter() - begin
+            table.add_row("the first, from the command on", f"{first:.2f}", "", "")
+            table.add_row("the first, from the address on", *longest([asked(server, "/") for _ in range(5)]), "1")
+            asked(server, "/live", name="small.toml", text=text)
+            build = pool.submit(asked, server, "/build", name="large.toml")
+            times: dict[str, list[float]] = {"the first": [], "an edit of 5 axes": []}
+            while not build.done():
+                times["the first"].append(asked(server, "/"))
+                changed = text.replace("rate = 200", f"rate = {200 + len(times['the first'])}", 1)
+                times["an edit of 5 axes"].append(asked(server, "/live", name="small.toml", text=changed))
+            for what, taken in times.items():
+                table.add_row(f"{what}, while 24 axes are built ({build.result():.0f} s)", *longest(taken), "")
+    Console().print(table)
+
+
+def longest(times: list[float]) -> tuple[str, str]:
+    """Return the median and the longest of times as they are printed."""
+    return f"{median(times):.3f}", f"{max(times):.3f}"
+
+
 async def main() -> None:
     """Print a row for each size of machine and each kind of edit."""
     table = Table("Axes", "Edited", "Median [s]", "Goal [s]", "Answer [kB]", title="From an edit to its figures")
@@ -66,3 +136,4 @@ async def main() -> None:
 
 if __name__ == "__main__":
     asyncio.run(main())
+    pages()
