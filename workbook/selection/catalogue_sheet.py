@@ -58,7 +58,7 @@ def reducers(products: Products, rows: int) -> list[Quantity]:
         column("t012", "no_load_torque", "no-load torque at the input", "T_012", "Nm", format="0.0##"),
         column("nmax", "max_speed", "largest input speed", "", "rpm", format="0.##"),
         column("tmax", "max_torque", "largest output torque", "T_2B", "Nm", format="0.0##"),
-        column("full", "full_cycles", "cycles an hour for T_2B", "Z", "1/h", format="0.##"),
+        column("full", "full_cycles", "cycles an hour for T_2B", "Z_h", "1/h", format="0.##"),
         column("fs", "cycle_factor", "T_2B over this beyond", "f_s", format="0.0##"),
         column("t2n", "mean_torque", "largest mean output torque", "T_2N", "Nm", format="0.0##"),
         column("mass", "mass", "mass", "", "kg", format="0.0##"),

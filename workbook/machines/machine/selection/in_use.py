@@ -34,7 +34,7 @@ REDUCER = (
     (
         "full_cycles",
         "cycles an hour up to which that torque holds",
-        "Z",
+        "Z_h",
         "1/h",
         "empty: 1,000",
         "@reducer_full",
