@@ -232,7 +232,7 @@ class PairMatrix:
             return np.asarray(used)
         if rank == "inertia match":
             x = np.broadcast_to(self.balance, used.shape) / self.inertias
-            return np.exp(np.abs(np.log(x, out=np.zeros(x.shape), where=x > 0.0)) / 2.0)
+            return np.where(x > 0.0, np.exp(np.abs(np.log(x, out=np.zeros(x.shape), where=x > 0.0)) / 2.0), 0.0)
         name = "size" if rank == "mass" else "cost"
         return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))
 

@@ -84,7 +84,7 @@ def declare(press: Press) -> Book:
     book = Book("press", press.title, limit=limits(Press))
     omega = press.master.rate * 2 * pi / 60
     summary_sheet(book, press, "A press, as small as can be.", [
-        result("about_omega", "Speed of the master", "ω", "rad/s", "=timing_omega", omega),
+        result("about_omega", "Speed of the master", "ω", "rad/s", "=omega", omega),
     ])  # fmt: skip
     timing(book, press, omega)
     drive(book, press, omega)
@@ -102,10 +102,10 @@ def timing(book: Book, press: Press, omega: float) -> None:
     )
     sheet.heading("Results")
     sheet.rows(
-        calc("timing_omega", "Speed", "ω", "rad/s", "=timing_rate*2*PI()/60", omega, source="2π n/60"),
+        calc("omega", "Speed", "ω", "rad/s", "=timing_rate*2*PI()/60", omega, source="2π n/60"),
         result("timing_period", "Cycle time", "T", "s", "=60/timing_rate", 60 / press.master.rate),
         result("timing_unit", "Cycles in a cycle", "", "", "=timing_period*timing_rate/60", 1.0),
-        result("timing_tip", "Speed of the crank's tip", "v", "m/s", "=timing_omega*timing_radius/1000",
+        result("timing_tip", "Speed of the crank's tip", "v", "m/s", "=omega*timing_radius/1000",
                omega * press.master.radius / 1000),
     )  # fmt: skip
     for name, entry in AXES.items():
@@ -178,7 +178,7 @@ def drive(book: Book, press: Press, omega: float) -> None:
                [press.master.radius * sin(radians(a)) for a in angles], source="r sin θ"),
         result("v", "velocity", "v", "m/s", "=timing_tip*COS(RADIANS([theta]))", speeds, scale=abs(speeds[0])),
         result("torque", "torque", "T", "Nm",
-               "=drive1_friction+drive1_inertia*timing_omega^2*SIN(RADIANS(2*[theta]))", torques,
+               "=drive1_friction+drive1_inertia*omega^2*SIN(RADIANS(2*[theta]))", torques,
                scale=e.inertia * omega**2),
     )  # fmt: skip
     sheet.chart_row(*(

@@ -28,6 +28,13 @@ class Cell(NamedTuple):
     expected: Any
 
 
+class Row(int):
+    """The number of a row; ``row[n]`` is that of the row n below."""
+
+    def __getitem__(self, below: int | str) -> int:
+        return self + int(below)
+
+
 @dataclass
 class Block:
     """Quantities placed on a sheet: one row of a table each ``size``, or a single cell."""
@@ -68,8 +75,8 @@ class Block:
         """The block's cells as an absolute A1 range, without the sheet."""
         return span(self.row, self.column, self.row + self.size - 1, self.column + len(self.quantities) - 1)
 
-    def reference(self, quantity: str, end: str = "") -> str:
-        """Return the absolute range of one column, or of several (``c0:c5``), or one row of it.
+    def reference(self, quantity: str, end: str = "", fixed: str = "$") -> str:
+        """Return the range of one column, or of several (``c0:c5``), or one row of it; ``fixed`` stands before columns.
 
         The row is ``.first``, ``.last``, or its number.
         """
@@ -78,7 +85,7 @@ class Block:
             row = {".first": 1, ".last": self.size}.get(end) or int(end[1:])
             top = bottom = self.row + row - 1
         first, last = self.ends(quantity)
-        return span(top, first, bottom, last)
+        return span(top, first, bottom, last, fixed)
 
     def ends(self, quantity: str) -> tuple[int, int]:
         """Return the sheet's numbers of the first and the last of some columns (``c0:c5``), of one twice the same."""
@@ -92,7 +99,7 @@ class Block:
 
     def when(self, condition: str, row: int) -> str:
         """Return a condition in a row of the sheet, as a formula without its sign of equality."""
-        return self.sheet.book.resolve(f"={condition}", self, "$").format(row, row - 1).removeprefix("=")
+        return self.sheet.book.resolve(f"={condition}", self, "$").format(Row(row)).removeprefix("=")
 
     def cells(self) -> Iterator[Cell]:
         """Yield the declared cells, column by column, with contents and the engine's values."""
@@ -112,15 +119,15 @@ class Block:
             return None
         if isinstance(q.formula, str):
             pattern = self.sheet.book.resolve(q.formula, self)
-            return [pattern.format(r, r - 1) for r in range(self.row, self.row + self.size)]
+            return [pattern.format(Row(r)) for r in range(self.row, self.row + self.size)]
         if len(q.formula) != self.size:
             raise ValueError(f"{self.name}.{q.name}: {len(q.formula)} formulas for {self.size} rows")
         rows = [self.sheet.book.resolve(text, self) for text in q.formula]
-        return [text.format(self.row + i, self.row + i - 1) for i, text in enumerate(rows)]
+        return [text.format(Row(self.row + i)) for i, text in enumerate(rows)]
 
 
-def span(top: int, left: int, bottom: int, right: int) -> str:
-    """Return an absolute A1 range, or one cell where both corners are the same."""
-    first = f"${get_column_letter(left)}${top}"
-    last = f"${get_column_letter(right)}${bottom}"
+def span(top: int, left: int, bottom: int, right: int, fixed: str = "$") -> str:
+    """Return an A1 range, or one cell where both corners are the same; ``fixed`` stands before columns."""
+    first = f"{fixed}{get_column_letter(left)}${top}"
+    last = f"{fixed}{get_column_letter(right)}${bottom}"
     return first if first == last else f"{first}:{last}"

@@ -9,6 +9,7 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 ``[xi-1]``            the cell one row above it
 ``[samples.xi]``      the whole column ``xi`` of table ``samples``, absolute
 ``[samples.xi.first]``, ``.last``, ``.3``   its first, last, third cell
+``[samples.xi.same]``   its cell in the row of the same number
 ``[c0:c5]``, ``[pieces.c0:c5]``   the same of all columns from one to another, side by side
 ``@stroke``           ``tool2_stroke`` in the scope ``tool2_`` (:meth:`Sheet.scoped`),
                       by which one function declares the like of several parts
@@ -34,7 +35,7 @@ __all__ = [
     "calc", "check", "constant", "given", "result",
 ]  # fmt: skip
 
-REFERENCE = re.compile(r"\[(\w+(?::\w+)?)(-1|\.\w+(?::\w+)?)?(\.first|\.last|\.\d+)?\]")
+REFERENCE = re.compile(r"\[(\w+(?::\w+)?)(-1|\.\w+(?::\w+)?)?(\.first|\.last|\.same|\.\d+)?\]")
 
 
 @dataclass
@@ -77,20 +78,25 @@ class Book:
             yield from block.cells()
 
     def resolve(self, text: str, at: Block, fixed: str = "") -> str:
-        """Turn the reference notation into A1 references, with ``{0}`` and ``{1}`` for this row and the one above.
+        """Turn the reference notation into A1 references, with ``{0}`` for this row and ``{0[n]}`` for one n below.
 
-        ``fixed`` is ``$`` where the columns of the row stay the same as the formula is copied to the right. Raises
-        KeyError where a block or column does not exist.
+        ``fixed`` is ``$`` where the columns stay the same as the formula is copied to the right. Raises KeyError where
+        a block or column does not exist.
         """
 
         def reference(found: re.Match[str]) -> str:
             first, second, end = found.groups()
             if second is None or second == "-1":
-                row = "{0}" if second is None else "{1}"
+                row = "{0}" if second is None else "{0[-1]}"
                 return ":".join(f"{fixed}{get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
             block = self.blocks[first]
             prefix = "" if block.sheet is at.sheet else quote_sheetname(block.sheet.title) + "!"
-            return prefix + block.reference(second[1:], end or "")
+            if end == ".same":
+                row = f"{{0[{block.row - at.row}]}}"
+                return prefix + ":".join(
+                    f"{fixed}{get_column_letter(block.columns[name])}{row}" for name in second[1:].split(":")
+                )
+            return prefix + block.reference(second[1:], end or "", fixed)
 
         return REFERENCE.sub(reference, text.replace("{", "{{").replace("}", "}}"))
 

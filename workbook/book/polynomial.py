@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from math import perm
 
 LEAST = 1e-30
-NOT_ZERO = "+u_least"
+NOT_ZERO = "+tiny"
 """the end of a formula of what is raised, :data:`LEAST`: Excel has no 0^0, and so little changes nothing else"""
 
 

@@ -114,12 +114,12 @@ class Abscissa:
 
     def rate(self, cell: str, order: int) -> str:
         """Return the formula of what is entered of a derivative in a cell, by rad."""
-        return f"{cell}/timing_omega^{order}" if self.measured else cell
+        return f"{cell}/omega^{order}" if self.measured else cell
 
     def from_rad(self, order: int) -> str:
         """Return the end of a formula that turns a derivative by rad into one by what is shown."""
         if self.measured:
-            return f"*timing_omega^{order}" if order else ""
+            return f"*omega^{order}" if order else ""
         return ("", "*PI()/180", "*(PI()/180)^2")[order]
 
 

@@ -2,12 +2,13 @@
 
 Every sampled table of the book uses these columns. The pieces stand on the Laws sheet, the coefficients
 of each side by side; a piece is found by its key, twice the law's number plus the ξ at which it begins. A sample within
-``break_tolerance`` of a break counts as on it, so that rounding never decides which side of a jump is shown; ξ = 1
+``break_eps`` of a break counts as on it, so that rounding never decides which side of a jump is shown; ξ = 1
 belongs to the last piece.
 """
 
 from collections.abc import Container
 from itertools import accumulate
+from math import perm
 from typing import Any
 
 import numpy as np
@@ -16,10 +17,10 @@ from engine.laws import Law, Piece
 from engine.laws.base import Array
 from engine.laws.table import located
 from workbook.book.declare import Quantity, calc
-from workbook.book.polynomial import LEAST, NOT_ZERO
+from workbook.book.polynomial import LEAST, NOT_ZERO, constants
 from workbook.laws.family import ENTRIES
 
-FIND = "=MATCH(2*{law}+MIN([{xi}]+break_tolerance,1-break_tolerance),piece_key,1)"
+FIND = "=MATCH(2*{law}+MIN([{xi}]+break_eps,1-break_eps),piece_key,1)"
 ARGUMENTS = (
     ("P", "x", "sine argument", "x", "=INDEX(piece_omega,[q])*[u]+INDEX(piece_phi,[q])", "ωu + φ"),
     ("P2", "z", "second sine's argument", "z", "=INDEX(piece_omega2,[q])*[u]+INDEX(piece_phi2,[q])", "ω₂u + φ₂"),
@@ -33,12 +34,30 @@ SINES = {
 }
 """what a sine adds"""
 SPELLED = {
-    "s": ("position", "INDEX(piece_y,[q],0)/{1,1,2,6,12,20,30,42},[u]^{0,1,2,3,4,5,6,7}", "S0 + S1 u + … − P/ω² sin x"),
-    "v": ("velocity", "INDEX(piece_dy,[q],0)/{1,1,2,3,4,5,6},[u]^{0,1,2,3,4,5,6}", "S1 + c0 u + … − P/ω cos x"),
-    "a": ("acceleration", "INDEX(piece_ddy,[q],0),[u]^{0,1,2,3,4,5}", "c0 + c1 u + … + P sin x"),
-    "j": ("jerk", "INDEX(piece_dddy,[q],0),{1,2,3,4,5},[u]^{0,1,2,3,4}", "c1 + 2 c2 u + … + P ω cos x"),
-}  # fmt: skip
-"""of each derivative: what it is called, its coefficients times powers, and its equation"""
+    "s": ("position", "piece_y", "S0 + S1 u + … − P/ω² sin x"),
+    "v": ("velocity", "piece_dy", "S1 + c0 u + … − P/ω cos x"),
+    "a": ("acceleration", "piece_ddy", "c0 + c1 u + … + P sin x"),
+    "j": ("jerk", "piece_dddy", "c1 + 2 c2 u + … + P ω cos x"),
+}
+"""of each derivative: what it is called, the block of its coefficients, and its equation"""
+
+
+def polynomial(derivative: str, highest: int, room: int) -> str:
+    """Return the formula of the polynomial of a derivative: up to two terms one by one, else coefficients times powers.
+
+    The acceleration has powers of u up to the ``highest``, below 0 where it is a sine alone, empty where the derivative
+    has none; the stack has ``room`` coefficients of it.
+    """
+    order = "svaj".index(derivative)
+    names = ["s0", "s1", *(f"c{k}" for k in range(room))][order:] if order < 3 else [f"c{k}" for k in range(1, room)]
+    used = max(highest + 3 - order, 0)
+    if used <= 2:
+        factors = ("", "2*" if order > 2 else "")
+        return "+".join(f"{factors[k]}INDEX(piece_{name},[q]){'*[u]' * k}" for k, name in enumerate(names[:used]))
+    factor = {"s": f"/{constants([1, 1, *(perm(k, 2) for k in range(2, room + 2))])}",
+              "v": f"/{constants([1, *range(1, room + 1)])}", "j": f",{constants(range(1, room))}"}  # fmt: skip
+    block = f"INDEX({SPELLED[derivative][1]},[q],0){factor.get(derivative, '')}"
+    return f"SUMPRODUCT({block},[u]^{constants(range(len(names)))})"
 
 
 class Pieces:
@@ -51,6 +70,8 @@ class Pieces:
         self.pieces, self._numbers, self.second_sine = pieces, numbers, second_sine
         before = accumulate((len(rows) for rows in pieces.values()), initial=1)
         self.first = dict(zip(pieces, before, strict=False))
+        self.room = max(len(piece.c) for rows in pieces.values() for piece in rows)
+        """coefficients of the acceleration that any piece has"""
 
     def number(self, law: Law) -> int:
         """Return the number of one of the book's laws."""
@@ -93,9 +114,11 @@ class Pieces:
         """Return the columns of ``derivatives``, a part of ``svaj``, with the engine's values."""
         made = []
         for d in derivatives:
-            label, terms, source = SPELLED[d]
-            formula = f"=SUMPRODUCT({terms}){self.turned(d, entries)}"
-            made.append(role(d, label, d, "", formula, values[d], source=source))
+            label, _, source = SPELLED[d]
+            highest = max((k for k in range(self.room) if f"c{k}" in entries), default=-1)
+            formula = polynomial(d, highest, self.room) + self.turned(d, entries)
+            made.append(role(d, label, d, "", f"={formula.removeprefix('+') or 'INDEX(piece_c1,[q])'}", values[d],
+                             source=source))  # fmt: skip
         return made
 
     def turned(self, derivative: str, entries: Container[str]) -> str:

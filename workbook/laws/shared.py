@@ -36,7 +36,7 @@ LEAST_STAGE = 1e-4
 """of the rise: from there on cells and engine agree to 1e-9; below it, differences of shares lose the digits"""
 BRIEF = LawCheck(
     "@brief", "each stage lasts, or is none",
-    "SUMPRODUCT(([@pieces.d]>break_tolerance)*([@pieces.d]<stage_least))=0", "brief",
+    "SUMPRODUCT(([@pieces.d]>break_eps)*([@pieces.d]<stage_least))=0", "brief",
     '"a stage lasts less than "&ROUND(stage_least,9)&" of the rise; expected that, or none"',
 )  # fmt: skip
 

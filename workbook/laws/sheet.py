@@ -77,15 +77,15 @@ def laws_sheet(
         "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k.",
     )
     sheet.rows(
-        constant("break_tolerance", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
+        constant("break_eps", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
                  source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "
                         "of a jump"),
-        constant("u_least", "Least place in a piece", "u", "s, rad", LEAST, format="0E+00",
+        constant("tiny", "Least place in a piece", "u", "s, rad", LEAST, format="0E+00",
                  source="added to each, so that u⁰ is 1 at its begin too: Excel has no 0^0"),
         constant("stage_least", "Least stage of a law", "", "", LEAST_STAGE, format="0E+00",
                  source="as a share of the rise; a stage is none, or lasts so long"),
     )  # fmt: skip
-    stack(sheet, rows, stacked.second_sine)
+    stack(sheet, rows, stacked)
 
 
 COEFFICIENTS = (
@@ -169,15 +169,17 @@ TURNED2 = "-[pv2]*(COS([omega2]*[d]+[phi2])-COS([phi2]))"
 TRAVELLED = "=[s0]-[s]+SUMPRODUCT([s1:c5]/{1,2,6,12,20,30,42},[d]^{1,2,3,4,5,6,7})-[ps]*SIN([omega]*[d]+[phi])"
 SWUNG2 = "-[ps2]*SIN([omega2]*[d]+[phi2])"
 PIECE_NAMES = (
-    ("law", "number", "k", "d", *POWERS, *SINE, "xi", "ps", "pv", "pj", "v", "dv", "s", "ds", "key"),
+    ("law", "number", "k", "d", "s0", "s1", *POWERS, *SINE, "xi", "ps", "pv", "pj", "v", "dv", "s", "ds", "key"),
     (*SECOND, "ps2", "pv2", "pj2"),
 )
 """columns of the stack that have names, and those of a second sine"""
-POWERS_FROM = {"piece_y": "s0:c5", "piece_dy": "s1:c5", "piece_ddy": "c0:c5", "piece_dddy": "c1:c5"}
+FIRST_POWERS = {"piece_y": "s0", "piece_dy": "s1", "piece_ddy": "c0", "piece_dddy": "c1"}
+"""the first column of each block of coefficients, up to the highest power that any law has"""
 
 
-def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
-    """Declare the stacked pieces, entries taken from the laws' pages; ``second`` adds the columns of a second sine."""
+def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
+    """Declare the stacked pieces, entries taken from the laws' pages, with a second sine where any law has one."""
+    second, last = stacked.second_sine, POWERS[stacked.room - 1]
 
     def column(name: str, label: str, symbol: str, formula: str, added: str = "", **more: Any) -> Quantity:
         formula += added if second else ""
@@ -209,4 +211,5 @@ def stack(sheet: Sheet, rows: list[Row], second: bool) -> None:
     )  # fmt: skip
     sheet.book.keyed.add("pieces.key")
     one, two = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
-    sheet.book.name("pieces", **one, **POWERS_FROM, **(two if second else {}))
+    sheet.book.name("pieces", **one, **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()},
+                    **(two if second else {}))  # fmt: skip

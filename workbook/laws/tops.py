@@ -11,8 +11,8 @@ from workbook.laws.sampling import Pieces
 OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
 """what is entered of a piece"""
 CREST = (
-    "=IF([part]=0,0,IF([share]=0,[{f}],IF([{g}-1]*[{g}]<0,"
-    "([{g}-1]*[{f}]-[{g}]*[{f}-1]-[{g}-1]*[{g}]*([u]-[u-1])/2)/([{g}-1]-[{g}]),[{f}])))"
+    "=IF([part]=0,0,[{f}]+IF([share]=0,0,IF([{g}-1]*[{g}]<0,"
+    "[{g}]*([{f}]-[{f}-1]-[{g}-1]*([u]-[u-1])/2)/([{g}-1]-[{g}]),0)))"
 )
 WORDS = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk", "va": "v·a"}
 PLACE = "[xi]-IF([share]=0,0,IF([a-1]*[a]<0,([u]-[u-1])*[a]/([a]-[a-1]),0))"

@@ -37,7 +37,7 @@ FIRST = "=MATCH([no],piece_number,0)"
 
 def last_before(number: str, xi: str) -> str:
     """Return the formula of the row of a law's last piece that begins before ξ: before 1, no spare row does."""
-    return f"MATCH(2*{number}+{xi}-break_tolerance,piece_key,1)"
+    return f"MATCH(2*{number}+{xi}-break_eps,piece_key,1)"
 
 
 def of_law(column: str) -> str:
@@ -108,7 +108,7 @@ class Cells:
         """Return the formula, without its =, of the piece of a sample: the last that begins at or before it."""
         if self.degrees:
             return f"MATCH(MIN([{x}]+{self.near},{self.end}-{self.near}),{self.named('at')},1)"
-        return f"MATCH(MIN([{x}]/{self.end}+break_tolerance,1-break_tolerance),[{self.pieces}.share],1)"
+        return f"MATCH(MIN([{x}]/{self.end}+break_eps,1-break_eps),[{self.pieces}.share],1)"
 
     def unit(self, order: int) -> str:
         """Return the unit of a derivative of the motion."""
@@ -165,7 +165,7 @@ class PieceRows:
     @cached_property
     def powers(self) -> int:
         """How many coefficients the polynomial of a piece may have: two more than the accelerations of laws."""
-        return max(len(piece.c) for pieces in self.stack.pieces.values() for piece in pieces) + 2
+        return self.stack.room + 2
 
     @cached_property
     def counts(self) -> list[int]:

@@ -101,6 +101,7 @@ def pieces_table(
         *([] if at.degrees else [share]),
         calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{lasting})",
              filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
+        calc("per", "per duration", "1/δ", "", f"={at.of_phase('rate')}", of(lambda piece: rows.rates[piece.phase])),
         *taken,
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
         *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
@@ -127,7 +128,7 @@ def of_sine(mark: str) -> list[str]:
 def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
     """Return a coefficient of the polynomial."""
     at = rows.at
-    h, per, velocity = at.lift, at.of_phase("rate"), at.drift
+    h, per, velocity = at.lift, "[per]", at.drift
     if i == 0:
         drift = f"+{velocity}*{at.of_phase('span')}*{of_law('xi')}" if velocity else ""
         sines = "".join(f"-[A{one.mark}]*SIN([ph{one.mark}])" for one in rows.sines)
@@ -157,7 +158,7 @@ def amplitude(order: int, mark: str) -> str:
 
 def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, ...]:
     """Return amplitude, frequency and phase of a sine, and its amplitude in each derivative."""
-    h, per, words = at.lift, at.of_phase("rate"), " of the second sine" if one.mark else ""
+    h, per, words = at.lift, "[per]", " of the second sine" if one.mark else ""
 
     def of_a_sine(formula: str) -> str:
         return f"=IF({at.of_end('mode')}>1,0,{formula})" if at.ends else f"={formula}"

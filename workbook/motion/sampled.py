@@ -36,15 +36,21 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
 
 def arguments(
     rows: PieceRows, suffix: str, q: str, angles: Sequence[Sequence[float] | Array], of: str = ""
-) -> list[Quantity]:
+) -> list[Quantity]:  # fmt: skip
     """Return the columns of the arguments of the sines at places u of pieces, whose row ``q`` names."""
-    at = rows.at
     return [
         calc(f"x{mark}{suffix}", f"{of}argument of the {which}sine", "ζ", "rad",
-             f"=INDEX({at.named(f'om{mark}')},{q})*[u{suffix}]+INDEX({at.named(f'ph{mark}')},{q})", angles[k],
+             f"={of_row(rows, f'om{mark}', q)}*[u{suffix}]+{of_row(rows, f'ph{mark}', q)}", angles[k],
              source="ωu + φ")
         for k, ((*_, mark), which) in enumerate(zip(rows.sines, ("", "second "), strict=False))
     ]  # fmt: skip
+
+
+def of_row(rows: PieceRows, name: str, q: str) -> str:
+    """Return the formula of a figure of a piece, whose row ``q`` names; where it is empty, of that of the same row."""
+    if q:
+        return f"INDEX({rows.at.named(name)},{q})"
+    return f"[{rows.at.pieces}.{name}.same]"
 
 
 def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
@@ -53,11 +59,11 @@ def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
 
 
 def place_columns(
-    rows: PieceRows, suffix: str, of: str, formula: str, u: Array, q: str, pieces: Sequence[MotionPiece]
+    rows: PieceRows, suffix: str, of: str, formula: str, u: Array, pieces: Sequence[MotionPiece], q: str = ""
 ) -> list[Quantity]:  # fmt: skip
-    """Return the columns of a place in each piece: u, and the arguments of the sines.
+    """Return the columns of a place in each piece, that ``formula`` gives: u, and the arguments of the sines.
 
-    ``formula`` gives u, ``q`` names the row of the piece.
+    ``q`` names the row of the piece; where it is empty, it is the piece of the same row.
     """
     both = list(zip(pieces, u, strict=True))
     angles = [[one.sines[k][1] * place + one.sines[k][2] for one, place in both] for k in range(len(rows.sines))]
@@ -68,21 +74,21 @@ def place_columns(
     ]  # fmt: skip
 
 
-def at_place(rows: PieceRows, order: int, suffix: str, q: str) -> str:
-    """Return the formula, without its =, of a derivative at a place of :func:`place_columns`."""
-    at = rows.at
-    text = polynomial(f"INDEX({at.named(from_power(order))},{q},0)", f"[u{suffix}]", rows.powers, order)
+def at_place(rows: PieceRows, order: int, suffix: str, q: str = "") -> str:
+    """Return the formula, without its =, of a derivative at a place in a piece, whose row ``q`` names."""
+    name, last = from_power(order), rows.powers - 1
+    several = f"INDEX({rows.at.named(name)},{q},0)" if q else of_row(rows, f"c{order}:c{last}", q)
+    text = polynomial(several, f"[u{suffix}]", rows.powers, order)
     for *_, mark in rows.sines:
-        text += SINES[order].format(f"INDEX({at.named(amplitude(order, mark))},{q})", f"[x{mark}{suffix}]")
+        text += SINES[order].format(of_row(rows, amplitude(order, mark), q), f"[x{mark}{suffix}]")
     return text
 
 
-def at_begin(rows: PieceRows, order: int, q: str) -> str:
-    """Return the formula, without its =, of a derivative where a piece begins."""
-    at, factor = rows.at, perm(order, order)
+def at_begin(rows: PieceRows, order: int) -> str:
+    """Return the formula, without its =, of a derivative where the piece of the same row begins."""
+    factor = perm(order, order)
     text = f"{factor}*" if factor > 1 else ""
-    text += f"INDEX([{at.pieces}.c{order}],{q})"
+    text += of_row(rows, f"c{order}", "")
     for *_, mark in rows.sines:
-        a, ph = (f"INDEX({at.named(name)},{q})" for name in (amplitude(order, mark), f"ph{mark}"))
-        text += SINES[order].format(a, ph)
+        text += SINES[order].format(*(of_row(rows, name, "") for name in (amplitude(order, mark), f"ph{mark}")))
     return text.removeprefix("+")

@@ -93,9 +93,9 @@ class Joints:
         durations = [piece.duration for piece in self.rows.pieces]
         phases = self.rows.column(lambda piece: piece.phase + 1, room)
         return [
-            calc("d", "duration", "d", at.x, f"=INDEX([{at.pieces}.d],[r])", filled(durations, room),
+            calc("d", "duration", "d", at.x, f"=[{at.pieces}.d.same]", filled(durations, room),
                  scale=self.rows.end),
-            calc("p", "phase", "", "", f"=INDEX([{at.pieces}.p],[r])", phases, format="0"),
+            calc("p", "phase", "", "", f"=[{at.pieces}.p.same]", phases, format="0"),
             calc("n", "pieces that last, so far", "", "", "=IF([r]=1,0,[n-1])+IF([d]>0,1,0)",
                  self._of(lambda joint: joint.lasting, last.lasting, room), format="0"),
             calc("of", "phase of the last of them", "", "", "=IF([d]>0,[p],IF([r]=1,0,[of-1]))",
@@ -110,18 +110,18 @@ class Joints:
         at, pieces = self.rows.at, self.rows.pieces
         if not at.opens:
             ends = filled([piece.duration for piece in pieces], room)
-            return place_columns(self.rows, "1", "end", "=[d]", np.array(ends), "[r]", self._taken(room))
+            return place_columns(self.rows, "1", "end", "=[d]", np.array(ends), self._taken(room))
         nexts = [*(piece.begin for piece in pieces[1:]), self.rows.end]
         ends = [after - piece.origin if piece.duration else 0.0 for piece, after in zip(pieces, nexts, strict=True)]
         begins = [piece.begin - piece.origin if piece.duration else 0.0 for piece in pieces]
-        begin, origin = (f"INDEX([{at.pieces}.{name}],[r])" for name in ("begin", "origin"))
+        begin, origin = (f"[{at.pieces}.{name}.same]" for name in ("begin", "origin"))
         after = f"IF([r]<{room},INDEX([{at.pieces}.begin],MIN([r]+1,{room})),{at.end})"
         taken = self._taken(room)
         return [
             *place_columns(self.rows, "0", "begin", f"=IF([d]>0,{begin}-{origin},0)", np.array(filled(begins, room)),
-                           "[r]", taken),
+                           taken),
             *place_columns(self.rows, "1", "end", f"=IF([d]>0,{after}-{origin},0)", np.array(filled(ends, room)),
-                           "[r]", taken),
+                           taken),
         ]  # fmt: skip
 
     def _taken(self, room: int) -> list[MotionPiece]:
@@ -138,14 +138,14 @@ class Joints:
             return [float(piece.derivative(n, np.array(u))) for piece, u in pairs]
 
         def begin(n: int) -> str:
-            return at_place(rows, n, "0", "[r]") if opens else at_begin(rows, n, "[r]")
+            return at_place(rows, n, "0") if opens else at_begin(rows, n)
 
         names = list(zip(RATES, ORDERS, strict=True))
         return [
             *(calc(f"{name}0", word, "", "", f"={begin(n)}", begun(n), scale=self._scales[n - 1],
                    source="at its begin") for n, (name, word) in enumerate(names, 1)),
             *(calc(f"{name}1", f"{word} reached", "", "",
-                   f"=IF([d]>0,{at_place(rows, n, '1', '[r]')},IF([r]=1,0,[{name}1-1]))",
+                   f"=IF([d]>0,{at_place(rows, n, '1')},IF([r]=1,0,[{name}1-1]))",
                    self._each("end", n, last.end[n - 1], room), scale=self._scales[n - 1], source="at its end")
               for n, (name, word) in enumerate(names, 1)),
         ]  # fmt: skip
@@ -153,14 +153,16 @@ class Joints:
     def _jumps(self, room: int) -> list[Quantity]:
         """Return what jumps where each piece begins."""
         wraps, marks = self.asked.wraps, ("'", "''", "'''")
-
-        def before(name: str) -> str:
-            last = f"[{self.name}.{name}1.last]"
-            first = f"IF({wraps},{last},[{name}0])" if wraps else last
-            return f"IF([n]=1,{first},INDEX([{self.name}.{name}1],[r]-1))"
-
+        last, wrapped = f"IF({wraps},{room},0)" if wraps else str(room), room * self.asked.periodic
+        joined = zip(self.found, self.rows.pieces, strict=True)
+        met = [
+            (k if joint.lasting > 1 else wrapped) * (piece.duration > 0.0) for k, (joint, piece) in enumerate(joined)
+        ]
         return [
-            *(calc(f"d{name}", f"jump of {word}", f"Δy{mark}", "", f"=IF([d]>0,[{name}0]-{before(name)},0)",
+            calc("met", "row of the piece before", "", "", f"=IF([d]>0,IF([n]=1,{last},[r]-1),0)",
+                 filled(met, room, 0), format="0", source="0: none"),
+            *(calc(f"d{name}", f"jump of {word}", f"Δy{mark}", "",
+                   f"=IF([met]>0,[{name}0]-INDEX([{self.name}.{name}1],[met]),0)",
                    self._each("jump", n, 0.0, room), scale=self._scales[n - 1], source="at its begin")
               for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, marks, strict=True), 1)),
             calc("order", "what jumps", "", "", self._order(), self._of(lambda joint: joint.order, 0, room),

@@ -75,14 +75,15 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
         *named(view, "dir", "direction", "", "", view.load.load.direction, format="0"),
         *named(view, "al", "acceleration", "ω̇", "rad/s²", load.acceleration, "@turns*{}", scale=shaft.turning),
         *named(view, "S", "output torque of the reducer", "S", "Nm", load.driving + load.driven,
-               "IF(AND([dir]=0,@brake=1),0,{})", scale=behind, source="0 where a brake holds the motor"),
+               "{}*(1-@brake*([dir]=0))", scale=behind, source="0 where a brake holds the motor"),
         *named(view, "n", "speed of the shaft", "|n|", "rpm", shown(load.speed, RPM), shaft.rpm,
                scale=max(float(shown(load.speed.max(), RPM)), 1e-3)),
         calc("driving", "where it drives the load", "", "Nm", "=IF(@by_power*[S]*[dir]<0,0,[S])", of(load.driving),
              scale=behind),
         calc("driven", "where the load drives the motor", "", "Nm", "=[S]-[driving]", of(load.driven), scale=behind),
     )  # fmt: skip
-    names = {in_scope(f"@{name}", sheet.scope): name for name in ("dir", "al", "n", "driving", "driven")}
+    names = {in_scope(f"@{name}", sheet.scope): name for name in ("dir", "al", "n")}
+    names |= {in_scope("@out", sheet.scope): "driving", in_scope("@back", sheet.scope): "driven"}
     sheet.book.name(in_scope("@points", sheet.scope), **names)
 
 
@@ -100,7 +101,7 @@ def named(
     names = [f"INDEX({one.columns}_{column},[k])" for one in view.shafts]
     chosen = view.shaft.by_point(values)
     if len(names) == 1:
-        return [calc(column, label, symbol, unit, f"={whole.format(names[0])}+0", chosen, **more)]
+        return [calc(column, label, symbol, unit, f"={whole.format(names[0])}", chosen, **more)]
     if len(names) <= GROUP:
         one = whole.format(f"CHOOSE(@no,{','.join(names)})")
         return [calc(column, label, symbol, unit, f"={one}", chosen, **more)]

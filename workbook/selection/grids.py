@@ -27,83 +27,81 @@ def grids(sheet: Sheet, view: Choosing) -> None:
     g = view.grid
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
     torque = max(float(g.peak.max()), 1e-3)
-    grid(sheet, view, "word", "Which pairs can do it", ("on", "nmax", "peak"), verdict, view.spread(g.verdicts, "–"),
-         align="center")  # fmt: skip
+    grid(sheet, view, "word", "Which pairs can do it", verdict, view.spread(g.verdicts, "–"), align="center")
     sheet.print_columns = max(sheet.blocks[-1].columns.values())
     sheet.not_printed_below()
-    grid(sheet, view, "wanted", "What is wanted of a pair", ("on", "jmax"), within,
-         view.spread(g.wanted_verdicts, LARGE), align="center")  # fmt: skip
-    grid(sheet, view, "share", "RMS torque of the motor over its continuous torque",
-         ("on", "rated", "stall", "slope", "jm"), share,
+    grid(sheet, view, "wanted", "What is wanted of a pair", within, view.spread(g.wanted_verdicts, LARGE),
+         align="center")  # fmt: skip
+    grid(sheet, view, "share", "RMS torque of the motor over its continuous torque", share,
          view.spread(g.uses, 0.0), format=DASH, scale=max(1.0, float(g.uses.max())))  # fmt: skip
-    grid(sheet, view, "peak", "Peak torque of the motor [Nm]", ("on", "jm"), lambda c: if_on(c, peak_of(*pair(c))),
+    grid(sheet, view, "peak", "Peak torque of the motor [Nm]", lambda c: if_on(c, peak_of(*pair(c))),
          view.spread(g.peak, 0.0), format=DASH, scale=torque)  # fmt: skip
 
 
 def grid(
-    sheet: Sheet, view: Choosing, name: str, title: str, figures: tuple[str, ...], formula: Any,
-    values: list[list[Any]], **more: Any,
-) -> None:  # fmt: skip
-    """Declare a table of the pairs: a row a motor, a column a reducer, which has its name and reduction above.
-
-    ``figures`` are the motor's that the formulas of its row need, beside its name.
-    """
+    sheet: Sheet, view: Choosing, name: str, title: str, formula: Any, values: list[list[Any]], **more: Any
+) -> None:
+    """Declare a table of the pairs: a row a motor, a column a reducer, which has its name and reduction above."""
     (down, across), r = view.rooms, view.reducers
     names, reductions = filled(r.names, across, ""), filled(r.reduction, across)
-    known = motor_figures(view)
+    motor = '=INDEX([motors.name],[k])&""' if name == "word" else "=[@word.motor.same]"
     sheet.row += 1
     heads = sheet.table(
         f"@{name}_heads", "Reducers: name, reduction", 2,
         constant("what", "", "", "", ["name", "reduction"]), constant("k", "", "", "", [1, 2], format="0"),
-        *(constant(f"gap{i}", "", "", "", ["", ""]) for i, _ in enumerate(figures)),
     )  # fmt: skip
     for c in range(1, across + 1):
         told = [f'=[reducers.name.{c}]&""', f"=[@reducers.i.{c}]+0"]
         each = calc("v", f"reducer {c}", "", "", told, [names[c - 1], reductions[c - 1]],
                     align="center", wrap=True)  # fmt: skip
         sheet.beside(heads, f"@{name}_head{c}", each)
+    number = constant("k", "number", "k", "", list(range(1, down + 1)))
+    if name == "key":
+        number = constant("first", "place of its first pair", "", "", list(range(0, down * across, across)))
     rows = sheet.table(
         f"@{name}", title, down,
-        result("motor", "motor", "", "", '=INDEX([motors.name],[k])&""', filled(view.motors.names, down, ""),
-               align="left"),
-        constant("k", "number", "k", "", list(range(1, down + 1))),
-        *(calc(one, known[one][0], "", known[one][1], f"=INDEX([@motors.{one}],[k])", known[one][2])
-          for one in figures),
+        result("motor", "motor", "", "", motor, filled(view.motors.names, down, ""), align="left"), number,
     )  # fmt: skip
     for c in range(1, across + 1):
         each = result("v", f"reducer {c}", "", "", f"={formula(c)}", values[c - 1], **more)
-        sheet.beside(rows, f"@{name}{c}", each, f"[on]*[@reducers.on.{c}]=0" if name == "wanted" else "")
+        unused = f"[@motors.on.same]*[@reducers.on.{c}]=0"
+        sheet.beside(rows, f"@{name}{c}", each, unused if name == "wanted" else "")
 
 
 def share(c: int) -> str:
     """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
     inertia, ratio, *_ = pair(c)
     rms = rms_of(inertia, ratio, f"[@reducers.mixed.{c}]", f"[@reducers.square.{c}]")
-    return if_on(c, f"{rms}/MAX([rated],[stall]-[slope]*[@reducers.mean.{c}])")
+    return if_on(c, f"{rms}/MAX({of('rated')},{of('stall')}-{of('slope')}*[@reducers.mean.{c}])")
+
+
+def of(figure: str) -> str:
+    """Return a figure of the motor of a row."""
+    return f"[@motors.{figure}.same]"
 
 
 def pair(c: int) -> list[str]:
     """Return J, i, 1/(η i), η/i and no-load torque of the motor of a row with a reducer, as formulas."""
-    return [f"([jm]+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own"))]
+    return [f"({of('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own"))]
 
 
 def if_on(c: int, formula: str) -> str:
     """Return a formula where both are in use."""
-    return f"IF([on]*[@reducers.on.{c}],{formula},0)"
+    return f"IF({of('on')}*[@reducers.on.{c}],{formula},0)"
 
 
 def within(c: int) -> str:
     """Return the formula of what a pair fails of what is wanted of it, or that it is usable."""
-    used = f"INDEX(@share{c},[k])"
-    inertia = f'IF([@reducers.j.{c}]>[jmax],"inertia","yes")'
+    used = f"[@share{c}.v.same]"
+    inertia = f'IF([@reducers.j.{c}]>{of("jmax")},"inertia","yes")'
     return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",{inertia}))'
 
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first: reducer, speed, peak torque, or what is wanted of it."""
-    fast, weak = f"([@reducers.n.{c}]*@least_speed>[nmax])", f"(INDEX(@peak{c},[k])*@least_peak>[peak])"
-    motor = f'CHOOSE(1+2*{fast}+{weak},INDEX(@wanted{c},[k]),"peak","speed","speed")'
-    return f'IF([on]*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
+    weak = f'IF([@peak{c}.v.same]>{of("top")},"peak",[@wanted{c}.v.same])'
+    motor = f'IF([@reducers.fast.{c}]>{of("nmax")},"speed",{weak})'
+    return f'IF({of("on")}*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
 
 
 def products(sheet: Sheet, view: Choosing) -> None:
@@ -114,31 +112,25 @@ def products(sheet: Sheet, view: Choosing) -> None:
     sheet.row += 1
     motors(sheet, view)
     reducers(sheet, view)
-    scores = np.nan_to_num(view.grid.scores(view.given.rank), nan=0.0)
-    grid(sheet, view, "score", "What pairs are ranked by, the lowest first",
-         ("known", "jm", "smaller", "weight"), score, view.spread(scores, 0.0), format="General",
-         scale=max(1.0, float(np.abs(scores).max())))  # fmt: skip
     keys = view.spread(np.where(np.isfinite(view.keys), view.keys, -1.0), -1.0)
     told = [["–" if key < 0.0 else key for key in column] for column in keys]
-    grid(sheet, view, "key", "What pairs are sorted by: score, then place", ("known",), lambda c: key(view, c), told,
-         format="General")  # fmt: skip
+    grid(sheet, view, "key", "What pairs are sorted by: what they are ranked by, then place",
+         lambda c: key(view, c), told, format="General")  # fmt: skip
 
 
 def score(c: int) -> str:
-    """Return the formula of what a pair is ranked by: 0 of one that is not in use, or lacks the figure."""
-    balance, inertia = f"[@reducers.balance.{c}]", f"([jm]+[@reducers.jt.{c}])"
-    match = f"IF({balance}>0,MAX({balance}/{inertia},{inertia}/{balance})^0.5,1)"
-    used = f"([smaller]*(@rank_no=1)+1-1/(1+INDEX(@share{c},[k])))"
-    ranked = f"[weight]+[@reducers.weight.{c}]+(@rank_no<3)*{used}+(@rank_no=3)*{match}"
-    return f"IF([known]*[@reducers.known.{c}],{ranked},0)"
+    """Return the formula of what a pair is ranked by, the lowest first."""
+    balance, inertia = f"[@reducers.balance.{c}]", f"({of('jm')}+[@reducers.jt.{c}])"
+    match = f"MAX({balance}/{inertia},{inertia}*[@reducers.unit.{c}])^0.5"
+    used = f"(@rank_no<3)*(1-1/(1+[@share{c}.v.same]))"
+    return f"{of('weight')}+[@reducers.weight.{c}]+IF(@rank_no=3,{match},{used})"
 
 
 def key(view: Choosing, c: int) -> str:
     """Return the formula of what a pair is sorted by."""
-    place = f"([k]-1)*{view.rooms[1]}+{c - 1}"
-    score = f"ROUND(INDEX(@score{c},[k])*{PARTS},0)"
-    usable = f'AND(INDEX(@word{c},[k])="yes",[known]*[@reducers.known.{c}]=1)'
-    return f'IF({usable},{score}*{view.pairs}+{place},"–")'
+    place = f"[first]+{c - 1}"
+    usable = f'AND([@word{c}.v.same]="yes",{of("known")}*[@reducers.known.{c}]=1)'
+    return f'IF({usable},ROUND({PARTS}*({score(c)}),0)*{view.pairs}+{place},"–")'
 
 
 MOTOR_COLUMNS = (
@@ -148,24 +140,6 @@ MOTOR_COLUMNS = (
     ("nmax", "largest speed", "rpm", "nmax"),
 )
 """figures of every motor: column here, words, unit, column of the catalogue"""
-
-
-def motor_figures(view: Choosing) -> dict[str, tuple[str, str, list[Any]]]:
-    """Return the figures of the motors of the catalogue, 0 in spare rows: words, unit and values of each column."""
-    m, n = view.motors, view.rooms[0]
-    values = (m.inertia, m.rated_torque, m.peak_torque, shown(m.max_speed, RPM))
-    found = {name: (label, unit, filled(one, n))
-             for (name, label, unit, _), one in zip(MOTOR_COLUMNS, values, strict=True)}  # fmt: skip
-    known, weight = weights(view, m.size, m.cost)
-    return found | {
-        "stall": ("stall torque", "Nm", filled(m.stall, n)),
-        "slope": ("fall with speed", "Nm/rpm", filled((m.stall - m.rated_torque) / shown(m.falls_to, RPM), n)),
-        "on": ("in use", "", filled(filled([], len(m.names), 1), n, 0)),
-        "jmax": ("largest inertia", "kg m²", filled(m.inertia * view.given.inertia_ratio, n)),
-        "smaller": ("smaller motors", "", filled(view.grid.smaller, n, 0)),
-        "known": ("has what it is ranked by", "", filled(known, n, 0)),
-        "weight": ("mass or cost", "", filled(weight, n)),
-    }
 
 
 MASSLESS = 3
@@ -182,43 +156,55 @@ def weights(view: Choosing, mass: Any, cost: Any) -> tuple[Any, Any]:
 
 def motors(sheet: Sheet, view: Choosing) -> None:
     """Declare the motors of the catalogue, 0 in spare rows."""
-    m, n, known = view.motors, view.rooms[0], motor_figures(view)
+    m, n = view.motors, view.rooms[0]
+    figures = m.inertia, m.rated_torque, m.peak_torque, shown(m.max_speed, RPM)
+    known, weight = weights(view, m.size, m.cost)
+    weight = view.grid.smaller if view.rank == 1 else weight
+    least = view.given.least_peak_margin
     made = {"jm": "/10000", "rated": "*@left"}
     given = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for *_, column in MOTOR_COLUMNS)
     sheet.table(
         "@motors", "Motors of the catalogue", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
-        calc("on", "in use", "", "", f"=IF({given}=1,1,0)", known["on"][2], format="0"),
+        calc("on", "in use", "", "", f"=IF({given}=1,1,0)",
+             filled(filled([], len(m.names), 1), n, 0), format="0"),
         *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]){made.get(name, '')},0)",
-               known[name][2])
-          for name, label, unit, column in MOTOR_COLUMNS),
+               filled(one, n))
+          for (name, label, unit, column), one in zip(MOTOR_COLUMNS, figures, strict=True)),
         calc("stall", "stall torque", "", "Nm", "=IF([on]=1,MAX([rated],INDEX([motors.stall],[k])*@left),0)",
-             known["stall"][2]),
+             filled(m.stall, n)),
         calc("nn", "rated speed", "", "rpm",
              "=IF([on]=1,IF(COUNT(INDEX([motors.nn],[k]))=1,INDEX([motors.nn],[k]),[nmax]),0)",
              filled(shown(m.falls_to, RPM), n)),
         calc("slope", "fall of the continuous torque", "", "Nm/rpm", "=IF([on]=1,([stall]-[rated])/[nn],0)",
-             known["slope"][2], scale=1.0),
+             filled((m.stall - m.rated_torque) / shown(m.falls_to, RPM), n), scale=1.0),
         calc("knee", "peak torque up to", "", "rpm",
              "=IF([on]=1,IF(COUNT(INDEX([motors.knee],[k]))=1,INDEX([motors.knee],[k]),[nmax]),0)",
              filled(shown(m.knee, RPM), n)),
         calc("fall", "fall beyond", "", "Nm/rpm",
              "=IF([nmax]>[knee],MAX(0,[peak]-INDEX([motors.end],[k]))/([nmax]-[knee]),0)",
              filled(np.maximum(0.0, -shown(m.slope, PER_RPM)), n)),
-        calc("jmax", "largest inertia at the motor", "", "kg m²", "=@inertia_ratio*[jm]", known["jmax"][2]),
+        calc("jmax", "largest inertia at the motor", "", "kg m²", "=@inertia_ratio*[jm]",
+             filled(m.inertia * view.given.inertia_ratio, n)),
+        calc("top", "largest torque of the cycle, with its margin", "", "Nm", "=[peak]/@least_peak",
+             filled(m.peak_torque / least, n)),
         calc("smaller", "smaller motors", "", "", "=IF([on]=1,SUMPRODUCT(([@motors.rated]<[rated])*[@motors.on]),0)",
-             known["smaller"][2], format="0"),
-        *weighed("motors", known["known"][2], known["weight"][2]),
+             filled(view.grid.smaller, n, 0), format="0"),
+        *weighed("motors", filled(known, n, 0), filled(weight, n), "[smaller]"),
     )  # fmt: skip
 
 
-def weighed(table: str, known: list[Any], weight: list[Any]) -> list[Quantity]:
-    """Return the columns of mass or cost of products, as pairs are ranked by it, and of whether that is given."""
+def weighed(table: str, known: list[Any], weight: list[Any], first: str = "0") -> list[Quantity]:
+    """Return the columns of mass or cost of products, as pairs are ranked by it, and of whether that is given.
+
+    ``first`` is the formula of what counts in place of these where pairs are ranked by the smallest motor.
+    """
     mass, cost = (f"INDEX([{table}.{name}],[k])" for name in ("mass", "cost"))
     return [
         calc("known", "has what it is ranked by", "", "", f"=[on]*CHOOSE(@rank_no,1,1,1,COUNT({mass}),COUNT({cost}))",
              known, format="0"),
-        calc("weight", "mass or cost", "", "kg or price", f"=CHOOSE(@rank_no,0,0,0,{mass}+0,{cost}+0)", weight),
+        calc("weight", f"{'' if first == '0' else 'smaller motors, '}mass or cost", "", "kg or price",
+             f"=CHOOSE(@rank_no,{first},0,0,{mass}+0,{cost}+0)", weight),
     ]  # fmt: skip
 
 
@@ -252,6 +238,8 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
         calc("own", "no-load torque", "T_nl", "Nm", "=INDEX([reducers.t012],[k])+0", filled(r.no_load, n)),
         calc("j", "inertia at the motor", "", "kg m²", "=IF([on]=1,[jt]+@inertia/[i]^2,0)", filled(g.at_motor, n)),
         calc("n", "speed of the motor", "n", "rpm", "=@speed*[i]*30/PI()", filled(shown(g.speed, RPM), n)),
+        calc("fast", "with its margin", "", "rpm", "=[n]*@least_speed",
+             filled(shown(g.speed * view.given.least_speed_margin, RPM), n)),
         calc("mean", "mean speed of the motor", "", "rpm", "=@mean*[i]*30/PI()",
              filled(shown(g.load.mean_speed / r.ratio, RPM), n)),
         calc("nmax", "largest input speed", "", "rpm", "=INDEX([reducers.nmax],[k])+0", filled(limits[0], n),
@@ -266,6 +254,8 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              filled(g.fits.astype(int), n, 0), format="0"),
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
              filled(g.balance, n), source="S_rms/(ω̇_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
+        calc("unit", "its reciprocal", "", "1/(kg m²)", "=IF([balance]>0,1/[balance],0)",
+             filled(np.divide(1.0, g.balance, out=np.zeros(g.balance.shape), where=g.balance > 0.0), n)),
         calc("mixed", "mean of ω̇ S, with losses", "", "W/s",
              f"=IF([on]=1,{MIXED.format(eta='[eta]', i='[i]', own='[own]')},0)", filled(view.mixed, n),
              scale=view.shaft.product),

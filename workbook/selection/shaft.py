@@ -71,7 +71,7 @@ def through(ratio: Any, efficiency: Any) -> tuple[Any, Any]:
 
 def torque_of(inertia: str, ratio: str, out: str, back: str, own: str) -> str:
     """Return the formula of the torques of a motor at the points of the cycle; ``out`` is 1/(η i), ``back`` η/i."""
-    return f"{inertia}*{ratio}*@al+{out}*@driving+{back}*@driven+{own}*@dir"
+    return f"{inertia}*{ratio}*@al+{out}*@out+{back}*@back+{own}*@dir"
 
 
 def peak_of(inertia: str, ratio: str, out: str, back: str, own: str) -> str:

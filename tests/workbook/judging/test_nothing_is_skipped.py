@@ -159,7 +159,7 @@ def test_a_wrong_formula_saved_with_what_it_computes_is_found_once(press, tmp_pa
 def test_what_follows_from_a_number_typed_over_a_formula_is_gathered(press, tmp_path):
     """By every witness; and one that is wrong where none was is at fault by itself."""
     opened = press.opened()
-    cell = press.place("timing_omega")
+    cell = press.place("omega")
     opened[cell.sheet][cell.a1].value = 5.0
     opened.save(tmp_path / "b.xlsx")
     report = sums(verify(tmp_path / "b.xlsx", ["pycel", "formualizer"]))

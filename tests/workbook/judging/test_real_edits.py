@@ -178,7 +178,7 @@ def test_formula_deleted(hands):
 @pytest.mark.parametrize(
     ("block", "row", "quantity", "old", "new"),
     [
-        ("timing_omega", 0, None, "2*PI()", "3*PI()"),
+        ("omega", 0, None, "2*PI()", "3*PI()"),
         ("cycle1", 7, "torque", "drive1_friction+", "drive1_friction-"),
         ("axis2_workings", 1, "mean", ">0", "<0"),
         ("cycle1", 2, "y", "SIN", "COS"),

@@ -107,7 +107,7 @@ def test_junctions_tell_the_jumps():
     value = computed(MACHINE, machine)
     pairs = list(zip(value("axis1_joints", "from"), value("axis1_joints", "p"), strict=True))
     joint, wrap = pairs.index((2, 4)), pairs.index((4, 2))  # steps: rests between them last nothing
-    per = math.degrees(1.0) * value("timing_omega") ** 2
+    per = math.degrees(1.0) * value("omega") ** 2
     assert value("axis1_joints", "da")[joint] * per == pytest.approx(-2.5 + 10, rel=1e-12)
     assert value("axis1_joints", "da")[wrap] * per == pytest.approx(10 - 2.5, rel=1e-12)
     assert [value("axis1_joints", "dv")[k] for k in (joint, wrap)] == pytest.approx([0, 0], abs=1e-13)

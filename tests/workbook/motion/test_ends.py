@@ -81,7 +81,7 @@ def test_rise_to_line_speed_run_in_step_and_return_is_three_phases(tmp_path):
     assert kinds[:4] == [("R", "G"), ("G", "G"), ("G", "R"), ("R", "R")]
     assert value("cycle1", "y")[9:14] == pytest.approx([30.0, 35.0, 40.0, 45.0, 50.0], rel=1e-12)  # every 10°
     speed = 0.02 / math.radians(40)
-    assert value("cycle1", "v")[9:13] == pytest.approx([speed * value("timing_omega")] * 4, rel=1e-12)
+    assert value("cycle1", "v")[9:13] == pytest.approx([speed * value("omega")] * 4, rel=1e-12)
     assert value("cycle1", "a")[9:13] == pytest.approx([0.0] * 4, abs=1e-9)
     # the carriage of the second axis hands over across 360°
     assert value("axis2_kinds", "v1")[5] == value("axis2_kinds", "v0")[1] == pytest.approx(speed, rel=1e-12)
@@ -131,7 +131,7 @@ def test_a_law_that_cannot_take_a_velocity_fails_by_row_and_reason(law):
 
 def rates(value, name, order):
     """y' or y'' where the first phase ends and the second begins, in ° by °."""
-    per = math.degrees(1.0) * (value("timing_omega")) ** order
+    per = math.degrees(1.0) * (value("omega")) ** order
     return value("axis1_kinds", f"{name}1")[1] * per, value("axis1_kinds", f"{name}0")[3] * per
 
 

@@ -441,7 +441,7 @@ def named(path, at):
     ],
 )  # fmt: skip
 def test_odd_formulas_are_findings(formula, book):
-    sheet, at = entry(book(), "timing_omega")
+    sheet, at = entry(book(), "omega")
     new = f'<c r="{at}"><f>{formula.format(at=at)}</f></c>'.encode()
     report = verify(book({sheet: sub(rf'<c r="{at}"[^>]*>.*?</c>'.encode(), new)}))
     assert at in [finding.cell for finding in report.findings]

@@ -123,7 +123,7 @@ def parts_table(sheet: Sheet, machine: Flying, parts: tuple[CutPart, ...], rows:
              [one.y for one in of], scale=scale(0)),
         *phase_table_columns(
             rows,
-            [law, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_tolerance,1)')}", none],
+            [law, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_eps,1)')}", none],
             [f"={last_before('fly_no', SPLIT)}-[first]+1", "=fly_waits",
              f"=IF(fly_waits=1,{last_before('fly_no', '1')}-[first]+1,0)", "=IF([span]>0,1,0)"],
         ),

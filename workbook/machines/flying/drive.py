@@ -217,7 +217,7 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
              of(load.x), scale=view.machine.cut.cycle_time),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])",
              [float(rows.pieces.index(piece) + 1) for piece in pieces], format="0"),
-        *place_columns(rows, "", "within piece", "=[t]-INDEX([tool_pieces.origin],[q])", u, "[q]", pieces),
+        *place_columns(rows, "", "within piece", "=[t]-INDEX([tool_pieces.origin],[q])", u, pieces, "[q]"),
         calc("y", "position of the tool", "s", "m", f"={sampled(rows, 0)}", of(load.position), scale=scale.length),
         calc("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", of(load.velocity), scale=scale.speed),
         calc("a", "its acceleration", "a", "m/s²", f"={sampled(rows, 2)}", of(load.acceleration),

@@ -41,7 +41,7 @@ FIGURES = (
     Printed("Weight at the motor", "Nm", f"@steady{LOSSY}", 7.22e-3, 1.508, (7.229830e-3, 1.509848),
             "worked out with g = 9.8"),
     Printed("Resisting torque", "Nm", RESISTS, 0.0113, 1.508, (0.01133007, 1.509848)),
-    Printed("Largest speed of the load", "m/s", "@vmax*timing_omega*@faster", 0.048, 0.0185, (0.048, 0.01851852)),
+    Printed("Largest speed of the load", "m/s", "@vmax*omega*@faster", 0.048, 0.0185, (0.048, 0.01851852)),
     Printed("Largest speed of the motor", "rad/s", "@speed*PI()/30", "48π", 6.173, (150.7964, 6.172840),
             "printed “48 A = π”, which reads 48π"),
     Printed("Largest acceleration of the motor", "rad/s²", "@i*@amax", "1460.4π", 2.058, (4523.893, 2.057613),

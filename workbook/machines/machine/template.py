@@ -135,8 +135,6 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
         names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
     book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards
-    book.name(f"drive{i}_cycle", **{f"drive{i}_P": "power"})
-    book.name(f"cycle{i}", **{f"cycle{i}_{name}": name for name in "pv"})
 
 
 def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:

@@ -56,7 +56,7 @@ class AtAngles:
             calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
                  f"=({sampled(self.rows, 0, suffix)})*1000", shown(self.travel, MM), source=POSITION),
             calc(f"since{suffix}", "angle since its arrival", "", "°",
-                 f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_tolerance)", shown(since, DEGREE), scale=TURN),
+                 f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_eps)", shown(since, DEGREE), scale=TURN),
             *finding(self.rows, f"since{suffix}", since, suffix=suffix),
         ]  # fmt: skip
 

@@ -25,10 +25,7 @@ ABOUT = (
     "Between two points of a law as if its acceleration were constant, then corrected once by what is missing at the "
     "velocity there. Within 1e-6 of the rise; within 0.01 % of the time, nearer than 0.001 % to an end 1 %."
 )
-NEAR = (
-    "=IF([ds]<=break_tolerance,[x0],IF([wanted]>=[s1]-break_tolerance,[x1],"
-    "[x0]+2*[ds]/([v0]+SQRT([v0]^2+2*[acc]*[ds]))))"
-)
+NEAR = "=IF([ds]<=break_eps,[x0],IF([wanted]>=[s1]-break_eps,[x1],[x0]+2*[ds]/([v0]+SQRT([v0]^2+2*[acc]*[ds]))))"
 
 
 class Wanted(NamedTuple):
@@ -193,7 +190,7 @@ def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         calc("wanted", "height wanted", "s", "", wanted.formula, wanted.s),
         result("xi", "share of time", "ξ", "", "=IF([wanted]<=0,0,IF([wanted]>=1,1,[near]+[more]))", found.xi,
                source="s(ξ) = s", format="0.00000000"),
-        calc("k0", "point below", "", "", f"=MATCH(MIN([wanted]+break_tolerance,1-break_tolerance),[points{i}.s],1)",
+        calc("k0", "point below", "", "", f"=MATCH(MIN([wanted]+break_eps,1-break_eps),[points{i}.s],1)",
              found.point, format="0", source="last not above s"),
         calc("x0", "its share of time", "ξ", "", at("xi", "[k0]"), low.xi),
         calc("x1", "that of the next", "ξ", "", at("xi", "[k0]+1"), high.xi),

@@ -110,7 +110,7 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
     return (
         calc("overlap_tc", "Time of one turn", "t_c", "s",
              "=3600/overlap_rate", movement_time(FULL_TURN, machine.rate), source="3600 / N"),
-        calc("overlap_eps", "Tolerance of an angle", "ε", "°", "=360*break_tolerance", shown(ANGLE_TOLERANCE, DEGREE),
+        calc("overlap_eps", "Tolerance of an angle", "ε", "°", "=360*break_eps", shown(ANGLE_TOLERANCE, DEGREE),
              format="0E+00", source="an angle this close to an event is taken as the event"),
         calc("overlap_w", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()/overlap_tc", shaft_speed(machine.rate), source="2π/t_c"),

@@ -231,7 +231,7 @@ def corners_table(sheet: Sheet, station: Station, pieces: Pieces) -> None:
              ["=@begin", "=@end", *(f"=[@schedules.{c}.3]" for c in ("away", "there", "leaves", "back"))],
              shown(at.raw, DEGREE), scale=TURN),
         calc("theta", "master angle", "θ", "°",
-             "=[raw]-360*INT([raw]/360+break_tolerance)", theta, scale=TURN, source="within one turn"),
+             "=[raw]-360*INT([raw]/360+break_eps)", theta, scale=TURN, source="within one turn"),
         calc("inside", "transfer in the way", "", "",
              "=IF(AND([theta]>=@begin-overlap_eps,[theta]<=@end+overlap_eps),1,0)", at.inside.astype(float),
              format="0"),

@@ -122,7 +122,7 @@ def positions(one: Apart, end: int, angles: Array) -> list[Quantity]:
     own = f"({place})*1000" if metres else f"DEGREES({place})"
     return [
         calc(f"n{mark}", f"{of}cycles of its phases begun before", "n_c", "",
-             f"=INT((MIN([theta],timing_end)-{late}+timing_eps)/360)", told.cycles, format="0"),
+             f"=INT((MIN([theta],timing_end)-{late}+eps)/360)", told.cycles, format="0"),
         calc(f"p{mark}", f"{of}angle of its phases", "", "°", f"=[theta]-{late}-360*[n{mark}]", shown(told.x, DEGREE),
              format="0.0##", scale=TURN, source="θ − shift − 360 n_c"),
         *finding(rows.pieces, f"p{mark}", told.x, of, mark),
@@ -200,9 +200,9 @@ def cuts(sheet: Sheet, one: Apart) -> None:
         late = f"INDEX([axis{i}_pieces.begin],[r])+[axes_taken.late.{i}]"
         half = f"[begin{mark}]+DEGREES(INDEX([axis{i}_pieces.d],[r])/2)"
         columns += [
-            calc(f"begin{mark}", f"{of}a piece begins", "θ", "°", f"={late}-360*INT(({late}+timing_eps)/360)", begin,
+            calc(f"begin{mark}", f"{of}a piece begins", "θ", "°", f"={late}-360*INT(({late}+eps)/360)", begin,
                  scale=TURN, format="0.0##"),
-            calc(f"middle{mark}", f"{of}its middle", "θ", "°", f"={half}-360*INT(({half}+timing_eps)/360)", middle,
+            calc(f"middle{mark}", f"{of}its middle", "θ", "°", f"={half}-360*INT(({half}+eps)/360)", middle,
                  scale=TURN, format="0.0##"),
         ]  # fmt: skip
     room = one.rows[0].machine.room

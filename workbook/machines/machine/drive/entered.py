@@ -145,7 +145,7 @@ def edges(view: DriveView) -> list[Quantity]:
 
     def edge(name: str, label: str, at: str, values: list[float]) -> Quantity:
         told = f"({at}-{late})"
-        return calc(name, label, "θ", "°", f'=IF([start]="",360,{told}-360*INT(({told}+timing_eps)/360))', values,
+        return calc(name, label, "θ", "°", f'=IF([start]="",360,{told}-360*INT(({told}+eps)/360))', values,
                     scale=360.0, format="0.0##", source="of its phases; 360 if spare")  # fmt: skip
 
     return [edge("b", "begins at", "[from]", begins), edge("e", "ends at", "([from]+[span])", ends)]

@@ -23,7 +23,9 @@ from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.sampled import FROM_START, arguments, sampled
 
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
-LOSS1 = "IF({0}*[dir]<0,@back1,@ahead1)*{0}"
+LOSS1 = "IF({0}*[dir]<0,@in1,@out1)*{0}"
+CONSTANT = "IF([dir]=0,@held2,IF({0}*[dir]<0,@in2,@out2))*{0}"
+"""output torque of the reducer by a force, of a constant ratio; LOSS2 is without the ratio"""
 BRAKED = "([dir]=0)*@brake"
 
 
@@ -47,8 +49,10 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     rows = range(1, view.rows + 1)
     load, points, size = view.load, view.points, view.scales
     (resists, without), (drives, equation) = by_angle.resisting(view), by_angle.driving(view)
-    turned = ("[g]", "[al]", "@i1*[g]", "@i1*[al]") if view.varies else ("@i2", "@i2*[a]", "@i", "@i*[a]")
-    ratio, turning, motor_ratio, motor_turning = turned
+    behind, inertia, motor_ratio, motor_inertia = (
+        (f"{LOSS2}/[g]", "@j1*[al]", "@i1*[g]", "@j0*@i1*[al]") if view.varies else
+        (CONSTANT, "@j1i2*[a]", "@i", "@j0i*[a]")
+    )  # fmt: skip
     of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
     sheet.table(
         "@pt", "The drive at nine points of each interval", view.rows * COUNT,
@@ -65,19 +69,19 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         calc("R", "resisting force", "F_r", unit, resists, of(load.resisting), scale=size.force, source=without),
         *(linked(view) if view.varies else ()),
         calc("F", "force at the load", "F", unit, drives, of(load.force), scale=size.force, source=equation),
-        calc("S", "output torque of the reducer", "T_1", "Nm", f"={LOSS2.format('[F]')}/{ratio}+@j1*{turning}",
+        calc("S", "output torque of the reducer", "T_1", "Nm", f"={behind.format('[F]')}+{inertia}",
              of(load.output_torque), scale=size.behind, source="F/(η_2 φ') + J_p φ̈"),
         result("T", "torque of the motor", "T", "Nm",
-               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+@j0*{motor_turning}+@no_load*[dir])",
+               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+{motor_inertia}+@no_load*[dir])",
                of(points.torque), scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈ ± T_nl"),
         result("n", "speed of the motor", "n", "rpm", f"={motor_ratio}*[v]*30/PI()",
                of(shown(points.speed, RPM)), scale=size.rpm, source="i_1 φ' ẏ"),
-        result("P", "power of the motor", "P", "kW", "=[T]*[n]*PI()/30000+@copper*[T]^2",
+        result("P", "power of the motor", "P", "kW", "=[T]*([n]*PI()/30000+@copper*[T])",
                of(shown(points.power, KW)), scale=size.power, source="T ω + P_Cu (T/T_N)²"),
         calc("share", "share of the cycle", "", "",
              "=[w]*INDEX([@iv.len],[iv])/360", of(load.share, 0.0), scale=1.0,
              source="what it counts in a mean"),
-        *standing(view, ratio),
+        *standing(view, behind),
         blank="[share]=0",
     )  # fmt: skip
 
@@ -106,11 +110,11 @@ def motion(view: DriveView) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def standing(view: DriveView, ratio: str) -> list[Quantity]:
+def standing(view: DriveView, behind: str) -> list[Quantity]:
     """Return the columns for the highest rate: torques without motion, and what grows with the rate below a curve."""
     points, load, size, of = view.points, view.load, view.scales, view.by_point
     columns = [
-        calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={LOSS2.format('[R]')}/{ratio}",
+        calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={behind.format('[R]')}",
              of(load.output_torque_at_rest), scale=size.behind, source="F_r/(η_2 φ')"),
         calc("T0", "torque of the motor, without inertia", "T_s", "Nm",
              f"=IF({BRAKED},0,{LOSS1.format('[S0]')}+@no_load*[dir])",
@@ -144,7 +148,7 @@ def curve(view: DriveView) -> list[Quantity]:
 
 MIDDLE = COUNT // 2 + 1
 """the number of the point in the middle of an interval"""
-LENGTH = "[len]<timing_eps"
+LENGTH = "[len]<eps"
 """the condition of a spare row: an interval of no length"""
 
 
@@ -171,7 +175,7 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
         calc("edge", "angle of its phases", "θ", "°",
              f"={edge}", edges, scale=TURN, format="0.0##", source="of a piece, or of a force"),
         calc("at", "cut", "θ", "°",
-             "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<timing_eps^2)*([@cuts.k]<[k]))+([edge]>360-timing_eps)>0,360,"
+             "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<eps^2)*([@cuts.k]<[k]))+([edge]>360-eps)>0,360,"
              "[edge])",
              kept, scale=TURN, format="0.0##", source="360: one before it is there"),
     )  # fmt: skip

@@ -12,14 +12,14 @@ ABOUT = "Between two points the torque is that of a straight line, right to abou
 def samples_table(sheet: Sheet, view: DriveView) -> None:
     """Declare torque and power of the motor at the samples of the cycle."""
     i, size, (torque, power) = view.driven.number, view.scales, view.sampled
-    at = f"INDEX(cycle{i}_p,[k]+1)"
-    speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*INDEX(cycle{i}_v,[k]+1)/1000"
+    at = f"[cycle{i}.p.same]"
+    speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*[cycle{i}.v.same]/1000"
     here, there = "INDEX(@at,[at])", "INDEX(@at,[at]+1)"
     sheet.heading("Table over the cycle", ABOUT)
     sheet.table(
         "@cycle", "The drive over the cycle", len(torque),
         result("torque", "torque of the motor", "T", "Nm", line("T"), torque, scale=size.torque),
-        result("power", "power of the motor", "P", "kW", f"=[torque]*{speed}+@copper*[torque]^2",
+        result("power", "power of the motor", "P", "kW", f"=[torque]*({speed}+@copper*[torque])",
                shown(power, KW), scale=size.power, source="T ω + P_Cu (T/T_N)²"),
         *([] if view.driven.linkage is None else [
             calc("phi", "angle of the shaft", "φ", "rad", line("phi"),
@@ -28,7 +28,7 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
                  scale=size.rpm),
         ]),
         constant("k", "sample", "k", "", list(range(len(torque)))),
-        calc("at", "point before it", "", "", f"=MATCH(MIN({at}+timing_eps,360-timing_eps),@at,1)",
+        calc("at", "point before it", "", "", f"=MATCH(MIN({at}+eps,360-eps),@at,1)",
              view.between.point + 1.0, format="0"),
         calc("s", "share of the way to the next", "", "", f"=({at}-{here})/({there}-{here})", view.between.share,
              scale=1.0),

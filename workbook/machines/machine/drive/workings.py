@@ -28,9 +28,9 @@ def losses(view: DriveView) -> list[Quantity]:
     held = 1.0 / mechanism.efficiency if document else held_factor(mechanism.efficiency, driven.back_efficiency)
     entered = "2-1/@eta2" if driven.given.kind in SCREWS else "@eta2"  # where none is
     return [
-        calc("@ahead1", "Motor torque for 1 Nm behind the reducer", "", "", "=1/@eta1/@i1",
+        calc("@out1", "Motor torque for 1 Nm behind the reducer", "", "", "=1/@eta1/@i1",
              1.0 / reducer.efficiency / reducer.ratio, source="1/(η i)"),
-        calc("@back1", "the same, load driving", "", "", '=IF(@method="document",1/@eta1,@eta1)/@i1',
+        calc("@in1", "the same, load driving", "", "", '=IF(@method="document",1/@eta1,@eta1)/@i1',
              (1.0 / reducer.efficiency if document else reducer.efficiency) / reducer.ratio,
              source="η/i; by S4 1/(η i), as where it is driven"),
         calc("@brake", "A brake holds it at rest", "", "", '=IF(@holding="brake",1,0)',
@@ -40,6 +40,24 @@ def losses(view: DriveView) -> list[Quantity]:
              back, scale=1.0, source="0 or less: self-locking, driven down by the motor"),
         calc("@hold2", "Loss factor of the mechanism at rest", "", "", "=IF(@back2<=0,0,1/@eta2)", held,
              source="0: self-locking"),
+        *([] if view.varies else by_force(view, 1.0 / mechanism.efficiency, back[0], held)),
+    ]  # fmt: skip
+
+
+def by_force(view: DriveView, driving: float, driven: float, held: float) -> list[Quantity]:
+    """Return the rows of the torques of a constant ratio, for 1 of force and of acceleration at the load."""
+    base, m = view.driven.axis.base, view.driven.mechanism
+    force, i2 = "N" if base == "m" else "Nm", m.stages[1].ratio
+    unit = "m" if base == "m" else ""
+    return [
+        calc("@out2", f"Output torque of the reducer for 1 {force} at the load", "", unit, "=1/@eta2/@i2",
+             driving / i2, source="1/(η_2 i_2)"),
+        calc("@in2", "the same, load driving", "", unit, "=@back2/@i2", driven / i2, scale=1.0 / i2),
+        calc("@held2", "the same, at rest", "", unit, "=@hold2/@i2", held / i2),
+        calc("@j1i2", f"Output torque of the reducer for 1 {base}/s², of parts", "", f"Nm s²/{base}", "=@j1*@i2",
+             m.on_shaft(1) * i2, source="J_p i_2"),
+        calc("@j0i", f"Motor torque for 1 {base}/s², of its own inertia", "", f"Nm s²/{base}", "=@j0*@i",
+             view.driven.at_motor * m.ratio, source="J_0 i"),
     ]  # fmt: skip
 
 
@@ -65,7 +83,7 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
                  source="the sheet and its checks keep this name"),
         calc("@faster", "Rate of the drive over the machine's", "", "", "=@rate/timing_rate",
              shown(driven.axis.speed, one.axis.speed)),
-        calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=timing_omega*@faster",
+        calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=omega*@faster",
              driven.axis.speed),
         calc("@m", f"Moved {'mass' if travels else 'inertia'}", "mJ"[not travels], base, moved, m.on_shaft(m.last)),
         *sizes,

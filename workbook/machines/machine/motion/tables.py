@@ -45,7 +45,7 @@ class AxisRows:
         """Where the motion stands."""
         t, base = self.name, self.axis.base
         return Cells(
-            f"{t}_steps", f"{t}_pieces", f"{t}_count", "360", base, "rad", degrees=True, near="timing_eps",
+            f"{t}_steps", f"{t}_pieces", f"{t}_count", "360", base, "rad", degrees=True, near="eps",
             ends=f"{t}_ends" if self.machine.hands_over else "",
         )  # fmt: skip
 
@@ -61,7 +61,7 @@ class AxisRows:
             (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), (f'"{over.after}"', over.after),
             tuple((f'"{unit}"', unit) for unit in units), (f"[axes.name.{i}]", self.axis.given.name),
             wraps=f'[axes.closes.{i}]<>"open"', periodic=self.axis.given.repeats, rows=False,
-            speed=("timing_omega", self.axis.speed) if over.measured else None, lift=(lift.shown, lift.size),
+            speed=("omega", self.axis.speed) if over.measured else None, lift=(lift.shown, lift.size),
         )  # fmt: skip
 
 

@@ -47,7 +47,7 @@ def power_sheet(book: Book, bus: Mains) -> None:
     entered = bus.entered
     sheet.heading("Enter", NOTE)
     sheet.rows(
-        given("power_efficiency", "Efficiency of a drive", "η", "", entered.efficiency, "power.efficiency",
+        given("power_eta", "Efficiency of a drive", "η", "", entered.efficiency, "power.efficiency",
               format="0.0##", source="between its motor's shaft and the mains"),
         given("power_hours", "Hours of running a year", "", "h", entered.hours, "power.hours", format="0.##"),
     )  # fmt: skip
@@ -148,13 +148,13 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
              [one.energy[0] for one in drives], scale=work),
         calc("returned", "regenerated", "", "J", [f"={scope}returned+0" for scope in scopes],
              [one.energy[1] for one in drives], scale=work),
-        result("mains", "mean power from the mains", "P", "kW", "=[driving]/power_efficiency/[time]/1000",
+        result("mains", "mean power from the mains", "P", "kW", "=[driving]/power_eta/[time]/1000",
                [shown(one.mains, KW) for one in each], scale=size),
-        result("peak", "peak", "P_max", "kW", [f"={scope}pmax/power_efficiency" for scope in scopes],
+        result("peak", "peak", "P_max", "kW", [f"={scope}pmax/power_eta" for scope in scopes],
                shown(bus.tops[0], KW).tolist(), scale=size),
-        result("resistor", "mean power in its resistor", "", "kW", "=[returned]*power_efficiency/[time]/1000",
+        result("resistor", "mean power in its resistor", "", "kW", "=[returned]*power_eta/[time]/1000",
                [shown(one.resistor, KW) for one in each], scale=size),
-        result("burnt", "peak", "", "kW", [f"=0-{scope}pmin*power_efficiency" for scope in scopes],
+        result("burnt", "peak", "", "kW", [f"=0-{scope}pmin*power_eta" for scope in scopes],
                shown(bus.tops[1], KW).tolist(), scale=size),
         calc("bus", "on the common bus", "", "", [f'=IF({scope}own_rate="",1,0)' for scope in scopes],
              bus.on_bus.astype(int).tolist(), format="0", source="1: yes"),
@@ -174,13 +174,16 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
     over, rows = bus.over, len(machine.angles)
     columns = [f"d{one.driven.number}" for one in bus.drives]
 
-    def drawn(row: int, number: int) -> str:
-        power = f"INDEX(drive{number}_P,[k]+1)"
-        return f"=[power.bus.{row}]*MAX({power}/power_efficiency,{power}*power_efficiency)"
+    draws = ":".join(dict.fromkeys([columns[0], columns[-1]])).join("[]")
+    taken = f"=SUMPRODUCT({draws},({draws}>0)*1)" if len(columns) > 1 else f"=MAX(0,{draws})"
 
-    time = calc("time", over.name, over.symbol, over.unit, "=INDEX([cycle1.time],[k]+1)", over.shown(machine.angles),
+    def drawn(row: int, number: int) -> str:
+        power = f"[drive{number}_cycle.power.same]"
+        return f"=[power.bus.{row}]*MAX({power}/power_eta,{power}*power_eta)"
+
+    time = calc("time", over.name, over.symbol, over.unit, "=[cycle1.time.same]", over.shown(machine.angles),
                 format=over.format) if over.measured else \
-        calc("theta", over.angle, "θ", "°", "=INDEX([cycle1.theta],[k]+1)", machine.angles, format="0.0##")  # fmt: skip
+        calc("theta", over.angle, "θ", "°", "=[cycle1.theta.same]", machine.angles, format="0.0##")  # fmt: skip
     sheet.heading("Power over the cycle")
     sheet.table(
         "bus", "The common DC bus at the samples of the cycle", rows,
@@ -188,7 +191,7 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
         result("sum", "on a common bus", "P", "kW", f"=SUM([{columns[0]}:{columns[-1]}])", shown(bus.sum, KW),
                scale=size),
         result("alone", "each drive alone, from the mains", "P", "kW",
-               f"=SUMPRODUCT([{columns[0]}:{columns[-1]}],([{columns[0]}:{columns[-1]}]>0)*1)", shown(bus.apart, KW),
+               taken, shown(bus.apart, KW),
                scale=size),
         constant("k", "sample", "k", "", list(range(rows))),
         constant("w", "counts", "", "", bus.weights.tolist()),

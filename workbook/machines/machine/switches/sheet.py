@@ -60,7 +60,7 @@ def entries(sheet: Sheet, machine: Whole) -> None:
     lasting = [
         shown_as("on", "on in all", "", "°", [f"=SUM([switch{one.number}_times.span])" for one in lanes],
                  [shown(one.switch.total, DEGREE) for one in lanes]),
-        result("time", "on for", over.lasting, per, "=RADIANS([on])/timing_omega",
+        result("time", "on for", over.lasting, per, "=RADIANS([on])/omega",
                [one.switch.seconds(machine.speed) for one in lanes], source=source),
     ]  # fmt: skip
     sheet.table(
@@ -150,7 +150,7 @@ def angles(i: int, over: Abscissa) -> list[str]:
 
 def heights(i: int, floor: int) -> list[str]:
     """Return the formulas of the corners' heights: on the floor of the lane, or on top of a bar that has a width."""
-    line = "={}+[up]*IF({}>timing_eps,timing_lane,0)"
+    line = "={}+[up]*IF({}>eps,timing_lane,0)"
     widths = ["[cycle1.theta.last]"]
     for t in NUMBERS:
         start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))

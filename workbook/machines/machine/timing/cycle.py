@@ -13,9 +13,9 @@ from workbook.motion.exported import Exportable, Later
 from workbook.motion.sampled import POSITION, finding, sampled
 
 RATES = (
-    ("v", "velocity", "timing_omega", "y' ω", "dy/dx"),
-    ("a", "acceleration", "timing_omega^2", "y'' ω²", "d²y/dx²"),
-    ("j", "jerk", "timing_omega^3", "y''' ω³, between jumps", "d³y/dx³, between jumps"),
+    ("v", "velocity", "omega", "y' ω", "dy/dx"),
+    ("a", "acceleration", "omega^2", "y'' ω²", "d²y/dx²"),
+    ("j", "jerk", "omega^3", "y''' ω³, between jumps", "d³y/dx³, between jumps"),
 )
 """of each derivative: its column, what it is called, its factor, and its equation over time and over all else"""
 
@@ -43,7 +43,7 @@ def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
             f"cycle{i}", f"The axis over the {over.name}", samples,
             time if over.measured else theta,
             *results(one),
-            calc("lane", "in the diagram", "", "", "=@floor+@by_lift*([y]-[n]*@travel)",
+            calc("lane", "in the diagram", "", "", "=@floor+@scale*([y]-[n]*@lap)",
                  one.axis.lane(machine.samples, floor, LANE_SHARE)),
             *([theta] if over.measured else []),
             *found(one),
@@ -59,11 +59,11 @@ def whole(one: AxisRows, floor: int) -> list[Quantity]:
     lowest, highest = f"[axes.low.{i}]", f"[axes.high.{i}]"
     return [
         calc("@late", "Its phases begin later by", "", "°", f"=[axes_taken.late.{i}]+0", axis.given.shift),
-        calc("@travel", "Travel of a cycle", "", unit, f"=[axes.travel.{i}]+0",
+        calc("@lap", "Travel of a cycle", "", unit, f"=[axes.travel.{i}]+0",
              shown(axis.motion.lifts_sum, axis.unit), scale=shown(axis.motion.size(0), axis.unit)),
-        calc("@by_lift", "Height by lift", "", f"1/{unit}",
+        calc("@scale", "Height by lift", "", f"1/{unit}",
              f"=IF({highest}>{lowest},timing_lane/({highest}-{lowest}),0)", by_lift),
-        calc("@floor", "Height of position 0", "", "", f"={floor}-@by_lift*{lowest}",
+        calc("@floor", "Height of position 0", "", "", f"={floor}-@scale*{lowest}",
              floor - by_lift * low, scale=1.0),
     ]  # fmt: skip
 
@@ -75,7 +75,7 @@ def results(one: AxisRows) -> list[Quantity]:
     y, lift = sampled(one.pieces, 0), over.lift(unit).shown
     rates = zip(RATES, over.symbols[1:], over.rates(unit), timed[1:], strict=True)
     return [
-        result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+[n]*@travel",
+        result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+[n]*@lap",
                shown(axis.at(one.machine.samples).y, axis.unit), source=POSITION),
         *(result(name, words, symbol, shown_in, f"={factor}*({sampled(one.pieces, order)}){lift}", axis.rate(values),
                  scale=axis.size(order), source=paced if over.paced else by_x)
@@ -88,7 +88,7 @@ def exportable(one: AxisRows) -> Exportable:
     axis, i, unit = one.axis, one.axis.number, one.axis.given.unit
     over = one.machine.over
     units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
-    later = Later(f"[axes_taken.late.{i}]", "timing_eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
+    later = Later(f"[axes_taken.late.{i}]", "eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
     return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, units,
                       (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
                       "*1000" if unit == "mm" else "*180/PI()", axis.motion.size, later, over=over)  # fmt: skip
@@ -99,7 +99,7 @@ def found(one: AxisRows) -> list[Quantity]:
     told = one.axis.told(one.machine.samples)
     return [
         calc("n", "cycles of its phases begun before", "n_c", "",
-             "=INT((MIN([theta],timing_end)-@late+timing_eps)/360)", told.cycles, format="0",
+             "=INT((MIN([theta],timing_end)-@late+eps)/360)", told.cycles, format="0",
              source="the end of the turn has the left limit"),
         calc("p", "angle of its phases", "", "°", "=[theta]-@late-360*[n]", shown(told.x, DEGREE), format="0.0##",
              source="θ − shift − 360 n_c", scale=360.0),

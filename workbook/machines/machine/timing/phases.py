@@ -116,14 +116,14 @@ def extremes(one: AxisRows) -> list[Quantity]:
         source = ("C_v h/δ", "C_a h/δ²", "C_j h/δ³", "C_a,rms h/δ²")
     mean = doubled(one.ends.own("rms", f"={RMS}")) if one.ends else f"={RMS}"
     return [
-        result("v", "velocity", symbols[0], units[0], f"=[y1]*timing_omega{lift}",
+        result("v", "velocity", symbols[0], units[0], f"=[y1]*omega{lift}",
                moving(one, lambda m: axis.rate(m.v_max)), source=source[0]),
-        result("a", "acceleration", symbols[1], units[1], f"=[y2]*timing_omega^2{lift}",
+        result("a", "acceleration", symbols[1], units[1], f"=[y2]*omega^2{lift}",
                moving(one, lambda m: axis.rate(m.a_max)), source=source[1]),
         result("j", "jerk", symbols[2], units[2],
-               f'=IF(ISNUMBER([y3]),[y3]*timing_omega^3{lift},"∞")', jerks(moving(one, lambda m: axis.rate(m.j_max))),
+               f'=IF(ISNUMBER([y3]),[y3]*omega^3{lift},"∞")', jerks(moving(one, lambda m: axis.rate(m.j_max))),
                source=source[2]),
-        result("rms", "RMS acceleration", symbols[3], units[1], f"{mean}*timing_omega^2{lift}",
+        result("rms", "RMS acceleration", symbols[3], units[1], f"{mean}*omega^2{lift}",
                moving(one, lambda m: axis.rate(m.a_rms)), source=source[3]),
         *([
             result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',

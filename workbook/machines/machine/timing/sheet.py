@@ -41,10 +41,10 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     sheet.not_printed_below()
     sheet.heading("Workings")
     sheet.rows(
-        calc("timing_eps", "Tolerance of an angle", "ε", "°",
-             "=360*break_tolerance", machine.near, format="0E+00",
+        calc("eps", "Tolerance of an angle", "ε", "°",
+             "=360*break_eps", machine.near, format="0E+00",
              source="an angle this close to a phase's start is taken as the start"),
-        calc("timing_end", "End of a cycle", "", "°", "=360-2*timing_eps", 360.0 - 2.0 * machine.near, format="0.0##",
+        calc("timing_end", "End of a cycle", "", "°", "=360-2*eps", 360.0 - 2.0 * machine.near, format="0.0##",
              source="just before it: at 360° a cycle ends, the next begins behind it"),
         constant("timing_lane", "Height of an axis in the diagram", "", "",
                  LANE_SHARE, format="0.0", source="as a share of its lane"),
@@ -58,7 +58,7 @@ def at_rate(machine: Whole) -> list[Quantity]:
         given("timing_rate", "Production rate", "N", "cycles/min",
               machine.machine.per_minute, "master.rate", format="0.0##", source="one a turn of the master shaft"),
         calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
-        calc("timing_omega", "Speed of the master shaft", "ω", "rad/s",
+        calc("omega", "Speed of the master shaft", "ω", "rad/s",
              "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
     ]  # fmt: skip
 
@@ -73,7 +73,7 @@ def of_length(machine: Whole) -> list[Quantity]:
         constant(in_unit(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
         *([calc("timing_rate", "Production rate", "N", "cycles/min", "=60/timing_cycle", machine.machine.per_minute,
                 source="60 / t_c")] if over.paced else []),
-        calc("timing_omega", "Speed of a turn a cycle" if over.paced else f"A turn a cycle, per {over.unit}", "ω",
+        calc("omega", "Speed of a turn a cycle" if over.paced else f"A turn a cycle, per {over.unit}", "ω",
              f"rad/{over.unit}", "=2*PI()/timing_cycle", machine.speed,
              source=f"2π / {symbol}; workings count a cycle as one turn, of 360°"),
         calc(TAKEN, f"{what} of a cycle, as taken", "", over.unit, "=IF(timing_cycle>0,timing_cycle,360)", over.length,
