@@ -26,6 +26,11 @@ class CutPart(NamedTuple):
         return self.scaled.law
 
     @property
+    def h(self) -> float:
+        """The displacement by the law (m)."""
+        return self.scaled.h
+
+    @property
     def rate(self) -> float:
         """1 over the duration of the law; 0 of none."""
         return self.scaled.rate

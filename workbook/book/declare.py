@@ -90,7 +90,7 @@ class Book:
                 row = "{0}" if second is None else "{0[-1]}"
                 return ":".join(f"{fixed}{get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
             block = self.blocks[first]
-            prefix = "" if block.sheet is at.sheet else quote_sheetname(block.sheet.title) + "!"
+            prefix = "" if block.sheet is at.sheet else quoted(block.sheet.title) + "!"
             if end == ".same":
                 row = f"{{0[{block.row - at.row}]}}"
                 return prefix + ":".join(
@@ -119,3 +119,8 @@ class Book:
             yield block.name, f"{quote_sheetname(block.sheet.title)}!{block.span}"
         for name, (table, column) in self.column_names.items():
             yield name, self.range(f"[{table}.{column}]")
+
+
+def quoted(title: str) -> str:
+    """Return a sheet's title as formulas have it: without quotes where it is a word that no cell or column has."""
+    return title if title.isascii() and title.isalpha() and len(title) > 3 else quote_sheetname(title)

@@ -88,7 +88,7 @@ class Cells:
     @property
     def lift(self) -> str:
         """The formula of what the law of a piece is multiplied by."""
-        return "[hp]" if self.ends else self.of_phase("h")
+        return "[hp]"
 
     @property
     def base(self) -> str:
@@ -116,7 +116,7 @@ class Cells:
 
 
 class Part(Protocol):
-    """A part of a motion: its law, the first piece that it has of it (from 0), and 1/δ."""
+    """A part of a motion: its law, the first piece that it has of it (from 0), its lift, and 1/δ."""
 
     @property
     def law(self) -> Law:
@@ -125,6 +125,10 @@ class Part(Protocol):
     @property
     def first(self) -> int:
         """The number of its first piece."""
+
+    @property
+    def h(self) -> float:
+        """What the law is multiplied by."""
 
     @property
     def rate(self) -> float:
@@ -143,8 +147,8 @@ class Found(NamedTuple):
 class PieceRows:
     """A motion ``at`` its place: the engine's pieces of it, each with its row in the stack of all laws' pieces.
 
-    ``numbers``, ``firsts`` and ``rates`` are, for each row of phases, the number of its law, the row of the first piece
-    that it has of it, and 1/δ (0 of a spare row).
+    ``numbers``, ``firsts``, ``lifts`` and ``rates`` are, for each row of phases, the number of its law, the row of the
+    first piece that it has of it, its lift, and 1/δ (0 of a spare row).
     """
 
     at: Cells
@@ -153,6 +157,7 @@ class PieceRows:
     rows: Sequence[int]
     numbers: Sequence[int]
     firsts: Sequence[int]
+    lifts: Sequence[float]
     rates: Sequence[float]
     begin: float
     end: float
@@ -208,7 +213,8 @@ def rows_of_parts(
     starts = [stack.first[number] for number in numbers]
     firsts = [start + part.first for start, part in zip(starts, parts, strict=True)]
     rows = [starts[piece.phase] + piece.number for piece in pieces]
-    return PieceRows(at, stack, pieces, rows, numbers, firsts, [part.rate for part in parts], 0.0, end)
+    lifts, rates = [part.h for part in parts], [part.rate for part in parts]
+    return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, 0.0, end)
 
 
 def rows_of(
@@ -220,9 +226,9 @@ def rows_of(
     """
     taken = range(len(motion.phases)) if places is None else places
     pieces = [replace(piece, phase=taken[piece.phase]) for piece in motion_pieces(motion)]
-    numbers, rates = filled([], room, 1), filled([], room)
+    numbers, lifts, rates = filled([], room, 1), filled([], room), filled([], room)
     for row, phase in zip(taken, motion.phases, strict=True):
-        numbers[row], rates[row] = number_of(stack, phase.named), phase.rate
+        numbers[row], lifts[row], rates[row] = number_of(stack, phase.named), phase.lift, phase.rate
     firsts = [stack.first[number] for number in numbers]
     rows = [firsts[piece.phase] + piece.number for piece in pieces]
-    return PieceRows(at, stack, pieces, rows, numbers, firsts, rates, *motion.edges[[0, -1]].tolist())
+    return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, *motion.edges[[0, -1]].tolist())

@@ -101,7 +101,7 @@ def pieces_table(
         *([] if at.degrees else [share]),
         calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{lasting})",
              filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
-        calc("per", "per duration", "1/δ", "", f"={at.of_phase('rate')}", of(lambda piece: rows.rates[piece.phase])),
+        *scaled(rows, of),
         *taken,
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
         *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
@@ -113,6 +113,15 @@ def pieces_table(
     columns |= {name: name for one in rows.sines for name in of_sine(one.mark)}
     names = {at.named(name): column for name, column in columns.items()}
     sheet.book.name(block.name, **{in_scope(name, sheet.scope): column for name, column in names.items()})
+
+
+def scaled(rows: PieceRows, of: Column) -> list[Quantity]:
+    """Return the columns of what a piece of the law is scaled by: lift and 1/δ of its phase."""
+    at = rows.at
+    lift = calc("hp", "lift of its phase", "h", at.y, f"={at.of_phase('h')}", of(lambda piece: rows.lifts[piece.phase]))
+    rate = calc("per", "per duration", "1/δ", f"1/{at.x}" if at.x else "", f"={at.of_phase('rate')}",
+                of(lambda piece: rows.rates[piece.phase]))  # fmt: skip
+    return [rate] if at.ends else [lift, rate]
 
 
 def from_power(order: int) -> str:
