@@ -40,7 +40,7 @@ def losses(view: DriveView) -> list[Quantity]:
              back, scale=1.0, source="0 or less: self-locking, driven down by the motor"),
         calc("@hold2", "Loss factor of the mechanism at rest", "", "", "=IF(@back2<=0,0,1/@eta2)", held,
              source="0: self-locking"),
-        *([] if view.varies else by_force(view, 1.0 / mechanism.efficiency, back[0], held)),
+        *([] if view.varies else by_force(view, 1.0 / mechanism.efficiency, back, held)),
     ]  # fmt: skip
 
 
