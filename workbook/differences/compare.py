@@ -1,7 +1,5 @@
 """What differs between two designs, in terms of the machine."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

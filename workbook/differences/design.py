@@ -1,7 +1,5 @@
 """One side of a comparison: a workbook or a description, as the machine that it describes."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator

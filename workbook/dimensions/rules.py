@@ -1,7 +1,5 @@
 """The dimension of an expression, from those of the cells that it reads."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

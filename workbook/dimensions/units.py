@@ -1,7 +1,5 @@
 """Units as engineers write them, as dimensions: ``kg cm²``, ``W/m²K⁴``, ``Nm``, ``1/min``, ``°``."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from functools import cache

@@ -1,7 +1,5 @@
 """The dimensions of a workbook's cells: units where they are known, and what follows from them where they are not."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 

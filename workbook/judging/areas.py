@@ -1,7 +1,5 @@
 """Areas of cells: their corners, those of defined names, and which block each cell belongs to."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from workbook.book.address import Address, Place

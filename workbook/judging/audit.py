@@ -1,7 +1,5 @@
 """What can be said of a workbook without evaluating it: functions, names, inputs that nothing reads."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import NamedTuple
 

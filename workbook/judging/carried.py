@@ -1,7 +1,5 @@
 """What ``inputs`` and ``regenerate`` leave behind: all but what was entered, and what of one's own keeps its place."""
 
-from __future__ import annotations
-
 import re
 import zipfile
 from fnmatch import fnmatch

@@ -1,7 +1,5 @@
 """Values against values: what a witness computes against what the engine says."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What each witness computes against what the engine says: at the values entered, and at variations of them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """Whether the names that define the functions MOTION.*, copied beside a machine, are today's."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from openpyxl import Workbook

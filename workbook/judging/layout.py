@@ -1,7 +1,5 @@
 """Rows and columns put into a table, or taken out of it: one finding each, and none for what follows from it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import groupby
 

@@ -1,7 +1,5 @@
 """Verify many workbooks: files and folders, by a pool of workers, one outcome each. Nothing is written."""
 
-from __future__ import annotations
-
 import os
 import stat
 from collections.abc import Callable, Iterable, Iterator, Sequence

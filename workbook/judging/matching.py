@@ -1,7 +1,5 @@
 """Which cell of a file is which cell of the declaration: by defined names and the blocks that they anchor."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, partial

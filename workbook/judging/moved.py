@@ -4,8 +4,6 @@ A program lets formulas follow what is cut, so that they say where it is now; fo
 shape. Names follow only where all of their cells were cut.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 from xml.etree.ElementTree import Element

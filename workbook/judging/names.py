@@ -1,7 +1,5 @@
 """Whether the defined names of a file still lead where they should: names are how cells are told apart."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise

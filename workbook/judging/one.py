@@ -1,7 +1,5 @@
 """Verify one workbook, whatever it is, and say what became of it. Nothing is written."""
 
-from __future__ import annotations
-
 import hashlib
 import time
 import zipfile

@@ -3,8 +3,6 @@
 The file stays as it is: what is judged is a copy, and each change of it is told with what to do.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any

@@ -1,7 +1,5 @@
 """What an engineer has added to a book and can be taken into a new one: where its place and what it refers to stay."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

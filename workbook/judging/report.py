@@ -1,7 +1,5 @@
 """What ``verify`` found in one workbook: findings, notices, counts, and the book's own verdict."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What should stand in the cells of a matched file, by a declaration of the same layout."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

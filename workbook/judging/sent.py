@@ -1,7 +1,5 @@
 """Books for workers on other machines: by their paths where these see the files, else as bytes."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """How a program computes the book: settings with which it would show other figures than the formulas have."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from openpyxl import Workbook

@@ -1,7 +1,5 @@
 """What the cells of a matched file hold, against what they should: without evaluating anything."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

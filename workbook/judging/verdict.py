@@ -1,7 +1,5 @@
 """The machine's own verdict: what each check of the book says."""
 
-from __future__ import annotations
-
 from workbook.book.quantity import SAYS
 from workbook.judging.compare import is_error
 from workbook.judging.matching import Match, Pair

@@ -1,7 +1,5 @@
 """Verify a workbook: every formula cell against the engine, at the values entered and at variations of them."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType

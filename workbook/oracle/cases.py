@@ -1,7 +1,5 @@
 """Values of the inputs at which a workbook is compared: as entered, at the ends of ranges, and between."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import Any

@@ -1,7 +1,5 @@
 """Cells as people call them: an address, a defined name, or the label beside the cell."""
 
-from __future__ import annotations
-
 import re
 
 from workbook.book.address import Address

@@ -1,7 +1,5 @@
 """What a file of declarations says of a workbook: inputs with ranges, outputs with the functions that give them."""
 
-from __future__ import annotations
-
 import inspect
 import runpy
 from collections.abc import Callable, Sequence

@@ -1,7 +1,5 @@
 """A first file of declarations for a workbook: its inputs and outputs with labels and units found beside them."""
 
-from __future__ import annotations
-
 import keyword
 import re
 from collections import Counter

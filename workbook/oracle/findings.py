@@ -1,7 +1,5 @@
 """What is wrong in a workbook whatever its formulas should compute: saved values, gaps, units, dimensions."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any

@@ -1,7 +1,5 @@
 """Compare a workbook with its oracle at many values of the inputs, and count what was covered."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Values of cells compared: numbers to a deviation, texts and truth values as they are."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -3,8 +3,6 @@
 A number is a number, whatever date its format makes of it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

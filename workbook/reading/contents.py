@@ -1,7 +1,5 @@
 """What the cells of a workbook hold: constants, and formulas taken apart once, for all who ask."""
 
-from __future__ import annotations
-
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from datetime import date, datetime, time, timedelta

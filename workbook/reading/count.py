@@ -4,8 +4,6 @@ The limits bound what openpyxl and the witnesses build from a part. A machine of
 samples, lies within them; what is larger is not built. Most are at or below Excel's own.
 """
 
-from __future__ import annotations
-
 from workbook.reading.refusal import Refusal, shown
 
 MOST_PLACES = 5_000_000  # of the rectangles around the cells of all sheets

@@ -1,7 +1,5 @@
 """Machine descriptions in and out as TOML, checked by the templates' models; what is wrong told in a line each."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """What lies over the cells of a sheet: charts, pictures, shapes, and notes that are always shown."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, ParseError, fromstring

@@ -1,7 +1,5 @@
 """The input cells of a workbook as a machine description, checked by the same models as one in TOML."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterator
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Workbook files as people leave them: opened, or refused in one line; blocks found by their defined names."""
 
-from __future__ import annotations
-
 import io
 import re
 import warnings

@@ -5,8 +5,6 @@ was built. Which of its rows are its own is told by the number that most tables 
 which of its columns, by the headings above them and by where formulas stand.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Container, Sequence
 from typing import Any
 

@@ -5,8 +5,6 @@ keeps nothing. The limits let a machine of 24 axes with a drive each pass, at 72
 Excel's own.
 """
 
-from __future__ import annotations
-
 import zipfile
 import zlib
 from collections import Counter

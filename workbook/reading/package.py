@@ -4,8 +4,6 @@ openpyxl finds the workbook and the shared strings by content type and the style
 the relationships. A package in which the two disagree has two readings, and is refused.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from posixpath import basename, dirname, join, normpath

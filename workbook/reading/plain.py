@@ -4,8 +4,6 @@ What the patterns accept is well-formed XML of one reading, and what they take i
 else, a single odd cell as well as what must be refused, is left to the parser and its rules: nothing is refused here.
 """
 
-from __future__ import annotations
-
 import re
 
 from workbook.reading.count import MOST_FORMULAS, MOST_IN_ROWS, MOST_LONG

@@ -1,7 +1,5 @@
 """What need not be read: the rows of sheets, which the guard has met, and the numbers a chart was saved with."""
 
-from __future__ import annotations
-
 import io
 import re
 import zipfile

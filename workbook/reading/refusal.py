@@ -1,7 +1,5 @@
 """Why a file is refused."""
 
-from __future__ import annotations
-
 SAVE_AS = "open it in Excel or LibreOffice and save it as .xlsx"
 
 

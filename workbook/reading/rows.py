@@ -4,8 +4,6 @@ Where the standard leaves it to a reader what two formulas in a cell mean, or an
 differ, and a file could show one thing and be verified as another: such a part is refused.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from functools import lru_cache

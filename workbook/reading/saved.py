@@ -1,7 +1,5 @@
 """What the formula cells of a file were saved with, as the values that a program shows on opening it."""
 
-from __future__ import annotations
-
 import zipfile
 from pathlib import Path
 from typing import IO, Any

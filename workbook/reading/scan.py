@@ -1,7 +1,5 @@
 """One pass over the XML of a workbook's part with expat, which builds nothing: counts, lengths, and no entities."""
 
-from __future__ import annotations
-
 import re
 from posixpath import dirname, join, normpath
 from xml.parsers import expat

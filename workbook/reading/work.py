@@ -1,7 +1,5 @@
 """How much work a file's formulas are, told before any of them is evaluated."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The value of a formula that an engineer entered where a number or a text is expected: it must be beyond doubt."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator

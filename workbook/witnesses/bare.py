@@ -4,8 +4,6 @@ A table, a newer function, a name that leads nowhere keep some programs from ope
 what a book's declared formulas compute does not depend on them.
 """
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager

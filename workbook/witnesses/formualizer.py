@@ -1,7 +1,5 @@
 """formualizer, a spreadsheet engine in Rust: the fast independent evaluator."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from importlib.metadata import version
 from typing import Any

@@ -1,7 +1,5 @@
 """IronCalc, a spreadsheet engine in Rust; optional to install."""
 
-from __future__ import annotations
-
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 

@@ -1,7 +1,5 @@
 """LibreOffice, run headless: a real spreadsheet program agrees, or it does not."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """Messages between two processes, over pipes."""
 
-from __future__ import annotations
-
 import pickle
 import threading
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """The saved values: what Excel, LibreOffice or motionbook computed when the file was last saved."""
 
-from __future__ import annotations
-
 from workbook.errors import WitnessError
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile

@@ -1,7 +1,5 @@
 """Whether a formula takes one cell of a range by where it stands, as Excel does and evaluators do not."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from workbook.book.formula import TOKEN

@@ -1,7 +1,5 @@
 """What a witness computes at other values of some cells, one set after the other."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Protocol, runtime_checkable
 

@@ -1,7 +1,5 @@
 """What a witness is: something that takes a workbook file and says what each formula cell computes."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, Protocol, runtime_checkable

@@ -5,8 +5,6 @@ charts, translated words, what programs write by themselves), a finding where a 
 may be read otherwise, and else a notice.
 """
 
-from __future__ import annotations
-
 from pydantic import BaseModel
 
 from workbook.judging.matching import Match

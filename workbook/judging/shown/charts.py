@@ -1,7 +1,5 @@
 """Charts against those of a fresh build: columns, limits, names, and whether each can be seen."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """The colours and fonts of a book as programs show them: to tell a text that cannot be seen, and a green from a red."""
 
-from __future__ import annotations
-
 from colorsys import hls_to_rgb, rgb_to_hls
 from typing import Any
 from xml.etree.ElementTree import ParseError, fromstring

@@ -1,7 +1,5 @@
 """Charts as far as they are read, of a file or of a fresh build: what each draws, between which limits, how called."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import NamedTuple

@@ -4,8 +4,6 @@ A format is taken apart (ISO/IEC 29500-1, 18.8.31) and judged for every value th
 permitted are listed here; all others are told.
 """
 
-from __future__ import annotations
-
 import re
 from functools import lru_cache
 from typing import NamedTuple

@@ -3,8 +3,6 @@
 Cells that are judged alike are one run, and what is told of all of a kind is told once.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterator
 from typing import Any, NamedTuple

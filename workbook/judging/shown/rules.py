@@ -1,7 +1,5 @@
 """Conditional formats and validations against those of a fresh build, which are known wherever cells have moved."""
 
-from __future__ import annotations
-
 import re
 from collections import defaultdict
 from collections.abc import Iterator

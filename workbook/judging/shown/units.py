@@ -1,7 +1,5 @@
 """Units as people write them: the same one in another spelling, in other words, or another."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Labels, symbols, units and headings: whether each cell is still called what it is."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple

@@ -5,8 +5,6 @@ array from its first operator until a function wants it that knows none. What is
 pycel gives of each element, is left to the way by elements.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any, ClassVar
 

@@ -1,7 +1,5 @@
 """A workbook's formulas joined and evaluated: all of them in order, or some of them each by itself."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 

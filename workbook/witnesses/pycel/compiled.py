@@ -1,7 +1,5 @@
 """Shapes as pycel compiles them, each once."""
 
-from __future__ import annotations
-
 import ast
 import importlib
 import keyword

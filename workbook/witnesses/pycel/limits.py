@@ -4,8 +4,6 @@ pycel looks for a function here before it looks in its own modules. Each is pyce
 limit that Excel sets and pycel does not: whole numbers are exact in Python, and ``9^9^9^9`` would fill a disk.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from functools import wraps

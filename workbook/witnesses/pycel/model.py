@@ -5,8 +5,6 @@ called once for each shape (:mod:`workbook.witnesses.pycel.compiled`), and cells
 recursion (:mod:`workbook.witnesses.pycel.calculation`). Every value is computed by pycel's functions and operators.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 

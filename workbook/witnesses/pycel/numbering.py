@@ -1,7 +1,5 @@
 """Numbers for all that has a value in an evaluation: cells, ranges, texts in formulas."""
 
-from __future__ import annotations
-
 from collections.abc import Hashable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The order in which cells are evaluated: each after what it needs."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 
 

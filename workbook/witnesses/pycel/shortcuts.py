@@ -4,8 +4,6 @@ pycel converts and checks every argument, and the result is the same where all o
 these ways a book takes half as long again. Anything but plain numbers takes pycel's own way.
 """
 
-from __future__ import annotations
-
 import functools
 import math
 from collections.abc import Callable, Iterable, Sequence

@@ -1,7 +1,5 @@
 """What an evaluation is made of: a formula called with its arguments, a range filled from its cells."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """pycel as one of the witnesses; what evaluates (:mod:`workbook.witnesses.pycel.model`) is loaded where it is asked."""
 
-from __future__ import annotations
-
 import sys
 from importlib.metadata import version as package_version
 
