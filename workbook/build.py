@@ -14,10 +14,9 @@ from workbook.collector import collector_paused, swept_between
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.judging.carried import not_carried
+from workbook.judging.carried import carried_over, not_carried
 from workbook.judging.matching import Match
 from workbook.judging.order import in_order
-from workbook.judging.own import carried_over
 from workbook.judging.report import OK
 from workbook.reading.descriptions import (
     checked,

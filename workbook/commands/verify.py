@@ -9,7 +9,7 @@ from pathlib import Path
 from workbook.cluster import cores, pool
 from workbook.commands.trusted import keep
 from workbook.judging import many
-from workbook.judging.sent import unseen
+from workbook.judging.many import unseen
 from workbook.judging.verify import present
 from workbook.reports import page, summary
 from workbook.reports.junit import junit as junit_xml

@@ -13,11 +13,10 @@ from workbook.book.address import Address
 from workbook.book.declare import Block, Book
 from workbook.entries import rules
 from workbook.entries.texts import LOOKED_UP, NO_NAME, PATTERN
-from workbook.judging.comparing import differs
+from workbook.judging.comparing import Right, differs
 from workbook.judging.matching import Match, is_formula
 from workbook.judging.moved import put_back
 from workbook.judging.report import LAYOUT, NOTICE, Finding, Report
-from workbook.judging.right import Right
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 

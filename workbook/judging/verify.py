@@ -8,21 +8,18 @@ from typing import Any
 from pydantic import ValidationError
 
 from workbook.book.address import Address
+from workbook.book.quantity import SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
-from workbook.judging.audit import audit
-from workbook.judging.comparing import Comparison, count
-from workbook.judging.functions import notes
+from workbook.judging.compare import is_error
+from workbook.judging.comparing import Comparison, Variation, count
 from workbook.judging.layout import follow, laid_out, layout
-from workbook.judging.matching import Match
+from workbook.judging.matching import Match, Pair
 from workbook.judging.moved import put_back
 from workbook.judging.order import in_order, is_empty_row, unlike
-from workbook.judging.report import NOTICE, ORDER, Finding, Ran, Report
-from workbook.judging.right import Variation
-from workbook.judging.settings import settings
+from workbook.judging.report import FAIL, NOTICE, ORDER, Check, Ran, Report
 from workbook.judging.shown.book import displayed
-from workbook.judging.structure import structure
-from workbook.judging.verdict import checks
+from workbook.judging.structure import audit, stale_functions, structure
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
@@ -92,10 +89,8 @@ def judge(
         match = Match(file, match.declared)
     report.findings += layout(match)
     suspects = structure(match, report, shapes)
-    report.notes += notes(file.workbook)
-    for remark in audit(match, type(machine)):
-        report.findings.append(Finding(remark.sheet, remark.cell, remark.kind, remark.found, remark.expected))
-    report.findings += settings(file.workbook)
+    report.notes += stale_functions(file.workbook)
+    report.findings += audit(match, type(machine))
     own = own_cells(match, report, given)
     with without(file, own, given) as bare:
         require_little_work(bare, file.path)
@@ -150,3 +145,27 @@ def witnesses_named(names: Sequence[str], beside: Beside | None) -> list[Witness
     if beside is not None:
         asked = list(map(beside.witness, asked))
     return sorted(asked, key=lambda w: w.kept)
+
+
+UNFINISHED = "unfinished"
+
+
+def checks(match: Match, computed: Cells) -> list[Check]:
+    """Return the machine's checks, with what their cells compute, or what the engine says where these do not."""
+    at = {pair.cell.block.name: pair for pair in match.pairs if not pair.cell.block.is_table}
+    found = []
+    for sheet, quantity in match.declared.checks:
+        pair = at.get(quantity.name)
+        verdict = told(pair, computed) or quantity.value
+        says = told(at.get(f"{quantity.name}{SAYS}"), computed) if verdict == FAIL else ""
+        where = (pair.address.sheet, pair.address.a1) if pair else (sheet.title, quantity.name)
+        found.append(Check(*where, quantity.label, str(verdict or UNFINISHED), says))
+    return found
+
+
+def told(pair: Pair | None, computed: Cells) -> str:
+    """Return the text that a cell computes, or that the engine has for it; nothing of an unfinished one."""
+    if pair is None or (pair.declared_formula and pair.cell.expected is None):
+        return ""
+    value = computed.get(pair.address)
+    return value if isinstance(value, str) and not is_error(value) else str(pair.cell.expected)

@@ -13,7 +13,7 @@ import pytest
 from tests.workbook.composed import small
 from workbook.build import build
 from workbook.errors import MotionbookError
-from workbook.judging.right import Variation
+from workbook.judging.comparing import Variation
 from workbook.judging.verify import verify
 from workbook.witnesses import beside
 from workbook.witnesses.beside import EVALUATED, Asked, Beside, Shared, wanted

@@ -350,7 +350,7 @@ def test_a_worker_of_another_version_is_told_in_a_line(tmp_path):
 
 
 BLIND = """
-import workbook.judging.sent as sent
+import workbook.judging.many as sent
 from workbook.judging.one import verify_one as seen  # a worker begins with this twice
 def blind(target, witnesses):
     assert {folder!r} not in str(target.path), "it sees the files"

@@ -20,8 +20,8 @@ from workbook.functions import publish
 from workbook.functions.page import declare
 from workbook.functions.shown import EXAMPLE
 from workbook.judging.compare import TOLERANCE, difference
+from workbook.judging.comparing import Right
 from workbook.judging.matching import Match, is_formula
-from workbook.judging.right import Right
 from workbook.reading.descriptions import read_machine
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
