@@ -18,6 +18,7 @@ from workbook.judging.carried import carried_over, not_carried
 from workbook.judging.matching import Match
 from workbook.judging.order import in_order
 from workbook.judging.report import OK
+from workbook.reading.count import Refusal
 from workbook.reading.descriptions import (
     checked,
     counted,
@@ -29,7 +30,6 @@ from workbook.reading.descriptions import (
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.reading.guard import inspect
-from workbook.reading.refusal import Refusal
 from workbook.selection.catalogue_files import Product, read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Products
 from workbook.template import FOLDER

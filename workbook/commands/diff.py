@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from workbook.differences.compare import compare
-from workbook.differences.design import read
+from workbook.differences.design import compare, read
 from workbook.errors import InputError
 from workbook.exits import AGREES, DISAGREES
 from workbook.reports import differences as told

@@ -22,8 +22,7 @@ from workbook.judging.shown.book import displayed
 from workbook.judging.structure import audit, stale_functions, structure
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
-from workbook.reading.files import BookFile, open_book
-from workbook.reading.work import require_little_work
+from workbook.reading.files import BookFile, open_book, require_little_work
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreed import agreed
 from workbook.witnesses.bare import without

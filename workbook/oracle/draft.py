@@ -5,8 +5,8 @@ import re
 from collections import Counter
 
 from workbook.book.address import Address
+from workbook.oracle.cases import is_number
 from workbook.oracle.cells import label_of, unit_of
-from workbook.oracle.values import is_number
 from workbook.reading.files import BookFile
 
 HEAD = '''"""What {book} should compute; run it with: motionbook verify {book} --against FILE.py

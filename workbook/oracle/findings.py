@@ -6,10 +6,10 @@ from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.formula import Area
+from workbook.dimensions.tree import Dimensions, dimensions
 from workbook.dimensions.units import POWERS, dimension_of
-from workbook.dimensions.walk import Dimensions, dimensions
+from workbook.oracle.cases import is_number, same
 from workbook.oracle.cells import unit_of
-from workbook.oracle.values import is_number, same
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreed import UNKNOWN

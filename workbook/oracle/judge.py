@@ -8,19 +8,18 @@ from typing import Any, Literal
 import numpy as np
 
 from workbook.book.address import Address
-from workbook.dimensions.walk import Dimensions
+from workbook.dimensions.tree import Dimensions
 from workbook.errors import ReadError, WitnessError
-from workbook.oracle.cases import Case, cases
+from workbook.oracle.cases import Case, cases, close, is_number, same, size
 from workbook.oracle.cells import cells_of, find, label_of
 from workbook.oracle.declared import Input, Oracle, Output, Table
 from workbook.oracle.findings import Looks, Wrong
-from workbook.oracle.values import close, is_number, same, size
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreed import UNKNOWN
+from workbook.witnesses.bare import varied
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.witnesses.registry import WITNESSES
-from workbook.witnesses.varied import varied
 
 Coverage = Literal["compared", "step", "unaccounted"]
 PROBES = 8

@@ -3,17 +3,23 @@
 A number is a number, whatever date its format makes of it.
 """
 
+import zipfile
 from collections.abc import Sequence
-from typing import Any
+from pathlib import Path
+from typing import IO, Any
 
 from openpyxl.cell.cell import Cell, MergedCell
 from openpyxl.formula.translate import Translator
+from openpyxl.reader.strings import read_string_table
 from openpyxl.utils import get_column_letter
-from openpyxl.utils.datetime import from_ISO8601
+from openpyxl.utils.datetime import WINDOWS_EPOCH, from_ISO8601
 from openpyxl.worksheet.dimensions import RowDimension
 from openpyxl.worksheet.formula import ArrayFormula, DataTableFormula
 from openpyxl.worksheet.worksheet import Worksheet
 
+from workbook.book.address import Address
+from workbook.reading.contents import Cells, entered
+from workbook.reading.guard import Inspected, inspect
 from workbook.reading.rows import Rows, Written
 
 MOST_DIGITS = 300  # of a whole number; one of more may be larger than any that a cell can hold
@@ -86,3 +92,46 @@ def formula(held: Written, shared: dict[str, Translator]) -> Any:
         if held.formula:
             shared[number] = Translator(text, at)
     return text
+
+
+def saved_values(file: Path | IO[bytes], inspected: Inspected) -> Cells:
+    """Return the saved value of each formula cell of a file: a number, a text, True or False, an error; or None."""
+    texts: list[str] | None = None
+    values: Cells = {}
+    for title, rows in inspected.sheets.items():
+        for held in rows.written:
+            if held.how is None:
+                continue
+            if held.kind == "s" and texts is None:
+                texts = strings(file, inspected.strings)
+            values[Address(title, held.row, held.column)] = value(held, texts or [])
+    return values
+
+
+def value(held: Written, texts: list[str]) -> Any:
+    """Return a saved value; None where there is none, and an empty text where the type alone says so."""
+    kind, text = held.kind, held.value
+    if not text:
+        return "" if kind == "str" else None
+    if kind == "n":
+        return float(text)
+    if kind == "b":
+        return text == "1"
+    if kind == "s":
+        return texts[int(text)] if int(text) < len(texts) else None
+    if kind == "d":
+        return entered(from_ISO8601(text), WINDOWS_EPOCH)  # type: ignore[no-untyped-call]
+    return text
+
+
+def strings(file: Path | IO[bytes], part: str) -> list[str]:
+    """Return the texts that several cells share."""
+    if not part:
+        return []
+    with zipfile.ZipFile(file) as archive, archive.open(part) as source:
+        return list(read_string_table(source))
+
+
+def values_within(file: IO[bytes], size: int) -> Cells:
+    """Return the saved values of another copy of a book; raise Refusal as :func:`inspect` does."""
+    return saved_values(file, inspect(file, size))

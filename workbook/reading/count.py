@@ -4,7 +4,17 @@ The limits bound what openpyxl and the witnesses build from a part. A machine of
 samples, lies within them; what is larger is not built. Most are at or below Excel's own.
 """
 
-from workbook.reading.refusal import Refusal, shown
+SAVE_AS = "open it in Excel or LibreOffice and save it as .xlsx"
+
+
+class Refusal(Exception):  # noqa: N818 - it says what it is
+    """Why a file is refused, in words that follow its path."""
+
+
+def shown(text: str) -> str:
+    """Return a name from a file, short and without control characters."""
+    return repr(text if len(text) <= 80 else f"{text[:77]}...")
+
 
 MOST_PLACES = 5_000_000  # of the rectangles around the cells of all sheets
 MOST_CELLS = 1_500_000  # that openpyxl makes

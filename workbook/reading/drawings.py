@@ -4,9 +4,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
-from workbook.reading.package import Link, links, tag
-from workbook.reading.points import without_points
-from workbook.reading.refusal import SAVE_AS, Refusal, shown
+from workbook.reading.count import SAVE_AS, Refusal, shown
+from workbook.reading.package import Link, links, tag, without_points
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW
 
 OPAQUE = ("graphicFrame", "pic", "sp")

@@ -15,9 +15,8 @@ from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError
 from workbook.laws.layout import numbered, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
-from workbook.reading.files import BookFile, Words
+from workbook.reading.files import BookFile, Words, require_narrow
 from workbook.reading.fitting import ends_lost, fitted
-from workbook.reading.work import require_narrow
 from workbook.template import MOST
 from workbook.templates import AnyTemplate
 from workbook.visible import found

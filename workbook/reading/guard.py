@@ -15,11 +15,9 @@ from typing import IO
 from xml.etree.ElementTree import Element, fromstring
 
 from workbook.errors import ReadError
-from workbook.reading.count import Count
+from workbook.reading.count import SAVE_AS, Count, Refusal, shown
 from workbook.reading.drawings import Anchor, anchored
-from workbook.reading.package import needed, package, tag
-from workbook.reading.points import without_points, without_rows
-from workbook.reading.refusal import SAVE_AS, Refusal, shown
+from workbook.reading.package import needed, package, tag, without_points, without_rows
 from workbook.reading.rows import Rows
 from workbook.reading.scan import Scan
 

@@ -4,14 +4,18 @@ openpyxl finds the workbook and the shared strings by content type and the style
 the relationships. A package in which the two disagree has two readings, and is refused.
 """
 
+import io
+import re
+import zipfile
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from posixpath import basename, dirname, join, normpath
-from typing import NamedTuple
+from typing import IO, Any, NamedTuple
 from xml.etree.ElementTree import Element, fromstring
 
-from workbook.reading.refusal import SAVE_AS, Refusal, shown
-from workbook.reading.rows import MAIN
+from workbook.reading.count import SAVE_AS, Refusal, shown
+from workbook.reading.rows import MAIN, Rows
 
 TYPES = "[Content_Types].xml"
 WORKBOOKS = (".sheet.main+xml", ".template.main+xml", "sheet.macroEnabled.main+xml", "template.macroEnabled.main+xml")
@@ -155,3 +159,42 @@ def part(name: str) -> str:
 def tag(element: Element) -> str:
     """Return an element's name without its namespace."""
     return str(element.tag).rpartition("}")[2]
+
+
+CHART = re.compile(r"/?xl/charts/[^/]*\.xml")
+DRAWING = re.compile(r"/?xl/drawings/[^/]*\.xml")
+NOTHING_DRAWN = b'<d:wsDr xmlns:d="http://schemas.openxmlformats.org/drawingml/2006/spreadsheetDrawing"/>'
+POINT = re.compile(rb"<((?:\w+:)?)pt [^<>]*><\1v>[^<>]*</\1v></\1pt>")
+
+
+def without_points(part: str, data: bytes) -> bytes:
+    """Return a part of a workbook; of a chart without its saved points."""
+    return POINT.sub(b"", data) if CHART.fullmatch(part) else data
+
+
+def without_rows(data: bytes, rows: Rows) -> bytes:
+    """Return a worksheet's part without its rows; as it is where they do not lie where the guard met them."""
+    tag = rows.own[1].encode()
+    begin, end = rows.span
+    if data[begin : begin + 1 + len(tag)] != b"<" + tag or data[end : end + 2 + len(tag)] != b"</" + tag:
+        return data
+    return data[:begin] + b"<" + tag + b">" + data[end:]
+
+
+class Bare(zipfile.ZipFile):
+    """A workbook's archive whose sheets hold neither rows nor drawings."""
+
+    def __init__(self, path: Path, rows: Mapping[str, Rows]) -> None:
+        super().__init__(path)
+        self.rows = rows
+
+    def open(self, name: str | zipfile.ZipInfo, *args: Any, **how: Any) -> IO[bytes]:
+        """Open a part for reading."""
+        part = name if isinstance(name, str) else name.filename
+        if DRAWING.fullmatch(part):
+            return io.BytesIO(NOTHING_DRAWN)
+        stream = super().open(name, *args, **how)
+        if part not in self.rows:
+            return stream
+        with stream:
+            return io.BytesIO(without_rows(stream.read(), self.rows[part]))

@@ -12,8 +12,7 @@ from xml.etree.ElementTree import Element, SubElement
 
 from openpyxl.utils import column_index_from_string
 
-from workbook.reading.count import MOST_DEPTH, MOST_IN_ROWS, MOST_IN_TAG, MOST_LONG, Count
-from workbook.reading.refusal import SAVE_AS, Refusal, shown
+from workbook.reading.count import MOST_DEPTH, MOST_IN_ROWS, MOST_IN_TAG, MOST_LONG, SAVE_AS, Count, Refusal, shown
 
 MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384

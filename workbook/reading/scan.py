@@ -4,9 +4,8 @@ import re
 from posixpath import dirname, join, normpath
 from xml.parsers import expat
 
-from workbook.reading.count import MOST_DEPTH, MOST_IN_TAG, MOST_LONG, Count
+from workbook.reading.count import MOST_DEPTH, MOST_IN_TAG, MOST_LONG, SAVE_AS, Count, Refusal, shown
 from workbook.reading.plain import OPEN, rows_between, taken
-from workbook.reading.refusal import SAVE_AS, Refusal, shown
 from workbook.reading.rows import MAIN, Rows, corner, refuse_two_texts
 
 FILLED = frozenset({"mergeCell", "hyperlink", "comment"})  # openpyxl visits every cell of their ranges

@@ -10,8 +10,7 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from workbook.differences.compare import Change, Differences
-from workbook.differences.design import Design
+from workbook.differences.design import Change, Design, Differences
 from workbook.reports.html import document, e, table
 from workbook.reports.plot import Line, plot
 from workbook.reports.terminal import say, shown

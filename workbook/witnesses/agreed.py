@@ -8,8 +8,7 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.errors import DisputedError, WitnessError
 from workbook.reading.contents import Cells, Contents
-from workbook.reading.files import BookFile
-from workbook.reading.work import require_little_work
+from workbook.reading.files import BookFile, require_little_work
 from workbook.visible import found
 from workbook.witnesses.bare import without
 from workbook.witnesses.registry import WITNESSES

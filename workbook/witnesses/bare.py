@@ -5,16 +5,18 @@ what a book's declared formulas compute does not depend on them.
 """
 
 import tempfile
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 from openpyxl import Workbook
 from openpyxl.workbook.defined_name import DefinedName, DefinedNameDict
 
 from workbook.book.address import Address
+from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile, find_places
+from workbook.witnesses.witness import Witness
 
 
 @contextmanager
@@ -83,3 +85,21 @@ def led(names: Mapping[str, DefinedName], file: BookFile) -> DefinedNameDict:
         if name in file.places:
             kept[name] = DefinedName(name, attr_text=defined.attr_text)
     return kept
+
+
+@runtime_checkable
+class Varying(Protocol):
+    """A witness that opens a file once for many sets of values."""
+
+    def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
+        """Yield each set with what the formula cells compute at it."""
+
+
+def varied(witness: Witness, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
+    """Yield each set of values with what the formula cells compute at it: of most witnesses, in a copy of the file."""
+    if isinstance(witness, Varying):
+        yield from witness.varied(file, sets)
+        return
+    for given in sets:
+        with without(file, (), given) as copy:
+            yield given, witness.values(copy)

@@ -240,8 +240,7 @@ def main(book: str) -> None:
 
 def answer(path: Path, line: Line) -> None:
     """Evaluate a book, and then whatever is asked for."""
-    from workbook.reading.files import open_book
-    from workbook.reading.work import require_little_work
+    from workbook.reading.files import open_book, require_little_work
     from workbook.witnesses.pycel.model import PycelModel
 
     file = open_book(path, shown=False)

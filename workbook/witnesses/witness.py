@@ -6,10 +6,10 @@ from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 from workbook.book.address import Address, Strip
 from workbook.errors import WitnessError
+from workbook.reading.cells import values_within
 from workbook.reading.contents import Cells
+from workbook.reading.count import Refusal
 from workbook.reading.files import BookFile
-from workbook.reading.refusal import Refusal
-from workbook.reading.saved import values_within
 
 CYCLE = "#CYCLE!"
 """what a witness has for a cell that computes from itself, or from cells that do: no program shows it"""

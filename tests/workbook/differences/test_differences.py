@@ -12,8 +12,7 @@ import pytest
 from tests import cutting
 from workbook.build import build, write_inputs
 from workbook.commands.diff import diff
-from workbook.differences.compare import compare
-from workbook.differences.design import read
+from workbook.differences.design import compare, read
 from workbook.reading.descriptions import checked, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES

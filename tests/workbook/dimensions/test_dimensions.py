@@ -8,8 +8,8 @@ import pytest
 from tests.tiers import by_day
 from tests.workbook.cells import in_memory
 from workbook.book.address import Address
+from workbook.dimensions.tree import dimensions
 from workbook.dimensions.units import NONE, dimension_of
-from workbook.dimensions.walk import dimensions
 from workbook.reading.contents import Contents
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES

@@ -14,9 +14,9 @@ from workbook.oracle.declared import load
 from workbook.oracle.draft import draft
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
+from workbook.witnesses.bare import varied
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.witnesses.registry import WITNESSES
-from workbook.witnesses.varied import varied
 
 PUMP = """
 from math import pi

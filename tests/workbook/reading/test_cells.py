@@ -12,7 +12,7 @@ from openpyxl.styles import Font
 from openpyxl.worksheet.formula import ArrayFormula
 
 from workbook.reading.files import open_book
-from workbook.reading.points import without_rows
+from workbook.reading.package import without_rows
 from workbook.reading.rows import Rows
 
 BOOKS = sorted(path for path in Path("templates").glob("*.xlsx") if "functions" not in path.name)

@@ -7,9 +7,8 @@ from pathlib import Path
 import pytest
 
 from workbook.reading import scan
-from workbook.reading.count import Count
+from workbook.reading.count import Count, Refusal
 from workbook.reading.plain import OddError, Taken, rows_between
-from workbook.reading.refusal import Refusal
 from workbook.reading.rows import Rows
 from workbook.reading.scan import Scan
 

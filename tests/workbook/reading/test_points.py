@@ -5,8 +5,7 @@ import zipfile
 import pytest
 
 from workbook.reading.files import open_book
-from workbook.reading.package import tag
-from workbook.reading.points import without_points
+from workbook.reading.package import tag, without_points
 from workbook.template import FOLDER
 
 BOOK = FOLDER / "motion-composer.xlsx"

@@ -13,9 +13,7 @@ from workbook.reading.contents import entered
 from workbook.witnesses.pycel.arrays import Known
 from workbook.witnesses.pycel.compiled import Compiled, compiled
 from workbook.witnesses.pycel.limits import Crossed
-from workbook.witnesses.pycel.numbering import Numbering
-from workbook.witnesses.pycel.order import ordered
-from workbook.witnesses.pycel.steps import FormulaStep, RangeStep
+from workbook.witnesses.pycel.steps import FormulaStep, Numbering, RangeStep, ordered
 from workbook.witnesses.witness import CYCLE
 
 Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
