@@ -46,7 +46,7 @@ def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
     added: dict[str, list[str]] = {}
     taken = {(cell.parent.title, cell.coordinate) for cell, _ in own.cells}
     for address in file.contents.formula_cells:
-        there = address.sheet in ours | kept and address not in match.addresses
+        there = address.sheet in ours | kept and address not in match.declared_at
         if there and (address.sheet, address.a1) not in taken:
             added.setdefault(address.sheet, []).append(address.a1)
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
@@ -59,11 +59,13 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
 
     What is ``own`` is carried over, and left out.
     """
-    lines, known = [], known_rules(match)
+    lines, told = [], Told()
+    rules = Rules(match, Looks(match, BaseModel, told), told)
+    rules.judge(list(seen(match, [])))
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     for sheet in match.file.workbook.worksheets:
         if sheet.title in ours:
-            for what, cells in on_sheet(match, sheet, known).items():
+            for what, cells in on_sheet(match, sheet, rules.known).items():
                 where = [a1 for a1 in cells if (sheet.title, a1) not in taken]
                 if where:
                     lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
@@ -78,20 +80,14 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
     return lines
 
 
-def known_rules(match: Match) -> set[int]:
-    """Return the conditional formats of a file that are those of a fresh build, by their identity."""
-    told = Told()
-    rules = Rules(match, Looks(match, BaseModel, told), told)
-    rules.judge(list(seen(match, [])))
-    return rules.known
-
-
 def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[str]]:
     """Return what stands on a sheet that is none of the generated book's, by kind: the cells, or what it is called."""
-    declared = next(one for one in match.declared.sheets if sheet.title in titles(match, one))
+    declared = next(one for one in match.declared.sheets if sheet.title in {
+        match.file.places[block.name].sheet for block in one.blocks if block.name in match.file.places
+    })  # fmt: skip
     words = {text.text for text in declared.texts}
     contents = match.file.contents.constants.items()
-    kept = [a.a1 for a, held in contents if a.sheet == sheet.title and a not in match.addresses and held not in words]
+    kept = [a.a1 for a, held in contents if a.sheet == sheet.title and a not in match.declared_at and held not in words]
     cells = sheet._cells.values()
     notes = [cell.coordinate for cell in cells if isinstance(cell, Cell) and cell.comment is not None]
     held = list(drawn(match, sheet.title))
@@ -99,11 +95,6 @@ def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[
     charts = [chart.at.a1 for chart in held if id(chart) not in paired_charts]
     rules = [str(a.sqref) for a in sheet.conditional_formatting if any(id(rule) not in known for rule in a.rules)]
     return {"texts and numbers": kept, "notes": notes, "charts": charts, "conditional formats": rules}
-
-
-def titles(match: Match, sheet: Sheet) -> set[str]:
-    """Return where the blocks of a declared sheet are in the file."""
-    return {match.file.places[block.name].sheet for block in sheet.blocks if block.name in match.file.places}
 
 
 def drawn_in(path: Path) -> dict[str, int]:
@@ -130,7 +121,9 @@ def carried_over(match: Match, fresh: Book) -> Own:
     own = [sheet for sheet in file.workbook.worksheets if sheet.title not in ours | {s.title for s in fresh.sheets}]
     steady = {sheet.title for sheet in fresh.sheets if stays(file, sheet)}
     known = steady | {sheet.title for sheet in own}
-    taken = {(a.sheet, a.row, a.column) for a in match.addresses} | set(occupied(fresh))
+    taken = {(a.sheet, a.row, a.column) for a in match.declared_at}
+    taken |= {(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
+    taken |= {(sheet.title, text.row, text.column) for sheet in fresh.sheets for text in sheet.texts if text.text}
     cells = [cell for sheet in file.workbook.worksheets if sheet.title in known for cell in sheet._cells.values()
              if isinstance(cell, Cell)]  # fmt: skip
     free = [cell for cell in cells if (cell.parent.title, cell.row, cell.column) not in taken]
@@ -145,12 +138,6 @@ def stays(file: BookFile, sheet: Sheet) -> bool:
     return all(
         place is not None and place[:4] == (sheet.title, block.row, block.column, block.size) for place, block in found
     )
-
-
-def occupied(book: Book) -> Iterator[tuple[str, int, int]]:
-    """Yield the cells of a book in which something stands."""
-    yield from ((cell.block.sheet.title, cell.row, cell.column) for cell in book.cells())
-    yield from ((sheet.title, text.row, text.column) for sheet in book.sheets for text in sheet.texts if text.text)
 
 
 def content_of(contents: Contents, cell: Cell, known: set[str]) -> Any:

@@ -70,7 +70,7 @@ def layout(match: Match) -> Iterator[Finding]:
         for row, count in fit.lost:
             gone.setdefault((fit.place.sheet, row, count), []).append(block)
     for (sheet, row, count), blocks in gone.items():
-        found = f"{rows_in_words(count)} gone above row {row}"
+        found = f"{'a row is' if count == 1 else f'{count} rows are'} gone above row {row}"
         yield Finding(sheet, f"{row}:{row}", LAYOUT, found, UNDO, titled(blocks))
     columns: dict[tuple[str, int], list[tuple[Block, str]]] = {}
     for block, fit in there:
@@ -109,11 +109,6 @@ def fit_of(match: Match, block: Block) -> Fit | None:
     return fit
 
 
-def rows_in_words(count: int) -> str:
-    """Return how many rows are, with the verb."""
-    return "a row is" if count == 1 else f"{count} rows are"
-
-
 def titled(blocks: list[Block]) -> str:
     """Return which tables they are: the heading of the first, and the names of all."""
     block = blocks[0]
@@ -129,21 +124,17 @@ def follow(match: Match, report: Report, suspects: set[Address]) -> None:
     A cell with its own formula that computes something else does so for these; and so does a formula that they have
     left without a cell to refer to.
     """
-    torn = any(fit.inserted or fit.lost or fit.gone for fit in match.file.fits.values()) or bool(match.misfits)
-    less = any(fit.lost or fit.gone for fit in match.file.fits.values())
-    gone = torn or any(place is None for _, place in match.misfits)
-    if not gone:
-        return
-    formulas = {(p.address.sheet, p.address.a1): p for p in match.pairs}
-    kept = []
+    fits = match.file.fits
+    less = any(fit.lost or fit.gone for fit in fits.values())
+    torn = less or any(fit.inserted for fit in fits.values()) or bool(match.misfits)
+    formulas = {(p.address.sheet, p.address.a1): p for p in match.pairs} if torn else {}
+    kept: list[Finding] = []
     for f in report.findings:
-        pair = formulas.get((f.sheet, f.cell))
-        bereft = pair is not None and pair.address in suspects and "#REF!" in str(pair.held)
-        own = pair is not None and pair.address not in suspects
-        number = torn and f.kind == "changed" and pair is not None and pair.cell.block.name in match.file.fits
-        follows = (f.kind in FOLLOWING and (own or bereft)) or (f.kind == "formula" and bereft)
-        if follows or number or (less and f.kind == "unread"):
-            report.following.append(f)
-        else:
-            kept.append(f)
+        pair, follows = formulas.get((f.sheet, f.cell)), less and f.kind == "unread"
+        if pair is not None:
+            suspect = pair.address in suspects
+            bereft = suspect and "#REF!" in str(pair.held)
+            follows |= (f.kind in FOLLOWING and (bereft or not suspect)) or (f.kind == "formula" and bereft)
+            follows |= f.kind == "changed" and pair.cell.block.name in fits
+        (report.following if follows else kept).append(f)
     report.findings[:] = kept

@@ -1,17 +1,17 @@
 """Which cell of a file is which cell of the declaration: by defined names and the blocks that they anchor."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from workbook.book.address import Address, Place, Strip
 from workbook.book.declare import Block, Book, Cell
 from workbook.book.formula import Area, FormulaError, area_of, read
 from workbook.book.rows import as_rows
-from workbook.judging.areas import cell_index, corners, declared_area, declared_place, resolve
 from workbook.reading.files import BookFile, Words, find_places
 
+Index = tuple[str, int, int]  # block, row and column of a cell
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
 HEAD = range(1, 4)  # how far above a table its headings are declared
 
@@ -106,11 +106,6 @@ class Match:
         return [k for k, column in enumerate(self.columns) for _ in range(column.rows)]
 
     @cached_property
-    def addresses(self) -> set[Address]:
-        """Every cell of the file that is declared."""
-        return {pair.address for pair in self.pairs}
-
-    @cached_property
     def declared_at(self) -> dict[Address, Cell]:
         """The declared cell at each address of the file."""
         return {pair.address: pair.cell for pair in self.pairs}
@@ -123,28 +118,27 @@ class Match:
 
     def same_formula(self, content: str, block: Block, text: str, sheet: str) -> bool:
         """Whether the formula ``text`` on a sheet of the file means what ``content`` means in a declared block."""
+        arguments = self._arguments(content, block, text, sheet)
+        return arguments is not None and all(self.same(one, other) for one, other in arguments)
+
+    def _arguments(
+        self, content: str, block: Block, text: str, sheet: str
+    ) -> list[tuple[Area | str, Area | str]] | None:
+        """Return the arguments of two formulas, declared and held, in pairs; None where these differ in shape."""
         try:
             declared = read(content, block.sheet.title, self.declared_area)
             held = read(text, sheet, self._held_area)
         except FormulaError:
-            return False
-        if (declared.shape, declared.anchors) != (held.shape, held.anchors):
-            return False
-        arguments = zip(declared.arguments, held.arguments, strict=True)
-        return all(self.same(one, other) for one, other in arguments)
+            return None
+        alike = (declared.shape, declared.anchors) == (held.shape, held.anchors)
+        return list(zip(declared.arguments, held.arguments, strict=True)) if alike else None
 
-    def apart(self, pair: Pair) -> Iterator[tuple[tuple[str, int, int], tuple[str, int, int]]]:
+    def apart(self, pair: Pair) -> Iterator[tuple[Index, Index]]:
         """Yield the corners by which a formula of the declared shape differs: declared, and held."""
-        try:
-            declared = read(pair.cell.content, pair.cell.block.sheet.title, self.declared_area)
-            held = read(pair.held, pair.address.sheet, self._held_area)
-        except FormulaError:
-            return
-        if (declared.shape, declared.anchors) == (held.shape, held.anchors):
-            for one, other in zip(declared.arguments, held.arguments, strict=True):
-                if not isinstance(one, str) and not isinstance(other, str) and not self.same(one, other):
-                    for ours, theirs in zip(corners(one), corners(other), strict=True):
-                        yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
+        for one, other in self._arguments(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet) or ():
+            if not isinstance(one, str) and not isinstance(other, str) and not self.same(one, other):
+                for ours, theirs in zip(corners(one), corners(other), strict=True):
+                    yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
 
     def leads_out(self, address: Address) -> bool:
         """Whether the formula in a cell of the file begins or ends a reference at a cell of no block."""
@@ -159,10 +153,6 @@ class Match:
         heads = [(place, -self._header_above(name)) for name, place in places.items()]
         covered |= {place.cell(up, j) for place, up in heads for j in range(place.columns)}
         return contents.read([a for a in (*contents.constants, *contents.formula_cells) if a not in covered])
-
-    def declared_shape(self, pair: Pair) -> str:
-        """Return the shape of the formula that is declared for a cell."""
-        return read(pair.cell.content, pair.cell.block.sheet.title, self.declared_area).shape
 
     def lost(self, area: Area | None) -> bool:
         """Whether the file has not the column that a declared area is."""
@@ -183,17 +173,13 @@ class Match:
             [index.get(corner, corner) for corner in corners(area)]
             for area, index in ((declared, self._declared_index), (held, self._held_index))
         )
-        if declared.single and held.single and self._is_header(ours[0], theirs[0]):
+        single, (name, i, _), there = declared.single and held.single, ours[0], theirs[0]
+        moved = single and i == -1 and isinstance(there, Address) and name in self.headless
+        if moved and isinstance(self.file.value(Address(*there)), str | None):  # its table's header was left behind
             return True
         return declared.single == held.single and all(map(self._same_cell, ours, theirs))
 
-    def _is_header(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
-        """Whether the header of a table is meant, and stands where its table was before that was moved away."""
-        if declared[1] != -1 or not isinstance(held, Address) or declared[0] not in self.headless:
-            return False
-        return isinstance(self.file.value(held), str | None)
-
-    def _same_cell(self, declared: tuple[str, int, int], held: tuple[str, int, int]) -> bool:
+    def _same_cell(self, declared: Index, held: Index) -> bool:
         """Whether two cells are one; in a table that has lost rows also by a row's number, and if each is the last."""
         if declared == held:
             return True
@@ -206,11 +192,11 @@ class Match:
         return i == h + before or (i == block.size - 1 and h == place.rows - 1)
 
     @cached_property
-    def _declared_index(self) -> dict[Address, tuple[str, int, int]]:
+    def _declared_index(self) -> dict[Address, Index]:
         return cell_index({name: declared_place(b) for name, b in self.declared.blocks.items()}, lambda name: 1)
 
     @cached_property
-    def _held_index(self) -> dict[Address, tuple[str, int, int]]:
+    def _held_index(self) -> dict[Address, Index]:
         return cell_index(self._places, self._header_above)
 
     @cached_property
@@ -222,12 +208,14 @@ class Match:
 
         It is known by any of its lines of text; by none of them, where the next text stands above.
         """
-        place, held = self.file.places[name], partial(self._line_held, self.file.places[name])
+        place = self.file.places[name]
         for line, texts in enumerate(self._heading(self.declared.blocks[name])):
             for up in range(1, min(MOST_BETWEEN, place.row - line)):
-                if any(text and text == other for text, other in zip(texts, held(up + line), strict=True)):
+                held = self._line_held(place, up + line)
+                if any(text and text == other for text, other in zip(texts, held, strict=True)):
                     return up
-        return next((up for up in range(1, min(MOST_BETWEEN, place.row)) if any(map(is_text, held(up)))), 1)
+        above = range(1, min(MOST_BETWEEN, place.row))
+        return next((up for up in above if any(isinstance(one, str) for one in self._line_held(place, up))), 1)
 
     def _heading(self, block: Block) -> list[list[str | None]]:
         """Return the lines of a block's heading as declared, from the one just above it."""
@@ -248,34 +236,60 @@ class Match:
         if place is None:
             return False
         names = {text for line in self._heading(block) for text in line if text}
-        held = {up: self._texts_held(place, up) for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))}
+        held = {up: {one for one in self._line_held(place, up) if isinstance(one, str)}
+                for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))}  # fmt: skip
         headed = any(held.get(up) for up in HEAD) or any(names & texts for texts in held.values())
         return bool(names) and not headed
 
-    def _texts_held(self, place: Place, up: int) -> set[str]:
-        """Return the texts so many rows above a table of the file."""
-        return set(filter(is_text, self._line_held(place, up)))
-
     @cached_property
-    def _texts(self) -> dict[tuple[str, int, int], str]:
+    def _texts(self) -> dict[Index, str]:
         return {(s.title, text.row, text.column): text.text for s in self.declared.sheets for text in s.texts}
 
     @cached_property
-    def _declared_names(self) -> dict[str, Area]:
-        return {name.lower(): declared_area(self.declared, name) for name, _ in self.declared.names()}
+    def declared_area(self) -> Callable[[str, str], Area]:
+        """What gives the area that a name means in the declaration, whatever sheet it stands on."""
+        names = {name.lower(): declared_area(self.declared, name) for name, _ in self.declared.names()}
+        titles = {s.title for s in self.declared.sheets}
+        return lambda name, sheet: resolve(name, names, titles)
 
     @cached_property
-    def _held_names(self) -> dict[str, Area]:
-        return {name.lower(): area_of(place) for name, place in find_places(self.file.workbook).items()}
-
-    def declared_area(self, name: str, sheet: str) -> Area:
-        """Return what a name means in the declaration."""
-        return resolve(name, self._declared_names, {s.title for s in self.declared.sheets})
-
-    def _held_area(self, name: str, sheet: str) -> Area:
-        return resolve(name, self._held_names, set(self.file.workbook.sheetnames))
+    def _held_area(self) -> Callable[[str, str], Area]:
+        names = {name.lower(): area_of(place) for name, place in find_places(self.file.workbook).items()}
+        return lambda name, sheet: resolve(name, names, self.file.workbook.sheetnames)
 
 
-def is_text(value: Any) -> bool:
-    """Whether a cell holds a text."""
-    return isinstance(value, str)
+def corners(area: Area) -> tuple[Address, Address]:
+    """Return the first and the last cell of an area."""
+    return area.first, Address(area.sheet, area.bottom, area.right)
+
+
+def resolve(name: str, names: dict[str, Area], titles: Iterable[str]) -> Area:
+    """Return what a defined name means, or ``title!``; FormulaError where there is none."""
+    if name.endswith("!") and name[:-1] in titles:
+        return Area(name[:-1], 1, 1, 1, 1, single=True)
+    if name.lower() not in names:
+        raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
+    return names[name.lower()]
+
+
+def declared_place(block: Block) -> Place:
+    """Return where the declaration has a block."""
+    return Place(block.sheet.title, block.row, block.column, block.size, len(block.quantities))
+
+
+def declared_area(book: Book, name: str) -> Area:
+    """Return what a defined name of the declaration means: a block, or a named column."""
+    if name in book.blocks:
+        return area_of(declared_place(book.blocks[name]))
+    table, column = book.column_names[name]
+    block = book.blocks[table]
+    first, last = block.ends(column)
+    return area_of(Place(block.sheet.title, block.row, first, block.size, last - first + 1))
+
+
+def cell_index(places: dict[str, Place], header: Callable[[str], int]) -> dict[Address, Index]:
+    """Return the place of every cell of the blocks, and of the headers ``header`` rows above, which are row −1."""
+    columns = [(name, place, j) for name, place in places.items() for j in range(place.columns)]
+    up = {name: header(name) for name in places}
+    cells = {place.cell(-up[name], j): (name, -1, j) for name, place, j in columns}
+    return cells | {at: (name, i, j) for name, place, j in columns for i, at in enumerate(place.down(j))}

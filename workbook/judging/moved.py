@@ -4,22 +4,20 @@ A program lets formulas follow what is cut, so that they say where it is now; fo
 shape. Names follow only where all of their cells were cut.
 """
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
-from xml.etree.ElementTree import Element
 
-from openpyxl.utils import quote_sheetname
+from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
-from workbook.book.formula import REFERENCE, TOKEN, corner, unquoted
+from workbook.book.formula import REFERENCE, TOKEN, corner, read, unquoted
 from workbook.judging.layout import titled
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import LAYOUT, Finding
 from workbook.reading.files import BookFile, find_places
 from workbook.reading.package import tag
-
-HALF = 2
 
 
 class Way(NamedTuple):
@@ -78,12 +76,13 @@ def reshaped(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Addr
             shapes.setdefault(formula.shape, []).append(address)
     counted: dict[str, dict[Way, list[Address]]] = {}
     for home, pair in missing.items() if shapes else ():
-        for there in shapes.get(match.declared_shape(pair), ()):
+        declared = read(pair.cell.content, pair.cell.block.sheet.title, match.declared_area)
+        for there in shapes.get(declared.shape, ()):
             way = Way(there.sheet, there.row - home.row, there.column - home.column)
             counted.setdefault(pair.cell.block.name, {}).setdefault(way, []).append(home)
     for name, ways in counted.items():
         way, homes = max(ways.items(), key=lambda one: len(one[1]))
-        if HALF * len(homes) > sum(p.cell.block.name == name for p in missing.values()):
+        if 2 * len(homes) > sum(p.cell.block.name == name for p in missing.values()):
             yield from ((home, way) for home in homes)
 
 
@@ -119,8 +118,10 @@ def replace(file: BookFile, back: Mapping[Address, Address]) -> None:
         for cell in cells.values():
             if cell.data_type == "f" and isinstance(cell.value, str):
                 cell.value = f"={followed(cell.value[1:], title, back)}"
-    for title, source in sources(file):
-        source.text = followed(source.text or "", title, back)
+    for title, drawings in file.inspected.drawings.items() if file.inspected else ():
+        charts = (one.chart for one in drawings if one.chart is not None)
+        for source in (one for chart in charts for one in chart.iter() if tag(one) == "f" and one.text):
+            source.text = followed(source.text or "", title, back)
     moved = set()
     for name, one in file.workbook.defined_names.items():
         text = followed(one.attr_text or "", "", back)
@@ -132,22 +133,9 @@ def replace(file: BookFile, back: Mapping[Address, Address]) -> None:
     file.__dict__.pop("contents", None)
 
 
-def sources(file: BookFile) -> Iterator[tuple[str, Element]]:
-    """Yield the references from which the charts of a file take their figures, each with its sheet."""
-    for title, drawings in file.inspected.drawings.items() if file.inspected else ():
-        for drawing in drawings:
-            if drawing.chart is not None:
-                yield from ((title, one) for one in drawing.chart.iter() if tag(one) == "f" and one.text)
-
-
 def followed(text: str, sheet: str, back: Mapping[Address, Address]) -> str:
     """Return a formula of a sheet with its references to cells of ``back`` led to where these go."""
-
-    def replaced(token: object) -> str:
-        word, kind = token[0], token.lastgroup  # type: ignore[index, attr-defined]
-        return led(word, sheet, back) if kind == "reference" else word
-
-    return TOKEN.sub(replaced, text)
+    return TOKEN.sub(lambda one: led(one[0], sheet, back) if one.lastgroup == "reference" else one[0], text)
 
 
 def led(word: str, sheet: str, back: Mapping[Address, Address]) -> str:
@@ -163,11 +151,6 @@ def led(word: str, sheet: str, back: Mapping[Address, Address]) -> str:
         return word
     there = ends[0].sheet
     prefix = "" if there == sheet and not before else before if there == title else f"{quote_sheetname(there)}!"
-    return prefix + ":".join(anchored(old, new) for old, new in zip((first, second), ends, strict=False))
-
-
-def anchored(old: str, new: Address) -> str:
-    """Return a cell with ``$`` where another reference has it."""
-    letters = new.a1.rstrip("0123456789")
-    column = f"${letters}" if old.startswith("$") else letters
-    return f"{column}${new.row}" if "$" in old[1:] else f"{column}{new.row}"
+    pairs = [(*re.fullmatch(r"(\$?)[A-Za-z]+(\$?)[0-9]+", old).groups(), new)  # type: ignore[union-attr]
+             for old, new in zip((first, second), ends, strict=False)]  # fmt: skip
+    return prefix + ":".join(f"{one}{get_column_letter(at.column)}{two}{at.row}" for one, two, at in pairs)

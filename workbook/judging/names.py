@@ -21,19 +21,11 @@ class Misled(NamedTuple):
 
 def misled(match: Match) -> Iterator[Misled]:
     """Yield names that lead elsewhere than when the book was generated, rows and columns inserted or not."""
-    yield from grown(match)
-    yield from columns(match)
-    yield from strays(match)
-    yield from mislabelled(match)
-    yield from wordy(match)
-    yield from disordered(match)
-
-
-def grown(match: Match) -> Iterator[Misled]:
-    """Yield names of single cells that lead to more than one."""
     for name, fit in match.file.fits.items():
-        if fit.named is not None:
+        if fit.named is not None:  # of a single cell, that leads to more than one
             yield Misled(fit.place, name, said(fit.named), said(fit.place))
+    for found in (columns, strays, mislabelled, wordy, disordered):
+        yield from found(match)
 
 
 def columns(match: Match) -> Iterator[Misled]:

@@ -3,7 +3,8 @@
 The file stays as it is: what is judged is a copy, and each change of it is told with what to do.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -58,16 +59,13 @@ def looked_up(file: BookFile, block: Block, model: type[BaseModel]) -> Iterator[
     if place is None:
         return
     for j, q in enumerate(block.quantities):
-        if q.role == "input" and place.cell(0, j).column and is_looked_up(model, q.key):
+        if q.role != "input" or not place.cell(0, j).column:
+            continue
+        constraints: Sequence[Any] = ()
+        with suppress(KeyError, AttributeError, IndexError):  # of a law, by the name of its sheet
+            constraints = rules.field_at(model, q.key)[1]
+        if LOOKED_UP in constraints:
             yield from (at for at in place.down(j) if as_text(file.value(at)))
-
-
-def is_looked_up(model: type[BaseModel], key: str) -> bool:
-    """Whether an entry is a name that formulas look up."""
-    try:
-        return LOOKED_UP in rules.field_at(model, key)[1]
-    except (KeyError, AttributeError, IndexError):  # of a law, by the name of its sheet
-        return False
 
 
 def as_text(held: Any) -> str:
@@ -118,9 +116,8 @@ def unlike(before: Cells, match: Match, ordered: Cells, report: Report) -> None:
     ``before`` are the values of the cells of the file as it is, ``ordered`` those with its entries in order.
     """
     right = Right(match, match.declared)
-    single = [p.address for p in match.pairs if p.declared_formula and not p.cell.block.is_table]
-    wrong = [at for at in single
-             if differs(right, at, before.get(at)) and not differs(right, at, ordered.get(at))]  # fmt: skip
+    single = (p.address for p in match.pairs if p.declared_formula and not p.cell.block.is_table)
+    wrong = [a for a in single if differs(right, a, before.get(a)) and not differs(right, a, ordered.get(a))]
     for one in [one for one in report.notices if is_empty_row(one)] if wrong else ():
         report.notices.remove(one)
         expected = f"{one.expected}: by it {len(wrong)} results are wrong, {wrong[0]} the first"

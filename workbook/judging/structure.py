@@ -11,7 +11,7 @@ from workbook.book.address import Address
 from workbook.entries.rules import field_at
 from workbook.functions.declared import NAMESPACE
 from workbook.functions.names import definitions, meaning
-from workbook.judging.matching import Match, Pair, is_formula
+from workbook.judging.matching import Match, is_formula
 from workbook.judging.names import misled
 from workbook.judging.report import Finding, Report
 from workbook.reading.files import Words
@@ -35,26 +35,20 @@ def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]
         if not pair.declared_formula:
             if not same(pair.held, pair.cell.content):
                 report.add(pair, "changed", shown(pair.held), pair.cell.content)
-        elif is_array(pair.held):
+        elif isinstance(pair.held, str) and pair.held.startswith("{="):  # part of a formula that fills several cells
             suspects.add(pair.address)
             report.add(pair, "formula", pair.held, pair.cell.content)
+        elif pair.held is None:
+            report.add(pair, "missing", None, pair.cell.expected)
+        elif isinstance(pair.held, Words):
+            report.add(pair, "replaced", shown(pair.held), pair.cell.content, why="a text is never computed")
         elif not is_formula(pair.held):
-            replaced(pair, report)
+            report.add(pair, "replaced", pair.held, pair.cell.expected)
         elif not match.same_shape(pair):
             suspects.add(pair.address)
             if shapes:
                 report.add(pair, "formula", pair.held, pair.cell.content)
     return suspects
-
-
-def replaced(pair: Pair, report: Report) -> None:
-    """Enter a cell that holds no formula where one is declared."""
-    if pair.held is None:
-        report.add(pair, "missing", None, pair.cell.expected)
-    elif isinstance(pair.held, Words):
-        report.add(pair, "replaced", shown(pair.held), pair.cell.content, why="a text is never computed")
-    else:
-        report.add(pair, "replaced", pair.held, pair.cell.expected)
 
 
 def same(held: Any, content: Any) -> bool:
@@ -68,11 +62,6 @@ def same(held: Any, content: Any) -> bool:
         number = isinstance(held, int | float) and not isinstance(held, bool)
         return number and math.isclose(held, content, rel_tol=LAST_DIGITS)
     return type(held) is type(content) and bool(held == content)
-
-
-def is_array(held: Any) -> bool:
-    """Whether what a cell holds is part of a formula that fills several cells."""
-    return isinstance(held, str) and held.startswith("{=")
 
 
 def shown(held: Any) -> Any:

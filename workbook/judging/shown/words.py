@@ -171,7 +171,7 @@ def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
             continue
         at = held.cell(0, 1)
         text = match.file.value(at)
-        if isinstance(text, str) and at not in match.addresses and units.is_unit(text):
+        if isinstance(text, str) and at not in match.declared_at and units.is_unit(text):
             report.say(at, SHOWN, text, None, f"unit of {q.label}")
 
 
