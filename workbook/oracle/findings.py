@@ -69,18 +69,14 @@ class Looks:
     def empty(self) -> Iterator[Wrong]:
         """Yield the empty cells that a formula reads by themselves, each with the first such formula."""
         contents, found = self.file.contents, dict[Address, Address]()
+        filled = {*contents.formula_cells, *(cell for cell, value in contents.constants.items() if value is not None)}
         for cell in self.counted & contents.formulas.keys():
             formula = contents.formulas[cell]
             if BLANK.isdisjoint(formula.functions) and "" not in formula.arguments:
                 for one in formula.arguments:
-                    if isinstance(one, Area) and one.single and self.is_empty(one.first):
+                    if isinstance(one, Area) and one.single and one.first not in filled:
                         found[one.first] = min(cell, found.get(one.first, cell))
         yield from (Wrong(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(found.items()))
-
-    def is_empty(self, cell: Address) -> bool:
-        """Whether a cell holds nothing."""
-        contents = self.file.contents
-        return cell not in contents.formulas and cell not in contents.failed and contents.constants.get(cell) is None
 
     def dimensions(self, order: Collection[Address]) -> Dimensions:
         """Return what cannot be by the units: those declared, and those beside the cells of the same sheets."""

@@ -173,10 +173,8 @@ class Judge:
     @cached_property
     def targets(self) -> list[Address]:
         """The cells that are compared."""
-        return [
-            *(cell for cell, _ in self.outputs),
-            *(cell for rows, _ in self.tables for row in rows for cell in row[1:]),
-        ]
+        columns = [cell for rows, _ in self.tables for row in rows for cell in row[1:]]
+        return [*(cell for cell, _ in self.outputs), *columns]
 
     def covered(self, tried: list[Case]) -> dict[Address, Coverage]:
         """Return the class of each formula cell: a step is one whose change alters a compared cell at some case."""
@@ -195,12 +193,8 @@ class Judge:
         """Whether a compared cell changes with a formula cell."""
         value: Any = values.get(cell)
         changes: list[Any] = [change(value) for change in CHANGES] if is_number(value) else [f"{value}?", 1.0]
-        return any(
-            not same(changed.get(target), values.get(target))
-            for other in changes
-            for changed in [self.values(case, {cell: other})]
-            for target in self.targets
-        )
+        changed = (self.values(case, {cell: other}) for other in changes)
+        return any(not same(one.get(target), values.get(target)) for one in changed for target in self.targets)
 
 
 def describe(file: BookFile, cell: Address) -> str:

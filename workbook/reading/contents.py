@@ -134,7 +134,9 @@ def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) ->
             if isinstance(a, Area):
                 areas.add(a)
             elif isinstance(a, Moving) and a.area.single and a.top is not None:
-                yield from met(a.area.sheet, a.area.left, {row + a.top for row in rows}, wanted)
+                moved = {row + a.top for row in rows}
+                known = wanted.get((a.area.sheet, a.area.left), ())
+                yield from (Address(a.area.sheet, row, a.area.left) for row in known if row in moved)
             elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
                 areas |= {a.at(row) for row in rows}
     for (sheet, left, right), spans in together(areas).items():
@@ -166,15 +168,6 @@ def by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:
         else:
             others.append(formula)
     return Patterns(list(patterns.values()), others)
-
-
-def met(
-    sheet: str, column: int, rows: Collection[int], wanted: Mapping[tuple[str, int], list[int]]
-) -> Iterator[Address]:
-    """Yield the cells of a column in ``rows`` that are among ``wanted``."""
-    for row in wanted.get((sheet, column), ()):
-        if row in rows:
-            yield Address(sheet, row, column)
 
 
 def within(

@@ -26,11 +26,6 @@ Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
 Mend = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # puts entries in order, and says what was not
 
 
-def as_it_is(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Any]:
-    """Change nothing."""
-    return []
-
-
 class Entries:
     """The input cells of a workbook as a machine description.
 
@@ -38,7 +33,7 @@ class Entries:
     moved back into their tables; ``moved`` is what it says of them.
     """
 
-    def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend = as_it_is) -> None:
+    def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend | None = None) -> None:
         require_narrow(file)
         self.file = file
         self._evaluate = evaluate
@@ -47,7 +42,9 @@ class Entries:
         self.cells: dict[str, str] = {}
         self.computed: dict[Address, Any] = {}
         self.template = self._template()
-        self.data: dict[str, Any] = {"template": self.template.name, "sizes": self._sizes()}
+        self.data: dict[str, Any] = {"template": self.template.name, "sizes": {}}
+        for size, table, extra in self.template.sized(file.places):
+            self.data["sizes"][size] = file.places[table].rows - extra
         self.missing: list[str] = []
         self.beyond: list[str] = []
         """of each table of entries the cells under its last row in which something stands, which nothing reads"""
@@ -63,7 +60,7 @@ class Entries:
         small = roomy | {"cycle": 4, "law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
         self._fit(layout, {size for k, size in roomy.items() if size > self.data["sizes"].get(k, size)})
-        self.moved = mend(file, layout, self.template.model_for(self.data))
+        self.moved = mend(file, layout, self.template.model_for(self.data)) if mend else []
         self._layout = layout
         for block in layout.blocks.values():
             self._read_block(block)
@@ -144,10 +141,6 @@ class Entries:
             return default
         self.data["export"] = {"axis": found}
         return default.model_copy(update={"export": ExportEntry(axis=found)})
-
-    def _sizes(self) -> dict[str, int]:
-        places = self.file.places
-        return {size: places[block].rows - extra for size, block, extra in self.template.sized(places)}
 
     def _fit(self, layout: Book, grown: set[int]) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""

@@ -17,7 +17,7 @@ from openpyxl.reader.excel import ExcelReader
 from openpyxl.utils.cell import range_boundaries
 
 from workbook.book.address import Address, Fit, Place
-from workbook.book.columns import Moving, Pattern
+from workbook.book.columns import Moving
 from workbook.book.formula import Area
 from workbook.errors import ReadError
 from workbook.intake import require_file
@@ -164,22 +164,19 @@ def find_places(workbook: Workbook) -> dict[str, Place]:
     titles = {sheet.title.lower(): sheet.title for sheet in workbook.worksheets}
     for name, defined in workbook.defined_names.items():
         usual = USUAL.fullmatch(defined.attr_text or "")
-        if usual is not None and usual[1].lower() in titles:
+        if usual is not None:
             sheet, left, top, right, bottom = usual.groups()
-            place = place_of(titles[sheet.lower()], f"{left}{top}:{right or left}{bottom or top}")
+            targets = [(sheet, f"{left}{top}:{right or left}{bottom or top}")]
+        else:
+            try:
+                targets = list(defined.destinations)
+            except Exception:  # noqa: S112 - openpyxl splits the text, and fails in many ways if it is no formula
+                continue
+        if len(targets) == 1:
+            title = titles.get(str(targets[0][0]).replace("''", "'").lower())
+            place = place_of(title, str(targets[0][1])) if title is not None else None
             if place is not None:
                 places[name] = place
-            continue
-        try:
-            targets = list(defined.destinations)
-        except Exception:  # noqa: S112 - openpyxl splits the text of a name, and fails in many ways if it is no formula
-            continue
-        if len(targets) != 1:
-            continue
-        sheet, cells = str(targets[0][0]).replace("''", "'").lower(), str(targets[0][1])
-        place = place_of(titles[sheet], cells) if sheet in titles else None
-        if place is not None:
-            places[name] = place
     return places
 
 
@@ -196,7 +193,7 @@ def place_of(sheet: str, cells: str) -> Place | None:
     return place if on_sheet and place.rows * place.columns <= MOST_CELLS else None
 
 
-MOST = 500_000_000
+MOST_READ = 500_000_000
 """cells that all formulas that are evaluated read together: up to 3,000,000 in the committed books; 160,000,000 in a
 book of 3,600 intervals with 60 rows in each table of entries"""
 MOST_COLUMNS = 50_000_000
@@ -225,24 +222,20 @@ def require_little_work(file: BookFile, path: Path) -> None:
     Only what is evaluated is asked for; of running sums each reads all rows before.
     """
     read = cells_read(file.contents.patterns)
-    if read > MOST:
-        raise ReadError(f"{path}: its formulas read {read:,} cells together; at most {MOST:,} are expected: "
+    if read > MOST_READ:
+        raise ReadError(f"{path}: its formulas read {read:,} cells together; at most {MOST_READ:,} are expected: "
                         "shorten their ranges")  # fmt: skip
 
 
 def cells_read(formulas: Patterns) -> int:
-    """Return how many cells formulas read together, a cell counted as often as it is read."""
+    """Return how many cells formulas read together, a cell counted as often as it is read: running sums grow."""
     patterns, others = formulas
     read = sum(a.size for formula in others for a in formula.arguments if isinstance(a, Area))
     for pattern, rows in patterns:
-        fixed, growing = parted(pattern)
-        read += fixed * len(rows) + sum(a.at(row).size for a in growing for row in rows)
+        for a in (a for a in pattern.arguments if not isinstance(a, str)):
+            area = a.area if isinstance(a, Moving) else a
+            if isinstance(a, Moving) and (a.top is None) != (a.bottom is None) and not area.single:
+                read += sum(a.at(row).size for row in rows)
+            else:
+                read += area.size * len(rows)
     return read
-
-
-def parted(pattern: Pattern) -> tuple[int, list[Moving]]:
-    """Return how many cells a pattern's formulas read in every row, and the references that grow from row to row."""
-    areas = [a.area if isinstance(a, Moving) else a for a in pattern.arguments if not isinstance(a, str)]
-    growing = [a for a in pattern.arguments if isinstance(a, Moving) and (a.top is None) != (a.bottom is None)]
-    growing = [a for a in growing if not a.area.single]
-    return sum(a.size for a in areas) - sum(a.area.size for a in growing), growing

@@ -57,12 +57,9 @@ def ends_lost(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple
     for name, block in layout.blocks.items():
         place = file.places.get(name)
         entered = block.is_table and any(q.role == "input" for q in block.quantities)
-        if (
-            place is not None
-            and entered
-            and block.size not in grown
-            and block.size > file.fits.get(name, Fit(place)).size
-        ):
+        if place is None or not entered or block.size in grown:
+            continue
+        if block.size > file.fits.get(name, Fit(place)).size:
             found.setdefault((place.sheet, place.cell(place.rows - 1, 0).row + 1), []).append(name)
     return found
 
@@ -164,7 +161,9 @@ def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
     """Return for each column of a table which one of the place it is, None where it is gone: in their order."""
     names = {column: {t.text for t in block.sheet.texts if t.column == column and 0 < block.row - t.row <= 4 and t.text}
              for column in block.columns.values()}  # fmt: skip
-    above = [texts_above(file, place, c) for c in range(place.columns)]
+    ups = range(1, min(HEADER, place.row))
+    cells = [[Address(place.sheet, place.row - up, place.column + c) for up in ups] for c in range(place.columns)]
+    above = [{text for text in map(file.value, column) if isinstance(text, str)} for column in cells]
     kinds = [kind(file, place, c) for c in range(place.columns)]
     likes = [
         [2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - kinds[c]) for c in range(place.columns)]
@@ -180,12 +179,6 @@ def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
             ))  # fmt: skip
         best.append(line)
     return list(best[-1][-1][1])
-
-
-def texts_above(file: BookFile, place: Place, c: int) -> set[str]:
-    """Return the texts above a column of a place."""
-    cells = (Address(place.sheet, place.row - up, place.column + c) for up in range(1, min(HEADER, place.row)))
-    return {text for text in map(file.value, cells) if isinstance(text, str)}
 
 
 def kind(file: BookFile, place: Place, c: int) -> float:

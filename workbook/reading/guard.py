@@ -114,8 +114,9 @@ def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> tuple[dic
     parts: dict[str, bytes] = {}
     for info in infos:
         data = unpacked(archive, info)
-        if not is_xml(info.filename, data):
-            continue
+        start = data[:200].lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n")
+        if not (start.startswith(b"<") or info.filename.lower().endswith((".xml", ".rels"))):
+            continue  # no XML, nor to be read as such: relations may call any part a sheet, whatever its name
         scan = Scan(info.filename, count)
         scan.read(without_points(info.filename, data))
         if scan.rows is not None:
@@ -130,7 +131,9 @@ def refuse_other_kinds(file: IO[bytes]) -> None:
     """Name the kinds of file that are taken for an .xlsx; leave the file at its start."""
     data = file.read(512)
     if data.startswith(OLE):
-        if "EncryptedPackage".encode("utf-16-le") in data + file.read(MEGABYTE) + tail(file):
+        data += file.read(MEGABYTE)
+        file.seek(max(0, file.seek(0, 2) - MEGABYTE))  # the end, where the directory of an OLE container mostly lies
+        if "EncryptedPackage".encode("utf-16-le") in data + file.read():
             raise Refusal("protected by a password; remove the password (Excel: File > Info > Protect Workbook)")
         raise Refusal(f"an old .xls workbook; {SAVE_AS}")
     if not data:
@@ -139,13 +142,6 @@ def refuse_other_kinds(file: IO[bytes]) -> None:
         kind = "text, such as CSV or HTML" if data.isascii() and b"\0" not in data else "not a workbook, or damaged"
         raise Refusal(f"{kind}; {SAVE_AS}")
     file.seek(0)
-
-
-def tail(file: IO[bytes]) -> bytes:
-    """Return the end of a file, where the directory of an OLE container mostly lies."""
-    file.seek(0, 2)
-    file.seek(max(0, file.tell() - MEGABYTE))
-    return file.read()
 
 
 def refuse_odd_parts(parts: list[zipfile.ZipInfo], size: int) -> None:
@@ -190,9 +186,3 @@ def unpacked(archive: zipfile.ZipFile, part: zipfile.ZipInfo) -> bytes:
     if len(data) != part.file_size:
         raise Refusal(f"{shown(part.filename)} does not have the size that the zip declares; {SAVE_AS}")
     return bytes(data)
-
-
-def is_xml(name: str, data: bytes) -> bool:
-    """Whether a part is, or could be read as, XML: relations may call any part a sheet, whatever its name."""
-    start = data[:200].lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n")
-    return start.startswith(b"<") or name.lower().endswith((".xml", ".rels"))

@@ -82,17 +82,13 @@ def links(parts: Mapping[str, bytes], of: str) -> list[Link]:
     name = join(dirname(of), "_rels", f"{basename(of)}.rels")
     if name not in parts:
         return []
-    found = [link(e, dirname(of)) for e in fromstring(parts[name]) if tag(e) == "Relationship"]
+    found = []
+    for e in (e for e in fromstring(parts[name]) if tag(e) == "Relationship"):
+        target = part(normpath(join("/", dirname(of), e.get("Target", ""))))
+        inside = e.get("TargetMode", "Internal") == "Internal"
+        found.append(Link(e.get("Id", ""), e.get("Type", "").rpartition("/")[2], target if inside else ""))
     refuse_twice(f"has two relationships of the name {{}} in {shown(name)}", (one.id for one in found))
     return found
-
-
-def link(element: Element, folder: str) -> Link:
-    """Return a relationship, its target as the name of a part."""
-    target = element.get("Target", "")
-    inside = element.get("TargetMode", "Internal") == "Internal"
-    kind = element.get("Type", "").rpartition("/")[2]
-    return Link(element.get("Id", ""), kind, part(normpath(join("/", folder, target))) if inside else "")
 
 
 def linked(what: str, relations: list[Link], kind: str, typed_so: list[str], names: set[str]) -> str:

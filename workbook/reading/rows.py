@@ -135,7 +135,7 @@ class Rows:
             raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
         name = tag.removeprefix(self.prefix)
         if FREE.isdisjoint(path):
-            if ":" in name or not (attributes.keys() <= USUAL or plain(attributes)):
+            if ":" in name or any(key.startswith("xmlns") for key in attributes):
                 raise self._damaged(f"<{shown(tag)}> within a row")
             if path:
                 self._in_cell(name, attributes)
@@ -261,11 +261,6 @@ class Rows:
 
     def _damaged(self, what: str) -> Refusal:
         return Refusal(f"damaged: {self.name} holds {what}; {SAVE_AS}")
-
-
-def plain(attributes: dict[str, str]) -> bool:
-    """Whether attributes declare no namespace."""
-    return not any(key.startswith("xmlns") for key in attributes)
 
 
 def refuse_two_texts(name: str, met: list[str], part: str) -> None:

@@ -21,9 +21,7 @@ from workbook.witnesses.witness import Witness
 
 @contextmanager
 def without(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Iterator[BookFile]:
-    """Give ``file`` itself, or a copy without the cells ``own`` and with the values ``given`` where these are any.
-
-    A file that was mended is copied, too.
+    """Give ``file`` itself, or a copy of one that was mended, without the cells ``own`` or with the values ``given``.
 
     The copy holds contents of cells and the names that lead to cells, and lies in a folder that goes away.
     """

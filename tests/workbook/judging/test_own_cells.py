@@ -16,7 +16,7 @@ from workbook.errors import InputError, ReadError
 from workbook.judging.one import Outcome
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
-from workbook.reading import work
+from workbook.reading import files
 from workbook.reading.descriptions import read_machine
 from workbook.reports.console import report_data
 from workbook.reports.junit import junit
@@ -91,12 +91,12 @@ def test_own_cells_are_no_finding(name, filled):
 
 def test_running_sums_of_ones_own_are_not_counted_as_work(press, tmp_path, monkeypatch):
     """Of 60,000 rows they read 1,800,000,000 cells; nobody evaluates them. Where an entry reads them they count."""
-    monkeypatch.setattr(work, "MOST", 10 * work.cells_read(press.file.contents.patterns))
+    monkeypatch.setattr(files, "MOST_READ", 10 * files.cells_read(press.file.contents.patterns))
     opened = press.opened()
     mine = opened.create_sheet("Mine")
     for row in range(1, 1_001):
         mine.append([row, f"=SUM($A$1:A{row})"])
-    assert work.MOST < 1_000**2 / 2
+    assert files.MOST_READ < 1_000**2 / 2
     opened.save(tmp_path / "b.xlsx")
     report = verify(tmp_path / "b.xlsx")
     assert (report.findings, report.not_evaluated) == ([], 1_000)

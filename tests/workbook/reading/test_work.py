@@ -8,7 +8,7 @@ from openpyxl.utils import get_column_letter
 
 from tests import cutting
 from workbook.errors import ReadError
-from workbook.reading import work
+from workbook.reading import files
 from workbook.reading.contents import Contents
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
@@ -35,7 +35,7 @@ def test_cells_are_counted_as_often_as_they_are_read(page):
     for row in range(2, 12):
         page.cell(row, 4).value = f"=SUM($A$1:A{row})+B{row}+SUM(A$1:B$3)"
     contents = Contents(page.parent)
-    assert work.cells_read(contents.patterns) == 11 + sum(row + 1 + 6 for row in range(2, 12))
+    assert files.cells_read(contents.patterns) == 11 + sum(row + 1 + 6 for row in range(2, 12))
 
 
 def test_more_work_than_any_book_is_refused_in_one_line(page, tmp_path):
@@ -44,7 +44,7 @@ def test_more_work_than_any_book_is_refused_in_one_line(page, tmp_path):
     file = BookFile(tmp_path / "book.xlsx", page.parent, {})
     begin = time.process_time()
     with pytest.raises(ReadError, match=r"book.xlsx: its formulas read 640,000,000 cells") as caught:
-        work.require_little_work(file, file.path)
+        files.require_little_work(file, file.path)
     assert "\n" not in str(caught.value)
     assert time.process_time() - begin < SECONDS
 
@@ -68,8 +68,8 @@ def test_running_sums_are_taken_apart_at_once(page):
 def test_books_are_far_from_the_limit():
     for name in ("machine", "indexing-overlap"):  # those that read most
         file = open_book(TEMPLATES[name].book)
-        assert work.cells_read(file.contents.patterns) < work.MOST / 20
-        work.require_narrow(file)
+        assert files.cells_read(file.contents.patterns) < files.MOST_READ / 20
+        files.require_narrow(file)
 
 
 @pytest.mark.parametrize(

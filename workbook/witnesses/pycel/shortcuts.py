@@ -186,16 +186,12 @@ def product_sum(checked: Function) -> Function:
     def call(*arrays: Any) -> Any:
         if arrays and RANGES.issuperset(map(type, arrays)):
             found: list[Any] = list(map(array_of, arrays))
-            if all(cells is not None and cells.dtype != bool for cells in found) and same_size(found):
+            numbers = all(cells is not None and cells.dtype != bool for cells in found)
+            if numbers and len({cells.shape for cells in found}) == 1:
                 return functools.reduce(np.multiply, found).sum().item()
         return checked(*arrays)
 
     return call
-
-
-def same_size(found: Sequence[Any]) -> bool:
-    """Whether arrays have the same rows and columns."""
-    return len({cells.shape for cells in found}) == 1
 
 
 def numbers_of(array: Iterable[Iterable[Any]]) -> list[float]:

@@ -1,7 +1,7 @@
 """What an evaluation is made of: a formula called with its arguments, a range filled from its cells."""
 
 import math
-from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
 from pycel.excelutil import EMPTY, list_like
@@ -37,13 +37,8 @@ class RangeStep:
 
     def compute(self, values: list[Any] | dict[int, Any]) -> tuple[tuple[Any, ...], ...]:
         """Return the range as pycel's functions take it, a tuple of rows."""
-        return rows_of(map(values.__getitem__, self.sources), self._width)
-
-
-def rows_of(values: Iterable[Any], width: int) -> tuple[tuple[Any, ...], ...]:
-    """Return values as rows of ``width``."""
-    cells = iter(values)
-    return tuple(zip(*[cells] * width, strict=True))
+        cells = map(values.__getitem__, self.sources)
+        return tuple(zip(*[cells] * self._width, strict=True))
 
 
 def held(result: Any) -> Any:
