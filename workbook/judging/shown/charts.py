@@ -46,12 +46,13 @@ def paired(match: Match, sheet: Sheet, held: list[Drawn]) -> Iterator[tuple[Any,
     reader = Reader(Address(sheet.title, 1, 1), match.declared_area)
     drawings: list[Any] = [draw(chart, match.declared, *size(*place)) for chart, _, *place in sheet.charts]
     fresh = [reader.chart(one._write()) for one in drawings]
-    found: dict[int, Drawn] = {}
+    found: dict[int, int] = {}
     likeness = [(like(match, one, other), -i, -k) for i, one in enumerate(fresh) for k, other in enumerate(held)]
     for alike, i, k in sorted(likeness, reverse=True):
-        if alike > 0 and -i not in found and held[-k] not in found.values():
-            found[-i] = held[-k]
-    yield from ((one, fresh[i], found.get(i)) for i, one in enumerate(sheet.charts))
+        if alike > 0 and -i not in found and -k not in found.values():
+            found[-i] = -k
+    for i, one in enumerate(sheet.charts):
+        yield one, fresh[i], held[found[i]] if i in found else None
 
 
 def like(match: Match, fresh: Drawn, found: Drawn) -> float:
@@ -157,8 +158,9 @@ def same_name(match: Match, fresh: Name, held: Name) -> bool:
 
 def figures(match: Match, area: Area | None) -> list[float]:
     """Return the finite numbers of a declared column."""
-    rows = range(area.top, area.bottom + 1) if area is not None else ()
-    values = [match.declared_value(Address(area.sheet, row, area.left)) for row in rows] if area is not None else []
+    if area is None:
+        return []
+    values = (match.declared_value(Address(area.sheet, row, area.left)) for row in range(area.top, area.bottom + 1))
     return [float(v) for v in values if isinstance(v, int | float) and math.isfinite(v)]
 
 

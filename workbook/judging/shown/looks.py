@@ -155,23 +155,14 @@ def of_parts(parts: dict[str, Any]) -> Iterator[Judged]:
 def of_font(font: Any, palette: Palette) -> Iterator[Judged]:
     """Yield what is to be told of a font but for its colour; one of the theme is called as the theme says."""
     name = palette.fonts.get(font.scheme) or getattr(font, "rFont", None) or getattr(font, "name", None) or "calibri"
-    yield from of_name(str(name).casefold())
-    yield from of_size(font.sz or taste.SMALL)
-    yield from of_parts({"font": font})
-
-
-def of_name(name: str) -> Iterator[Judged]:
-    """Yield what is to be told of a font of a name."""
+    name, size = str(name).casefold(), font.sz or taste.SMALL
     if name.startswith(taste.SIGNS):
         yield SHOWN, f"in the signs of {name}"
     elif name.split()[0] not in taste.FONTS:
         yield NOTICE, f"in the font {name}"
-
-
-def of_size(size: float) -> Iterator[Judged]:
-    """Yield what is to be told of a font so many points high."""
     if not taste.SMALL <= size <= taste.LARGE:
         yield SHOWN if size < taste.LEAST_SIZE else NOTICE, f"{size:g} points high"
+    yield from of_parts({"font": font})
 
 
 def of_colours(ink: Any, ground: Any) -> Iterator[Judged]:

@@ -31,9 +31,8 @@ class Placed(NamedTuple):
 
     def covers(self, one: Seen, whole: bool = False) -> bool:
         """Whether the rule covers some of a column's cells, or all of them."""
-        column, ends = one.at.column, (one.last, one.at.row) if not whole else (one.at.row, one.last)
-        return any(top <= ends[0] and ends[1] <= bottom and left <= column <= right
-                   for top, left, bottom, right in self.ranges)  # fmt: skip
+        first, last = (one.at.row, one.last) if whole else (one.last, one.at.row)
+        return any(t <= first and last <= b and left <= one.at.column <= r for t, left, b, r in self.ranges)
 
     @property
     def code(self) -> str:

@@ -55,14 +55,13 @@ def unit(text: str) -> Unit:
 
 def symbols(text: str) -> tuple[str, ...]:
     """Return the symbol that a text is, or the two that it joins, such as Nm; nothing where it is none."""
+
+    def known(part: str) -> bool:
+        prefixed = any(part.endswith(name) and part.removesuffix(name) in PREFIXES for name in PREFIXED)
+        return part == "1" or part in OTHERS or prefixed
+
     joined: Iterator[tuple[str, ...]] = ((text[:cut], text[cut:]) for cut in range(1, len(text)))
-    return next((found for found in ((text,), *joined) if all(map(is_symbol, found))), ())
-
-
-def is_symbol(text: str) -> bool:
-    """Whether a text is one symbol of a unit."""
-    prefixed = any(text.endswith(name) and text.removesuffix(name) in PREFIXES for name in PREFIXED)
-    return text == "1" or text in OTHERS or prefixed
+    return next((found for found in ((text,), *joined) if all(map(known, found))), ())
 
 
 def is_unit(text: str) -> bool:
