@@ -6,7 +6,7 @@ from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.formula import Area
-from workbook.dimensions.tree import Dimensions, dimensions
+from workbook.dimensions.rules import Dimensions, dimensions
 from workbook.dimensions.units import POWERS, dimension_of
 from workbook.oracle.cases import is_number, same
 from workbook.oracle.cells import unit_of

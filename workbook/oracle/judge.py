@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from workbook.book.address import Address
-from workbook.dimensions.tree import Dimensions
+from workbook.dimensions.rules import Dimensions
 from workbook.errors import ReadError, WitnessError
 from workbook.oracle.cases import Case, cases, close, is_number, same, size
 from workbook.oracle.cells import cells_of, find, label_of

@@ -8,7 +8,7 @@ import pytest
 from tests.tiers import by_day
 from tests.workbook.cells import in_memory
 from workbook.book.address import Address
-from workbook.dimensions.tree import dimensions
+from workbook.dimensions.rules import dimensions
 from workbook.dimensions.units import NONE, dimension_of
 from workbook.reading.contents import Contents
 from workbook.reading.descriptions import read_machine

@@ -27,8 +27,9 @@ from workbook.reading.contents import Contents
 from workbook.witnesses.pycel import compiled, shortcuts
 from workbook.witnesses.pycel.arrays import plain
 from workbook.witnesses.pycel.limits import build_operators
-from workbook.witnesses.pycel.model import PycelModel, evaluate, version
+from workbook.witnesses.pycel.model import PycelModel, evaluate
 from workbook.witnesses.pycel.steps import ordered
+from workbook.witnesses.pycel.witness import version
 
 SHEET = "Sheet 1"
 
