@@ -13,7 +13,7 @@ limits          how near a cycle comes to the limits of motor and reducer
 max_rate        the highest rate at which all limits are met, exact
 quadrature      a load at points of a cycle, as the sheets have it
 drive_points    its motor there; rate_by_points: the highest rate by these points
-dc_bus          power of several drives, on a common DC bus and without one
+dc_bus          mean and largest power of drives, each with a DC bus of its own
 search          extremes and integrals where there is no closed form
 """
 

@@ -191,22 +191,18 @@ class DriveCycle:
     @cached_property
     def torque_intervals(self) -> tuple[TorqueInterval, ...]:
         """All torque intervals, in the order of the unshifted motion. Raises OutOfReachError."""
-        return tuple(interval for span in self.spans for interval in self._split(*span))
+        last = len(self.train.drive.mechanism.stages)
+        return tuple(one for span in self.spans for one in self._through(span, [1.0] * last, last))
 
     @cached_property
     def spans(self) -> tuple[Span, ...]:
         """All spans, in the order of the unshifted motion. Raises OutOfReachError."""
         return tuple(span for piece in self.unshifted.moved for span in self._of(piece))
 
-    @property
-    def fastest(self) -> float:
-        """The largest |y'| of the motion."""
-        return self.unshifted.fastest
-
     def _of(self, piece: MotionPiece) -> Iterator[Span]:
         """Yield the spans of a piece."""
         velocity = position(piece).derivative()
-        moves = largest_size(velocity, piece.duration) > NOISE * self.fastest
+        moves = largest_size(velocity, piece.duration) > NOISE * self.unshifted.fastest
         cuts = [0.0, piece.duration, *self._edges(piece)]
         if moves:
             turns = sign_changes(velocity, 0.0, piece.duration)
@@ -232,37 +228,25 @@ class DriveCycle:
         for knot in self.train.cuts(min(ends), max(ends)):
             yield from sign_changes(Curve((y.c[0] - knot, *y.c[1:]), y.sines), 0.0, piece.duration)
 
-    def _split(
-        self, piece: MotionPiece, low: float, high: float, direction: float, force: Force
-    ) -> Iterator[TorqueInterval]:
-        """Yield a part of a piece, cut where power turns round in a stage, from the load's on, or in the motor."""
-        stages = self.train.drive.mechanism.stages
-        yield from self._through(piece, low, high, direction, force, [1.0] * len(stages), len(stages))
-
-    def _through(
-        self, piece: MotionPiece, low: float, high: float, direction: float, force: Force, factors: list[float],
-        shaft: int,
-    ) -> Iterator[TorqueInterval]:  # fmt: skip
-        """Yield torque intervals; the factors of all stages behind a shaft are known."""
-        here = self._interval(piece, low, high, direction, force, factors)
-        cuts = [low, high, *(here.crossings(shaft) if direction else ())]
-        for begin, end in parts(cuts, piece.duration):
+    def _through(self, span: Span, factors: list[float], shaft: int) -> Iterator[TorqueInterval]:
+        """Yield a span, cut where power turns round in a stage or the motor; the factors behind a shaft are known."""
+        here = self._interval(span, factors)
+        cuts = [span.low, span.high, *(here.crossings(shaft) if span.direction else ())]
+        for low, high in parts(cuts, span.piece.duration):
+            part = span._replace(low=low, high=high)
             if shaft == 0:
-                yield self._interval(piece, begin, end, direction, force, factors)
+                yield self._interval(part, factors)
                 continue
-            middle = np.array([0.5 * (begin + end)])
             stage = self.train.drive.mechanism.stages[shaft - 1]
-            behind = here.torque(middle, shaft)
-            factor = float(stage.factor(behind, direction, self.train.method, 0.0)[0])
-            known = [*factors[: shaft - 1], factor, *factors[shaft:]]
-            yield from self._through(piece, begin, end, direction, force, known, shaft - 1)
+            behind = here.torque(np.array([0.5 * (low + high)]), shaft)
+            factor = float(stage.factor(behind, span.direction, self.train.method, 0.0)[0])
+            yield from self._through(part, [*factors[: shaft - 1], factor, *factors[shaft:]], shaft - 1)
 
-    def _interval(
-        self, piece: MotionPiece, low: float, high: float, direction: float, force: Force, factors: Sequence[float]
-    ) -> TorqueInterval:  # fmt: skip
+    def _interval(self, span: Span, factors: Sequence[float]) -> TorqueInterval:
         weights = tuple(self.train.weights(factors))
-        if direction == 0.0 and self.train.drive.holding == "brake":  # on the motor's shaft: gears carry the load
+        if span.direction == 0.0 and self.train.drive.holding == "brake":  # on the motor's shaft: gears carry the load
             weights = (Weights(0.0, 0.0), *weights[1:])
+        piece, low, high, direction, force = span
         return TorqueInterval(self.train, piece, self.speed, low, high, direction, force, weights)
 
 

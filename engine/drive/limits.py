@@ -96,7 +96,7 @@ class LimitChecks:
     @property
     def worst(self) -> LimitCheck | None:
         """The check whose limit is used most; None without any limit."""
-        return max(self._limiting, key=use, default=None)
+        return max(self._limiting, key=lambda check: check.use, default=None)
 
     @property
     def _limits(self) -> dict[str, float]:
@@ -177,13 +177,6 @@ class LimitChecks:
         for one in self.drive_cycle.torque_intervals:
             lacking, torque = max((lacking, torque), worst(one, lacking))
         return LimitCheck(BELOW, torque, torque - lacking, lacking <= 0.0)
-
-
-def use(check: LimitCheck) -> float:
-    """Return the share of its limit that a check's value takes; infinite of a limit of 0."""
-    if check.limit <= 0.0:
-        return math.inf
-    return check.value / check.limit
 
 
 def _machine_inertia(one: TorqueInterval) -> Function:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from engine.drive.limits import LimitChecks, use
+from engine.drive.limits import LimitChecks
 
 FAR = 1e6
 """times the rate that is asked about: no further is looked, up or down"""
@@ -65,7 +65,7 @@ def named(checks: LimitChecks) -> str:
 
 def over(checks: LimitChecks) -> float:
     """Return by how much the most used limit is overstepped, as a share of it: below 0 where all hold."""
-    return min(use(checks.worst), 2.0) - 1.0 if checks.worst else -1.0
+    return min(checks.worst.use, 2.0) - 1.0 if checks.worst else -1.0
 
 
 def _narrowed(checks: LimitChecks, low: float, high: float) -> tuple[float, str]:

@@ -152,8 +152,8 @@ class LimitCheck(NamedTuple):
 
     @property
     def use(self) -> float:
-        """The share of the limit that is asked for."""
-        return self.value / self.limit
+        """The share of the limit that is asked for; infinite of a limit of 0."""
+        return self.value / self.limit if self.limit > 0.0 else math.inf
 
 
 class Reserve(NamedTuple):

@@ -235,7 +235,7 @@ class Cycle:
     @property
     def still(self) -> float:
         """The speed up to which the load counts as at rest (m/s or rad/s)."""
-        return STANDSTILL * self.drive_cycle.fastest * self.drive_cycle.speed
+        return STANDSTILL * self.drive_cycle.unshifted.fastest * self.drive_cycle.speed
 
     @cached_property
     def levels(self) -> tuple[Array, Array]:

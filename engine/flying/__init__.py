@@ -14,7 +14,7 @@ from engine.flying.tool import (
     flying_saw,
     generalized_torque,
     rotary_drum,
-)
+)  # fmt: skip
 
 __all__ = [
     "LONGER", "SAME_LENGTH", "Beyond", "Case", "Cut", "CycleState", "ShaftMotion", "Sizes", "Tool", "ToolMotion",

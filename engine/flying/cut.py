@@ -227,10 +227,7 @@ class Cut:
         return ToolMotion(self.line_speed * t + moved, speed, *rates)
 
     def state(self, time: ArrayLike) -> CycleState:
-        """Return where the cycle is at times (s) from 0 to t_C: on an event, behind it.
-
-        Raises ValueError outside.
-        """
+        """Return where the cycle is at times (s) from 0 to t_C: on an event, behind it. Raises ValueError outside."""
         t, near = np.asarray(time, dtype=np.float64), self.time_tolerance
         if t.size and not (t.min() >= -near and t.max() <= self.cycle_time + near):
             raise ValueError(f"time reaches from {t.min():g} to {t.max():g} s; expected 0 to {self.cycle_time:g} s")

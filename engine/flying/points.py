@@ -92,12 +92,6 @@ def sizes(cut: Cut, inertia: float, torque: float) -> Sizes:
     acceleration = cut.line_speed**2 / length
     turning = acceleration / radius
     return Sizes(
-        length,
-        cut.line_speed,
-        acceleration,
-        length / radius,
-        cut.line_speed / radius,
-        turning,
-        math.hypot(inertia * turning, torque),
-        inertia * turning**2,
-    )
+        length, cut.line_speed, acceleration, length / radius, cut.line_speed / radius, turning,
+        math.hypot(inertia * turning, torque), inertia * turning**2,
+    )  # fmt: skip

@@ -49,7 +49,8 @@ def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:
         lasts = piece.duration > 0.0
         jump = tuple(y - x for x, y in zip(ended, begin, strict=True)) if lasts else (0.0, 0.0, 0.0)
         outer = lasts and (behind or before == 0)
-        found.append(Meeting(piece.duration, _angles(piece), begin, end, before, jump, _order(jump, scales), outer))
+        angles = piece.omega * piece.duration + piece.phase, piece.omega2 * piece.duration + piece.phase2
+        found.append(Meeting(piece.duration, angles, begin, end, before, jump, _order(jump, scales), outer))
         v = end[0]
         if lasts:
             before, ended = k, end
@@ -72,12 +73,6 @@ def _rates(piece: Piece, v: float) -> tuple[Rates, Rates]:
     """Return v, a, j of a piece, entered with the velocity ``v``, at its begin and at its end."""
     _, dv, a, j = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])
     return (v, float(a[0]), float(j[0])), (v + float(dv[1]), float(a[1]), float(j[1]))
-
-
-def _angles(piece: Piece) -> tuple[float, float]:
-    """Return the angles of a piece's sines at its end."""
-    d = piece.duration
-    return piece.omega * d + piece.phase, piece.omega2 * d + piece.phase2
 
 
 def _order(jump: tuple[float, ...], scales: tuple[float, ...]) -> int:

@@ -8,8 +8,7 @@ import numpy as np
 
 from engine.laws.base import Array, Coefficients, Law
 from engine.laws.entry import Claims, Entry, Vendors, formulas
-from engine.laws.piece import Piece
-from engine.laws.piece_rules import cut, reversed_pieces
+from engine.laws.piece import Piece, cut, reversed_pieces
 
 HALF_PI = math.pi / 2.0
 FROM_REST = Piece(

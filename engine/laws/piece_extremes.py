@@ -106,14 +106,11 @@ def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a
     v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
     accelerations = [values[1] for values in found]
     return Coefficients(
-        cv=float(np.abs(v).max()),
-        ca_max=float(a.max()),
-        ca_min=float(a.min()),
+        cv=float(np.abs(v).max()), ca_max=float(a.max()), ca_min=float(a.min()),
         ca_rms=math.sqrt(sum(map(square_integral, lasting))),
-        cj=math.inf if _jumps(accelerations, a0, a1) else float(np.abs(j).max()),
-        va_max=float((v * a).max()),
+        cj=math.inf if _jumps(accelerations, a0, a1) else float(np.abs(j).max()), va_max=float((v * a).max()),
         va_min=float((v * a).min()),
-    )
+    )  # fmt: skip
 
 
 def _extremes(piece: Piece, v0: float, inside: Sequence[float]) -> tuple[Array, Array, Array]:

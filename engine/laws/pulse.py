@@ -5,8 +5,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from engine.laws.ladder import Curve, zeros
-from engine.laws.piece import Piece
-from engine.laws.piece_rules import backwards
+from engine.laws.piece import Piece, backwards
 
 K = 2.0 / math.pi  # mean of a quarter sine
 QUARTER = math.pi / 2.0

@@ -10,9 +10,8 @@ from typing import ClassVar, NamedTuple, TypeVar
 
 from engine.laws.base import Array, Coefficients, Shapes, require_finite
 from engine.laws.ends import EndedLaw
-from engine.laws.piece import Piece
+from engine.laws.piece import Piece, cut, scaled_piece
 from engine.laws.piece_extremes import power_extremes
-from engine.laws.piece_rules import cut, scaled_piece
 from engine.laws.pulse import Edge, Pulse
 from engine.laws.stages import Staged, carried
 
@@ -201,14 +200,10 @@ class PulseLaw(EndedLaw):
         a += [up, up * c.rise.least, -down, -down * c.fall.least]
         va_max, va_min = self._power()
         return Coefficients(
-            cv=max(abs(e.v0), abs(self.top), abs(e.v1)),
-            ca_max=max(a),
-            ca_min=min(a),
+            cv=max(abs(e.v0), abs(self.top), abs(e.v1)), ca_max=max(a), ca_min=min(a),
             ca_rms=math.sqrt(up**2 * c.rise.square * c.rise_time + down**2 * c.fall.square * c.fall_time),
-            cj=math.inf if self._jumps() else self.jerk_between_jumps,
-            va_max=va_max,
-            va_min=va_min,
-        )
+            cj=math.inf if self._jumps() else self.jerk_between_jumps, va_max=va_max, va_min=va_min,
+        )  # fmt: skip
 
     @property
     def jerk_between_jumps(self) -> float:

@@ -40,16 +40,10 @@ def carried(pieces: Sequence[Piece], sign: float, edge: float, s: float, v: floa
         amplitude, r = (p.amplitude, 1.0 / p.omega) if p.omega else (0.0, 0.0)
         ds, dv = gains_at(p, p.duration)
         yield Stage(
-            begin=begin if sign > 0.0 else begin - p.duration,
-            sign=sign,
-            origin=-sign * begin,
-            s0=s + sign * amplitude * r * r * np.sin(p.phase),
-            v0=v + amplitude * r * np.cos(p.phase),
-            c=p.c,
-            amplitude=amplitude,
-            r=r,
-            phase=p.phase,
-        )
+            begin=begin if sign > 0.0 else begin - p.duration, sign=sign, origin=-sign * begin,
+            s0=s + sign * amplitude * r * r * np.sin(p.phase), v0=v + amplitude * r * np.cos(p.phase), c=p.c,
+            amplitude=amplitude, r=r, phase=p.phase,
+        )  # fmt: skip
         s, v, passed = s + sign * (v * p.duration + ds), v + dv, passed + p.duration
 
 

@@ -83,13 +83,9 @@ def slope(phase: Phase) -> float | None:
 
 
 def joined(
-    phases: Sequence[Phase],
-    through: Mapping[int, Rates] | None = None,
-    periodic: bool = True,
-    start: float = 0.0,
-    position: float = 0.0,
-    shares: bool = True,
-) -> Joined:
+    phases: Sequence[Phase], through: Mapping[int, Rates] | None = None, periodic: bool = True, start: float = 0.0,
+    position: float = 0.0, shares: bool = True,
+) -> Joined:  # fmt: skip
     """Return the motion of phases, each of which meets its neighbours, across the end of the cycle too.
 
     Beside a straight line or a dwell a curved phase takes its velocity, and no acceleration. Between two curved
@@ -109,7 +105,7 @@ def joined(
         if constant is not None:
             made.append(phase)
             faults += [Fault(k, reason) for reason in _contradictions(constant, (here, there))]
-            kinds.append(_straight_kinds(constant))
+            kinds.append((kind(abs(constant) and 1.0, 0.0),) * 2)
             asked.append((Side(Rates(constant), True, False),) * 2)
             continue
         sides = _side(before, here), _side(after, there)
@@ -167,11 +163,6 @@ def agrees(rates: Rates, constant: float) -> bool:
     """Whether rates are those of a straight line of a slope, but for rounding."""
     near = abs(rates.v - constant) <= STILL * (abs(rates.v) + abs(constant))
     return near and not rates.a and not rates.j
-
-
-def _straight_kinds(constant: float) -> tuple[str, str]:
-    found = kind(abs(constant) and 1.0, 0.0)
-    return found, found
 
 
 def _kinds(phase: Phase, sides: tuple[Side, Side]) -> tuple[str, str]:

@@ -199,13 +199,10 @@ class Motion:
     def _junction(self, before: int, after: int) -> Junction:
         one, other = self.ends[before].end, self.ends[after].begin
         return Junction(
-            x=float(self.edges[before + 1]),
-            before=before,
-            after=after,
-            jump_y=other.y - one.y if after > before else one.y - other.y,
-            jump_v=other.y1 - one.y1,
+            x=float(self.edges[before + 1]), before=before, after=after,
+            jump_y=other.y - one.y if after > before else one.y - other.y, jump_v=other.y1 - one.y1,
             jump_a=other.y2 - one.y2,
-        )
+        )  # fmt: skip
 
     def _locate(self, x: Array) -> NDArray[np.intp]:
         require_within("x", x, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)
@@ -229,12 +226,9 @@ class MotionSamples(NamedTuple):
 
 
 def motionlaw(
-    laws: Sequence[str],
-    lifts: Sequence[float],
-    durations: Sequence[float],
-    n: int,
+    laws: Sequence[str], lifts: Sequence[float], durations: Sequence[float], n: int,
     parameters: Sequence[Mapping[str, Any] | None] | None = None,
-) -> MotionSamples:
+) -> MotionSamples:  # fmt: skip
     """Return samples of the phases that three lists describe: S3's call in Python.
 
     Source: S3, function motionlaw, its misprint mended (see :class:`engine.motion.Motion`).

@@ -5,9 +5,22 @@ and is out before the next transfer. Angles are of the master shaft, in rad; the
 stations are as many schedules over the same transfer: each meets the transfer, none another tool.
 """
 
-from engine.overlap.clearance import Clearance, Corners, clearance, colliding, corners
 from engine.overlap.parts import Passage, Tool, Transfer
-from engine.overlap.plan import MarginSweep, Room, blocked, one_after_the_other, overlap, rests, room, sweep_margin
+from engine.overlap.plan import (
+    Clearance,
+    Corners,
+    MarginSweep,
+    Room,
+    blocked,
+    clearance,
+    colliding,
+    corners,
+    one_after_the_other,
+    overlap,
+    rests,
+    room,
+    sweep_margin,
+)
 from engine.overlap.points import HEIGHT, INTERVALS, REST, Between, Points, between, inverse_by_points, points_of
 from engine.overlap.schedule import ANGLE_TOLERANCE, Rates, Schedule, movement_time
 

@@ -24,16 +24,8 @@ PLATE = 0.2
 STEP = 2.5
 """from station to station, in strokes of the transfer"""
 PUNCH = (
-    (-0.5, 0.0),
-    (-0.5, 0.8),
-    (-1.0, 0.8),
-    (-1.0, 1.0),
-    (1.0, 1.0),
-    (1.0, 0.8),
-    (0.5, 0.8),
-    (0.5, 0.0),
-    (-0.5, 0.0),
-)
+    (-0.5, 0.0), (-0.5, 0.8), (-1.0, 0.8), (-1.0, 1.0), (1.0, 1.0), (1.0, 0.8), (0.5, 0.8), (0.5, 0.0), (-0.5, 0.0),
+)  # fmt: skip
 """a tool: across in its width, along in its length"""
 WALLS = tuple((wall, side, up) for wall in (-2, -1, 0) for side, up in ((0, 0), (0, 1), (1, 1), (1, 0)))
 """the transfer at a station: wall by wall, left or right, lower or upper corner"""

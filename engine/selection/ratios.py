@@ -60,7 +60,8 @@ def ratio_ranges(
     A load that does not move accepts no motor. Raises ValueError unless 0 < η ≤ 1.
     Source: S5, eqs. (14)–(18), steps 3 and 4.
     """
-    _require_efficiency(efficiency)
+    if not 0.0 < efficiency <= 1.0:
+        raise ValueError(f"efficiency is {efficiency:g}; expected more than 0 and at most 1")
     rated, moment, fastest = np.broadcast_arrays(
         *(np.asarray(given, dtype=np.float64) for given in (rated_torque, inertia, max_speed))
     )
@@ -123,8 +124,3 @@ def ratio_curves(
     torque = pace * task.torque_rms / efficiency
     root, wide, low, high = _ends(spare, inertia, pace * task.acceleration_rms, torque)
     return RatioCurves(share, beta, pace, root, wide, low, best_ratio(task, np.full(points, inertia), efficiency), high)
-
-
-def _require_efficiency(efficiency: float) -> None:
-    if not 0.0 < efficiency <= 1.0:
-        raise ValueError(f"efficiency is {efficiency:g}; expected more than 0 and at most 1")

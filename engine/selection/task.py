@@ -53,14 +53,9 @@ class LosslessCycle:
         return [p.duration / self.time for p in self.phases]
 
     @property
-    def moving_shares(self) -> list[float]:
-        """Share of the cycle that each phase moves in: none for a dwell."""
-        return [share if p.moves else 0.0 for share, p in zip(self.shares, self.phases, strict=True)]
-
-    @property
     def moving(self) -> float:
         """Share of the cycle in motion."""
-        return math.fsum(self.moving_shares)
+        return math.fsum(share for share, p in zip(self.shares, self.phases, strict=True) if p.moves)
 
     @cached_property
     def acceleration(self) -> float:

@@ -4,9 +4,9 @@ import math
 from collections.abc import Sequence
 
 from engine.laws import Law
-from engine.laws.rise import Rise
 from engine.laws.sections import abscissae
 from engine.laws.table import begins
+from engine.motion import Phase
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.machine import Sizes
@@ -29,7 +29,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
     page, law, entered = one.page, one.law, one.entered
     sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
     sheet.called = one.called
-    rise = Rise(law, si(entered.lift, MM), entered.time)
+    rise = Phase(law, si(entered.lift, MM), entered.time)
     with sheet.scoped(f"{one.slug}_"):
         sheet.heading("Enter")
         entries(sheet, one)
@@ -100,16 +100,16 @@ def coefficients(sheet: Sheet, page: Page, law: Law) -> None:
         sheet.rows(*workings)
 
 
-def risen(sheet: Sheet, one: NamedLaw, rise: Rise) -> None:
+def risen(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
     """Declare the largest velocity and accelerations of the rise."""
     sheet.rows(
         calc("@h_m", "Rise in metres", "h", "m", "=@h/1000", rise.lift, source="h / 1000"),
         result("@yv", "Largest velocity", "ẏ_max", "m/s",
-               "=@cv*ABS(@h_m)/@t", rise.velocity, source="C_v h / t_a"),
+               "=@cv*ABS(@h_m)/@t", rise.y1_max, source="C_v h / t_a"),
         result("@ya", "Largest acceleration", "ÿ_max", "m/s²",
-               "=MAX(@ca_max,-@ca_min)*ABS(@h_m)/@t^2", rise.acceleration, source="C_a h / t_a²"),
+               "=MAX(@ca_max,-@ca_min)*ABS(@h_m)/@t^2", rise.y2_max, source="C_a h / t_a²"),
         result("@yrms", "RMS acceleration over the rise", "ÿ_rms", "m/s²",
-               "=@ca_rms*ABS(@h_m)/@t^2", rise.acceleration_rms, source="C_a,rms h / t_a²"),
+               "=@ca_rms*ABS(@h_m)/@t^2", rise.y2_rms, source="C_a,rms h / t_a²"),
         calc("@no", "Number on the sheet Laws", "", "", one.finding, one.number, format="0"),
     )  # fmt: skip
 
@@ -130,19 +130,19 @@ def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
 
 
 def samples(
-    sheet: Sheet, rise: Rise, lift: float, n: int, stack: sampling.Pieces, entries: Sequence[str]
+    sheet: Sheet, rise: Phase, lift: float, n: int, stack: sampling.Pieces, entries: Sequence[str]
 ) -> None:  # fmt: skip
     """Declare the sampled table: ξ, s, v, a, j and the dimensional y, ẏ, ÿ, by the ``entries`` that pieces may have."""
     xi = abscissae(n)
-    y, yv, ya = rise.at(xi)
+    at, h, t = rise.law.evaluate(xi), rise.lift, rise.duration
     sheet.table(
         "@samples", "The law over ξ = t / t_a, and the rise h in the time t_a", n + 1,
         constant("k", "sample", "k", "", list(range(n + 1))),
         calc("xi", "abscissa", "ξ", "", "=[k]/[@samples.k.last]", xi, source="k / N", format="0.0000"),
-        *stack.columns(dict(zip("svaj", rise.law.evaluate(xi), strict=True)), "svaj", result, entries),
-        result("y", "position", "y", "mm", "=@h*[s]", shown(y, MM), scale=abs(lift), source="h s"),
-        result("yv", "velocity", "ẏ", "m/s", "=@h_m/@t*[v]", yv, source="h v / t_a"),
-        result("ya", "acceleration", "ÿ", "m/s²", "=@h_m/@t^2*[a]", ya, source="h a / t_a²"),
+        *stack.columns(dict(zip("svaj", at, strict=True)), "svaj", result, entries),
+        result("y", "position", "y", "mm", "=@h*[s]", shown(h * at.s, MM), scale=abs(lift), source="h s"),
+        result("yv", "velocity", "ẏ", "m/s", "=@h_m/@t*[v]", h / t * at.v, source="h v / t_a"),
+        result("ya", "acceleration", "ÿ", "m/s²", "=@h_m/@t^2*[a]", h / t**2 * at.a, source="h a / t_a²"),
         *stack.finding("@no", "xi", stack.locate(stack.number(rise.law), xi), entries),
     )  # fmt: skip
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from engine import law
-from engine.cams.composed import Seen, composed
+from engine.cams.interpolation import Seen, composed
 from engine.cams.profile import profile_of_motion
 from engine.drive.mechanisms.crank_slider import crank_slider
 from engine.drive.mechanisms.table import PositionTable

@@ -9,11 +9,11 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load
 from engine.drive.cycle import DriveCycle
-from engine.drive.dc_bus import Drivetrains
 from engine.drive.results import DriveResults
 from engine.drive.train import Train
 from engine.laws import Dwell, law
 from engine.motion import Motion
+from tests.engine.drive.drivetrains import Drivetrains
 from tests.engine.drive.machines import drive_cycle_of, electric, operated
 from tests.tiers import nights, seed
 

@@ -10,7 +10,7 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.limits import BELOW, LimitChecks, Limits, ReducerLimits, use
+from engine.drive.limits import BELOW, LimitChecks, Limits, ReducerLimits
 from engine.drive.max_rate import at_speed, highest_rate
 from engine.drive.mechanisms.crank_slider import crank_slider
 from engine.drive.mechanisms.registry import VARIABLE_RATIO
@@ -141,7 +141,7 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, 
     there, above = at_speed(one, found.speed), at_speed(one, found.speed * 1.001)
     assert all(check.ok for check in there.checks)
     assert not checked(above)[found.limit].ok
-    assert use(checked(there)[found.limit]) == pytest.approx(1.0, abs=1e-4)
+    assert checked(there)[found.limit].use == pytest.approx(1.0, abs=1e-4)
 
 
 @pytest.mark.parametrize("full", [0.5, 1.2, 9.0])

@@ -81,7 +81,11 @@ def off(drive_cycle):
     """Compare a cycle at its points with the exact engine."""
     exact, points = DriveResults(drive_cycle), points_of(drive_cycle)
     behind, work = points.load.output_torque, max(exact.energy.driving, 1e-9)
-    speed = points.size(points.speed) if drive_cycle.train.linkage else drive_cycle.fastest * points_ratio(drive_cycle)
+    speed = (
+        points.size(points.speed)
+        if drive_cycle.train.linkage
+        else drive_cycle.unshifted.fastest * points_ratio(drive_cycle)
+    )
     return Off(
         abs(points.rms_torque / exact.rms_torque - 1.0),
         abs(points.size(points.torque) / exact.torque.peak - 1.0),
@@ -201,7 +205,11 @@ def falling(motor, drawn):
 def named(drive_cycle, motor, reducer):
     """The highest speed of the abscissa by shares, at the speed of a cycle; 0 where a limit is not held at rest."""
     points = points_of(drive_cycle)
-    speed = points.size(points.speed) if drive_cycle.train.linkage else drive_cycle.fastest * points_ratio(drive_cycle)
+    speed = (
+        points.size(points.speed)
+        if drive_cycle.train.linkage
+        else drive_cycle.unshifted.fastest * points_ratio(drive_cycle)
+    )
     each = shares(points, speed, motor, reducer, Falling())
     return min(one.highest(drive_cycle.speed) for one in each.values())
 

@@ -17,8 +17,8 @@ from engine.laws.ends import Ends
 from engine.laws.harmonic_combination import HarmonicCombination
 from engine.laws.modified_sine import ModifiedSine
 from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
+from engine.laws.piece import reversed_pieces
 from engine.laws.piece_extremes import coefficients_of
-from engine.laws.piece_rules import reversed_pieces
 from engine.laws.polynomial_345 import Polynomial345
 from engine.laws.polynomial_4567 import Polynomial4567
 from engine.laws.pulse_law import PulseLaw

@@ -9,7 +9,6 @@ from engine.laws import Piece
 from engine.laws.piece import gains
 from engine.laws.points import ends
 from engine.laws.pulse_law import PulseLaw
-from engine.laws.rise import Rise
 from engine.laws.table import begins, carried, key, located
 from tests.engine.families import ENTRIES
 
@@ -53,19 +52,6 @@ def test_a_sample_near_a_break_is_on_it_and_the_last_in_the_last_piece_that_last
 def test_keys_of_all_laws_rise_in_one_order():
     keys = [key(number, xi) for number in (1, 2, 3) for xi in begins([Piece(0.5), Piece(0.5), Piece(0.0)])]
     assert keys == [2.0, 2.5, 3.0, 4.0, 4.5, 5.0, 6.0, 6.5, 7.0]
-
-
-@LAWS
-def test_a_rise_in_its_own_units(law):
-    rise, k = Rise(law, -0.3, 0.2), law.coefficients
-    xi = np.linspace(0, 1, 7)
-    y, v, a = rise.at(xi)
-    at = law.evaluate(xi)
-    assert y == pytest.approx(-0.3 * at.s)
-    assert v == pytest.approx(-1.5 * at.v)
-    assert a == pytest.approx(-7.5 * at.a)
-    assert (rise.velocity, rise.acceleration) == pytest.approx((1.5 * k.cv, 7.5 * max(k.ca_max, -k.ca_min)))
-    assert rise.acceleration_rms == pytest.approx(7.5 * k.ca_rms)
 
 
 def test_accelerations_at_the_ends_of_pieces_pass_over_those_of_no_duration():

@@ -7,9 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws.piece import Piece, gains
+from engine.laws.piece import Piece, backwards, gains, reversed_pieces, scaled_piece
 from engine.laws.piece_extremes import extremes_of, power_extremes
-from engine.laws.piece_rules import backwards, reversed_pieces, scaled_piece
 from engine.laws.pulse import (
     CONSTANT,
     HALF_345,

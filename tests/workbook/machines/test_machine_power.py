@@ -6,7 +6,7 @@ import random
 import numpy as np
 import pytest
 
-from engine.drive.dc_bus import Drivetrains
+from tests.engine.drive.drivetrains import Drivetrains
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered

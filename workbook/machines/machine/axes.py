@@ -3,7 +3,7 @@
 from dataclasses import replace
 from functools import partial
 
-from engine.cams.composed import Seen, composed
+from engine.cams.interpolation import Seen, composed
 from engine.cams.profile import CamProfile, profile_of_motion, turned
 from engine.laws.base import Array
 from engine.timing import Switch
