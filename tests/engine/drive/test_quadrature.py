@@ -210,7 +210,7 @@ def named(drive_cycle, motor, reducer):
         if drive_cycle.train.linkage
         else drive_cycle.unshifted.fastest * points_ratio(drive_cycle)
     )
-    each = shares(points, speed, motor, reducer, Falling())
+    each = shares(points, speed, motor, reducer, Falling(), 1.0 / drive_cycle.time)
     return min(one.highest(drive_cycle.speed) for one in each.values())
 
 
