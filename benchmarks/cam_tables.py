@@ -25,8 +25,7 @@ from engine.cams.profile import CamProfile, profile_of_motion
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 from workbook.axes import CamAxis
-from workbook.controllers.automatic import automatic
-from workbook.controllers.handing import certified, reread, tabulated
+from workbook.controllers.handing import automatic, certified, reread, tabulated
 from workbook.controllers.registry import target, targets
 from workbook.controllers.target import Handed
 from workbook.reports.plot import Line, plot

@@ -1,9 +1,8 @@
 """The axes of a machine as a controller sees them: what a template says once, and every target takes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Self
 
 from engine.cams.profile import CamProfile
 from engine.timing import Switch
@@ -11,18 +10,15 @@ from engine.timing import Switch
 
 @dataclass(frozen=True)
 class CamAxis:
-    """An axis over a cycle of its master: its profile and the units of both.
-
-    ``repeats`` says whether the cycle follows upon itself: it comes back, or a feed goes on from where it is. ``shaft``
-    gives the angle of the motor's shaft, where it has a drive; it raises ValueError for what the mechanism cannot do.
-    """
+    """An axis over a cycle of its master: its profile and the units of both."""
 
     name: str
     profile: CamProfile
     x_unit: str
     y_unit: str
-    repeats: bool = True
-    shaft: Callable[[], CamAxis] | None = None
+    repeats: bool = True  # whether the cycle follows upon itself: it comes back, or a feed goes on from where it is
+    shaft: Callable[[], Self] | None = None
+    """gives the angle of its motor's shaft, if it has a drive; raises ValueError for what the mechanism cannot do"""
 
     @property
     def units(self) -> tuple[str, str, str, str]:

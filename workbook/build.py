@@ -1,7 +1,5 @@
 """From a machine description to a workbook file, and the committed templates."""
 
-from __future__ import annotations
-
 import re
 import tempfile
 from collections.abc import Callable
@@ -39,17 +37,13 @@ from workbook.writing.place import refuse_existing, replace
 from workbook.writing.same import same_book
 from workbook.writing.write import save
 
-LARGE = 10_000_000
-"""bytes of a file: one below is far within the limits of reading"""
+LARGE = 10_000_000  # bytes of a file: one below is far within the limits of reading
 NUMBERED = re.compile(r"\b[Aa]xis (\d+)(?=:|$)")
 READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
-    """Write the workbook of ``machine``; return a line for each of its checks that does not hold.
-
-    Raises WriteError where ``path`` exists or cannot be written, InputError for a machine that the engine refuses.
-    """
+    """Write the workbook of ``machine``; return its failing checks in lines; raise WriteError or InputError."""
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
     require_possible(template, machine, counted)
@@ -57,11 +51,6 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
         book = template.declare(machine)
         save(book, type(machine), path, overwrite, require_readable)
     return failing(book)
-
-
-def exact_rates(machine: Machine) -> list[str]:
-    """Return a line for each drive whose exact highest rate is more than 0.1 % from that of its sheet."""
-    return [] if machine.design.replaced else TEMPLATES[machine.template].rates(machine)
 
 
 def require_readable(draft: Path) -> None:
@@ -147,10 +136,7 @@ def entered(path: Path) -> tuple[Match, Machine, list[str]]:
 
 
 def regenerate(path: Path, output: Path, overwrite: bool = False) -> tuple[list[str], list[str]]:
-    """Build a workbook anew from what was entered into an old one, with what its engineer added.
-
-    Returns in lines what is not carried over, and the checks that do not hold. Raises as :func:`build` does.
-    """
+    """Build a workbook anew from what was entered into an old one; return what is left behind, and failing checks."""
     match, machine, notes = entered(path)
     template = TEMPLATES[machine.template]
     require_possible(template, machine, counted)

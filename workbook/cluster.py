@@ -1,9 +1,4 @@
-"""A pool of Dask workers: processes of this machine, or a cluster by the address of its scheduler.
-
-Dask is imported only where there is more than one piece of work, or a cluster is named.
-"""
-
-from __future__ import annotations
+"""A pool of Dask workers, of this machine or a cluster's; Dask is imported only where one piece of work is not all."""
 
 import gc
 import logging
@@ -12,7 +7,7 @@ import os
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from typing import Any, TypeVar
+from typing import Any, Self, TypeVar
 
 import workbook
 from workbook.errors import MotionbookError
@@ -46,25 +41,17 @@ def cores() -> int:
 
 @contextmanager
 def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
-    """Give who works: this process alone for one job, processes for more, a cluster where a scheduler is named.
-
-    Raises ClusterError, in a line, where that cannot be reached or its workers have another version.
-    """
+    """Give who works: this process for one job, processes for more, a cluster by its scheduler; raise ClusterError."""
     wanted = min(jobs or cores(), MOST_JOBS)
     if scheduler is None and wanted <= 1:
         yield HERE
         return
-    quieten()
-    with local(wanted) if scheduler is None else remote(scheduler) as client:
-        yield Workers(client, scheduler or "")
-
-
-def quieten() -> None:
-    """Keep what Dask logs from the terminal: what matters is told in a line."""
     import distributed  # noqa: F401 - it sets levels of its own when it is imported
 
-    for name in LOGGERS:
+    for name in LOGGERS:  # what matters of what Dask logs is told in a line
         logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    with local(wanted) if scheduler is None else remote(scheduler) as client:
+        yield Workers(client, scheduler or "")
 
 
 @contextmanager
@@ -87,15 +74,18 @@ def local(jobs: int) -> Iterator[Any]:
 @contextmanager
 def remote(scheduler: str) -> Iterator[Any]:
     """Give a client of a scheduler; raise ClusterError."""
+    import asyncio
+
     import dask
     from distributed import Client
 
     with dask.config.set(FEWER):
-        require_answer(scheduler)
         try:
+            asyncio.run(answered(scheduler))
             client = Client(scheduler, timeout=WAIT, set_as_default=False)
-        except (OSError, ValueError, TypeError, ImportError) as error:
-            raise unanswered(scheduler) from error
+        except Exception as error:  # an address, a port, or what speaks there may be anything
+            said = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
+            raise ClusterError(f"--scheduler {scheduler}: {said}") from error
         try:
             require_workers(client, scheduler)
             yield client
@@ -104,33 +94,18 @@ def remote(scheduler: str) -> Iterator[Any]:
                 client.close(timeout=1)
 
 
-def require_answer(scheduler: str) -> None:
-    """Raise ClusterError unless a scheduler says who it is within :data:`WAIT`.
-
-    A port that takes a connection and says nothing would keep Dask's client for minutes, whatever its limit.
-    """
-    import asyncio
+async def answered(scheduler: str) -> None:
+    """Have a scheduler say in time who it is: for a port that is silent Dask's client waits for minutes."""
+    from asyncio import wait_for
 
     from dask.utils import parse_timedelta
     from distributed.core import rpc
 
-    async def asked() -> None:
-        other = rpc(scheduler)
-        try:
-            await asyncio.wait_for(other.identity(), parse_timedelta(WAIT))
-        finally:
-            await other.close_rpc()
-
+    other = rpc(scheduler)
     try:
-        asyncio.run(asked())
-    except Exception as error:  # an address, a port, or what speaks there may be anything
-        raise unanswered(scheduler) from error
-
-
-def unanswered(scheduler: str) -> ClusterError:
-    """Return the error for an address at which there is no scheduler."""
-    said = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
-    return ClusterError(f"--scheduler {scheduler}: {said}")
+        await wait_for(other.identity(), parse_timedelta(WAIT))
+    finally:
+        await other.close_rpc()
 
 
 def require_workers(client: Any, scheduler: str) -> None:
@@ -145,8 +120,8 @@ def require_workers(client: Any, scheduler: str) -> None:
             raise ClusterError(f"--scheduler {scheduler}: the worker {address} has {there}; {expected}")
 
 
-class Workers:
-    """The workers of a client."""
+class Workers(Pool):
+    """The workers of a client; ``scheduler`` is the address of a cluster's."""
 
     def __init__(self, client: Any, scheduler: str) -> None:
         self.client, self.scheduler = client, scheduler
@@ -157,25 +132,21 @@ class Workers:
         return bool(self.scheduler)
 
     @contextmanager
-    def alone(self) -> Iterator[Pool]:
+    def alone(self) -> Iterator[Self]:
         """Give one fresh process; of a cluster, which others use too, these workers."""
         if self.scheduler:
             yield self
             return
         with local(1) as client:
-            yield Workers(client, "")
-
-    @property
-    def width(self) -> int:
-        """How many pieces are worked on at once."""
-        info = self.client.scheduler_info(n_workers=-1)["workers"]
-        return max(1, sum(int(one["nthreads"]) for one in info.values()))
+            yield type(self)(client, "")
 
     def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | Died]]:
         """Yield each task with what the function gives; one more than there are workers are handed out."""
         from distributed import as_completed
 
-        waiting, running, most, count = iter(tasks), dict[str, T](), self.width + 1, 0
+        info = self.client.scheduler_info(n_workers=-1)["workers"]
+        most = 1 + max(1, sum(int(one["nthreads"]) for one in info.values()))
+        waiting, running, count = iter(tasks), dict[str, T](), 0
         finished = as_completed([], loop=self.client.loop, raise_errors=False)
 
         def hand_out() -> None:

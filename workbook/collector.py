@@ -1,7 +1,5 @@
 """Python's search for garbage, held back where it finds none."""
 
-from __future__ import annotations
-
 import gc
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager

@@ -1,8 +1,7 @@
 """What can go wrong at the edges, each said in one line: what, where, what is expected."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
+from typing import Any
 
 from workbook.visible import visible
 
@@ -24,7 +23,7 @@ class InputError(MotionbookError):
         self.lines = [visible(line) for line in told]
         Exception.__init__(self, "\n".join(self.lines))
 
-    def __reduce__(self) -> tuple[type[InputError], tuple[list[str]]]:
+    def __reduce__(self) -> tuple[Any, ...]:
         """To another process it goes by its lines."""
         return InputError, (self.lines,)
 

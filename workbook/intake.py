@@ -1,7 +1,5 @@
 """Texts that people hand over as files: what is no regular file is never opened, and no file is read beyond a limit."""
 
-from __future__ import annotations
-
 import codecs
 import re
 import stat
@@ -9,6 +7,7 @@ from pathlib import Path
 
 from workbook.errors import ReadError
 
+MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 MOST = 1_000_000  # bytes; the largest description or catalogue that fits into a book has 60,000
 KINDS = {stat.S_IFDIR: "this is a folder", stat.S_IFREG: ""}
 CONTROL = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x19\x1b-\x1f\x7f]")
@@ -17,10 +16,7 @@ OTHER = "this is a device or a pipe"
 
 
 def odd(path: Path) -> str:
-    """Return in words what ``path`` is, or leads to, where that is no regular file; nothing where it is one.
-
-    Raises OSError where that cannot be told, as where there is none. Nothing is opened: a pipe would wait for ever.
-    """
+    """Return what ``path`` leads to unless that is a regular file; nothing is opened: a pipe would wait for ever."""
     return KINDS.get(stat.S_IFMT(path.stat().st_mode), OTHER)
 
 
@@ -49,20 +45,14 @@ def read_text(path: Path, expected: str, most: int = MOST, foreign: bool = False
         raise unread(path, error, expected) from error
     if len(data) > most:
         raise ReadError(f"{path}: {path.stat().st_size:,} bytes; expected {expected}, of at most {most:,}")
-    for encoding in encodings(data, foreign):
+    plain = foreign and not CONTROL.search(data)
+    known = ["utf-8-sig", *(["cp1252"] if plain else [])]
+    for encoding in ["utf-16"] if foreign and data.startswith(MARKS) else known:
         try:
             return data.decode(encoding)
         except UnicodeDecodeError:
             continue
     raise ReadError(f"{path}: this is not a text; expected {expected} in UTF-8")
-
-
-def encodings(data: bytes, foreign: bool) -> list[str]:
-    """Return what a file's bytes may be a text in, the likeliest first."""
-    if foreign and data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        return ["utf-16"]
-    plain = foreign and not CONTROL.search(data)
-    return ["utf-8-sig", *(["cp1252"] if plain else [])]
 
 
 def unread(path: Path, error: Exception, expected: str) -> ReadError:

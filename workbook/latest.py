@@ -1,9 +1,4 @@
-"""What was made lately, found again by what it was made of: of a description that is edited most stays as it is.
-
-A process remembers nothing unless :func:`remember` asks for it.
-"""
-
-from __future__ import annotations
+"""What was made lately, found again by what it was made of, as far as :func:`remember` asks a process for it."""
 
 from collections.abc import Callable
 from typing import Any, TypeVar

@@ -4,8 +4,6 @@ It lies where the system keeps what may be lost: ``~/.cache/motionbook``, ``~/Li
 ``%LOCALAPPDATA%\motionbook\Cache`` on Windows.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

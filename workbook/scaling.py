@@ -4,8 +4,6 @@ A template says which entries of its description do so (a motor, a reducer), and
 once, by the names that its book gives them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, Generic, NamedTuple, TypeVar
 
@@ -13,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 M = TypeVar("M")
-Values = NDArray[Any]
-"""a result of designs: one for all, or one for each"""
+Values = NDArray[Any]  # a result of designs: one for all, or one for each
 
 
 class Column(NamedTuple):

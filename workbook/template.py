@@ -1,7 +1,5 @@
 """What a template is, and the parts that every template's book has."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,8 +18,7 @@ FOLDER = Path(workbook.__file__).parent.parent / "templates"
 
 
 M = TypeVar("M", bound=Machine)
-MOST = 99
-"""parts of a kind that are told apart by numbers"""
+MOST = 99  # parts of a kind that are told apart by numbers
 
 
 class Other(NamedTuple, Generic[M]):
@@ -36,17 +33,6 @@ class Template(Generic[M]):
     """A kind of machine: its description's model, the book declared from a description, variations to verify at.
 
     ``finished`` declares the book of a machine whose entries do; :meth:`declare` that of any.
-
-    ``sizes`` tells for each entry of a description's ``sizes`` which block shows it, and by how many rows that
-    block is longer; ``#`` in its name stands for the least number that a file has. ``check`` raises EntryError for
-    entries that only the engine can refuse; what the entries refuse by themselves, the model does. ``laid_out`` gives a
-    machine the layout that a file has by its defined names, where the number of sheets depends on the description;
-    ``fixed`` returns by key the entries that such a layout tells and no cell holds. ``axes`` are the motions that a
-    controller can be given, ``switches`` what it is to turn on and off meanwhile. ``others`` are other ways to tell a
-    machine, by the key of the entry that only they have. ``folder`` has the description to begin with and its book,
-    called as the template. ``scaling`` gives results without a
-    book, of many designs at once. ``truths`` returns a line for each result of which the exact one is farther from the
-    sheet's than that states, ``rates`` the lines on highest rates alone.
     """
 
     name: str
@@ -54,16 +40,19 @@ class Template(Generic[M]):
     finished: Callable[[M], Book]
     variants: Callable[[M], list[M]]
     sizes: dict[str, tuple[str, int]]
-    check: Callable[[M], None] = lambda machine: None
+    """of each entry of a description's ``sizes`` the block that shows it, and by how many rows that is longer; ``#`` in
+    its name stands for the least number that a file has"""
+    check: Callable[[M], None] = lambda machine: None  # raises EntryError for entries that only the engine can refuse
     laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
-    axes: Callable[[M], list[CamAxis]] = lambda machine: []
-    switches: Callable[[M], list[CamSwitch]] = lambda machine: []
-    scaling: Scaling[M] | None = None
-    fixed: Callable[[M], dict[str, Any]] = lambda machine: {}
-    truths: Callable[[M], list[str]] = lambda machine: []
-    rates: Callable[[M], list[str]] = lambda machine: []
-    others: Mapping[str, Other[M]] = field(default_factory=dict)
-    folder: Path = FOLDER
+    """gives a machine the layout that a file has by its defined names, where sheets depend on the description"""
+    axes: Callable[[M], list[CamAxis]] = lambda machine: []  # the motions that a controller can be given
+    switches: Callable[[M], list[CamSwitch]] = lambda machine: []  # what it is to turn on and off meanwhile
+    scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
+    fixed: Callable[[M], dict[str, Any]] = lambda machine: {}  # by key the entries that a layout alone tells
+    truths: Callable[[M], list[str]] = lambda machine: []  # a line for each result farther from the exact than told
+    rates: Callable[[M], list[str]] = lambda machine: []  # of these the lines on highest rates alone
+    others: Mapping[str, Other[M]] = field(default_factory=dict)  # other ways to tell a machine, by their own key
+    folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template
 
     def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:
         """To another process a template goes by its name."""

@@ -17,12 +17,10 @@ MODULES = {
     "motion-laws": "laws",
 }
 """where each template is declared, under workbook/machines/"""
-GROUP = "motionbook.templates"
-"""the group of entry points by which packages bring their own"""
+GROUP = "motionbook.templates"  # the group of entry points by which packages bring their own
 
 
-AnyTemplate: TypeAlias = Template[Machine]
-"""a template as those see it who know it by its name only"""
+AnyTemplate: TypeAlias = Template[Machine]  # a template as those see it who know it by its name only
 
 
 class Register(Mapping[str, AnyTemplate]):

@@ -4,8 +4,6 @@ The book is declared for a machine whose entries do. Those that were replaced ar
 on them have no engine value (None), but for the checks of the rules themselves, and what these come to together.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 
@@ -144,15 +142,11 @@ class Unfinished:
         last = faults[0].turn if faults else MOST_TURNS
         before = frozenset(at for at, turn in turns.items() if turn < last)
         (at,) = self._column(f"{q.name}.{q.name}", 1)
-        if at in self._hanging(before):
+        if before not in self.hanging:
+            self.hanging[before] = self.dependence.on(before)
+        if at in self.hanging[before]:
             return None
         return faults[0].said if faults else ""
-
-    def _hanging(self, entries: frozenset[Address]) -> set[Address]:
-        """Return the formula cells that hang on entries."""
-        if entries not in self.hanging:
-            self.hanging[entries] = self.dependence.on(entries)
-        return self.hanging[entries]
 
     def _verdict(self, check: str, said: str) -> dict[Address, Any]:
         """Return what stands in a check, and in the sentence beside it."""

@@ -1,7 +1,5 @@
 """Texts of files and paths, made fit to be shown: no terminal obeys what they hold."""
 
-from __future__ import annotations
-
 from typing import Any
 from unicodedata import category
 

@@ -3,15 +3,13 @@
 A command's module is loaded when it is called, so that help and a wrong option are told at once.
 """
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 
 from typer.exceptions import TyperException
 
 from workbook.cli import books, cams, tools
-from workbook.cli.application import app
+from workbook.cli.options import app
 from workbook.errors import MotionbookError
 from workbook.exits import AGREES, UNREADABLE
 from workbook.reports.terminal import ERR, lasting, say
@@ -24,9 +22,9 @@ def main() -> None:
 
     A terminal that takes no more, as ``| head -1`` leaves one, does not change the exit code; a file that is full does.
     """
-    with lasting() as faults:
+    with lasting() as fault_of_output:
         code = ran()
-        fault = faults().out
+        fault = fault_of_output()
         if fault is not None and not isinstance(fault, BrokenPipeError):
             say(ERR, f"what was to be printed could not be written: {fault.strerror}", "red")
             code = UNREADABLE

@@ -1,26 +1,11 @@
 """Commands on descriptions and books: from a new machine to its verdict."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from workbook.cli.application import app
-from workbook.cli.options import (
-    Book,
-    Books,
-    Force,
-    Jobs,
-    Json,
-    Machine,
-    Scheduler,
-    With,
-    catalogue,
-    report_to,
-    to,
-)
+from workbook.cli.options import Book, Books, Force, Jobs, Json, Machine, Scheduler, With, app, to
 
 
 @app.command()
@@ -30,9 +15,9 @@ def new(
     force: Force = False,
 ) -> None:
     """Write a description with every key explained, to be changed and built; its schema beside it."""
-    from workbook.commands import describe
+    from workbook.commands import make
 
-    describe.new(template, output, force)
+    make.new(template, output, force)
 
 
 @app.command("new-template")
@@ -41,9 +26,9 @@ def new_template(
     output: Annotated[Path | None, to("FOLDER", "The folder to make; else motionbook-NAME, here.")] = None,
 ) -> None:
     """Write a package with a template of your own, to be changed: it installs, builds, verifies and tests itself."""
-    from workbook.commands import describe
+    from workbook.commands import make
 
-    describe.new_template(name, output)
+    make.new_template(name, output)
 
 
 @app.command()
@@ -55,9 +40,9 @@ def schema(
     force: Force = False,
 ) -> None:
     """Write the JSON Schema of descriptions, from which an editor completes their keys."""
-    from workbook.commands import describe
+    from workbook.commands import make
 
-    describe.schema(template, output, force)
+    make.schema(template, output, force)
 
 
 @app.command()
@@ -65,9 +50,12 @@ def build(
     machine: Machine = None,
     output: Annotated[Path | None, to("BOOK.xlsx", "Where to write; else here, named like the description.")] = None,
     motors: Annotated[
-        Path | None, catalogue("MOTORS.csv", "Motors to choose among; else those in or beside the description.")
+        Path | None,
+        typer.Option(metavar="MOTORS.csv", help="Motors to choose among; else those in or beside the description."),
     ] = None,
-    reducers: Annotated[Path | None, catalogue("REDUCERS.csv", "Reducers to choose among, likewise.")] = None,
+    reducers: Annotated[
+        Path | None, typer.Option(metavar="REDUCERS.csv", help="Reducers to choose among, likewise.")
+    ] = None,
     force: Force = False,
 ) -> None:
     """Build a workbook from a machine description.
@@ -83,9 +71,9 @@ def build(
 def verify(
     books: Books,
     as_json: Json = False,
-    report: Annotated[Path | None, report_to("--report", "FILE.html", "Write a report as one page of HTML.")] = None,
-    junit: Annotated[Path | None, report_to("--junit", "FILE.xml", "Write JUnit XML for CI servers.")] = None,
-    sarif: Annotated[Path | None, report_to("--sarif", "FILE.sarif", "Write SARIF 2.1.0 for code hosts.")] = None,
+    report: Annotated[Path | None, to("FILE.html", "Write a report as one page of HTML.", "--report")] = None,
+    junit: Annotated[Path | None, to("FILE.xml", "Write JUnit XML for CI servers.", "--junit")] = None,
+    sarif: Annotated[Path | None, to("FILE.sarif", "Write SARIF 2.1.0 for code hosts.", "--sarif")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace the report files if they exist.")] = False,
     witnesses: With = None,
     jobs: Jobs = None,
@@ -100,7 +88,7 @@ def verify(
     cover: Annotated[
         float | None, typer.Option(min=0, max=100, metavar="PER CENT", help="With --against: fail if less is covered.")
     ] = None,
-    marked: Annotated[Path | None, report_to("--marked", "OUT.xlsx", "With --against: colour a copy by class.")] = None,
+    marked: Annotated[Path | None, to("OUT.xlsx", "With --against: colour a copy by class.", "--marked")] = None,
 ) -> None:
     """Compare every formula cell of workbooks with the engine, at the values entered in them.
 
@@ -140,9 +128,7 @@ def inputs(
 
 @app.command()
 def regenerate(
-    book: Book,
-    output: Annotated[Path, to("NEW.xlsx", "Where to write the new workbook.")],
-    force: Force = False,
+    book: Book, output: Annotated[Path, to("NEW.xlsx", "Where to write the new workbook.")], force: Force = False
 ) -> None:
     """Build a workbook anew from what was entered into an old one: its inputs, today's formulas."""
     from workbook.commands import make
@@ -155,7 +141,7 @@ def diff(
     old: Annotated[Path, typer.Argument(metavar="OLD", help="A workbook built by motionbook, or a description.")],
     new: Annotated[Path, typer.Argument(metavar="NEW", help="Another one of the same template.")],
     as_json: Json = False,
-    html: Annotated[Path | None, report_to("--html", "FILE.html", "Write a page with both timing diagrams.")] = None,
+    html: Annotated[Path | None, to("FILE.html", "Write a page with both timing diagrams.", "--html")] = None,
     force: Force = False,
 ) -> None:
     """Tell what differs between two workbooks or descriptions: entries, results, checks, formulas, cells of your own.

@@ -1,25 +1,12 @@
 """Commands on controllers' cam tables."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from workbook.cli.application import app
-from workbook.cli.options import (
-    Book,
-    CamFile,
-    Force,
-    Fresh,
-    Json,
-    Of,
-    Source,
-    report_to,
-    to,
-)
-from workbook.controllers.names import TARGETS
+from workbook.cli.options import Book, CamFile, Force, Fresh, Json, Of, Source, app, to
+from workbook.controllers.registry import TARGETS
 
 Tolerance = Annotated[
     list[str] | None,
@@ -58,7 +45,7 @@ def export(
     ),
     decimal: Annotated[str, typer.Option(metavar="point|comma", help="The decimal sign of columns of text.")] = "point",
     report: Annotated[
-        Path | None, report_to("--report", "FILE.html", "Write the certificates as a page with pictures.")
+        Path | None, to("FILE.html", "Write the certificates as a page with pictures.", "--report")
     ] = None,
     as_json: Json = False,
     force: Force = False,

@@ -1,29 +1,40 @@
-"""Arguments and options that several commands have."""
-
-from __future__ import annotations
+"""The command line ``motionbook``, to which the modules beside add commands, and options that several of these have."""
 
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from workbook.controllers.names import TARGETS
+from workbook import __version__
+from workbook.controllers.registry import TARGETS
+from workbook.exits import AGREES
 from workbook.witnesses.names import ALL, NAMES
 
-
-def to(metavar: str, words: str) -> Any:
-    """Return the option that names an output file."""
-    return typer.Option("-o", "--output", metavar=metavar, help=words)
+app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
 
-def report_to(option: str, metavar: str, words: str) -> Any:
-    """Return the option that names a report's file."""
-    return typer.Option(option, metavar=metavar, help=words)
+def tell_version(asked: bool) -> None:
+    """Print the version, and leave."""
+    if asked:
+        print(f"motionbook {__version__}")
+        raise typer.Exit(AGREES)
 
 
-def catalogue(metavar: str, words: str) -> Any:
-    """Return the option that names a catalogue; the name of its parameter is the option's."""
-    return typer.Option(metavar=metavar, help=words)
+@app.callback()
+def motionbook(
+    version: Annotated[
+        bool, typer.Option("--version", callback=tell_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    """Workbooks of machine motion: motion laws, timing diagram, drive.
+
+    Build one, change it in Excel or LibreOffice, and verify that every formula cell still computes the engine's value.
+    """
+
+
+def to(metavar: str, words: str, *names: str) -> Any:
+    """Return the option that names a file to be written: the output unless told otherwise."""
+    return typer.Option(*(names or ("-o", "--output")), metavar=metavar, help=words)
 
 
 def witness_named(name: str) -> str:

@@ -1,20 +1,13 @@
 """Commands for studies, the browser, other workbooks and the functions of spreadsheets."""
 
-from __future__ import annotations
-
+import asyncio
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from workbook.cli.application import app
-from workbook.cli.options import (
-    Force,
-    Jobs,
-    Json,
-    Scheduler,
-    to,
-)
+from workbook.cli.options import Force, Jobs, Json, Scheduler, app, to
+from workbook.reports.terminal import OUT, say, say_json
 
 
 @app.command()
@@ -61,9 +54,12 @@ def serve(
     browse: Annotated[bool, typer.Option(help="Open the browser.")] = True,
 ) -> None:
     """Work in the browser: new machines, build, verify, compare. Nobody but this computer can reach it."""
-    from workbook.commands import serve as command
+    from workbook.serve import app as server
 
-    command.serve(folder, port, browse)
+    try:
+        asyncio.run(server.serve(folder, port, browse, lambda address: say(OUT, f"Open {address} (Ctrl+C ends)")))
+    except KeyboardInterrupt:
+        say(OUT, "Ended")
 
 
 @app.command()
@@ -80,18 +76,21 @@ def oracle(
 
 @app.command()
 def addin(
-    output: Annotated[Path, to("MOTION.oxt", "Where to write the add-in.")] = Path("motion.oxt"),
-    force: Force = False,
+    output: Annotated[Path, to("MOTION.oxt", "Where to write the add-in.")] = Path("motion.oxt"), force: Force = False
 ) -> None:
     """Write the LibreOffice add-in, which brings the functions MOTION.* to Calc; open it to install it."""
-    from workbook.commands import functions
+    from workbook.functions import oxt
 
-    functions.addin(output, force)
+    oxt.write(output, overwrite=force)
+    say(OUT, f"Wrote {output.absolute()}")
 
 
 @app.command()
 def laws(as_json: Json = False) -> None:
     """List the motion laws with their coefficients, for unit rise and time."""
-    from workbook.commands import functions
+    from workbook.reports import laws as reports
 
-    functions.laws(as_json)
+    if as_json:
+        say_json(reports.catalogue())
+    else:
+        reports.show_catalogue(OUT)

@@ -1,8 +1,5 @@
 """What runs in a machine: a controller's file read, identified, and compared with a book's axis."""
 
-from __future__ import annotations
-
-import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -14,24 +11,23 @@ from workbook import build as making
 from workbook.commands import switching
 from workbook.commands.export import LOAD, SHAFT, chosen, require_side, shafts, tolerated
 from workbook.commands.trusted import opened, vouched
-from workbook.controllers import certificates, described
+from workbook.controllers import described
 from workbook.controllers.files import read_table, text_of
 from workbook.controllers.handing import certified
 from workbook.controllers.registry import target as target_named
-from workbook.controllers.table import Table, equidistant
+from workbook.controllers.table import equidistant
 from workbook.errors import TargetError
 from workbook.exits import AGREES, DISAGREES
 from workbook.reading.descriptions import checked, template_named, write_machine
-from workbook.reports.terminal import ERR, OUT, say, say_data
+from workbook.reports.cams import excess, show, told
+from workbook.reports.terminal import ERR, OUT, say, say_data, say_json
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
 from workbook.writing.place import refuse_existing, refuse_itself
 
 TURN = described.TURN
-LONGEST = 80
-"""characters of a title"""
-NEAR = 1e-6
-"""of the cycle: so far the file's may be from the book's"""
+LONGEST = 80  # characters of a title
+NEAR = 1e-6  # of the cycle: so far the file's may be from the book's
 
 
 def read(file: Path, source: str, output: Path | None, force: bool, tolerance: str | None = None) -> None:
@@ -47,14 +43,17 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
         found = described.phases_of(target, table, units, share)
     except np.linalg.LinAlgError as error:
         raise TargetError(f"{file}: no motion can be fitted to its points ({error})") from error
-    data = described.composed(found, table, units, title(file.name))
+    title = f"Read from {visible(file.name)}"
+    title = title if len(title) <= LONGEST else f"{title[: LONGEST - 1]}…"
+    data = described.composed(found, table, units, title)
     machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
     for line in described.lines(found, units):
         say(ERR, line)
     if found.late:
         say(ERR, f"It begins on the way: written as an axis that is {found.late:.9g} {units[0]} later")
-    if lacks_end(table, units):
+    step, reach = float(table.x[1] - table.x[0]), float(table.x[-1] - table.x[0])
+    if units[0] == "°" and equidistant(table.x) and abs(reach + step - TURN) < NEAR * TURN:  # as of a column a degree
         said = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
         say(ERR, f"{said}; if it is a turn, add its end", "yellow")
     if output is None:
@@ -62,12 +61,6 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
         return
     making.write_inputs(machine, output, overwrite=force)
     say(OUT, f"Wrote {output.absolute()}")
-
-
-def lacks_end(table: Table, units: tuple[str, str]) -> bool:
-    """Whether a table at equal steps of a turn ends a step before it, as tables of one column a degree do."""
-    step = float(table.x[1] - table.x[0])
-    return units[0] == "°" and equidistant(table.x) and abs(float(table.x[-1] - table.x[0]) + step - TURN) < NEAR * TURN
 
 
 def thinned(tolerance: str | None) -> float:
@@ -87,12 +80,6 @@ def read_switches(file: Path, source: str, output: Path | None) -> None:
     found = switching.lanes_of(file, target_named(source))
     say(ERR, f"{len(found)} switches, {sum(len(one.on) for one in found)} times of being on")
     say_data(switching.entries(found))
-
-
-def title(name: str) -> str:
-    """Return the title of what was read from a file, as long as a title may be."""
-    told = f"Read from {visible(name)}"
-    return told if len(told) <= LONGEST else f"{told[: LONGEST - 1]}…"
 
 
 def compare(
@@ -128,10 +115,10 @@ def compare(
             )
     made = certified(target, table, profile)
     if as_json:
-        say_data(f"{json.dumps(certificates.told(meant, made, target, str(file)), ensure_ascii=False, indent=1)}\n")
+        say_json(told(meant, made, target, str(file)))
     else:
-        certificates.show(OUT, meant, made, target)
+        show(meant, made, target)
     if made.excess(held) <= 1.0:
         return AGREES
-    say(ERR, f"{meant.name}: {certificates.excess(made, held)}", "red")
+    say(ERR, f"{meant.name}: {excess(made, held)}", "red")
     return DISAGREES

@@ -1,8 +1,5 @@
 """Compare two workbooks or descriptions of a machine."""
 
-from __future__ import annotations
-
-import json
 from pathlib import Path
 
 from workbook.differences.design import compare, read
@@ -10,7 +7,7 @@ from workbook.errors import InputError
 from workbook.exits import AGREES, DISAGREES
 from workbook.reports import differences as told
 from workbook.reports import page
-from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+from workbook.reports.terminal import ERR, OUT, say, say_json, shown
 
 
 def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) -> int:
@@ -24,7 +21,7 @@ def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) ->
     found = compare(before, after)
     page.write(html, lambda: told.page(before, after, found), force)
     if as_json:
-        say_data(f"{json.dumps(told.data(found), ensure_ascii=False, indent=1)}\n")
+        say_json(told.data(found))
     elif found.same:
         say(OUT, "The same machine")
     else:

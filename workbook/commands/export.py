@@ -1,31 +1,27 @@
 """From a verified book to a controller's file, with the certificate of what a reader of its own finds in it."""
 
-from __future__ import annotations
-
-import json
 import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import replace as replaced
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from workbook.axes import CamAxis, CamSwitch
 from workbook.build import write_text
 from workbook.commands import switching
-from workbook.commands.switching import Switched, switched, takes
+from workbook.commands.switching import Switched, require_some, switched, takes
 from workbook.commands.trusted import opened, vouched
-from workbook.controllers import certificates, files
-from workbook.controllers.automatic import automatic
-from workbook.controllers.handing import Made, allowed, certified, reread, tabulated
+from workbook.controllers import files
+from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.target import Handed, Target
 from workbook.entries.machine import Machine
 from workbook.errors import TargetError, WriteError
 from workbook.exits import AGREES, DISAGREES
 from workbook.reports import cams, page
-from workbook.reports.terminal import ERR, OUT, say, say_data
+from workbook.reports.terminal import ERR, OUT, say, say_json
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
 from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, replace
@@ -38,20 +34,16 @@ DECIMALS = {"point": ".", "comma": ","}
 
 @dataclass(frozen=True)
 class Asked:
-    """What is asked of an export beside the book: a number of points or None for the fewest, what is tolerated.
-
-    ``of`` is the load or the motor's shaft.
-    """
+    """What is asked of an export beside the book."""
 
     target: Target
-    points: int | None
+    points: int | None  # None for the fewest
     tolerance: Mapping[str, float]
-    held: bool
-    """whether a tolerance was asked for: then nothing is written beyond it"""
+    held: bool  # whether a tolerance was asked for: then nothing is written beyond it
     separator: str
     decimal: str
     unverified: bool
-    of: str
+    of: str  # the load or the motor's shaft
 
 
 @dataclass(frozen=True)
@@ -119,18 +111,22 @@ def export(
     read = opened(book)
     if read is None:
         return DISAGREES
-    plan = planned(read.machine, axis, asked, everything, switches)
-    paths = places(book, plan.names, asked, output, everything)
+    axes, lanes, names = planned(read.machine, axis, asked, everything, switches)
+    paths = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
+    if output is not None and not everything:  # -o names a file; with --all, the folder in which they lie side by side
+        paths = [output]
     refuse_any_existing(paths, force)
     refuse_one_for_two(*paths, report)
     mark = vouched(book, read, asked.unverified, fresh)
     if mark is None:
         return DISAGREES
     with ERR.status("Exporting …"):
-        told, signs = identified(read.machine), (asked.separator, asked.decimal)
+        machine, signs = read.machine, (asked.separator, asked.decimal)
+        state = (("number", machine.number), ("revision", machine.revision))
+        told = ", ".join([machine.title, *(f"{label} {text}" for label, text in state if text)])
         found = [exported(told, one, name, asked, mark, path)
-                 for one, name, path in zip(plan.axes, plan.names, paths, strict=False)]  # fmt: skip
-        turned = switched(told, plan.lanes, asked.target, signs, mark, paths[-1]) if plan.lanes else None
+                 for one, name, path in zip(axes, names, paths, strict=False)]  # fmt: skip
+        turned = switched(told, lanes, asked.target, signs, mark, paths[-1]) if lanes else None
     tell(found, turned, asked, as_json)
     if missed(found, turned, asked):
         return DISAGREES
@@ -143,16 +139,10 @@ def export(
     return AGREES
 
 
-class Plan(NamedTuple):
-    """The axes to export, the switches, and what each file is called: those of the axes, then the switches'."""
-
-    axes: list[CamAxis]
-    lanes: Sequence[CamSwitch]
-    names: list[str]
-
-
-def planned(machine: Machine, axis: str | None, asked: Asked, everything: bool, switches: bool) -> Plan:
-    """Return what is to be exported of a machine; raise TargetError where it has not what is asked for."""
+def planned(
+    machine: Machine, axis: str | None, asked: Asked, everything: bool, switches: bool
+) -> tuple[list[CamAxis], Sequence[CamSwitch], list[str]]:
+    """Return axes and switches to export, and what each file is called, the switches' last; raise TargetError."""
     template = TEMPLATES[machine.template]
     known = template.axes(machine)
     called = dict(zip((one.name for one in known), slugs([one.name for one in known]), strict=True))
@@ -163,12 +153,12 @@ def planned(machine: Machine, axis: str | None, asked: Asked, everything: bool, 
         axes = shafts(axes, everything)
         names = [f"{called[one.name]}_shaft" for one in axes]
         axes = [replaced(one, name=f"{one.name}, its motor's shaft") for one in axes]
-    return Plan(axes, lanes, [*names, *(["switches"] if lanes else [])])
+    return axes, lanes, [*names, *(["switches"] if lanes else [])]
 
 
 def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
     """Return the angles of the motors' shafts of axes; raise TargetError for one without a drive that was named."""
-    found = []
+    found: list[CamAxis] = []
     for one in axes:
         if one.shaft is None:
             said = f"{one.name} has no drive, and so no motor's shaft"
@@ -197,7 +187,8 @@ def refuse_any_existing(paths: Sequence[Path], force: bool) -> None:
 def asked_lanes(target: Target, lanes: Sequence[CamSwitch], only: bool, everything: bool) -> Sequence[CamSwitch]:
     """Return the switches to export: those asked for, and with every axis where the target takes some."""
     if only:
-        takes(target, lanes)
+        require_some(lanes)
+        takes(target)
         return lanes
     if not everything or not lanes:
         return []
@@ -212,24 +203,24 @@ def tell(found: Sequence[Exported], turned: Switched | None, asked: Asked, as_js
     """Print the certificates, what is untested, and what misses a tolerance that nobody asked for."""
     target = asked.target
     if as_json:
-        told: list[Any] = [certificates.told(one.axis, one.made, target, str(one.path)) for one in found]
+        told: list[Any] = [cams.told(one.axis, one.made, target, str(one.path)) for one in found]
         told += [switching.told(turned, target)] if turned else []
-        say_data(f"{json.dumps(told, ensure_ascii=False, indent=1)}\n")
+        say_json(told)
     else:
         for one in found:
-            certificates.show(OUT, one.axis, one.made, target)
+            cams.show(one.axis, one.made, target)
         if turned:
-            switching.show(OUT, turned, target)
+            switching.show(turned, target)
     for claim in (*(target.untested if found else ()), *(turned.tappets.untested if turned else ())):
         say(ERR, f"Untested: {claim.what} ({claim.source})")
     for one in found:
         if asked.points is None and not asked.held and one.made.excess(asked.tolerance) > 1.0:
-            say(ERR, f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}: the best there is", "yellow")
+            say(ERR, f"{one.axis.name}: {cams.excess(one.made, asked.tolerance)}: the best there is", "yellow")
 
 
 def missed(found: Sequence[Exported], turned: Switched | None, asked: Asked) -> bool:
     """Tell what is beyond the tolerance that was asked for; whether anything is."""
-    lines = [f"{one.axis.name}: {certificates.excess(one.made, asked.tolerance)}"
+    lines = [f"{one.axis.name}: {cams.excess(one.made, asked.tolerance)}"
              for one in found if asked.held and one.made.excess(asked.tolerance) > 1.0]  # fmt: skip
     lines += turned.beyond if turned else []
     for line in lines:
@@ -249,31 +240,13 @@ def chosen(axes: Sequence[CamAxis], name: str | None, template: str) -> list[Cam
     return found
 
 
-def places(book: Path, what: Sequence[str], asked: Asked, output: Path | None, everything: bool) -> list[Path]:
-    """Return where each thing of a name is written: the file that is named, or side by side in the folder that is."""
-    if output is not None and not everything:
-        return [output]
-    return [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in what]
-
-
-def identified(machine: Machine) -> str:
-    """Return what tells a machine, and one state of its design, from others."""
-    told = [f"{label} {text}" for label, text in (("number", machine.number), ("revision", machine.revision)) if text]
-    return ", ".join([machine.title, *told])
-
-
 def slugs(names: Sequence[str]) -> list[str]:
-    """Return names as controllers and files take them, each once: behind those that would be alike stands a number."""
-    plain = [slug(name) for name in names]
+    """Return names of letters, digits and _, each once: behind those that would be alike stands a number."""
+    plain = [re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_") for name in names]
+    plain = [name if name[:1].isalpha() else f"Axis_{name}".rstrip("_") for name in plain]
     like = [name.casefold() for name in plain]
     return [f"{name}_{k}" if like.count(one) > 1 else name
             for k, (name, one) in enumerate(zip(plain, like, strict=True), 1)]  # fmt: skip
-
-
-def slug(name: str) -> str:
-    """Return a name of letters, digits and underscores that begins with a letter."""
-    plain = re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_")
-    return plain if plain[:1].isalpha() else f"Axis_{plain}".rstrip("_")
 
 
 def exported(

@@ -1,19 +1,30 @@
-"""Build a book, read its inputs, build it anew, and keep the committed templates."""
+"""Descriptions and books: a new description, its schema, the book, what is entered in it, the committed templates."""
 
-from __future__ import annotations
-
+import json
+import re
+from contextlib import suppress
+from keyword import iskeyword
 from pathlib import Path
 
+import workbook
 from workbook import build as making
 from workbook.commands.trusted import digest_of
+from workbook.described import schema as schemas
+from workbook.described.commented import commented
+from workbook.errors import InputError, ReadError, WriteError
 from workbook.exits import AGREES, DISAGREES
-from workbook.reading.descriptions import write_machine
+from workbook.intake import odd, read_text
+from workbook.reading.descriptions import template_named, write_machine
 from workbook.remembered import recall, remember
 from workbook.reports.terminal import ERR, OUT, say, say_data, shown
 from workbook.template import FOLDER
-from workbook.writing.place import refuse_existing, refuse_itself, refuse_suffix, replace
+from workbook.templates import TEMPLATES
+from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, refuse_suffix, replace
 
 INPUTS = "inputs"
+ARGUMENT = "TEMPLATE"
+STARTER = Path(workbook.__file__).parent / "starter"
+NAME = re.compile(r"[a-z][a-z0-9_]{0,30}")
 
 
 def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> None:
@@ -27,7 +38,8 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
         failing = making.build(described, target, overwrite=force)
     say(OUT, f"Built {target.absolute()}")
     show_failing(failing)
-    show_notes(making.exact_rates(described))
+    if not described.design.replaced:
+        show_notes(TEMPLATES[described.template].rates(described))
 
 
 def inputs(book: Path, output: Path | None, force: bool) -> None:
@@ -94,3 +106,56 @@ def show_notes(notes: list[str]) -> None:
     """Print what was not carried over."""
     for note in notes:
         say(ERR, f"Note: {note}")
+
+
+def new(template: str, output: Path | None, force: bool) -> None:
+    """Write a description with every key, and its schema beside it."""
+    chosen = template_named(template, ARGUMENT)
+    target = output or Path(f"{chosen.name}.toml")
+    refuse_existing(target, force)
+    beside = target.parent / f"{chosen.name}.schema.json"
+    refuse_one_for_two(target, beside)
+    made = schemas.text(schemas.schema(chosen))
+    kept = False
+    with suppress(OSError, ReadError):
+        kept = not odd(beside) and read_text(beside, "a schema") == made
+    if not kept:
+        refuse_existing(beside, force)
+        replace(beside, lambda draft: making.write_text(draft, made), force)
+    replace(target, lambda draft: making.write_text(draft, commented(chosen, f"./{beside.name}")), force)
+    say(OUT, f"Wrote {target.absolute()}, and {beside.name} beside it, from which an editor completes its keys")
+
+
+def new_template(name: str, folder: Path | None) -> None:
+    """Write a package with a template of one's own: the hoist, called otherwise."""
+    if not NAME.fullmatch(name) or iskeyword(name):
+        raise InputError([f"NAME: found {name!r}; expected small letters, digits and _, beginning with a letter"])
+    if name in TEMPLATES:
+        raise InputError([f"NAME: a template is named {name!r}; expected another name"])
+    target = folder or Path(f"motionbook-{name}")
+    if target.exists():
+        raise WriteError(f"{target}: exists; expected a folder to be made")
+    texts = {path.name: path.read_text(encoding="utf-8") for path in sorted(STARTER.iterdir()) if path.is_file()}
+    try:
+        target.mkdir(parents=True)
+        for file, text in texts.items():
+            making.write_text(target / renamed(file, name), renamed(text, name))
+    except OSError as error:
+        raise WriteError(f"{target}: {error.strerror}") from error
+    then = f"python -m pip install -e {target}, then motionbook build {target}/{name}.toml"
+    say(OUT, f"Wrote {target.absolute()}; {then}")
+
+
+def renamed(text: str, name: str) -> str:
+    """Return a text on the hoist as one on another machine."""
+    return text.replace("hoist", name).replace("Hoist", name.title().replace("_", ""))
+
+
+def schema(template: str | None, output: Path | None, force: bool) -> None:
+    """Write the schema of a template's descriptions, or of any template's."""
+    made = schemas.any_schema() if template is None else schemas.schema(template_named(template, ARGUMENT))
+    if output is None:
+        say_data(json.dumps(made, indent=1, ensure_ascii=False))
+        return
+    replace(output, lambda draft: making.write_text(draft, schemas.text(made)), force)
+    say(OUT, f"Wrote {output.absolute()}")

@@ -1,15 +1,11 @@
 """Verify a workbook that motionbook did not build against declarations in Python; write a first file of them."""
 
-from __future__ import annotations
-
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from openpyxl import load_workbook
 from openpyxl.styles import PatternFill
-from rich.table import Table
 
 from workbook.build import write_text
 from workbook.exits import AGREES, DISAGREES
@@ -18,12 +14,12 @@ from workbook.oracle.declared import load
 from workbook.oracle.draft import draft
 from workbook.oracle.judge import FIRST, Judge, Judged, describe
 from workbook.reading.files import BookFile, open_book
-from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+from workbook.reports.page import figure
+from workbook.reports.terminal import ERR, OUT, say, say_data, say_json, show_table, shown
 from workbook.witnesses.registry import WITNESSES as REGISTER
 from workbook.writing.place import refuse_existing, refuse_itself, replace
 
-WITNESSES = (FIRST, "formualizer")
-"""the evaluators asked by default"""
+WITNESSES = (FIRST, "formualizer")  # the evaluators asked by default
 COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
 
 
@@ -42,7 +38,7 @@ def against(
     if marked is not None:
         replace(marked, lambda draft: mark(path, found, draft), force)
     if as_json:
-        say_data(f"{json.dumps(data(found), ensure_ascii=False, indent=1, default=str)}\n")
+        say_json(data(found), default=str)
     else:
         show(file, found)
     return DISAGREES if found.wrong or (cover is not None and found.covered < cover) else AGREES
@@ -70,11 +66,9 @@ def data(found: Judged) -> dict[str, Any]:
 def show(file: BookFile, found: Judged) -> None:
     """Print the findings as a table, and how many formula cells are of each class."""
     if found.wrong:
-        grid = Table("cell", "kind", "found", "expected", "at", box=None, pad_edge=False)
-        for one in found.wrong:
-            cells = (describe(file, one.cell), one.kind, figure(one.found), figure(one.expected), one.at)
-            grid.add_row(*map(shown, cells))
-        OUT.print(grid)
+        rows = [(describe(file, one.cell), one.kind, figure(one.found, 9), figure(one.expected, 9), one.at)
+                for one in found.wrong]  # fmt: skip
+        show_table(OUT, ("cell", "kind", "found", "expected", "at"), rows, box=None, pad_edge=False)
     counts = f"{found.count('compared')} compared, {found.count('step')} steps to them"
     counts += f", {found.count('unaccounted')} unaccounted"
     say(OUT, f"{found.cases} cases, {len(found.coverage)} formula cells: {counts}; {found.covered:.1f} % covered")
@@ -83,11 +77,6 @@ def show(file: BookFile, found: Judged) -> None:
         say(OUT, note)
     count = f"{len(found.wrong)} {'finding' if len(found.wrong) == 1 else 'findings'}"
     say(OUT, count if found.wrong else "Every compared cell is what the declarations give")
-
-
-def figure(value: Any) -> str:
-    """Return a value as people write it."""
-    return "empty" if value is None else f"{value:.9g}" if isinstance(value, float) else str(value)
 
 
 def mark(path: Path, found: Judged, target: Path) -> None:

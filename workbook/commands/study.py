@@ -1,7 +1,5 @@
 """Study many designs of a machine: results, a page with the front, the book of a design that is picked."""
 
-from __future__ import annotations
-
 import json
 import time
 from collections.abc import Callable, Iterator
@@ -20,20 +18,19 @@ from workbook.exits import AGREES, DISAGREES, FAILS
 from workbook.reports import study as page
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.scaling import Results
-from workbook.studies import tables
 from workbook.studies.evaluate import Evaluator
-from workbook.studies.folder import Parts, read
+from workbook.studies.folder import ENDS, Parts, join, read, require_format
 from workbook.studies.judged import Judged, picked
 from workbook.studies.named import Named, listed, require_names
-from workbook.studies.pace import paced
 from workbook.studies.plan import Plan, read_study
-from workbook.studies.run import run
+from workbook.studies.run import paced, run
 from workbook.studies.summary import Summary
 from workbook.templates import TEMPLATES
 from workbook.writing.place import refuse_existing, replace
 
 SHORT, LONG = 4.0, 5.0
 """seconds: a study that takes fewer is worked out by this process alone; one that takes more is announced"""
+UNITS = ((86400.0, "days"), (3600.0, "hours"), (60.0, "minutes"))
 
 
 def study(
@@ -46,7 +43,7 @@ def study(
     results = Path(f"{path.stem}.csv") if output is None or book is not None else output
     if book is not None and book.suffix.lower() != ".xlsx":
         raise WriteError(f"{book}: a design that is picked becomes a workbook; expected .xlsx")
-    tables.require_format(results)
+    require_format(results)
     if pick is not None and not plan.study.goals:
         raise InputError([f"{path}: --pick takes the best, and no objective is told; expected minimise or maximise"])
     found = at_hand(plan, results) if pick is not None else None
@@ -83,14 +80,22 @@ def ran(
     with pool(at_once, scheduler) as workers, parts.opened(resume, force):
         for line in announced(plan, seconds, None if scheduler else at_once):
             say(OUT, line)
-        with interruptible(parts), progress(plan.space.size) as done:
-            found = run(plan, parts, workers, done)
-        names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, *tables.ENDS]
+        try:
+            with progress(plan.space.size) as done:
+                found = run(plan, parts, workers, done)
+        except KeyboardInterrupt:
+            say(ERR, f"Interrupted. {parts.folder}: {parts.held}")
+            raise
+        names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, *ENDS]
         rows = [parts.rows(number) for number in sorted(parts.complete())]
-        replace(results, lambda draft: tables.join(names, rows, draft, results.suffix.lower()), over)
+        replace(results, lambda draft: join(names, rows, draft, results.suffix.lower()), over)
     seconds = time.perf_counter() - begin
-    replace(others[0], lambda draft: write_text(draft, saved(plan, found)), over)
-    judged = best_judged(plan, found) if found.best and not unverified else None
+    told = json.dumps({"digest": plan.digest} | asdict(found), ensure_ascii=False, indent=1)
+    replace(others[0], lambda draft: write_text(draft, f"{told}\n"), over)
+    judged = None
+    if found.best and not unverified:  # the best one's book, where nobody looks
+        with TemporaryDirectory() as folder, ERR.status("Verifying the best …"):
+            judged = picked(plan, found.best[0], Path(folder) / "best.xlsx", False)
     when = datetime.now().astimezone()
     replace(others[1], lambda draft: write_text(draft, page.page(plan, found, named, judged, when)), over)
     parts.remove()
@@ -109,16 +114,10 @@ def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
     why = f"{', '.join(evaluator.from_books)}: from a book of each design" if evaluator.from_books else ""
     why = why or (f"{', '.join(slow)}: of each design by itself" if slow else "")
     took = f"{at_once} cores" if at_once and at_once > 1 else "one core"
-    said = f"{plan.space.size:,} designs take up to about {lasting(seconds / (at_once or 1))} on {took}"
+    lasts = seconds / (at_once or 1)
+    size, unit = next((one for one in UNITS if lasts >= 2.0 * one[0]), (1.0, "seconds"))
+    said = f"{plan.space.size:,} designs take up to about {lasts / size:,.0f} {unit} on {took}"
     return [f"{said} ({why}; study --results lists what is fast)" if why else said]
-
-
-def lasting(seconds: float) -> str:
-    """Return a time in words."""
-    for size, unit in ((86400.0, "days"), (3600.0, "hours"), (60.0, "minutes")):
-        if seconds >= 2.0 * size:
-            return f"{seconds / size:,.0f} {unit}"
-    return f"{seconds:.0f} seconds"
 
 
 def listing(base: Path) -> int:
@@ -133,16 +132,8 @@ def listing(base: Path) -> int:
     return AGREES
 
 
-def saved(plan: Plan, found: Summary) -> str:
-    """Return what is known of a study, as a text that --pick reads."""
-    return json.dumps({"digest": plan.digest} | asdict(found), ensure_ascii=False, indent=1) + "\n"
-
-
 def at_hand(plan: Plan, results: Path) -> Summary | None:
-    """Return what is known of a study that was run, however its results are called; None where it was not.
-
-    Raises ReadError where its own results are damaged, or those of the study before it was changed.
-    """
+    """Return what is known of a study that was run, also under another name; None if it was not; raise ReadError."""
     own = results.with_suffix(".json")
     for path in (own, *sorted(results.parent.glob("*.json"))):
         found = known(plan, path, path == own)
@@ -160,27 +151,11 @@ def known(plan: Plan, path: Path, own: bool) -> Summary | None:
         data = json.loads(read(path) or "{}")
         if data.pop("digest", "") != plan.digest:
             return None
-        return Summary.of_json(json.dumps(data))
+        return Summary.of_data(data)
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         if not own:
             return None
         raise ReadError(f"{path}: no results of a study; delete it, and run the study again") from error
-
-
-def best_judged(plan: Plan, found: Summary) -> Judged:
-    """Build and verify the best design where nobody looks."""
-    with TemporaryDirectory() as folder, ERR.status("Verifying the best …"):
-        return picked(plan, found.best[0], Path(folder) / "best.xlsx", False)
-
-
-@contextmanager
-def interruptible(parts: Parts) -> Iterator[None]:
-    """Say what is kept where the work is interrupted from the keyboard."""
-    try:
-        yield
-    except KeyboardInterrupt:
-        say(ERR, f"Interrupted. {parts.folder}: {parts.held}")
-        raise
 
 
 @contextmanager
@@ -201,14 +176,13 @@ def progress(total: int) -> Iterator[Callable[[int, bool], None]]:
 
 def show(plan: Plan, found: Summary, results: Path, seconds: float) -> None:
     """Print what came of a study in a few lines."""
-    say(
-        OUT,
-        f"{found.designs:,} designs in {seconds:.1f} s: {found.feasible:,} feasible, {found.impossible:,} impossible",
-    )
+    counts = f"{found.feasible:,} feasible, {found.impossible:,} impossible"
+    say(OUT, f"{found.designs:,} designs in {seconds:.1f} s: {counts}")
     for line in page.unranked(found):
         say(OUT, line, "yellow")
-    for line in page.exclusions(plan, found):
-        say(OUT, line, "" if found.feasible else "yellow")
+    for name, bounds, count, alone in page.excluding(plan, found):
+        said = f"{name} ({bounds}) excludes {count:,}, {alone:,} of them alone"
+        say(OUT, said, "" if found.feasible else "yellow")
     if not found.feasible:
         say(OUT, "No design is feasible.", "red")
     for place, design in enumerate(found.best[:5], 1):

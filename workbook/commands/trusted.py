@@ -1,9 +1,6 @@
 """What is entered in a book, and what verify says of it, asked once for the same bytes."""
 
-from __future__ import annotations
-
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,14 +17,6 @@ from workbook.reports.terminal import ERR, say, shown
 from workbook.witnesses.beside import NAME, beside
 
 VERDICT = "verdict"
-
-
-@dataclass(frozen=True)
-class Said:
-    """How many findings verify has in a book, and the lines of its own checks that fail."""
-
-    findings: int
-    failing: tuple[str, ...]
 
 
 class Opened(NamedTuple):
@@ -48,18 +37,15 @@ def opened(book: Path) -> Opened | None:
 
 
 def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) -> tuple[str, ...] | None:
-    """Return the header's lines on a book that verify found right, or that is not to be asked.
-
-    None, after it was said, where it disagrees. ``fresh`` true, verify is asked again of a book that it has seen.
-    """
+    """Return the header's lines on a book that is right or not to be asked; None, after it was said, if it is wrong."""
     lines = ["NOT VERIFIED: nobody compared the book with the engine"] if unverified else []
     if not unverified:
-        known = verdict(book, fresh)
-        if known.findings:
-            said = f"{known.findings:,} cells of the book are not what the engine computes"
+        findings, failing = verdict(book, fresh)
+        if findings:
+            said = f"{findings:,} cells of the book are not what the engine computes"
             say(ERR, f"{book}: {said}; motionbook verify names them, --unverified exports all the same", "red")
             return None
-        lines += [f"the design FAILS: {line}" for line in known.failing]
+        lines += [f"the design FAILS: {line}" for line in failing]
     for line in lines:
         say(ERR, f"Warning: {line}", "yellow")
     mark = f"made by motionbook {__version__} from {book.name}, SHA-256 {digest(book)}"
@@ -68,33 +54,25 @@ def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) ->
     return (mark, *lines)
 
 
-def verdict(book: Path, fresh: bool = False) -> Said:
-    """Return what verify says of a book, or, unless ``fresh`` asks for it anew, what it said of the same bytes.
-
-    Raises as :func:`workbook.judging.verify.verify` does.
-    """
+def verdict(book: Path, fresh: bool = False) -> tuple[int, list[str]]:
+    """Return how many findings verify has in a book, and its failing checks; unless ``fresh``, of these bytes once."""
     sha256 = digest_of(book)
     known = recall(VERDICT, sha256) if sha256 and not fresh else None
     if known:
-        return Said(int(known["findings"]), tuple(map(str, known["failing"])))
+        return int(known["findings"]), [*map(str, known["failing"])]
     with ERR.status(shown(f"Verifying {book} …")), beside([book], None, None) as helper:
         report = verify(book, beside=helper)
     if sha256 and sha256 == digest_of(book):
         keep(sha256, report)
-    return said_in(report)
+    return len(report.findings), [check.line for check in report.failing]
 
 
 def keep(sha256: str, report: Report) -> None:
     """Remember what verify says of a file, unless the witness of every day had no say, or one had no values."""
     answered = any(ran.name == NAME and ran.answered for ran in report.witnesses)
     if answered and not any(finding.kind == "witness" for finding in report.findings):
-        known = said_in(report)
-        remember(VERDICT, sha256, {"findings": known.findings, "failing": known.failing})
-
-
-def said_in(report: Report) -> Said:
-    """Return what is remembered of a report."""
-    return Said(len(report.findings), tuple(check.line for check in report.failing))
+        failing = [check.line for check in report.failing]
+        remember(VERDICT, sha256, {"findings": len(report.findings), "failing": failing})
 
 
 def digest_of(book: Path) -> str | None:

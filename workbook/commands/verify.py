@@ -1,7 +1,5 @@
 """Verify books, and report on them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
@@ -11,9 +9,9 @@ from workbook.commands.trusted import keep
 from workbook.judging import many
 from workbook.judging.many import unseen
 from workbook.judging.verify import present
-from workbook.reports import page, summary
-from workbook.reports.junit import junit as junit_xml
-from workbook.reports.sarif import sarif as as_sarif
+from workbook.reports import console, page
+from workbook.reports.servers import junit as junit_xml
+from workbook.reports.servers import sarif as as_sarif
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.witnesses.beside import Beside
 from workbook.writing.place import refuse_one_for_two
@@ -28,32 +26,24 @@ def verify(
     page.ready(report, (".html", ".htm"), force)
     page.ready(junit, (".xml",), force)
     page.ready(sarif, (".sarif", ".json"), force)
-    refuse_one_for_two(report, junit)
-    refuse_one_for_two(report, sarif)
-    refuse_one_for_two(junit, sarif)
-    asked = chosen(witnesses)
+    refuse_one_for_two(report, junit, sarif)
+    asked = list(dict.fromkeys(witnesses or ["pycel"]))  # each once, in the order named
+    present(asked)
     targets, failed = many.find(books)
     most = min(jobs or cores(), len(targets))
     with pool(most, scheduler) as workers:
         told = unseen(targets, workers) if workers.distant else ""
         if told:
             say(ERR, f"Note: {told}")
-        with summary.progress(ERR, len(targets)) as done:
+        with console.progress(ERR, len(targets)) as done:
             outcomes = many.verify_many(targets, asked, workers, done, beside, bool(told)) + failed
     alone = len(books) == 1 and not many.is_folder(books[0])
     for one in outcomes if alone else ():
         if one.report is not None:
             keep(one.sha256, one.report)
-    summary.show(outcomes, OUT, ERR, as_json, alone, everything)
+    console.show(outcomes, OUT, ERR, as_json, alone, everything)
     when = datetime.now().astimezone()
     page.write(report, lambda: page.page(outcomes, when), force)
     page.write(junit, lambda: junit_xml(outcomes, when), force)
     page.write(sarif, lambda: as_sarif(outcomes), force)
     return many.exit_code(outcomes)
-
-
-def chosen(names: Sequence[str] | None) -> list[str]:
-    """Return the witnesses to ask, each once, in the order named; raise WitnessError for one that is absent."""
-    found = list(dict.fromkeys(names or ["pycel"]))
-    present(found)
-    return found

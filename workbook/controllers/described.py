@@ -1,7 +1,5 @@
 """A controller's table as the description of a machine of one axis: rests, laws, and laws of its own for the rest."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from typing import Any
@@ -11,7 +9,6 @@ import numpy as np
 from engine.cams.given import Points, precision
 from engine.cams.identify import THINNED, Found, Read, identified
 from engine.cams.profile import CamProfile
-from engine.laws.base import Array
 from engine.laws.spline import Spline
 from workbook.controllers.handing import rules_of
 from workbook.controllers.table import Table
@@ -32,13 +29,8 @@ BETWEEN = 8  # places of a polynomial
 NEXT = 1e-9  # of the cycle: phases so near to each other meet
 
 
-def phases_of(
-    target: Target, table: Table, units: tuple[str, str] = ("", ""), share: float = THINNED
-) -> Read:  # fmt: skip
-    """Return the movements that a table was made of; a turn of a shaft may be told from a dwell on.
-
-    What keeps to no law is a spline that is no farther from the table than a share of the reach.
-    """
+def phases_of(target: Target, table: Table, units: tuple[str, str] = ("", ""), share: float = THINNED) -> Read:
+    """Return the movements that a table was made of: laws, or splines that are off by at most a share of the reach."""
     rebuilt = next(iter(rules_of(target, table).values())).made(table)
     known = precision(table.y)
     if table.steps[1] != 1.0:
@@ -56,19 +48,13 @@ def polynomial(table: Table, profile: CamProfile, known: float) -> Points:
     Those of whole steps are fitted to the motion, and keep to it at their ends.
     """
     if table.steps == (1.0, 1.0):
-        x = finer(table.x)
+        shares = np.linspace(0.0, 1.0, BETWEEN, endpoint=False)
+        x = np.append((table.x[:-1, None] + np.diff(table.x)[:, None] * shares).ravel(), table.x[-1])
         at = profile.at(x, left=True)
         return Points(x, at.y, at.y1, None, known)
     at, last = profile.at(table.x), profile.at(table.x[-1:], left=True)
     y, v, a = (np.append(one[:-1], other) for one, other in zip(at[:3], last[:3], strict=True))
     return Points(table.x, y, v, a, known)
-
-
-def finer(x: Array) -> Array:
-    """Return places, and some between each two: a polynomial is known there too."""
-    return np.append(
-        (x[:-1, None] + np.diff(x)[:, None] * np.linspace(0.0, 1.0, BETWEEN, endpoint=False)).ravel(), x[-1]
-    )
 
 
 def units_of(text: str) -> tuple[str, str]:
@@ -93,10 +79,7 @@ def lines(read: Read, units: tuple[str, str]) -> list[str]:
 
 
 def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
-    """Return the description of a machine of one axis over the table's abscissa, of which it tells no rate.
-
-    Raises TargetError for movements and units that none can have.
-    """
+    """Return the description of a machine of one axis, without its rate; raise TargetError for what none can have."""
     require_units(units)
     found = read.found
     for one in found:
@@ -124,13 +107,16 @@ def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> di
     if found and table.x[-1] - found[-1].end <= near:
         require_end(found, closes, near + float(table.x[0]))
     begin, end = float(table.x[0]), float(table.x[-1])
-    axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": smoothness(found),
+    jumps = any(one.law.code == Spline.code for one in found)  # the acceleration of a spline begins and ends with one
+    axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": "velocity" if jumps else "acceleration",
             "closes": "position" if closes else "feed" if read.late else "open", "shift": rounded(read.late),
             "position": float(found[0].y if found else table.y[0]),
-            "phases": [in_units(tidy(phase, begin), units) for phase in moving]}  # fmt: skip
+            "phases": [in_units(phase, begin, units) for phase in moving]}  # fmt: skip
     master = {"cycle": rounded(end - begin), "unit": units[0]}
-    told = {"template": "machine", "title": title, "laws": laws, "sizes": room(found, len(moving))}
-    return told | {"master": master, "axes": [axis]}
+    points = max((len(one.law.points) for one in found if isinstance(one.law, Spline)), default=0)
+    rows = {"points": points, "phases": len(moving)}
+    sizes = {name: count for name, count in rows.items() if count > getattr(Sizes(), name)}  # usually there is room
+    return {"template": "machine", "title": title, "laws": laws, "sizes": sizes, "master": master, "axes": [axis]}
 
 
 def require_units(units: tuple[str, str]) -> None:
@@ -139,18 +125,6 @@ def require_units(units: tuple[str, str]) -> None:
     if x not in MEASURES or y not in ENTERED:
         expected = f"{' or '.join(ENTERED)} over {', '.join(MEASURES)}"
         raise TargetError(f"it is in {y} over {x}; expected an axis in {expected}")
-
-
-def smoothness(found: Sequence[Found]) -> str:
-    """Return what can be asked of a motion: the acceleration of a spline begins and ends with a jump."""
-    return "velocity" if any(one.law.code == Spline.code for one in found) else "acceleration"
-
-
-def room(found: Sequence[Found], phases: int) -> dict[str, Any]:
-    """Return the sizes of the tables of points and phases, where these are more than there is room for."""
-    most = max((len(one.law.points) for one in found if isinstance(one.law, Spline)), default=0)
-    needed = {"points": most, "phases": phases}
-    return {name: count for name, count in needed.items() if count > getattr(Sizes(), name)}
 
 
 def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
@@ -184,17 +158,16 @@ def rounded(x: float) -> float:
     return float(f"{x:.12g}")
 
 
-def tidy(phase: dict[str, Any], begin: float) -> dict[str, Any]:
-    """Return a phase with places as they were meant, from the begin of the cycle."""
-    return phase | {name: rounded(phase[name] - begin) for name in ("start", "stop")}
+def in_units(phase: dict[str, Any], begin: float, units: tuple[str, str]) -> dict[str, Any]:
+    """Return a phase with places as they were meant, from the begin of the cycle.
 
-
-def in_units(phase: dict[str, Any], units: tuple[str, str]) -> dict[str, Any]:
-    """Return a phase, what it passes its begin with as a machine over that abscissa is told it: over s in m or rad."""
+    What it passes its begin with is as a machine over that abscissa is told it: over s in m or rad.
+    """
     x, y = units
+    places = {name: rounded(phase[name] - begin) for name in ("start", "stop")}
     size = measured(x, 1.0).lift(y).size
     rates = {name: shown(si(phase[name], ENTERED[y].size), size) for name in RATES if name in phase}
-    return phase | rates
+    return phase | places | rates
 
 
 def named(one: Found, k: int) -> tuple[str, dict[str, Any]]:

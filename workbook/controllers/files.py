@@ -1,7 +1,5 @@
 """Files of controllers, from anywhere: read under a limit, and refused in one line where they are no table."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 
@@ -75,6 +73,5 @@ def largest_terms(profile: CamProfile) -> Array:
 
 def header(points: int, between: str, equal: bool, units: tuple[str, str]) -> str:
     """Return the line of a header that tells units, points, whether at equal steps, and what is between them."""
-    return (
-        f"x in {units[0]}, y in {units[1]}; {points} points{' at equal steps' if equal else ''}; between them {between}"
-    )
+    counted = f"{points} points{' at equal steps' if equal else ''}"
+    return f"x in {units[0]}, y in {units[1]}; {counted}; between them {between}"

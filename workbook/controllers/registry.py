@@ -1,12 +1,20 @@
-"""The register of targets, each loaded when it is asked for."""
+"""The register of targets by their names, which the command's help lists without loading them."""
 
 from __future__ import annotations
 
 from importlib import import_module
+from typing import TYPE_CHECKING
 
-from workbook.controllers.names import TARGETS
-from workbook.controllers.target import Target
 from workbook.errors import TargetError
+
+if TYPE_CHECKING:
+    from workbook.controllers.target import Target
+
+TARGETS = (
+    "csv", "codesys", "codesys-table", "twincat", "twincat-table", "siemens", "siemens-points", "siemens-segments",
+    "rockwell", "br", "kollmorgen", "sew", "lenze", "mitsubishi", "mitsubishi-ratio",
+)  # fmt: skip
+"""each declared in the file in ``targets`` that is called as its name begins, up to the -"""
 
 
 def targets() -> list[Target]:
@@ -18,5 +26,5 @@ def target(name: str) -> Target:
     """Return the target of a name; raise TargetError, which lists those there are."""
     if name not in TARGETS:
         raise TargetError(f"no target is named {name!r}; expected one of {', '.join(TARGETS)}")
-    found: Target = import_module(f"workbook.controllers.targets.{name.replace('-', '_')}").TARGET
-    return found
+    declared: tuple[Target, ...] = import_module(f"workbook.controllers.targets.{name.partition('-')[0]}").TARGETS
+    return next(one for one in declared if one.name == name)

@@ -1,20 +1,17 @@
 """Structured Text: comments, literals, and a reader of what is assigned in it."""
 
-from __future__ import annotations
-
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
 
 import numpy as np
 
 from engine.laws.base import Array
-from workbook.controllers.number import LREAL, Number, literal
+from workbook.controllers.number import LREAL, NUMBER, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.errors import TargetError
 
 LINE_COMMENT = re.compile(r"//[^\n]*")
-NUMBER = r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?"
 ASSIGNED = re.compile(r"\b([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
 INDEXED = re.compile(r"\[([0-9]{1,9})\]\s{0,9}\.\s{0,9}([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
 PLAIN = re.compile(NUMBER)
@@ -25,14 +22,9 @@ def comments(lines: Iterable[str]) -> str:
     return "".join(f"// {line}\n" for line in lines)
 
 
-def literals(number: Number, values: Array) -> list[str]:
-    """Return numbers as they are written."""
-    return [literal(number.text(float(value))) for value in values]
-
-
 def rows(table: Table, names: Sequence[str]) -> list[dict[str, str]]:
     """Return the fields of each point and the texts of their numbers."""
-    written = [literals(LREAL, values) for values in table.columns.values()]
+    written = [[literal(LREAL.text(float(value))) for value in values] for values in table.columns.values()]
     return [dict(zip(names, row, strict=True)) for row in zip(*written, strict=True)]
 
 
@@ -54,10 +46,7 @@ def stripped(text: str) -> str:
 
 
 def columns(found: Iterable[tuple[int, str, str]], names: Sequence[str]) -> list[Array]:
-    """Return the columns of fields that were assigned, by element, field and text.
-
-    Raises TargetError, by element, for what is no number, assigned twice, missing, out of order, or too many.
-    """
+    """Return the columns of fields that were assigned, by element, field and text; raise TargetError, by element."""
     elements: dict[int, dict[str, float]] = {}
     for index, name, text in islice(((i, n, t) for i, n, t in found if n in names), MOST_POINTS * len(names) + 1):
         row = elements.setdefault(index, {})
@@ -90,9 +79,9 @@ def grouped(text: str, names: Sequence[str]) -> list[Array]:
     return columns(found, names)
 
 
-def points(text: str, found: Callable[[str], Sequence[Array]], count: str = "") -> Table:
-    """Return the table of the columns that a reader finds, as many as ``count`` says where that is assigned."""
-    x, y, *rates = found(text)
+def points(text: str, columns: Sequence[Array], count: str = "") -> Table:
+    """Return the table of the columns that were found in a text, as long as ``count`` says where that is assigned."""
+    x, y, *rates = columns
     v, a = rates or (None, None)
     table = Table(x, y, v, a)
     if count:

@@ -1,10 +1,8 @@
 """A cam table as a controller holds it, and the motions that rules make of it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,14 +14,13 @@ from engine.laws.base import Array
 from workbook.errors import TargetError
 
 MOST_POINTS = 100_000
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class Table:
     """Points of a cam: x and y, where the controller takes them y', y'' and y''' by the master, all of one length.
 
-    ``slopes`` are those at both ends of a clamped spline, ``straight`` which way from a point is a line. ``profile``
-    is the motion itself where the controller is given polynomials, ``steps`` what whole numbers of x and y count.
     Raises TargetError, by point and reason, for fewer than two points, what is not finite, and x that does not rise.
     """
 
@@ -32,10 +29,10 @@ class Table:
     v: Array | None = None
     a: Array | None = None
     j: Array | None = None
-    slopes: tuple[float, float] | None = None
-    straight: NDArray[np.bool_] | None = None
-    profile: CamProfile | None = None
-    steps: tuple[float, float] = (1.0, 1.0)
+    slopes: tuple[float, float] | None = None  # at both ends of a clamped spline
+    straight: NDArray[np.bool_] | None = None  # which way from a point is a line
+    profile: CamProfile | None = None  # the motion itself where the controller is given polynomials
+    steps: tuple[float, float] = (1.0, 1.0)  # what whole numbers of x and y count
 
     def __post_init__(self) -> None:
         if not 2 <= len(self.x) <= MOST_POINTS:
@@ -74,29 +71,26 @@ class Rule(NamedTuple):
 
 def _clamped(table: Table) -> CamProfile:
     """Return the clamped spline, which lines part; with slopes that nobody told it goes on as its points do."""
-    slopes = table.slopes or end_slopes(table)
+    slopes = table.slopes
+    if slopes is None:
+        points = Points(table.x, table.y, None, None, 0.0)
+        one, other = (rate_at(points, side)[0] if moves_at(points, side) else 0.0 for side in (0, -1))
+        slopes = one, other
     if table.straight is None or not table.straight.any():
         return interpolation.spline(table.x, table.y, slopes)
     return interpolation.parted_spline(table.x, table.y, slopes, table.straight)
 
 
-def end_slopes(table: Table) -> tuple[float, float]:
-    """Return y' at both ends as the points next to them tell it; 0 where these rest."""
-    points = Points(table.x, table.y, None, None, 0.0)
-    one, other = (rate_at(points, side)[0] if moves_at(points, side) else 0.0 for side in (0, -1))
-    return one, other
+def given(part: T | None, said: str) -> T:
+    """Return a part of a table; raise TargetError where it has none."""
+    if part is None:
+        raise TargetError(f"the table has no {said}")
+    return part
 
 
 def _quintics(table: Table) -> CamProfile:
-    if table.v is None or table.a is None:
-        raise TargetError("the table has no y' and y''; expected both, for polynomials of degree 5")
-    return interpolation.quintics(table.x, table.y, table.v, table.a)
-
-
-def _itself(table: Table) -> CamProfile:
-    if table.profile is None:
-        raise TargetError("the table has no polynomials; expected them")
-    return table.profile
+    v, a = (given(part, "y' and y''; expected both, for polynomials of degree 5") for part in (table.v, table.a))
+    return interpolation.quintics(table.x, table.y, v, a)
 
 
 LOCAL, CENTRAL = "cubics by neighbours", "cubics by the line between neighbours"
@@ -110,7 +104,7 @@ RULES: dict[str, Rule] = {
     LOCAL: Rule(lambda t: interpolation.parabolas(t.x, t.y), 4, 2),
     CENTRAL: Rule(lambda t: interpolation.central(t.x, t.y), 4, 2),
     "quintics": Rule(_quintics, 6),
-    "polynomials": Rule(_itself, 6),
+    "polynomials": Rule(lambda t: given(t.profile, "polynomials; expected them"), 6),
 }
 """what is between the points, by name"""
 SPLINES = tuple(name for name in RULES if "spline" in name)

@@ -1,25 +1,29 @@
-"""What a target declares: numbers, limits, the rule between points, and who writes and who reads its file."""
+"""What a target declares: numbers, limits, the rule between points, who writes and who reads its files; its tracks."""
 
-from __future__ import annotations
-
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.profile import CamProfile
+from engine.cams.switched import Differing, differing, together
 from engine.laws.base import Array
+from engine.timing import Switch
+from workbook.axes import CamSwitch
 from workbook.controllers.number import LREAL, Number
 from workbook.controllers.table import Table
+from workbook.errors import TargetError
+from workbook.visible import visible
 
-if TYPE_CHECKING:
-    from workbook.controllers.tappets import Tappets
-
+CALLED = re.compile(r"^(?:// |# )?track (\d{1,4}): ([^\r\n]{1,80})", re.MULTILINE)
+MOST_OFF = 1e-2  # of an edge, in degrees: numbers of 32 bits hold it to 1e-5
 Certainty = Literal["documented", "probable", "untested"]
-Spacing = Literal["free", "equal", "breaks"]
-"""of points: anywhere, at equal steps alone, or on the breaks at least"""
+Spacing = Literal["free", "equal", "breaks"]  # of points: anywhere, at equal steps alone, or on the breaks at least
+NEVER = " (never on)"
+MOST_TRACKS, MOST_TIMES = 1000, 10_000
 
 
 class Claim(NamedTuple):
@@ -32,54 +36,143 @@ class Claim(NamedTuple):
 
 @dataclass(frozen=True)
 class Handed:
-    """What a writer is given: a table in the target's numbers, a name, and what is said of it in the header.
-
-    ``units`` are those of x and y; ``repeats`` whether the cycle follows upon itself. ``separator`` and ``decimal``
-    are asked for where texts have columns.
-    """
+    """What a writer is given: a table in the target's numbers, a name, and what is said of it in the header."""
 
     table: Table
     name: str
     header: tuple[str, ...]
-    units: tuple[str, str]
-    repeats: bool = True
-    separator: str = ";"
+    units: tuple[str, str]  # of x and y
+    repeats: bool = True  # whether the cycle follows upon itself
+    separator: str = ";"  # like the decimal sign asked for where texts have columns
     decimal: str = "."
 
 
-@dataclass(frozen=True)
-class Target:
-    """A controller, or a format of tables.
+class Track(NamedTuple):
+    """A switch by its number, from 1, with its name and when it is on; past the end of the cycle where to is less."""
 
-    ``rules`` say what is between points: several where the documents do not settle it, and then each is tried and the
-    worst is a bound. ``plain`` are those for a table of x and y only, where a file may have no more. ``columns`` are
-    what a point has; ``points`` the fewest and the most, ``counts`` all there may be where these are few; ``signs``
-    which of separator and decimal may be asked for; ``tolerance`` what is asked of which order unless told otherwise.
-    ``exact`` says which stretches of a motion need no points within; ``built`` makes a table of polynomials of a
-    motion, between places, in steps of x and y.
-    """
-
+    number: int
     name: str
+    on: tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True)
+class HandedTracks:
+    """What a writer is given: tracks in the target's numbers, a name, and what is said of them in the header."""
+
+    tracks: Sequence[Track]
+    name: str
+    header: tuple[str, ...]
+    cycle: float = 360.0
+    separator: str = ";"
+    decimal: str = "."
+
+    @property
+    def called(self) -> list[str]:
+        """The lines that tell which track is which."""
+        return [f"track {one.number}: {visible(one.name)}{'' if one.on else NEVER}" for one in self.tracks]
+
+    @property
+    def times(self) -> list[tuple[int, float, float]]:
+        """Each time of being on: the number of its track, from where, to where."""
+        return [(one.number, *each) for one in self.tracks for each in one.on]
+
+
+@dataclass(frozen=True)
+class Tappets:
+    """How a target takes switches: who writes and who reads their file, of what numbers, and how certain that is."""
+
     title: str
-    suffix: str
-    columns: tuple[str, ...]
-    rules: tuple[str, ...]
-    write: Callable[[Handed], str]
-    read: Callable[[str], Table]
+    write: Callable[[HandedTracks], str]
+    read: Callable[[str], list[Track]]
     claims: tuple[Claim, ...]
     number: Number = LREAL
-    points: tuple[int, int] = (2, 10_000)
-    counts: tuple[int, ...] = ()
-    signs: tuple[str, ...] = ()
-    spacing: Spacing = "free"
-    plain: tuple[str, ...] = ()
-    tolerance: tuple[tuple[str, float], ...] = (("y", 1e-4), ("a", 0.01))
-    exact: Callable[[CamProfile], NDArray[np.bool_]] | None = None
-    built: Callable[[CamProfile, Array, tuple[float, float]], Table] | None = None
-    tappets: Tappets | None = None
-    """how it takes switches; None where its format has none, or no document at hand tells how"""
+    tracks: int = MOST_TRACKS
+    times: int = MOST_TIMES
 
     @property
     def untested(self) -> tuple[Claim, ...]:
         """What no document settles."""
         return tuple(claim for claim in self.claims if claim.certainty == "untested")
+
+
+@dataclass(frozen=True)
+class Target:
+    """A controller, or a format of tables."""
+
+    name: str
+    title: str
+    suffix: str
+    columns: tuple[str, ...]  # what a point has
+    rules: tuple[str, ...]  # what may be between points; of several, where no document tells, the worst is a bound
+    write: Callable[[Handed], str]
+    read: Callable[[str], Table]
+    claims: tuple[Claim, ...]
+    number: Number = LREAL
+    points: tuple[int, int] = (2, 10_000)  # the fewest and the most
+    counts: tuple[int, ...] = ()  # all that there may be where these are few
+    signs: tuple[str, ...] = ()  # which of separator and decimal may be asked for
+    spacing: Spacing = "free"
+    plain: tuple[str, ...] = ()  # the rules for a table of x and y only, where a file may have no more
+    tolerance: tuple[tuple[str, float], ...] = (("y", 1e-4), ("a", 0.01))  # of which order, unless told otherwise
+    exact: Callable[[CamProfile], NDArray[np.bool_]] | None = None  # which stretches of a motion need no points within
+    built: Callable[[CamProfile, Array, tuple[float, float]], Table] | None = None
+    """makes a table of polynomials of a motion, between places, in steps of x and y"""
+    tappets: Tappets | None = None  # how it takes switches; None where its format has none, or no document tells how
+
+    @property
+    def untested(self) -> tuple[Claim, ...]:
+        """What no document settles."""
+        return tuple(claim for claim in self.claims if claim.certainty == "untested")
+
+
+def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
+    """Return switches as tracks in a target's numbers; raise TargetError beyond its limits."""
+    if len(given) > tappets.tracks:
+        raise TargetError(f"{len(given)} switches; expected at most {tappets.tracks}")
+    found = [Track(k, one.name, tuple(held(one, tappets.number))) for k, one in enumerate(given, 1)]
+    count = sum(len(one.on) for one in found)
+    if not 1 <= count <= tappets.times:
+        raise TargetError(f"{count} times of being on; expected 1 to {tappets.times:,}")
+    return found
+
+
+def held(one: CamSwitch, number: Number) -> list[tuple[float, float]]:
+    """Return the times of a switch as a controller holds them; one that begins with the cycle's end at its begin."""
+    cycle, made = one.switch.cycle, []
+    for begin, end in one.switch.on:
+        first = 0.0 if begin == cycle else begin
+        times = number.rounded(np.array([first, cycle if end == 0.0 else end])).tolist()
+        if times[0] == times[1]:
+            raise TargetError(f"{one.name}: on from {begin:.9g} to {end:.9g} is no time in {number.name}")
+        made.append((times[0], times[1]))
+    return made
+
+
+def gathered(text: str, times: Iterable[tuple[float, float, float]], cycle: float = 360.0) -> list[Track]:
+    """Return the tracks of times, with the names that comments of the text tell; raise TargetError, by track."""
+    names = {int(number): name.strip() for number, name in CALLED.findall(text)}
+    found: dict[int, list[tuple[float, float]]] = {number: [] for number in names}
+    for number, begin, end in times:
+        if not 1 <= number <= MOST_TRACKS or number != int(number):
+            raise TargetError(f"a track has the number {number:g}; expected 1 to {MOST_TRACKS:,}")
+        found.setdefault(int(number), []).append((begin, end))
+    if not any(found.values()):
+        raise TargetError("no time of being on; expected a track with one")
+    if sum(map(len, found.values())) > MOST_TIMES:
+        raise TargetError(f"more than {MOST_TIMES:,} times of being on; expected at most so many")
+    made = []
+    for number, on in sorted(found.items()):
+        name = names.get(number, f"Track {number}").removesuffix(NEVER)
+        try:
+            made.append(Track(number, name, Switch(name, tuple(together(on, cycle)), cycle).on))
+        except ValueError as error:
+            raise TargetError(f"track {number}: {error}") from None
+    return made
+
+
+def certified(given: Sequence[CamSwitch], found: Sequence[Track]) -> list[Differing]:
+    """Return how each track differs from the switch that is meant; raise TargetError where there are others."""
+    if [one.number for one in found] != [*range(1, len(given) + 1)]:
+        raise TargetError(f"tracks {', '.join(str(one.number) for one in found[:9])}; expected 1 to {len(given)}")
+    pairs = zip(given, found, strict=True)
+    return [differing(one.switch, Switch(one.name, track.on, one.switch.cycle)) for one, track in pairs]

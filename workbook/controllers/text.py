@@ -1,7 +1,5 @@
 """Tables as columns of text: written with any separator, read with the one and the decimal sign that are found."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterable, Sequence
@@ -25,12 +23,7 @@ def joined(rows: Iterable[Sequence[str]], separator: str = ";", decimal: str = "
 
 
 def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool = False) -> list[list[float]]:
-    """Return the rows of numbers of a text; what stands above the first is passed over, and a count of rows.
-
-    ``widths`` are how many columns it may have; ``counted`` whether a count must stand before them. Raises
-    TargetError, by line, for what is no number, rows of another width, a decimal sign that changes, too many rows,
-    or none.
-    """
+    """Return the rows of numbers below what stands above, so many columns wide; raise TargetError, by line."""
     kept: list[tuple[int, str]] = []
     for n, whole in enumerate(text.splitlines(), 1):
         line = whole.split(comment, 1)[0].translate(SIGNS).strip() if whole else ""

@@ -1,13 +1,10 @@
 """XML from anywhere: read without a document type, and so without entities."""
 
-from __future__ import annotations
-
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder, XMLParser
 
 from workbook.errors import TargetError
 
-DEEPEST, MOST = 100, 200_000
-"""levels and elements; a tag of 10,000 points has 50,000"""
+DEEPEST, MOST = 100, 200_000  # levels and elements; a tag of 10,000 points has 50,000
 
 
 class Plain(TreeBuilder):

@@ -1,35 +1,82 @@
-"""The certificates of an export as one page of HTML: tables, errors over the points and over the cycle."""
+"""The certificates of an export: in words, as tables of a terminal, as JSON, as one page of HTML with pictures."""
 
-from __future__ import annotations
-
+import math
 from collections.abc import Mapping, Sequence
+from typing import Any
 from xml.etree.ElementTree import Element
 
 import numpy as np
 
 import workbook
+from engine.cams.certificate import Certificate
 from workbook.axes import CamAxis
-from workbook.controllers import certificates
-from workbook.controllers.automatic import automatic, curve
-from workbook.controllers.handing import ORDERS, Made, rules_of
+from workbook.controllers.handing import ORDERS, Made, automatic, curve, rules_of
 from workbook.controllers.target import Target
 from workbook.reports.html import document, e, table
 from workbook.reports.plot import Line, plot
+from workbook.reports.terminal import OUT, show_table, shown
 
 FLOOR = 1e-12  # of the peak: what is less is drawn there
 SAMPLES = 1441  # of a picture
 SWITCHED = ("switch", "edges", "an edge is off by", "at", "state differs for")
 HEADINGS = ("", "largest error", "unit", "of the peak", "at x", "added jump")
+WORDS = ("position", "velocity", "acceleration", "jerk")
+
+
+def percent(share: float) -> str:
+    """Return a share in percent to three digits."""
+    return f"{share * 100.0:.3g} %" if math.isfinite(share) else "–"
+
+
+def excess(made: Made, tolerance: Mapping[str, float]) -> str:
+    """Return in words by how much a table misses what is tolerated."""
+    missed = [order for order, most in tolerance.items() if made.share(order) > most]
+    parts = [f"{WORDS[ORDERS.index(o)]} is off by {percent(made.share(o))} of its peak, {percent(tolerance[o])} asked"
+             for o in missed]  # fmt: skip
+    return f"with {made.points} points {'; '.join(parts)}"
+
+
+def show(axis: CamAxis, made: Made, target: Target) -> None:
+    """Print the certificate of each rule that may be the target's."""
+    for name, certificate in made.certificates.items():
+        bound = f", one of {len(made.certificates)} rules that may be its" if len(made.certificates) > 1 else ""
+        title = shown(f"{axis.name} to {target.name}: {made.points} points, {name}{bound}")
+        headings = [*HEADINGS[:4], f"at x ({axis.x_unit})", HEADINGS[5]]
+        show_table(OUT, headings, rows(axis, certificate), (1, 3, 4, 5), title)
+
+
+def rows(axis: CamAxis, of: Certificate) -> list[list[str]]:
+    """Return a row of texts for each derivative."""
+    found = []
+    for k, one in enumerate(of.deviations):
+        jump = f"{max(of.jumps[k].largest, abs(of.closure[k])):.3g}" if k < len(of.jumps) else ""
+        found.append([WORDS[k], f"{one.largest:.3g}", axis.units[k], percent(one.share), f"{one.x:.6g}", jump])
+    return found
+
+
+def told(axis: CamAxis, made: Made, target: Target, path: str) -> dict[str, Any]:
+    """Return a certificate as data."""
+    rules = {name: figures(axis, one) for name, one in made.certificates.items()}
+    return {"axis": axis.name, "target": target.name, "file": path, "points": made.points, "x_unit": axis.x_unit,
+            "rules": rules, "untested": [claim.what for claim in target.untested]}  # fmt: skip
+
+
+def figures(axis: CamAxis, of: Certificate) -> dict[str, Any]:
+    """Return the figures of a certificate by derivative."""
+    found: dict[str, Any] = {}
+    for k, (word, unit, one) in enumerate(zip(WORDS, axis.units, of.deviations, strict=True)):
+        share = one.share if math.isfinite(one.share) else None
+        found[word] = {"unit": unit, "largest": one.largest, "share": share, "at": one.x, "peak": one.peak}
+        if k < len(of.jumps):
+            found[word] |= {"jump": of.jumps[k].largest, "closure": of.closure[k]}
+    return found
 
 
 def page(
     found: Sequence[tuple[CamAxis, Made]], target: Target, tolerance: Mapping[str, float],
     switches: Sequence[Sequence[str]] = (),
 ) -> str:  # fmt: skip
-    """Return the page of the axes that were exported to a target, and of its switches, a row of texts each.
-
-    The number of points that is recommended is the fewest that keeps to a tolerance, or that of the best there is.
-    """
+    """Return the page of the axes that were exported to a target, and of its switches, a row of texts each."""
     title = f"Cam tables for {target.title}"
     how = (
         f"motionbook {workbook.__version__}. Each file was read back by an independent reader, the motion rebuilt by "
@@ -39,28 +86,21 @@ def page(
     claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
     body += [e("p", f"{claim.certainty}: {claim.what} ({claim.source})") for claim in claims]
     for axis, made in found:
-        body += section(axis, made, target, recommended(axis, target, tolerance))
+        body += section(axis, made, target, tolerance)
     if switches:
         body += [e("h2", "Switches"), table(SWITCHED, switches, (1, 2, 3, 4))]
     return document(title, body)
 
 
-def recommended(axis: CamAxis, target: Target, tolerance: Mapping[str, float]) -> str:
-    """Return in words how many points an axis should have."""
+def section(axis: CamAxis, made: Made, target: Target, tolerance: Mapping[str, float]) -> list[Element]:
+    """Return what is to be said of one axis, and how many points it should have."""
     best = automatic(target, axis, tolerance)
-    asked = ", ".join(f"{certificates.WORDS[ORDERS.index(o)]} {certificates.percent(t)}" for o, t in tolerance.items())
+    asked = ", ".join(f"{WORDS[ORDERS.index(o)]} {percent(t)}" for o, t in tolerance.items())
     kept = "the fewest that keep" if best.excess(tolerance) <= 1.0 else "the best there is, which does not keep"
-    return f"Recommended: {best.points} points, {kept} to {asked} of its peak."
-
-
-def section(axis: CamAxis, made: Made, target: Target, advice: str) -> list[Element]:
-    """Return what is to be said of one axis."""
+    advice = f"Recommended: {best.points} points, {kept} to {asked} of its peak."
     said = [e("h2", axis.name), e("p", f"{made.points} points; x in {axis.x_unit}, y in {axis.y_unit}. {advice}")]
     for name, certificate in made.certificates.items():
-        said += [
-            e("h3", name[:1].upper() + name[1:]),
-            table(HEADINGS, certificates.rows(axis, certificate), (1, 3, 4, 5)),
-        ]
+        said += [e("h3", name[:1].upper() + name[1:]), table(HEADINGS, rows(axis, certificate), (1, 3, 4, 5))]
     return [*said, over_points(axis, made, target), *over_cycle(axis, made, target)]
 
 
@@ -69,7 +109,7 @@ def over_points(axis: CamAxis, made: Made, target: Target) -> Element:
     tried = sorted([*curve(target, axis), made], key=lambda one: one.points)
     x = np.array([float(one.points) for one in tried])
     drawn = []
-    for order, word in zip(ORDERS, certificates.WORDS, strict=True):
+    for order, word in zip(ORDERS, WORDS, strict=True):
         shares = np.array([one.share(order) for one in tried])
         drawn.append(Line(word, x, np.clip(np.nan_to_num(shares, posinf=FLOOR), FLOOR, None)))
     title = f"{axis.name}: largest error over the number of points; {made.points} were taken"

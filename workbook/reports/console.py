@@ -1,20 +1,32 @@
-"""What the commands print: tables for people, JSON for machines."""
-
-from __future__ import annotations
+"""What the commands print of one report or of many: tables for people, JSON for machines."""
 
 import math
+import re
 from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict
 from typing import Any
 
 from rich.console import Console
-from rich.table import Table
+from rich.markup import escape
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
+from rich.table import Column, Table
 
-from workbook.judging.report import FOLLOWS, Finding, Ran, Report
-from workbook.reports.differing import differing
-from workbook.reports.page import own_verdict, where
-from workbook.reports.terminal import say, shown
+from workbook.judging.one import Outcome
+from workbook.judging.report import FOLLOWS, Finding, Report
+from workbook.reports.page import VERDICTS, figure, own_verdict, where
+from workbook.reports.servers import line
+from workbook.reports.terminal import say, say_json, show_table, shown
+from workbook.visible import visible
 
+WORST = 3  # findings of each of several workbooks that the terminal shows
 MOST = 40  # findings that the terminal shows; --json has them all
+FINDING = ("sheet", "cell", "kind", "computed", "expected", "what", "witness", "why")
+WITNESS = ("name", "version", "absent", "compared", "at_fault", "unfinished", "why")
+LONG = 50  # characters: a shorter formula is shown whole
+AROUND = 12  # characters before and after the difference
+WORD = re.compile(r"[\w.$!']")
 
 
 def plain(value: Any) -> Any:
@@ -32,67 +44,46 @@ def report_data(report: Report) -> dict[str, Any]:
         "agrees": report.agrees,
         "declared": report.declared,
         "compared": report.compared,
-        "checks": checks_data(report),
-        "witnesses": [witness_data(w) for w in report.witnesses],
+        "checks": {"holds": report.holds, "all": len(report.checks), "failing": [asdict(c) for c in report.failing],
+                   "unfinished": report.unfinished},
+        "witnesses": [{name: getattr(ran, name) for name in WITNESS} for ran in report.witnesses],
         "deviations": report.deviations,
-        "findings": [finding_data(f) for f in report.findings],
-        "notices": [finding_data(f) for f in report.notices],
+        "findings": finding_data(report.findings),
+        "notices": finding_data(report.notices),
         "following": len({(f.sheet, f.cell) for f in report.following}),
         "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
         "notes": report.notes,
-    }
+    }  # fmt: skip
 
 
-def checks_data(report: Report) -> dict[str, Any]:
-    """Return the machine's own verdict as JSON's object."""
-    failing = [
-        {"sheet": c.sheet, "cell": c.cell, "what": c.what, "found": c.found, "says": c.says} for c in report.failing
-    ]
-    return {"holds": report.holds, "all": len(report.checks), "failing": failing, "unfinished": report.unfinished}
-
-
-def witness_data(w: Ran) -> dict[str, Any]:
-    """Return what came of a witness as JSON's object."""
-    counts = {"compared": w.compared, "at_fault": w.at_fault, "unfinished": w.unfinished}
-    return {"name": w.name, "version": w.version, "absent": w.absent, **counts, "why": w.why}
-
-
-def finding_data(f: Finding) -> dict[str, Any]:
-    """Return a finding as JSON's object."""
-    values = {"computed": plain(f.computed), "expected": plain(f.expected)}
-    return {
-        "sheet": f.sheet,
-        "cell": f.cell,
-        "kind": f.kind,
-        **values,
-        "what": f.what,
-        "witness": f.witness,
-        "why": f.why,
-    }
+def finding_data(findings: list[Finding]) -> list[dict[str, Any]]:
+    """Return findings as JSON's objects."""
+    return [{name: plain(getattr(finding, name)) for name in FINDING} for finding in findings]
 
 
 def show_report(report: Report, console: Console, everything: bool = False) -> None:
     """Print a report: what was compared on each sheet, then the findings, causes first; ``everything`` without end."""
-    sheets = Table("Sheet", "Formula cells", "Largest deviation", "Findings", title_justify="left")
-    sheets.title = shown(str(report.path))
-    for sheet, compared in report.cells.items():
-        deviation = report.deviations.get(sheet, 0.0)
-        faults = sum(f.sheet == sheet for f in report.findings)
-        sheets.add_row(shown(sheet), f"{compared:,}", f"{deviation:.1e}", str(faults) if faults else "-")
-    console.print(sheets)
+    faults = Counter(f.sheet for f in report.findings)
+    rows = [(sheet, f"{compared:,}", f"{report.deviations.get(sheet, 0.0):.1e}", str(faults[sheet] or "-"))
+            for sheet, compared in report.cells.items()]  # fmt: skip
+    headings = ("Sheet", "Formula cells", "Largest deviation", "Findings")
+    show_table(console, headings, rows, title=shown(str(report.path)))
     if report.findings:
         show_findings(report, console, everything)
     if report.notices:
-        show_notices(report, console)
+        rows = [(where(f), f.what, figure(f.computed), figure(f.expected)) for f in report.notices[:MOST]]
+        title = "Notices: reworded or gone, but misleading nobody"
+        show_table(console, ("Cell", "What", "Found", "Expected"), rows, title=title)
+        if len(report.notices) > MOST:
+            console.print(f"… and {len(report.notices) - MOST} more; --json lists them all")
     lines = [f"Note: {note}" for note in report.notes]
     if report.following:
         lines.append(report.following_words)
     if report.own:
         first = ", ".join(report.own[:8]) + (" …" if len(report.own) > 8 else "")
         lines.append(f"{report.own_words} ({first})")
-    lines += verdict(report)
-    for line in lines:
-        console.print(shown(line))
+    for told in (*lines, *verdict(report)):
+        console.print(shown(told))
 
 
 def verdict(report: Report) -> list[str]:
@@ -108,33 +99,16 @@ def verdict(report: Report) -> list[str]:
     return [*lines, f"The machine's own checks: {own_verdict(report)}."]
 
 
-def show_notices(report: Report, console: Console) -> None:
-    """Print as a table what is reworded or gone, and misleads nobody."""
-    table = Table("Cell", "What", "Found", "Expected", title="Notices: reworded or gone, but misleading nobody",
-                  title_justify="left")  # fmt: skip
-    for f in report.notices[:MOST]:
-        table.add_row(*(shown(text) for text in (where(f), f.what, figure(f.computed), figure(f.expected))))
-    console.print(table)
-    if len(report.notices) > MOST:
-        console.print(f"… and {len(report.notices) - MOST} more; --json lists them all")
-
-
 def show_findings(report: Report, console: Console, everything: bool) -> None:
-    """Print the findings as a table, with a column for the witness where there are several.
-
-    What only follows from others is counted by sheet, unless ``everything`` is asked for, or nothing else is found.
-    """
+    """Print the findings; what only follows from others is counted by sheet, unless ``everything`` is asked for."""
     listed = report.findings if everything else report.causes
-    headings = ["Cell", "What", "Kind", "Computes", "Expected"]
-    table = Table(*headings, title="Findings, causes first", title_justify="left")
-    if len(report.witnesses) > 1:
-        table.add_column("By")
-    told = listed if everything else listed[:MOST]
+    headings = ["Cell", "What", "Kind", "Computes", "Expected", *(["By"] if len(report.witnesses) > 1 else [])]
+    told, rows = listed if everything else listed[:MOST], []
     for f in told:
         found, expected = map(figure, differing(f.computed, f.expected))
         row = (where(f), f.what, f.kind, f"{found} ({f.why})" if f.why else found, expected, f.witness)
-        table.add_row(*(shown(text) for text in row[: len(table.columns)]))
-    console.print(table)
+        rows.append(row[: len(headings)])
+    show_table(console, headings, rows, title="Findings, causes first")
     if len(listed) > len(told):
         say(console, f"… and {len(listed) - len(told)} more; --all lists them")
     if len(listed) < len(report.findings):
@@ -143,6 +117,93 @@ def show_findings(report: Report, console: Console, everything: bool) -> None:
         say(console, f"Cells that are wrong only because of these: {counted}; --all lists them")
 
 
-def figure(value: Any) -> str:
-    """Return a value for a table."""
-    return f"{value:.10g}" if isinstance(value, float) else "empty" if value is None else str(value)
+def differing(found: Any, expected: Any) -> tuple[Any, Any]:
+    """Return two long formulas without what both begin and end with, ``…`` in its place; others as they are."""
+    both = found, expected
+    if not all(isinstance(text, str) and text.startswith("=") for text in both) or max(map(len, both)) <= LONG:
+        return both
+    same = alike(found, expected)
+    end = min(alike(found[::-1], expected[::-1]), min(map(len, both)) - same)
+    begin = max(0, same - AROUND)
+    while begin and WORD.match(found[begin - 1]) and WORD.match(found[begin]):  # not within a name
+        begin -= 1
+    return (part(found, begin, len(found) - end + AROUND), part(expected, begin, len(expected) - end + AROUND))
+
+
+def alike(one: str, other: str) -> int:
+    """Return with how many of the same characters two texts begin."""
+    return next((k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
+
+
+def part(text: str, begin: int, end: int) -> str:
+    """Return a part of a text, with marks where more is before or after it."""
+    return f"{'…' if begin else ''}{text[begin:end]}{'…' if end < len(text) else ''}"
+
+
+@contextmanager
+def progress(console: Console, total: int) -> Iterator[Callable[[Outcome], None]]:
+    """Show a bar on a terminal, and nothing elsewhere; give what is to be called for each workbook done."""
+    columns = (SpinnerColumn(), TextColumn("Verifying"), BarColumn(), MofNCompleteColumn(),
+               TextColumn("{task.description}"))  # fmt: skip
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        task = bar.add_task("", total=total)
+        yield lambda outcome: bar.update(task, advance=1, description=escape(visible(outcome.path.name)))
+
+
+def show(
+    outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool, everything: bool = False
+) -> None:  # fmt: skip
+    """Print a run: in full where one file was named ``alone``, else the summary of all."""
+    if not alone:
+        if as_json:
+            compared = sum(o.report.compared for o in outcomes if o.report)
+            say_json({"files": [entry(o) for o in outcomes], "compared": compared})
+        else:
+            show_summary(outcomes, out)
+        return
+    for text in outcomes[0].reason.splitlines():
+        say(err, text, "red")
+    if outcomes[0].report and as_json:
+        say_json(report_data(outcomes[0].report))
+    elif outcomes[0].report:
+        show_report(outcomes[0].report, out, everything)
+
+
+def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
+    """Print a table of all workbooks, the worst of what was found in each, and the sums."""
+    table = Table("Workbook", *(Column(name, justify="right") for name in ("Formula cells", "Findings")))
+    table.add_column("Verdict", no_wrap=True)
+    for o in outcomes:
+        said = VERDICTS[o.verdict]
+        cells, found = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("-", "-")
+        table.add_row(shown(str(o.path)), cells, found, shown(said.row, said.colour))
+    console.print(table)
+    for text in (text for outcome in outcomes for text in worst(outcome)):
+        say(console, text)
+    compared = sum(o.report.compared for o in outcomes if o.report)
+    count = Counter[str](outcome.verdict for outcome in outcomes)
+    told = [f"{count[verdict]} {words.several}" for verdict, words in VERDICTS.items() if count[verdict]]
+    verified = sum(outcome.report is not None for outcome in outcomes)
+    say(console, f"{compared:,} formula cells compared in {verified} workbooks: {', '.join(told)}.")
+
+
+def worst(outcome: Outcome) -> list[str]:
+    """Return why a workbook cannot be read, or the worst of its findings, in lines."""
+    if outcome.verdict == "unreadable":
+        return outcome.reason.splitlines()
+    if outcome.report is None:
+        return []
+    found = [line(finding) for finding in outcome.report.causes]
+    found += [check.line for check in outcome.report.failing]
+    lines = [f"{outcome.path}: {text}" for text in found[:WORST]]
+    more = len(found) - WORST
+    return [*lines, f"{outcome.path}: and {more:,} more; verify it alone, or add --report"] if more > 0 else lines
+
+
+def entry(outcome: Outcome) -> dict[str, Any]:
+    """Return one workbook's part of the JSON: its report, or the reason why there is none."""
+    known: dict[str, Any] = {"file": str(outcome.path), "verdict": outcome.verdict}
+    if outcome.report is None:
+        return known | {"compared": 0, "findings": [], "reason": outcome.reason}
+    known.update(report_data(outcome.report), sha256=outcome.sha256)
+    return known

@@ -1,50 +1,37 @@
 """What differs between two designs: on the terminal, as JSON, as a page with both timing diagrams."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any
 from xml.etree.ElementTree import Element
 
 import numpy as np
 from rich.console import Console
-from rich.table import Table
 
 from workbook.differences.design import Change, Design, Differences
 from workbook.reports.html import document, e, table
 from workbook.reports.plot import Line, plot
-from workbook.reports.terminal import say, shown
+from workbook.reports.terminal import say, show_table
 from workbook.templates import TEMPLATES
 
 KINDS = (("entries", "Entries"), ("results", "Results"), ("checks", "Checks"))
 LINES = (("edited", "Formulas and texts edited"), ("own", "Cells, sheets and charts of your own"))
 HEADINGS = ("where", "what", "old", "new", "unit", "difference", "")
-SAMPLES = 721
-"""of a diagram"""
+SAMPLES = 721  # of a diagram
 
 
 def data(found: Differences) -> dict[str, Any]:
     """Return all differences as JSON has them."""
-    kinds = {name: [as_data(one) for one in getattr(found, name)] for name, _ in KINDS}
+    kinds = {name: [one._asdict() | {"difference": one.difference, "per_cent": one.per_cent}
+                    for one in getattr(found, name)] for name, _ in KINDS}  # fmt: skip
     return {"same": found.same, **kinds, "edited": found.edited, "own": found.own}
-
-
-def as_data(change: Change) -> dict[str, Any]:
-    """Return one difference as JSON has it."""
-    return change._asdict() | {"difference": change.difference, "per_cent": change.per_cent}
 
 
 def row(change: Change) -> list[str]:
     """Return the cells of a table for one difference."""
-    per_cent = "" if change.per_cent is None else f"{change.per_cent:+.2f} %"
+    apart = "" if change.difference is None else f"{change.difference:+.6g}"  # of numbers of which the old one is 0
+    apart = apart if change.per_cent is None else f"{change.per_cent:+.2f} %"
     note = change.says or ("worse" if change.worse else "")
-    unit = change.unit
-    return [change.place, change.label, figure(change.old), figure(change.new), unit, per_cent or step(change), note]
-
-
-def step(change: Change) -> str:
-    """Return the difference of two numbers of which the old one is 0."""
-    return "" if change.difference is None else f"{change.difference:+.6g}"
+    return [change.place, change.label, figure(change.old), figure(change.new), change.unit, apart, note]
 
 
 def figure(value: Any) -> str:
@@ -57,10 +44,7 @@ def show(console: Console, found: Differences) -> None:
     for name, title in KINDS:
         changes = getattr(found, name)
         if changes:
-            grid = Table(*HEADINGS, title=title, title_justify="left", box=None, pad_edge=False)
-            for change in changes:
-                grid.add_row(*map(shown, row(change)))
-            console.print(grid)
+            show_table(console, HEADINGS, map(row, changes), title=title, box=None, pad_edge=False)
     for name, title in LINES:
         for sign, line in signed(getattr(found, name)):
             say(console, f"{title}: {sign} {line}")

@@ -1,7 +1,5 @@
 """What the command prints of the laws: figures, what each costs, how smooth it is, and its names elsewhere."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -31,15 +29,8 @@ def described(entry: Entry) -> dict[str, Any]:
     law = entry.example()
     figures = {name: plain(getattr(law.coefficients, field)) for name, field in (FIGURES | COSTS).items()}
     smooth = dict(zip(SMOOTH, (WORDS[order] for order in continuity(law)), strict=True))
-    return {
-        "code": entry.code,
-        "name": entry.name,
-        "aliases": list(entry.aliases),
-        "source": entry.source,
-        **figures,
-        **smooth,
-        "names": entry.vendors._asdict(),
-    }
+    told = {"code": entry.code, "name": entry.name, "aliases": list(entry.aliases), "source": entry.source}
+    return told | figures | smooth | {"names": entry.vendors._asdict()}
 
 
 def show_catalogue(console: Console) -> None:

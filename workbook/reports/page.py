@@ -1,13 +1,11 @@
 """The report of a run as one page of HTML, for the project's folder: no script, nothing fetched from elsewhere."""
 
-from __future__ import annotations
-
 import math
 import platform
 from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree.ElementTree import Element
 
 import workbook
@@ -19,12 +17,22 @@ from workbook.judging.report import Finding, Ran, Report
 from workbook.reports.html import Content, document, e, table
 from workbook.writing.place import refuse_existing, replace
 
+
+class Verdict(NamedTuple):
+    """What is said of a verdict on the page, in a row of the terminal, and of several workbooks; its colour there."""
+
+    page: str
+    row: str
+    several: str
+    colour: str
+
+
 VERDICTS = {
-    "agrees": "Agrees",
-    "fails": "Agrees; the design fails",
-    "disagrees": "Disagrees",
-    "unreadable": "Cannot be read",
-    "no machine": "Skipped",
+    "agrees": Verdict("Agrees", "agrees", "agree", "green"),
+    "fails": Verdict("Agrees; the design fails", "agrees, DESIGN FAILS", "agree and fail their own checks", "red"),
+    "disagrees": Verdict("Disagrees", "DISAGREES", "disagree", "red"),
+    "unreadable": Verdict("Cannot be read", "CANNOT BE READ", "cannot be read", "red"),
+    "no machine": Verdict("Skipped", "skipped, no machine", "skipped (no machine)", "dim"),
 }
 KINDS = {
     "layout": "a row or a column was put into a table, or is gone from it",
@@ -69,15 +77,10 @@ def page(outcomes: Sequence[Outcome], when: datetime) -> str:
 
 def summary(outcomes: Sequence[Outcome]) -> Element:
     """Return the table of all workbooks, each with a link to its section."""
-    rows: list[list[Content]] = [
-        [
-            e("a", str(o.path), href=f"#book{number}"),
-            f"{o.report.compared:,}" if o.report else "–",
-            f"{len(o.report.causes):,}" if o.report else "–",
-            verdict(o),
-        ]
-        for number, o in enumerate(outcomes, 1)
-    ]
+    rows: list[list[Content]] = []
+    for number, o in enumerate(outcomes, 1):
+        counts = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("–", "–")
+        rows.append([e("a", str(o.path), href=f"#book{number}"), *counts, verdict(o)])
     return table(("Workbook", "Formula cells", "Findings", "Verdict"), rows, numbers=(1, 2))
 
 
@@ -87,8 +90,20 @@ def section(outcome: Outcome, name: str) -> list[Element]:
     if outcome.report is None:
         return head + [e("p", line) for line in outcome.reason.splitlines()]
     report = outcome.report
-    found = (*checks(report), *sheets(report), *findings(report), *notices(report), *remarks(report))
-    return [*head, facts(outcome, report), *found]
+    failing: list[list[Content]] = []
+    failing += ([e("span", f"{c.sheet}!{c.cell}", css="cell"), c.what, c.found, c.says] for c in report.failing)
+    sheets: list[list[Content]] = []
+    for sheet, found in by_sheet(report).items():
+        largest = deviation(report.deviations.get(sheet))
+        sheets.append([sheet, f"{report.cells.get(sheet, 0):,}", largest, str(len(found))])
+    notices: list[list[Content]] = [[where(f), f.what, exact(f.computed), exact(f.expected)] for f in report.notices]
+    title = f"Notices ({len(notices):,}): reworded or gone, but misleading nobody"
+    checked = ("Cell", "Check", "Says", "Where, and by how much")
+    return [
+        *head, facts(outcome, report), *titled("The machine's own checks that fail", checked, failing),
+        *titled("Sheets", ("Sheet", "Formula cells", "Largest deviation", "Findings"), sheets, (1, 2, 3)),
+        *findings(report), *titled(title, ("Cell", "What", "Found", "Expected"), notices), *remarks(report),
+    ]  # fmt: skip
 
 
 def facts(outcome: Outcome, report: Report) -> Element:
@@ -110,13 +125,9 @@ def witness(ran: Ran) -> str:
     """Return in words what came of a witness."""
     if ran.absent:
         return f"{ran.name}: absent from this machine, not asked"
-    return f"{ran.name} {ran.version}: {ran.why or counted(ran)}"
-
-
-def counted(ran: Ran) -> str:
-    """Return in words what came of the declared formula cells; each is counted once."""
-    counts = ((ran.at_fault, "at fault"), (ran.unfinished, "unfinished"))
-    return ", ".join([f"{ran.compared:,} cells compared", *(f"{n:,} {words}" for n, words in counts if n)])
+    counts = ((ran.at_fault, "at fault"), (ran.unfinished, "unfinished"))  # each declared cell is counted once
+    counted = ", ".join([f"{ran.compared:,} cells compared", *(f"{n:,} {words}" for n, words in counts if n)])
+    return f"{ran.name} {ran.version}: {ran.why or counted}"
 
 
 def own_verdict(report: Report) -> str:
@@ -126,33 +137,9 @@ def own_verdict(report: Report) -> str:
     return f"{said}, {report.unfinished:,} cells unfinished" if report.unfinished else said
 
 
-def checks(report: Report) -> list[Element]:
-    """Return the table of the machine's own checks that do not hold."""
-    rows: list[list[Content]] = [
-        [e("span", f"{c.sheet}!{c.cell}", css="cell"), c.what, c.found, c.says] for c in report.failing
-    ]
-    headings = ("Cell", "Check", "Says", "Where, and by how much")
-    return [e("h3", "The machine's own checks that fail"), table(headings, rows, ())] if rows else []
-
-
-def notices(report: Report) -> list[Element]:
-    """Return the table of what is reworded or gone, and misleads nobody."""
-    if not report.notices:
-        return []
-    headings = ("Cell", "What", "Found", "Expected")
-    rows: list[list[Content]] = [[where(f), f.what, exact(f.computed), exact(f.expected)] for f in report.notices]
-    return [e("h3", f"Notices ({len(report.notices):,}): reworded or gone, but misleading nobody"),
-            table(headings, rows, ())]  # fmt: skip
-
-
-def sheets(report: Report) -> list[Element]:
-    """Return the table of sheets: what was compared on each, how much it deviates, what was found."""
-    rows: list[list[Content]] = [
-        [sheet, f"{report.cells.get(sheet, 0):,}", deviation(report.deviations.get(sheet)), str(len(found))]
-        for sheet, found in by_sheet(report).items()
-    ]
-    headings = ("Sheet", "Formula cells", "Largest deviation", "Findings")
-    return [e("h3", "Sheets"), table(headings, rows, numbers=(1, 2, 3))]
+def titled(title: str, heads: Sequence[str], rows: list[list[Content]], numbers: Sequence[int] = ()) -> list[Element]:
+    """Return a table below its title; nothing where it has no rows."""
+    return [e("h3", title), table(heads, rows, numbers)] if rows else []
 
 
 def by_sheet(report: Report) -> dict[str, list[Finding]]:
@@ -166,17 +153,13 @@ def by_sheet(report: Report) -> dict[str, list[Finding]]:
 def findings(report: Report) -> list[Element]:
     """Return the table of all findings, worst first, and what their kinds mean."""
     if not report.findings:
-        return [
-            e("h3", "Findings"),
-            e("p", "None: every formula cell computes what the engine computes, and shows it."),
-        ]
+        said = "None: every formula cell computes what the engine computes, and shows it."
+        return [e("h3", "Findings"), e("p", said)]
     headings = ("Cell", "Kind", "What", "Found", "Expected", "Deviation", "By")
     meanings = "; ".join(f"{kind}: {KINDS[kind]}" for kind in dict.fromkeys(f.kind for f in report.findings))
-    return [
-        e("h3", f"Findings, worst first: {report.findings_words}"),
-        table(headings, [row(f) for f in report.findings], numbers=(5,)),
-        e("p", f"{meanings}.", css="quiet"),
-    ]
+    head = e("h3", f"Findings, worst first: {report.findings_words}")
+    found = table(headings, [row(f) for f in report.findings], numbers=(5,))
+    return [head, found, e("p", f"{meanings}.", css="quiet")]
 
 
 def row(finding: Finding) -> list[Content]:
@@ -201,22 +184,25 @@ def remarks(report: Report) -> list[Element]:
     lines = [*report.notes, *([report.following_words] if report.following else [])]
     said = [e("h3", "Notes"), *(e("p", line) for line in lines)] if lines else []
     if report.own:
-        said += [
-            e("h3", f"Cells of your own ({len(report.own):,})"),
-            e("p", f"{report.own_words}: the engine has no value for them."),
-            e("p", ", ".join(report.own), css="cell"),
-        ]
+        said += [e("h3", f"Cells of your own ({len(report.own):,})"),
+                 e("p", f"{report.own_words}: the engine has no value for them."),
+                 e("p", ", ".join(report.own), css="cell")]  # fmt: skip
     return said
 
 
 def verdict(outcome: Outcome) -> Element:
     """Return the verdict in words; its colour only repeats them."""
-    return e("span", VERDICTS[outcome.verdict], css=f"verdict {outcome.verdict.replace(' ', '-')}")
+    return e("span", VERDICTS[outcome.verdict].page, css=f"verdict {outcome.verdict.replace(' ', '-')}")
+
+
+def figure(value: Any, digits: int = 10) -> str:
+    """Return a value for a table."""
+    return f"{value:.{digits}g}" if isinstance(value, float) else "empty" if value is None else str(value)
 
 
 def exact(value: Any) -> str:
     """Return a value with all digits that a spreadsheet keeps."""
-    return f"{value:.15g}" if isinstance(value, float) else "empty" if value is None else str(value)
+    return figure(value, 15)
 
 
 def deviation(value: float | None) -> str:

@@ -1,11 +1,9 @@
-"""Lines over an abscissa as a picture of SVG: axes that may go by powers of ten, and a name at each line."""
-
-from __future__ import annotations
+"""Pictures of SVG: lines over an abscissa, each with its name, by powers of ten where asked; the front of a study."""
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Self
 from xml.etree.ElementTree import Element, SubElement
 
 import numpy as np
@@ -19,6 +17,11 @@ LEFT, RIGHT, TOP, BOTTOM = 78, 170, 34, 50
 GREY, BEFORE, INK = "#d5d9de", "#aab2bd", "#1a1a1a"
 TICKS = 6
 APART = 14  # between two names
+POINT = "#1f5fa8"
+RADIUS, GAP = 4.0, 7.0
+MARGIN = 0.08  # of an axis, beside the outermost points
+LETTER, LINE = 6.4, 13.0  # width and height of a letter
+ROOM = 24  # beside the front, to the right
 
 
 class Line(NamedTuple):
@@ -88,19 +91,11 @@ def plot(
     title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False),
     before: Sequence[Line] = (),
 ) -> Element:  # fmt: skip
-    """Return the picture; numbers that go by powers of ten must be above 0. Raises ValueError for no lines.
-
-    ``before`` are lines that show in grey, below the others, how it was.
-    """
+    """Return the picture, ``before`` in grey below the lines; raise ValueError for no lines."""
     if not lines:
         raise ValueError("no lines are given; expected one or more")
-    svg = Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "viewBox": f"0 0 {WIDTH} {HEIGHT}", "role": "img",
-                          "font-family": "Segoe UI, Helvetica, Arial, sans-serif", "font-size": "12"})  # fmt: skip
-    SubElement(svg, "title").text = visible(title)
-    SubElement(svg, "rect", {"width": str(WIDTH), "height": str(HEIGHT), "fill": "#ffffff"})
     across, up = scales([*lines, *before], powers)
-    text(svg, title, LEFT, TOP - 14, weight="600")
-    grid(svg, across, up, labels)
+    svg = framed(title, labels, across, up)
     for line in before:
         draw(svg, line, across.at(line.x), up.at(line.y), BEFORE)
     names: list[float] = []
@@ -131,8 +126,13 @@ def draw(svg: Element, line: Line, x: Array, y: Array, colour: str) -> None:
     SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
 
 
-def grid(svg: Element, across: Scale, up: Scale, labels: tuple[str, str]) -> None:
-    """Draw the lines at the numbers of both axes, these, and what they are of; no numbers of what has no name."""
+def framed(title: str, labels: tuple[str, str], across: Scale, up: Scale) -> Element:
+    """Return a picture of its title and its axes with their lines and numbers; no numbers of what has no name."""
+    svg = Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "viewBox": f"0 0 {WIDTH} {HEIGHT}", "role": "img",
+                          "font-family": "Segoe UI, Helvetica, Arial, sans-serif", "font-size": "12"})  # fmt: skip
+    SubElement(svg, "title").text = visible(title)
+    SubElement(svg, "rect", {"width": str(WIDTH), "height": str(HEIGHT), "fill": "#ffffff"})
+    text(svg, title, LEFT, TOP - 14, weight="600")
     for value, place in zip(across.ticks, across.at(np.array(across.ticks)), strict=True):
         rule(svg, place, TOP, place, HEIGHT - BOTTOM)
         text(svg, figure(value), place, HEIGHT - BOTTOM + 17, anchor="middle")
@@ -143,6 +143,7 @@ def grid(svg: Element, across: Scale, up: Scale, labels: tuple[str, str]) -> Non
     text(svg, labels[0], (across.begin + across.end) / 2, HEIGHT - 12, anchor="middle")
     middle = (TOP + HEIGHT - BOTTOM) / 2
     text(svg, labels[1], 16, middle, anchor="middle").set("transform", f"rotate(-90 16 {middle})")
+    return svg
 
 
 def figure(value: float) -> str:
@@ -164,3 +165,65 @@ def text(
     one = SubElement(svg, "text", {"x": f"{x:.1f}", "y": f"{y:.1f}"} | look)
     one.text = visible(words)
     return one
+
+
+class Point(NamedTuple):
+    """A design in the picture: what stands beside it, in words where they fit, else ``short``; its two objectives."""
+
+    name: str
+    short: str
+    x: float
+    y: float
+
+
+class Box(NamedTuple):
+    """A rectangle that is taken."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def meets(self, other: Self) -> bool:
+        """Whether it has a place in common with another one."""
+        beside = self.right < other.left or other.right < self.left
+        return not beside and not (self.bottom < other.top or other.bottom < self.top)
+
+
+def front_picture(title: str, labels: tuple[str, str], points: Sequence[Point]) -> Element:
+    """Return the picture. Raises ValueError for no points."""
+    if not points:
+        raise ValueError("no points are given; expected one or more")
+    x, y = np.array([one.x for one in points]), np.array([one.y for one in points])
+    across = scale(wider(x), LEFT, WIDTH - ROOM, powers=False)
+    up = scale(wider(y), HEIGHT - BOTTOM, TOP, powers=False)
+    svg = framed(title, labels, across, up)
+    places = list(zip(across.at(x).tolist(), up.at(y).tolist(), strict=True))
+    taken = [Box(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
+    for one, (px, py) in zip(points, places, strict=True):
+        SubElement(svg, "circle", {"cx": f"{px:.1f}", "cy": f"{py:.1f}", "r": f"{RADIUS}", "fill": POINT})
+        found = next(((words, box) for words in (one.name, one.short) for box in around(px, py, words)
+                      if not any(box.meets(other) for other in taken)), None)  # fmt: skip
+        if found:
+            words, box = found
+            taken.append(box)
+            text(svg, words, box.left, box.bottom - 3.0)
+    return svg
+
+
+def wider(values: Array) -> Array:
+    """Return numbers with room at both ends."""
+    low, high = float(values.min()), float(values.max())
+    room = MARGIN * (high - low)
+    return np.array([low - room, high + room])
+
+
+def around(x: float, y: float, words: str) -> list[Box]:
+    """Return the places beside a point at which words are within the picture: right and left, above and below."""
+    width, near = LETTER * len(words), 2.0
+    found = [
+        Box(left, top, left + width, top + LINE)
+        for top in (y - LINE / 2, y - LINE - near, y + near)
+        for left in (x + GAP, x - GAP - width)
+    ]
+    return [box for box in found if box.left > LEFT and box.right < WIDTH and TOP < box.top < HEIGHT - BOTTOM - LINE]

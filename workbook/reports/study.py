@@ -1,7 +1,5 @@
 """A study as one page of HTML: the front, the best designs, what was fixed, what excludes the others."""
 
-from __future__ import annotations
-
 import platform
 import re
 from collections.abc import Mapping
@@ -12,10 +10,10 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 import workbook
-from workbook.reports.front import Point, front_picture
 from workbook.reports.html import Content, document, e, table
+from workbook.reports.plot import Point, front_picture
 from workbook.studies.judged import Judged
-from workbook.studies.model import Bound, Study
+from workbook.studies.model import Study
 from workbook.studies.named import Label, Named
 from workbook.studies.paths import written
 from workbook.studies.plan import Plan
@@ -28,20 +26,15 @@ MOST = 200  # designs that the page lists
 def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: datetime) -> str:
     """Return the page."""
     study = plan.study
-    versions = (
-        f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
-        f"NumPy {np.__version__}; {study.way.kind}, seed {study.way.seed}"
-    )
+    versions = (f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
+                f"NumPy {np.__version__}; {study.way.kind}, seed {study.way.seed}")  # fmt: skip
     counts = f"{found.designs:,} designs, {found.feasible:,} feasible, {found.impossible:,} impossible."
     body = [e("h1", study.title), e("p", versions, css="quiet"), e("p", counts)]
     body += [e("p", line) for line in unranked(found)]
     if judged:
         body.append(e("p", judged_line(judged), css="agrees" if judged.holds else "disagrees"))
     body += best(plan, found, named)
-    body += [
-        e("h2", "What varied"),
-        table(("entry", "values"), [varied(one) for one in plan.space.dimensions], ()),
-    ]
+    body += [e("h2", "What varied"), table(("entry", "values"), [varied(one) for one in plan.space.dimensions], ())]
     body += constraints(plan, found, named)
     if found.reasons:
         rows = [[reason, f"{count:,}"] for reason, count in found.reasons.items()]
@@ -52,10 +45,8 @@ def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: 
 
 def constraints(plan: Plan, found: Summary, named: Named) -> list[Element]:
     """Return the table of what excludes designs, and in words what does not."""
-    rows = [
-        [heading(name, named), bounds(plan.bounds.get(name, "OK")), f"{count:,}", f"{found.alone.get(name, 0):,}"]
-        for name, count in excluding(plan, found)
-    ]
+    rows = [[heading(name, named), bounds, f"{count:,}", f"{alone:,}"]
+            for name, bounds, count, alone in excluding(plan, found)]  # fmt: skip
     said = [e("h2", "Constraints"), table(("result", "bounds", "excludes", "of these alone"), rows, (2, 3))]
     idle = [name for name, count in found.excluded.items() if not count and name not in plan.bounds]
     if idle:
@@ -65,11 +56,13 @@ def constraints(plan: Plan, found: Summary, named: Named) -> list[Element]:
     return said
 
 
-def excluding(plan: Plan, found: Summary) -> list[tuple[str, int]]:
-    """Return how many designs each constraint excludes: those told first, then checks that exclude any."""
+def excluding(plan: Plan, found: Summary) -> list[tuple[str, str, int, int]]:
+    """Return constraints, bounds in words, and how many designs each excludes, and alone: first those that are told."""
     counts = {name: found.excluded.get(name, 0) for name in plan.bounds}
     checks = sorted(found.excluded.items(), key=lambda one: -one[1])
-    return [*counts.items(), *((name, count) for name, count in checks if count and name not in counts)]
+    counts |= {name: count for name, count in checks if count and name not in counts}
+    said = {name: bound if isinstance(bound, str) else bound.words for name, bound in plan.bounds.items()}
+    return [(name, said.get(name, "OK"), count, found.alone.get(name, 0)) for name, count in counts.items()]
 
 
 def unranked(found: Summary) -> list[str]:
@@ -91,11 +84,8 @@ def best(plan: Plan, found: Summary, named: Named) -> list[Element]:
     entries = [one.label for one in plan.space.dimensions]
     names = list(dict.fromkeys([*plan.study.goals, *plan.study.names]))
     heads: list[Content] = ["", "design", *map(parted, entries), *(parted(heading(name, named)) for name in names)]
-    rows = [
-        [str(place), f"{one.number + 1}", *(figure(one.entries[name]) for name in entries),
-         *(figure(one.results[name]) for name in names)]
-        for place, one in enumerate(shown, 1)
-    ]  # fmt: skip
+    rows = [[str(place), f"{one.number + 1}", *(figure(one.entries[name]) for name in entries),
+             *(figure(one.results[name]) for name in names)] for place, one in enumerate(shown, 1)]  # fmt: skip
     values = [*shown[0].entries.values(), *(shown[0].results[name] for name in names)]
     numbers = tuple(k for k, value in enumerate(values, 2) if not isinstance(value, str))
     made = table(heads, rows, (1, *numbers))
@@ -112,10 +102,8 @@ def parted(words: str) -> Element:
 def picture(study: Study, designs: list[Design], named: Named) -> Element:
     """Return the front by the first two objectives."""
     first, second = list(study.goals)[:2]
-    points = [
-        Point(name, str(place), one.results[first], one.results[second])
-        for place, (name, one) in enumerate(zip(names_of(designs), designs, strict=True), 1)
-    ]
+    points = [Point(name, str(place), one.results[first], one.results[second])
+              for place, (name, one) in enumerate(zip(names_of(designs), designs, strict=True), 1)]  # fmt: skip
     return front_picture(study.title, (heading(first, named), heading(second, named)), points)
 
 
@@ -156,22 +144,6 @@ def leaves(data: Any, key: str) -> list[tuple[str, Any]]:
     if below is None:
         return [(key, data)]
     return [leaf for name, value in below for leaf in leaves(value, f"{key}.{name}".strip("."))]
-
-
-def bounds(bound: Bound | str) -> str:
-    """Return a bound in words."""
-    if isinstance(bound, str):
-        return bound
-    ends = [("at least", bound.min), ("at most", bound.max)]
-    return ", ".join(f"{word} {end:g}" for word, end in ends if end is not None)
-
-
-def exclusions(plan: Plan, found: Summary) -> list[str]:
-    """Return in a line each how many designs a constraint excludes."""
-    return [
-        f"{name} ({bounds(plan.bounds.get(name, 'OK'))}) excludes {count:,}, {found.alone.get(name, 0):,} of them alone"
-        for name, count in excluding(plan, found)
-    ]
 
 
 def judged_line(judged: Judged) -> str:

@@ -1,14 +1,14 @@
 """What is shown on a terminal: texts that neither it nor rich's markup obeys."""
 
-from __future__ import annotations
-
 import io
+import json
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any, NamedTuple, TextIO
+from typing import Any, TextIO
 
 from rich.console import Console
+from rich.table import Table
 from rich.text import Text
 
 from workbook.visible import visible
@@ -30,6 +30,24 @@ def say(console: Console, text: str, style: str = "") -> None:
 def say_data(text: str) -> None:
     r"""Print lines of JSON or TOML, with escapes that both know, such as ``\u009b``, for what a terminal may obey."""
     print(text if text.isprintable() else "".join(map(quoted, text)), end="")
+
+
+def say_json(data: Any, **ways: Any) -> None:
+    """Print data as JSON."""
+    say_data(f"{json.dumps(data, ensure_ascii=False, indent=1, **ways)}\n")
+
+
+def show_table(
+    console: Console, headings: Iterable[str], rows: Iterable[Iterable[str]], right: Container[int] = (),
+    title: str | Text | None = None, **look: Any,
+) -> None:  # fmt: skip
+    """Print rows of texts under headings; the columns ``right`` stand to the right."""
+    grid = Table(title=title, title_justify="left", **look)
+    for k, heading in enumerate(headings):
+        grid.add_column(shown(heading), justify="right" if k in right else "left")
+    for row in rows:
+        grid.add_row(*map(shown, row))
+    console.print(grid)
 
 
 def quoted(character: str) -> str:
@@ -66,48 +84,35 @@ class Lasting(io.RawIOBase):
         """Whether it is a terminal."""
         return bool(self.raw.isatty())
 
-    def flush(self) -> None:
-        """Write what the stream before this holds back."""
-
-
-class Faults(NamedTuple):
-    """Why the two outputs of a command took no more; None where they took all."""
-
-    out: OSError | None = None
-    err: OSError | None = None
-
 
 @contextmanager
-def lasting() -> Iterator[Callable[[], Faults]]:
-    """Let both outputs of this process last; give what flushes them, and tells why they took no more."""
+def lasting() -> Iterator[Callable[[], OSError | None]]:
+    """Let both outputs of this process last; give what flushes them, and tells why the first took no more."""
     before = sys.stdout, sys.stderr
-    raws = [lasting_over(stream) for stream in before]
-    sys.stdout, sys.stderr = (wrapped(raw, stream) for raw, stream in zip(raws, before, strict=True))
+    out, sys.stderr = map(lasted, before)
+    sys.stdout = out
 
-    def faults() -> Faults:
+    def fault() -> OSError | None:
         for stream in (sys.stdout, sys.stderr):
             stream.flush()
-        return Faults(*(raw.fault if raw else None for raw in raws))
+        raw = getattr(getattr(out, "buffer", None), "raw", None)
+        return raw.fault if isinstance(raw, Lasting) else None
 
     try:
-        yield faults
+        yield fault
     finally:
-        faults()
+        fault()
         sys.stdout, sys.stderr = before
 
 
-def lasting_over(stream: TextIO) -> Lasting | None:
-    """Return an output over what a stream leads to; None of one that is no file."""
+def lasted(stream: TextIO) -> TextIO:
+    """Return a text over an output that lasts: names of files too, on terminals that lack their letters."""
     buffer = getattr(stream, "buffer", None)
     raw = getattr(buffer, "raw", buffer)
     stream.flush()
-    return Lasting(raw) if isinstance(raw, io.RawIOBase) else None
-
-
-def wrapped(raw: Lasting | None, stream: TextIO) -> TextIO:
-    """Return a text over an output: names of files too, on terminals that lack their letters."""
-    if raw is None:
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="backslashreplace")
-        return stream
-    return io.TextIOWrapper(io.BufferedWriter(raw), stream.encoding, "backslashreplace", line_buffering=True)
+    if isinstance(raw, io.RawIOBase):
+        lasts = io.BufferedWriter(Lasting(raw))
+        return io.TextIOWrapper(lasts, stream.encoding, "backslashreplace", line_buffering=True)
+    if isinstance(stream, io.TextIOWrapper):
+        stream.reconfigure(errors="backslashreplace")
+    return stream

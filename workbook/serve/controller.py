@@ -7,7 +7,7 @@ from pathlib import Path
 from xml.etree.ElementTree import Element
 
 from workbook.build import inputs
-from workbook.controllers.names import TARGETS
+from workbook.controllers.registry import TARGETS
 from workbook.reports.html import Content, e
 from workbook.serve import pages
 from workbook.serve.folder import Folder, plain, state

@@ -1,7 +1,5 @@
 """The results of designs: those that differ only in what scales at once, all others one by one."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -17,11 +15,9 @@ from workbook.entries.machine import Machine
 from workbook.scaling import Column, Results
 from workbook.studies.model import Bound
 from workbook.studies.plan import Plan
-from workbook.studies.space import Dimension
 
 Values = NDArray[Any]
-ENDLESS = "∞"
-"""what a book shows of a jerk where the acceleration jumps"""
+ENDLESS = "∞"  # what a book shows of a jerk where the acceleration jumps
 NOTHING = "this result has no value"
 
 
@@ -61,10 +57,7 @@ class Found(NamedTuple):
 
 
 class Evaluator:
-    """What works designs of a plan out; the machine of the last design is kept.
-
-    Checks that take each design by itself are asked of those that keep to all else, unless ``thorough``.
-    """
+    """What works designs of a plan out; slow checks, unless ``thorough``, only of designs that keep to all else."""
 
     def __init__(self, plan: Plan, thorough: bool = False) -> None:
         self.plan, self.names, self.thorough = plan, plan.study.names, thorough
@@ -76,10 +69,15 @@ class Evaluator:
         scaling = self.plan.template.scaling
         return scaling.results(self.plan.base, {}) if scaling else Results({}, (), ())
 
+    @cached_property
+    def asked(self) -> list[str]:
+        """The names of results and of what is bounded."""
+        return list(dict.fromkeys([*self.names, *self.plan.bounds]))
+
     @property
     def from_books(self) -> list[str]:
         """The results that need a book of each design."""
-        return [name for name in {**dict.fromkeys(self.names), **self.plan.bounds} if name not in self.usual.named]
+        return [name for name in self.asked if name not in self.usual.named]
 
     @cached_property
     def swift(self) -> bool:
@@ -95,9 +93,8 @@ class Evaluator:
             found.append((self._group(some, last - first), last - first))
         results = {name: together([wide(one.results.get(name, np.nan), n) for one, n in found]) for name in self.names}
         constraints = dict.fromkeys(name for one, _ in found for name in one.fails)
-        fails = {
-            name: np.concatenate([wide(one.fails.get(name, False), n) for one, n in found]) for name in constraints
-        }
+        fails = {name: np.concatenate([wide(one.fails.get(name, False), n) for one, n in found])
+                 for name in constraints}  # fmt: skip
         reasons = np.concatenate([np.full(n, one.reason, dtype=object) for one, n in found])
         return Table(begin, tuple(columns), results, fails, reasons)
 
@@ -110,22 +107,22 @@ class Evaluator:
         """Return what is found of designs that are worked out together."""
         dimensions = self.plan.space.dimensions
         chosen = {dimensions[k]: columns[k].values[columns[k].places[0]] for k in self._outer}
-        machine = self._machine(chosen)
+        values = tuple(chosen.values())
+        if self._last is None or self._last[0] != values:
+            self._last = values, self.plan.machine(chosen)
+        machine = self._last[1]
         if isinstance(machine, str):
             return Found({}, {}, machine)
         try:
             if not self.swift:
-                return self._of_book(self.plan.template.declare(machine))
+                book = self.plan.template.declare(machine)
+                results = {name: of_book(book, name) for name in self.asked}
+                checks = {q.name: q.value != "OK" for _, q in book.checks if not self.plan.study.is_off(q.name)}
+                return Found(results, checks | self._beyond(results))
             scaled = {one.key: column for one, column in zip(dimensions, columns, strict=True) if one.part}
             return self._scaled(machine, scaled, count)
         except (ValueError, ArithmeticError) as error:  # what the engine refuses
             return Found({}, {}, str(error).replace("\n", " "))
-
-    def _of_book(self, book: Book) -> Found:
-        """Return what the book of a design says."""
-        values = {name: of_book(book, name) for name in {**dict.fromkeys(self.names), **self.plan.bounds}}
-        checks = {q.name: q.value != "OK" for _, q in book.checks if not self.plan.study.is_off(q.name)}
-        return Found(values, checks | self._beyond(values))
 
     def _beyond(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return which designs do not keep to bounds."""
@@ -136,36 +133,24 @@ class Evaluator:
         scaling = self.plan.template.scaling
         assert scaling is not None  # noqa: S101 - of a plan that is swift
         asked = scaling.results(machine, scaled)
-        values = {name: asked.named[name]() for name in {**dict.fromkeys(self.names), **self.plan.bounds}}
+        values = {name: asked.named[name]() for name in self.asked}
         fails = self._beyond(values)
         checks = [name for name in asked.checks if name not in fails and not self.plan.study.is_off(name)]
         fails |= {name: asked.named[name]() != "OK" for name in checks if name not in asked.slow}
-        kept = np.flatnonzero(
-            ~np.logical_or.reduce([wide(False, count), *(wide(one, count) for one in fails.values())])
-        )
-        left = np.arange(count) if self.thorough else kept
+        broken = np.logical_or.reduce([wide(False, count), *(wide(one, count) for one in fails.values())])
+        left = np.arange(count) if self.thorough else np.flatnonzero(~broken)
         if left.size:
-            some = asked if left.size == count else scaling.results(machine, taken(scaled, left, count))
+            few = {key: Column(one.values, wide(one.places, count)[left]) for key, one in scaled.items()}
+            some = asked if left.size == count else scaling.results(machine, few)
             for name in (one for one in checks if one in asked.slow):
                 fails[name] = np.zeros(count, dtype=bool)
                 fails[name][left] = some.named[name]() != "OK"
         return Found(values, fails)
 
-    def _machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
-        values = tuple(chosen.values())
-        if self._last is None or self._last[0] != values:
-            self._last = values, self.plan.machine(chosen)
-        return self._last[1]
-
 
 def wide(values: Any, count: int) -> Values:
     """Return a value for each of so many designs."""
     return np.broadcast_to(np.asarray(values), count)
-
-
-def taken(scaled: Mapping[str, Column], rows: NDArray[np.intp], count: int) -> dict[str, Column]:
-    """Return the entries of some of so many designs."""
-    return {key: Column(one.values, wide(one.places, count)[rows]) for key, one in scaled.items()}
 
 
 def groups(columns: Sequence[Column], outer: Sequence[int], count: int) -> Iterator[tuple[int, int]]:

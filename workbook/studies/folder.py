@@ -1,67 +1,53 @@
-"""The parts of a study on the way: a folder beside the results, one study in it, each part whole or not there."""
+"""A study's results as files: its parts on the way, in a folder for one study, each whole or not there; all of them."""
 
-from __future__ import annotations
-
+import csv
 import hashlib
+import io
 import json
 import os
 import re
+import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from workbook.errors import WriteError
+from workbook.studies.evaluate import Table
 from workbook.studies.summary import Summary
 from workbook.writing.place import unwritten
 
+FORMATS = (".csv", ".parquet")
+ENDS = ("feasible", "fails", "impossible")  # the last columns of a table
+EXTRA = "Parquet wants the package pyarrow: pip install pyarrow; or name the results .csv"
 LOCK, TOLD = "lock", "study.json"
 OWN = re.compile(r"\.?part-[0-9]{8}\.(json|csv|parquet)")
 """the files of a part, and what was written of one when the process ended; no others are read or removed"""
 STEP = 64
+ANOTHER = ("holds parts of another study, or of this one before it was changed; --force begins anew, "
+           "-o names other results")  # fmt: skip
 
 
 class Parts:
     """The folder of a study's parts, of ``step`` designs each: of one that goes on, of as many as it began with."""
 
     def __init__(self, results: Path, digest: str, size: int, step: int = STEP) -> None:
-        self.results, self.digest, self.size, self.step = results, digest, size, step
-        self.folder = results.with_name(f"{results.name}.parts")
-        self.suffix = results.suffix.lower()
-
-    @property
-    def _told(self) -> str:
-        return json.dumps(self._whose | {"step": self.step})
-
-    @property
-    def _whose(self) -> dict[str, Any]:
-        return {"digest": self.digest, "size": self.size, "suffix": self.suffix}
+        self.folder, self.suffix, self.step = folder_of(results), results.suffix.lower(), step
+        self._study = {"digest": digest, "size": size, "suffix": self.suffix}
 
     @property
     def mine(self) -> bool:
         """Whether parts of this very study lie there."""
-        return self._begun.items() >= self._whose.items()
-
-    @property
-    def _begun(self) -> dict[str, Any]:
-        """What is noted of the study that lies there."""
-        with suppress(ValueError):
-            noted = json.loads(read(self.folder / TOLD))
-            return noted if isinstance(noted, dict) else {}
-        return {}
+        return begun(self.folder).items() >= self._study.items()
 
     @property
     def held(self) -> str:
         """What lies there of this study, and how it goes on."""
         return f"holds {len(self.complete())} complete parts of this study; --resume goes on with them"
-
-    @property
-    def _refused(self) -> str:
-        if self.mine:
-            return f"{self.held}, --force begins anew"
-        said = "holds parts of another study, or of this one before it was changed"
-        return f"{said}; --force begins anew, -o names other results"
 
     @contextmanager
     def opened(self, resume: bool, force: bool) -> Iterator[None]:
@@ -71,20 +57,17 @@ class Parts:
         except OSError as error:
             raise unwritten(self.folder, error) from error
         with locked(self.folder / LOCK):
-            self._begin(resume, force)
+            told = self.folder / TOLD
+            if resume and self.mine:
+                self.step = int(begun(self.folder).get("step", self.step))
+            elif told.exists() and not force:
+                said = f"{self.held}, --force begins anew" if self.mine else ANOTHER
+                raise WriteError(f"{self.folder}: {said}")
+            else:
+                for one in self._own():
+                    one.unlink()
+            place(told, json.dumps(self._study | {"step": self.step}).encode())
             yield
-
-    def _begin(self, resume: bool, force: bool) -> None:
-        """See what lies in the folder: nothing, parts of this study, or of another."""
-        told = self.folder / TOLD
-        if resume and self.mine:
-            self.step = int(self._begun.get("step", self.step))
-        else:
-            if told.exists() and not force:
-                raise WriteError(f"{self.folder}: {self._refused}")
-            for one in self._own():
-                one.unlink()
-        self.place(told, self._told.encode())
 
     def complete(self) -> set[int]:
         """Return the numbers of the parts that are whole: their rows are those that were written."""
@@ -112,27 +95,13 @@ class Parts:
 
     def summary(self, number: int) -> Summary:
         """Return what is known of a complete part."""
-        return Summary.of_json(json.dumps(json.loads(read(self._noted(number)))["summary"]))
+        return Summary.of_data(json.loads(read(self._noted(number)))["summary"])
 
     def keep(self, number: int, rows: bytes, summary: Summary) -> None:
         """Keep a part: its rows, and then what tells whether they are whole."""
-        self.place(self.rows(number), rows)
-        noted = {"rows": told_of(rows), "summary": json.loads(summary.json())}
-        self.place(self._noted(number), json.dumps(noted, ensure_ascii=False).encode())
-
-    def place(self, path: Path, data: bytes) -> None:
-        """Write a file beside and rename it; raise WriteError where there is no room."""
-        draft = path.with_name(f".{path.name}")
-        try:
-            with draft.open("wb") as file:
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-            draft.replace(path)
-        except OSError as error:
-            draft.unlink(missing_ok=True)
-            said = f"{unwritten(path, error)}; --resume goes on when that is mended"
-            raise WriteError(said) from error
+        place(self.rows(number), rows)
+        noted = {"rows": told_of(rows), "summary": asdict(summary)}
+        place(self._noted(number), json.dumps(noted, ensure_ascii=False).encode())
 
     def remove(self) -> None:
         """Remove the parts, and the folder unless something else lies in it."""
@@ -142,14 +111,40 @@ class Parts:
             self.folder.rmdir()
 
 
+def place(path: Path, data: bytes) -> None:
+    """Write a file beside and rename it; raise WriteError where there is no room."""
+    draft = path.with_name(f".{path.name}")
+    try:
+        with draft.open("wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        draft.replace(path)
+    except OSError as error:
+        draft.unlink(missing_ok=True)
+        raise WriteError(f"{unwritten(path, error)}; --resume goes on when that is mended") from error
+
+
 def progress(results: Path) -> tuple[int, int]:
     """Return how many designs of an unfinished study are worked out, and how many there are; 0 of 0 of none."""
-    folder = results.with_name(f"{results.name}.parts")
+    folder = folder_of(results)
     with suppress(ValueError, TypeError, KeyError):
-        begun = json.loads(read(folder / TOLD))
-        size, parts = int(begun["size"]), len([one for one in folder.glob("part-*.json") if OWN.fullmatch(one.name)])
-        return min(size, parts * int(begun["step"])), size
+        noted, parts = begun(folder), [one for one in folder.glob("part-*.json") if OWN.fullmatch(one.name)]
+        return min(int(noted["size"]), len(parts) * int(noted["step"])), int(noted["size"])
     return 0, 0
+
+
+def folder_of(results: Path) -> Path:
+    """Return the folder beside the results."""
+    return results.with_name(f"{results.name}.parts")
+
+
+def begun(folder: Path) -> dict[str, Any]:
+    """Return what is noted of the study that lies in a folder."""
+    with suppress(ValueError):
+        noted = json.loads(read(folder / TOLD))
+        return noted if isinstance(noted, dict) else {}
+    return {}
 
 
 def told_of(rows: bytes) -> list[Any]:
@@ -181,16 +176,77 @@ def locked(path: Path) -> Iterator[None]:
         yield
 
 
-if sys.platform == "win32":
-    import msvcrt
+def hold(descriptor: int) -> None:
+    """Hold an open file, or raise OSError at once."""
+    if sys.platform == "win32":
+        import msvcrt
 
-    def hold(descriptor: int) -> None:
-        """Hold an open file, or raise OSError at once."""
         msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
+    else:
+        import fcntl
 
-else:
-    import fcntl
-
-    def hold(descriptor: int) -> None:
-        """Hold an open file, or raise OSError at once."""
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def require_format(path: Path) -> None:
+    """Raise WriteError for a suffix that is none, or one whose package is missing."""
+    if path.suffix.lower() not in FORMATS:
+        raise WriteError(f"{path}: results are written as {' or '.join(FORMATS)}; expected one of these endings")
+    if path.suffix.lower() == ".parquet":
+        try:
+            import pyarrow.parquet  # noqa: F401
+        except ImportError as error:
+            raise WriteError(f"{path}: {EXTRA}") from error
+
+
+def columns(labels: list[str], table: Table) -> dict[str, list[Any]]:
+    """Return the columns of a table: number, entries, results, whether it is feasible, and why not."""
+    found: dict[str, list[Any]] = {"design": list(range(table.begin + 1, table.begin + len(table) + 1))}
+    for label, one in zip(labels, table.entries, strict=True):
+        found[label] = np.array(list(one.values), dtype=object)[one.places].tolist()
+    for name, values in table.results.items():
+        found[name] = [None if value != value else value for value in values.tolist()]
+    failing = np.full(len(table), "", dtype=object)  # the names of the constraints that a design does not keep to
+    for name, fails in table.fails.items():
+        failing[fails] += f" {name}"
+    ends = np.where(table.feasible, "yes", "no").tolist(), [n.lstrip() for n in failing], table.reasons.tolist()
+    return found | dict(zip(ENDS, ends, strict=True))
+
+
+def part(labels: list[str], table: Table, suffix: str) -> bytes:
+    """Return a table as a part of a file of this suffix, without its head."""
+    found = columns(labels, table)
+    if suffix == ".csv":
+        return lines(zip(*found.values(), strict=True))
+    import pyarrow
+    import pyarrow.parquet
+
+    said = io.BytesIO()
+    pyarrow.parquet.write_table(pyarrow.table(found), said)
+    return said.getvalue()
+
+
+def lines(rows: Iterable[Iterable[Any]]) -> bytes:
+    """Return rows as lines of CSV."""
+    said = io.StringIO()
+    csv.writer(said, lineterminator="\n").writerows(rows)
+    return said.getvalue().encode()
+
+
+def join(names: Sequence[str], parts: Sequence[Path], path: Path, suffix: str) -> None:
+    """Write parts one behind the other into a file, a part at a time; Parquet of the kinds that all of them have."""
+    if suffix == ".csv":
+        with path.open("wb") as file:
+            file.write(lines([names]))
+            for one in parts:
+                with one.open("rb") as rows:
+                    shutil.copyfileobj(rows, file)
+        return
+    import pyarrow
+    import pyarrow.parquet
+
+    schemas = [pyarrow.parquet.read_schema(one) for one in parts]
+    schema = pyarrow.unify_schemas(schemas, promote_options="permissive")
+    with pyarrow.parquet.ParquetWriter(path, schema) as writer:
+        for one in parts:
+            writer.write_table(pyarrow.parquet.read_table(one).cast(schema))

@@ -1,7 +1,5 @@
 """A picked design as a book: built, its results compared with the study's, and verified."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -49,18 +47,14 @@ def picked(plan: Plan, design: Design, path: Path, overwrite: bool) -> Judged:
     machine = machine_of(plan, design)
     build(machine, path, overwrite)
     book = plan.template.declare(machine)
-    pairs = {name: (value, of_book(book, name)) for name, value in design.results.items() if in_book(book, name)}
-    apart = {name: deviation(*both) for name, both in pairs.items()}
+    # mass and cost of a motor stand in no book
+    apart = {name: deviation(value, of_book(book, name)) for name, value in design.results.items()
+             if name.partition(".")[0] in book.blocks}  # fmt: skip
     report = verify(path)
     differing = tuple(name for name, value in apart.items() if not value <= TOLERANCE)
     failing = tuple(q.name for _, q in book.checks if q.value != "OK")
     unasked = tuple(filter(plan.study.is_off, failing))
     return Judged(max(apart.values(), default=0.0), differing, failing, unasked, report.compared, report.agrees)
-
-
-def in_book(book: Any, name: str) -> bool:
-    """Whether a result stands in a book; mass and cost of a motor do not."""
-    return name.partition(".")[0] in book.blocks
 
 
 def deviation(one: Any, other: Any) -> float:

@@ -1,7 +1,5 @@
 """What a study is asked: a base description, what varies, results to keep, constraints, what is best."""
 
-from __future__ import annotations
-
 from fnmatch import fnmatchcase
 from typing import Annotated, Any, Literal, Self
 
@@ -12,8 +10,7 @@ from workbook.entries.types import EntryError, Model, Number
 
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 MOST_KEYS = 20
-OFF = "off"
-"""instead of a bound: a check of the book that is no constraint"""
+OFF = "off"  # instead of a bound: a check of the book that is no constraint
 
 
 class Vary(Model):
@@ -36,15 +33,13 @@ class Vary(Model):
     def _one_way(self) -> Self:
         ranged = self.low is not None or self.high is not None
         if [self.values is not None, ranged, self.all is not None].count(True) != 1:
-            raise EntryError(
-                "", 'expected one of values = [...], from = ... with to = ..., all = "laws" or "catalogue"'
-            )
+            ways = 'values = [...], from = ... with to = ..., all = "laws" or "catalogue"'
+            raise EntryError("", f"expected one of {ways}")
         if ranged and (self.low is None or self.high is None):
             raise EntryError("to" if self.high is None else "from", "empty; a range has both ends")
         if self.low is not None and self.high is not None and not self.low < self.high:
-            raise EntryError(
-                "to", f"the range from {self.low:g} to {self.high:g} is empty; expected more than its begin"
-            )
+            said = f"the range from {self.low:g} to {self.high:g} is empty"
+            raise EntryError("to", f"{said}; expected more than its begin")
         if self.steps is not None and not ranged:
             raise EntryError("steps", "only a range has steps; expected none")
         values = self.values or []
@@ -77,6 +72,12 @@ class Bound(Model):
         if self.min is not None and self.max is not None and self.min > self.max:
             raise EntryError("max", f"{self.max:g} is less than min, {self.min:g}: no design keeps to that")
         return self
+
+    @property
+    def words(self) -> str:
+        """It in words."""
+        ends = [("at least", self.min), ("at most", self.max)]
+        return ", ".join(f"{word} {end:g}" for word, end in ends if end is not None)
 
 
 class Way(Model):

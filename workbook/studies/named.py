@@ -1,7 +1,5 @@
 """The results that a study may ask for, by the names of the book, with their labels and units."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from fnmatch import filter as matching
@@ -43,9 +41,10 @@ def require_names(plan: Plan, where: str) -> Named:
             lines.append(f"{where}: no result is named {name!r}; expected {nearest(name, known)}")
             continue
         value = usual.named[name]() if name in usual.named else of_book(book, name)
-        text = isinstance(plain(value), str)
+        value = value.ravel()[0].item() if hasattr(value, "ravel") else value
+        text = isinstance(value, str)
         if name in study.goals and text:
-            lines.append(f"{where}: {name} is a text, {plain(value)!r}; expected a number to minimise or maximise")
+            lines.append(f"{where}: {name} is a text, {value!r}; expected a number to minimise or maximise")
         bound = study.bounds.get(name)
         if bound is not None and text == isinstance(bound, Bound):
             expected = f'{name} = "OK"' if text else f"{name} = {{ max = ... }}"
@@ -56,10 +55,7 @@ def require_names(plan: Plan, where: str) -> Named:
 
 
 def listed(book: Book, usual: Results) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
-    """Yield headings and the names below them: what comes without a book, design by design, and with one.
-
-    Rows of a table are one name: ``axis1.v.1…3``.
-    """
+    """Yield headings and the names below them, those of a table's rows as one: ``axis1.v.1…3``."""
     inputs = {name for name, block in book.blocks.items() for q in block.quantities if q.role == "input"}
     named = dict.fromkeys(name for name in book_names(book) if name.partition(".")[0] not in inputs)
     fast = [name for name in usual.named if name not in usual.slow]
@@ -78,11 +74,6 @@ def gathered(names: list[str]) -> Iterator[str]:
     for name, numbers in rows.items():
         last = f"…{numbers[-1]}" if len(numbers) > 1 else ""
         yield f"{name}.{numbers[0]}{last}" if numbers[0] else name
-
-
-def plain(value: object) -> object:
-    """Return one value of a result."""
-    return value.ravel()[0].item() if hasattr(value, "ravel") else value
 
 
 def label(book: Book, name: str) -> Label:

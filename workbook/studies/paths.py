@@ -1,7 +1,5 @@
 """Entries of a description by their paths: ``axes.MC01.phases[1].law``, rows counted from 1 or by their names."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
@@ -13,8 +11,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError
 
 PART = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
-MOST = 12
-"""names that a message lists"""
+MOST = 12  # names that a message lists
 
 
 def nearest(given: str, known: Iterable[str]) -> str:

@@ -1,7 +1,5 @@
 """A study made ready: its base machine, what varies in it and how, the results that are asked for by known names."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Iterator
@@ -10,10 +8,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from pydantic import BaseModel, ValidationError
 
 import workbook
-from engine.laws import Law
 from workbook.book.declare import Book
 from workbook.build import described
 from workbook.entries.design import RefusedError, attempted
@@ -46,8 +44,7 @@ class Plan:
     study: Study
     base: Machine
     space: Space
-    roomy: bool
-    """whether the base says how many pieces of a motion there is room for"""
+    roomy: bool  # whether the base says how many pieces of a motion there is room for
 
     @property
     def template(self) -> AnyTemplate:
@@ -87,27 +84,20 @@ class Plan:
         except EntryError as error:
             return Wrong(f"{error.field}: {error}")
         except RefusedError as error:
-            return Wrong("; ".join(refusal(fault) for fault in error.faults))
-        if machine is None:
-            return "; ".join(dict.fromkeys(said_of(fault) for fault in faults))
+            return Wrong("; ".join(one.said if isinstance(one, Fault) else str(one["msg"]).removeprefix("Value error, ")
+                                   for one in error.faults))  # fmt: skip
+        if machine is None:  # a rule's sentence, or the entry and its limits
+            said = (one.said if one.rule else f"{counted(one.key)}: {one.said}" for one in faults)
+            return "; ".join(dict.fromkeys(said))
         return machine
 
 
-def said_of(fault: Fault) -> str:
-    """Return what is wrong with a design's numbers: the sentence of a rule, or the entry and its limits."""
-    return fault.said if fault.rule else f"{counted(fault.key)}: {fault.said}"
-
-
-def refusal(fault: Any) -> str:
-    """Return in a line why an entry is refused."""
-    return fault.said if isinstance(fault, Fault) else str(fault["msg"]).removeprefix("Value error, ")
-
-
 def with_value(data: dict[str, Any], one: Dimension, value: Any) -> dict[str, Any]:
-    """Return a description with a value of a dimension; a law of a family that the book lacks comes along."""
+    """Return a description with a value of a dimension, room from its neighbour, a law of a new family with it."""
     if one.takes:
-        before = held(data, one.paths[0])
-        data = given_room(data, one, value - before)
+        entry, way = EDGES[one.paths[0][-1]]
+        path = (*one.takes, entry)
+        data = dict(changed(data, path, held(data, path) + way * (value - held(data, one.paths[0]))))
     for path in one.paths:
         data = dict(changed(data, path, value))
     if isinstance(value, str) and value in ENTRIES and one.paths[0][-1] == "law" and value not in data["laws"]:
@@ -117,13 +107,6 @@ def with_value(data: dict[str, Any], one: Dimension, value: Any) -> dict[str, An
 
 EDGES = {"stop": ("start", 1.0), "start": ("stop", 1.0), "duration": ("duration", -1.0)}
 """of an entry of a phase: the neighbour's that moves along, and which way"""
-
-
-def given_room(data: dict[str, Any], one: Dimension, more: float) -> dict[str, Any]:
-    """Return a description whose phase ``takes`` has so much less room at its side, or more."""
-    entry, way = EDGES[one.paths[0][-1]]
-    path = (*one.takes, entry)
-    return dict(changed(data, path, held(data, path) + way * more))
 
 
 def read_study(path: Path) -> Plan:
@@ -191,31 +174,28 @@ def planned(study: Study, base: Path, where: str) -> Plan:
     draft = Plan(study, machine, Space((), study.way), roomy)
     dimensions = [dimension(draft, one, f"{where}: vary {i}") for i, one in enumerate(study.vary, 1)]
     space = arranged(dimensions, study.way)
-    require_distinct_entries(space, where)
+    varied = [path for one in space.dimensions for path in one.paths]
+    twice = next((path for path in varied if varied.count(path) > 1), None)
+    if twice is not None:
+        raise InputError([f"{where}: {written(twice)} varies twice"])
     if study.way.kind == "full" and space.size > MOST_IN_FULL:
         said = f"{space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
         raise InputError([f'{where}: {said}: take fewer steps, or way.kind = "sobol" with way.designs'])
     return Plan(study, machine, space, roomy)
 
 
-def require_distinct_entries(space: Space, where: str) -> None:
-    """Raise InputError for an entry that varies twice."""
-    paths = [path for one in space.dimensions for path in one.paths]
-    twice = next((path for path in paths if paths.count(path) > 1), None)
-    if twice is not None:
-        raise InputError([f"{where}: {written(twice)} varies twice"])
-
-
 def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
-    """Return what an entry of a study varies; raise InputError."""
+    """Return what an entry of a study varies; raise InputError, also for values of which no machine can be made."""
     paths = tuple(path_of(plan.base, key, f"{where}, key") for key in vary.keys)
     takes = taken(plan, vary, paths, where)
     values = tuple(values_of(plan, vary, paths[0], where))
     scaling = plan.template.scaling
     part = scaling.part(".".join(paths[0])) if scaling else ""
-    label = vary.keys[0]
-    made = Dimension(label, paths, values, vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
-    require_possible(plan, made, where)
+    made = Dimension(vary.keys[0], paths, values, vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
+    for value in made.values[:MOST_TRIED] or (made.low, made.high):
+        said = plan.machine({made: value})
+        if isinstance(said, Wrong) or (isinstance(said, str) and made.part):
+            raise InputError([f"{where}: {made.label} = {found(value)}: {said}"])
     return made
 
 
@@ -240,51 +220,32 @@ def values_of(plan: Plan, vary: Vary, path: tuple[str, ...], where: str) -> list
         products = next((PRODUCTS[part] for part in reversed(path) if part in PRODUCTS), "")
         rows = getattr(getattr(plan.base, "selection", None), products, None) if products else None
         if not rows:
-            raise InputError(
-                [f"{where}: {vary.keys[0]!r} is none of a catalogue; expected the name of a motor or reducer"]
-            )
+            said = f"{vary.keys[0]!r} is none of a catalogue; expected the name of a motor or reducer"
+            raise InputError([f"{where}: {said}"])
         return [row.name for row in rows]
     return list(vary.values or [])
 
 
 def alike(plan: Plan, path: tuple[str, ...], where: str) -> list[str]:
-    """Return the laws with the ends of the one that is entered, of the book and of all families.
-
-    Those that do not fit elsewhere are left out by trying.
-    """
+    """Return the laws with the ends of the one that is entered, of the book and all families, as far as they fit."""
     given = next((one for one in references(plan.base) if tuple(one.key.split(".")) == path), None)
     if given is None:
         raise InputError([f"{where} names no law; expected the law of a phase"])
-    trial = Dimension("", (path,))
-    now = laws(plan.base.laws)[given.name]
-    names = dict.fromkeys([*plan.base.laws.names, *ENTRIES])
-    kept = []
-    for name in names:
-        machine = plan.machine({trial: name})
-        if isinstance(machine, str):
-            continue
-        law = laws(machine.laws)[name]
-        both = zip(ends_of(law), ends_of(now), strict=True)
-        if all(abs(one - other) < ENDS for one, other in both):
+    now, kept = ends_of(plan.base, given.name), []
+    for name in dict.fromkeys([*plan.base.laws.names, *ENTRIES]):
+        machine = plan.machine({Dimension("", (path,)): name})
+        if not isinstance(machine, str) and np.allclose(ends_of(machine, name), now, rtol=0.0, atol=ENDS):
             kept.append(name)
     return kept
 
 
-def ends_of(law: Law) -> tuple[float, float, float, float]:
-    """Return s and v at both ends of a law."""
+def ends_of(machine: Machine, name: str) -> tuple[float, float, float, float]:
+    """Return s and v at both ends of a law of a machine."""
+    law = laws(machine.laws)[name]
     return law.start.s, law.start.v, law.end.s, law.end.v
 
 
-ENDS = 1e-9
-"""of the rise: ends of laws that differ by less are the same"""
-
-
-def require_possible(plan: Plan, one: Dimension, where: str) -> None:
-    """Raise InputError for a value of a wrong type or name, or what only scales and is beyond its limits."""
-    for value in one.values[:MOST_TRIED] or (one.low, one.high):
-        said = plan.machine({one: value})
-        if isinstance(said, Wrong) or (isinstance(said, str) and one.part):
-            raise InputError([f"{where}: {one.label} = {found(value)}: {said}"])
+ENDS = 1e-9  # of the rise: ends of laws that differ by less are the same
 
 
 def book_names(book: Book) -> Iterator[str]:

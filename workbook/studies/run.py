@@ -1,9 +1,8 @@
-"""A study from its first part to its last: parts are worked out by a pool, and kept as they come."""
-
-from __future__ import annotations
+"""A study from its first part to its last: parts are worked out by a pool, of a size that was measured before."""
 
 import pickle
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import time
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -12,14 +11,59 @@ import numpy as np
 
 from workbook.errors import MotionbookError
 from workbook.pool import Died, Pool
-from workbook.studies import tables
 from workbook.studies.evaluate import Evaluator
-from workbook.studies.folder import Parts
+from workbook.studies.folder import Parts, part
 from workbook.studies.plan import Plan
 from workbook.studies.space import Shares, Space
 from workbook.studies.summary import Summary, merged, summed
 
 POPULATION = 15  # designs of a generation for each range, scipy's own figure
+DIED = "the workers that tried them died (out of memory?); --resume tries them again"
+TARGET = 2.0  # seconds that a part takes, about: progress moves, and little is lost where the work is interrupted
+MOST = 10.0
+MOST_ROWS = 20_000
+TOGETHER = 24  # designs worked out together to measure what one more takes
+
+
+@dataclass(frozen=True)
+class Pace:
+    """Seconds for designs that differ only in what scales: what comes first, and for each at most."""
+
+    first: float
+    each: float
+
+    def seconds(self, space: Space) -> float:
+        """Return how long all designs take one behind the other, at most (s)."""
+        return space.size * (self.each + self.first / space.inner)
+
+    def step(self, space: Space) -> int:
+        """Return how many designs a part has: as many as take :data:`TARGET`; a whole group up to :data:`MOST` s."""
+        inner = space.inner
+        rows = int(min(MOST_ROWS, max(1.0, TARGET / max(self.each + self.first / inner, 1e-9))))
+        if rows >= inner:
+            return rows - rows % inner
+        return inner if self.first + self.each * inner <= MOST and inner <= MOST_ROWS else rows
+
+
+def paced(plan: Plan) -> Pace:
+    """Return how long designs of a study take, measured at a few of them before it begins."""
+    one, space = Evaluator(plan, thorough=True), plan.space
+    alone = max(timed(one, space, number, number + 1) for number in {0, space.size // 2, space.size - 1})
+    count = min(TOGETHER, space.inner, space.size)
+    if not one.swift or count == 1:
+        return Pace(0.0, alone)
+    known, together = timed(one, space, 0, 1), timed(one, space, 0, count)
+    each = max(0.0, together - known) / (count - 1)
+    return Pace(max(0.0, alone - each), each)
+
+
+def timed(one: Evaluator, space: Space, begin: int, end: int) -> float:
+    """Return how long some designs take (s); of a search, as many in the middle of all ranges."""
+    middle = np.full((end - begin, len(space.dimensions)), 0.5)
+    columns = space.shared(middle) if space.way.kind == "evolution" else space.columns(begin, end)
+    begun = time.perf_counter()
+    one.table(begin, columns)
+    return time.perf_counter() - begun
 
 
 @dataclass(frozen=True)
@@ -32,12 +76,11 @@ class Piece:
     shares: Shares | None = None
 
 
-@dataclass(frozen=True)
-class Done:
-    """A part that is worked out."""
-
-    rows: bytes
-    summary: Summary
+def pieces(designs: range, number: int = 0, shares: Shares | None = None) -> Iterator[Piece]:
+    """Yield the parts of designs, as many each as the range has for its step, numbered from ``number`` on."""
+    for n, begin in enumerate(designs, number):
+        end = min(begin + designs.step, designs.stop)
+        yield Piece(n, begin, end, None if shares is None else shares[begin - designs.start : end - designs.start])
 
 
 @lru_cache(maxsize=2)
@@ -46,21 +89,14 @@ def evaluator(plan: bytes) -> Evaluator:
     return Evaluator(pickle.loads(plan))
 
 
-def work(piece: Piece, plan: bytes, suffix: str) -> Done:
-    """Work a part out."""
+def work(piece: Piece, plan: bytes, suffix: str) -> tuple[bytes, Summary]:
+    """Return the rows of a part that is worked out, and what is known of them."""
     one = evaluator(plan)
     study, space = one.plan.study, one.plan.space
     columns = space.columns(piece.begin, piece.end) if piece.shares is None else space.shared(piece.shares)
     table = one.table(piece.begin, columns)
     labels = [dimension.label for dimension in space.dimensions]
-    rows = tables.part(tables.columns(labels, table), suffix)
-    return Done(rows, summed(study, labels, table, scored=piece.shares is not None))
-
-
-def pieces(space: Space, step: int) -> Iterator[Piece]:
-    """Yield the parts of all designs, of so many each."""
-    for number, begin in enumerate(range(0, space.size, step)):
-        yield Piece(number, begin, min(begin + step, space.size))
+    return part(labels, table, suffix), summed(study, labels, table, scored=piece.shares is not None)
 
 
 def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object]) -> Summary:
@@ -72,7 +108,7 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
     if plan.space.way.kind == "evolution":
         running.evolve()
     else:
-        running.do(pieces(plan.space, parts.step))
+        running.do(pieces(range(0, plan.space.size, parts.step)))
     return merged(plan.study, (parts.summary(number) for number in sorted(parts.complete())))
 
 
@@ -86,8 +122,7 @@ class Running:
 
     def do(self, wanted: Iterable[Piece]) -> None:
         """Work out and keep what is not there yet; what a worker died of is tried again, a piece at a time."""
-        again = self._kept(self._missing(wanted))
-        for piece in again:
+        for piece in self._kept(self._missing(wanted)):
             if self._kept([piece]):
                 raise MotionbookError(f"designs {piece.begin + 1:,} to {piece.end:,}: {DIED}")
 
@@ -98,7 +133,7 @@ class Running:
             if isinstance(done, Died):
                 died.append(piece)
                 continue
-            self.parts.keep(piece.number, done.rows, done.summary)
+            self.parts.keep(piece.number, *done)
             self.told(piece.end - piece.begin, False)
         return died
 
@@ -116,35 +151,27 @@ class Running:
         """
         from scipy.optimize import differential_evolution
 
-        space = self.plan.space
+        space, step = self.plan.space, self.parts.step
         ranges = len(space.dimensions)
         rounds = max(0, space.size // (POPULATION * ranges) - 1)
         begun = [0, 0]  # designs and parts so far
 
         def tried(_: object, population: Iterable[Any]) -> list[float]:
             shares = np.array(list(population)).reshape(-1, ranges)
-            generation = list(parted(shares, begun[0], begun[1], self.parts.step))
+            generation = list(pieces(range(begun[0], begun[0] + len(shares), step), begun[1], shares))
             begun[0], begun[1] = generation[-1].end, generation[-1].number + 1
             self.do(generation)
             return [score for piece in generation for score in self.parts.summary(piece.number).scores]
 
-        differential_evolution(
-            nothing, [(0.0, 1.0)] * ranges, maxiter=rounds, popsize=POPULATION, rng=space.way.seed, polish=False,
-            updating="deferred", workers=tried, tol=1e-9, init="latinhypercube",
+        differential_evolution(  # asks nothing of one design: generations are worked out as a whole
+            len,
+            [(0.0, 1.0)] * ranges,
+            maxiter=rounds,
+            popsize=POPULATION,
+            rng=space.way.seed,
+            polish=False,
+            updating="deferred",
+            workers=tried,
+            tol=1e-9,
+            init="latinhypercube",
         )  # fmt: skip
-
-
-DIED = "the workers that tried them died (out of memory?); --resume tries them again"
-
-
-def nothing(_: Sequence[float]) -> float:
-    """Stand for the function that is searched: generations are worked out as a whole."""
-    raise NotImplementedError
-
-
-def parted(shares: Shares, begin: int, number: int, step: int) -> Iterator[Piece]:
-    """Yield the parts of a generation, of so many designs each."""
-    for at in range(0, len(shares), step):
-        some = shares[at : at + step]
-        yield Piece(number, begin + at, begin + at + len(some), some)
-        number += 1

@@ -1,11 +1,9 @@
 """What varies in a study, and which designs there are: numbered from 0, what only scales the fastest."""
 
-from __future__ import annotations
-
 import math
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -44,16 +42,13 @@ class Dimension:
         """The key of its first entry."""
         return ".".join(self.paths[0])
 
-    def value(self, k: int) -> Any:
-        """Return one of its values."""
-        if self.values:
-            return self.values[k]
-        return self.high if k == self.steps - 1 else self.low + (self.high - self.low) * k / (self.steps - 1)
-
     def at(self, indices: NDArray[np.intp]) -> Column:
         """Return its values at places among them."""
         some, index = np.unique(indices, return_inverse=True)
-        return Column([self.value(k) for k in some.tolist()], index.astype(np.intp))
+        if self.values:
+            return Column([self.values[k] for k in some.tolist()], index.astype(np.intp))
+        inner = self.low + (self.high - self.low) * some / (self.steps - 1)
+        return Column(np.where(some == self.steps - 1, self.high, inner).tolist(), index.astype(np.intp))
 
     def shared(self, shares: Shares) -> Column:
         """Return its values at shares of it, from 0 to 1."""
@@ -119,5 +114,5 @@ def arranged(dimensions: Sequence[Dimension], way: Way) -> Space:
             seen.add(one.part)
             inner.append(one)
         else:
-            outer.append(Dimension(one.label, one.paths, one.values, one.low, one.high, one.steps, one.takes))
+            outer.append(replace(one, part=""))
     return Space((*outer, *inner), way)

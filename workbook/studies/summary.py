@@ -1,11 +1,8 @@
 """What is known of designs without keeping them: how many, what excludes them, the best of them."""
 
-from __future__ import annotations
-
-import json
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, field
-from typing import Any
+from dataclasses import dataclass, field
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +12,7 @@ from workbook.studies.evaluate import Table
 from workbook.studies.model import Study
 
 BEST = 20  # designs that are kept for one objective
-WORST = 1e300
-"""the score of a design that is none"""
+WORST = 1e300  # the score of a design that is none
 
 
 @dataclass(frozen=True)
@@ -35,10 +31,8 @@ class Summary:
     designs: int = 0
     impossible: int = 0
     feasible: int = 0
-    unranked: int = 0
-    """how many of these lack a value of an objective"""
-    without: dict[str, int] = field(default_factory=dict)
-    """how many of them have none of each"""
+    unranked: int = 0  # how many of these lack a value of an objective
+    without: dict[str, int] = field(default_factory=dict)  # how many of them have none of each
     excluded: dict[str, int] = field(default_factory=dict)
     alone: dict[str, int] = field(default_factory=dict)
     """how many designs a constraint excludes that keep to all others"""
@@ -46,16 +40,10 @@ class Summary:
     best: list[Design] = field(default_factory=list)
     scores: list[float] = field(default_factory=list)
 
-    def json(self) -> str:
-        """Return it as a text."""
-        return json.dumps(asdict(self), ensure_ascii=False)
-
     @classmethod
-    def of_json(cls, text: str) -> Summary:
-        """Return what a text tells; raise ValueError, TypeError or KeyError for another one."""
-        data = json.loads(text)
-        best = [Design(**one) for one in data.pop("best")]
-        return cls(**data, best=best)
+    def of_data(cls, data: dict[str, Any]) -> Self:
+        """Return what JSON tells; raise TypeError or KeyError for another one."""
+        return cls(**data | {"best": [Design(**one) for one in data["best"]]})
 
 
 MOST_REASONS = 20
@@ -75,8 +63,7 @@ def summed(study: Study, labels: list[str], table: Table, scored: bool = False) 
         {name: int((possible & one & (misses == 1)).sum()) for name, one in table.fails.items()},
         dict(zip(reasons.tolist()[:MOST_REASONS], counts.tolist()[:MOST_REASONS], strict=True)),
     )  # fmt: skip
-    best = leading(points)
-    found.best = [design(table, labels, int(rows[k])) for k in best]
+    found.best = [design(table, labels, int(rows[k])) for k in leading(points)]
     if scored:
         found.scores = scores(study, table).tolist()
     return found
@@ -102,9 +89,8 @@ def scores(study: Study, table: Table) -> NDArray[np.float64]:
     """Return by what a search goes: the objective, or how much is overstepped, worse than any objective."""
     (objective,) = goals(study, table.results, np.arange(len(table))).T
     over = np.sum([*table.fails.values(), ~table.possible], axis=0)
-    return np.where(
-        table.feasible & np.isfinite(objective), objective, np.where(table.possible, WORST * (0.5 + over), np.inf)
-    )
+    worse = np.where(table.possible, WORST * (0.5 + over), np.inf)
+    return np.where(table.feasible & np.isfinite(objective), objective, worse)
 
 
 def design(table: Table, labels: list[str], row: int) -> Design:
@@ -131,12 +117,7 @@ def merged(study: Study, found: Iterable[Summary]) -> Summary:
             for name, count in more.items():
                 sums[name] = sums.get(name, 0) + count
         whole.reasons = dict(sorted(whole.reasons.items(), key=lambda each: -each[1])[:MOST_REASONS])
-        whole.best = best_of(study, [*whole.best, *one.best])
+        ranked = sorted([*whole.best, *one.best], key=lambda each: each.number)  # equals go by their numbers
+        points = np.array([[way * each.results[name] for name, way in study.goals.items()] for each in ranked], float)
+        whole.best = [ranked[k] for k in leading(points.reshape(len(ranked), len(study.goals)))]
     return whole
-
-
-def best_of(study: Study, designs: list[Design]) -> list[Design]:
-    """Return the best of designs, equals by their numbers."""
-    ranked = sorted(designs, key=lambda one: one.number)
-    points = np.array([[way * one.results[name] for name, way in study.goals.items()] for one in ranked], dtype=float)
-    return [ranked[k] for k in leading(points.reshape(len(ranked), len(study.goals)))]

@@ -14,11 +14,9 @@ from workbook import remembered
 from workbook.build import build
 from workbook.commands import trusted
 from workbook.commands.export import chosen, slugs
-from workbook.controllers.automatic import automatic
 from workbook.controllers.files import read_table
-from workbook.controllers.handing import certified, tabulated
-from workbook.controllers.names import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.handing import automatic, certified, tabulated
+from workbook.controllers.registry import TARGETS, target
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER

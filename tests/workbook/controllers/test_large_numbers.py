@@ -9,8 +9,7 @@ import pytest
 
 from tests.workbook.controllers.examples import handed
 from workbook.controllers.files import LARGEST, parsed
-from workbook.controllers.names import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.errors import TargetError
 
 NUMBER = re.compile(r"(?<![\w.])-?[0-9]+\.?[0-9]*(?:[eE][+-]?[0-9]+)?(?![\w.])")

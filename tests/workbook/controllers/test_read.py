@@ -7,10 +7,8 @@ import pytest
 
 from engine.cams.profile import turned
 from workbook.controllers import described
-from workbook.controllers.automatic import automatic
-from workbook.controllers.handing import reread, tabulated
-from workbook.controllers.names import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.handing import automatic, reread, tabulated
+from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.target import Handed
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER

@@ -16,9 +16,8 @@ from engine.timing import Switch
 from tests.workbook.controllers.examples import TEXT
 from workbook.axes import CamSwitch
 from workbook.build import build
-from workbook.controllers.names import TARGETS
-from workbook.controllers.registry import target
-from workbook.controllers.tappets import MOST_OFF, HandedTracks, certified, tracks
+from workbook.controllers.registry import TARGETS, target
+from workbook.controllers.target import MOST_OFF, HandedTracks, certified, tracks
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
 

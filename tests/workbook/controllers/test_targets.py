@@ -20,12 +20,10 @@ from engine.cams.profile import CamProfile, profile_of_motion
 from engine.motion import Motion, Phase
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
 from workbook.axes import CamAxis
-from workbook.controllers.automatic import automatic
 from workbook.controllers.files import TOLD, header, parsed, read_table
-from workbook.controllers.handing import certified, filled, reread, tabulated
-from workbook.controllers.names import TARGETS
+from workbook.controllers.handing import automatic, certified, filled, reread, tabulated
 from workbook.controllers.number import REAL
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.table import Table
 from workbook.controllers.target import Handed
 from workbook.errors import MotionbookError, TargetError

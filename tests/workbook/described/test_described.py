@@ -9,7 +9,7 @@ from docs.description import PAGE
 from tests import cutting
 from tests.workbook.described.validate import wrong
 from workbook.build import committed
-from workbook.commands import describe
+from workbook.commands import make
 from workbook.described.commented import commented, example_of
 from workbook.described.keys import sections
 from workbook.described.page import page
@@ -128,32 +128,32 @@ def test_the_page_is_up_to_date():
 
 def test_new_writes_a_description_and_its_schema_and_overwrites_nothing(tmp_path, capsys):
     target = tmp_path / "mine.toml"
-    describe.new("indexing-overlap", target, False)
+    make.new("indexing-overlap", target, False)
     first = target.read_text(encoding="utf-8")
     assert first.startswith("#:schema ./indexing-overlap.schema.json\n")
     beside = tmp_path / "indexing-overlap.schema.json"
     assert beside.exists()
-    describe.new("indexing-overlap", tmp_path / "other.toml", False)  # the schema is there already, and the same
+    make.new("indexing-overlap", tmp_path / "other.toml", False)  # the schema is there already, and the same
     with pytest.raises(WriteError, match="exists"):
-        describe.new("indexing-overlap", target, False)
+        make.new("indexing-overlap", target, False)
     beside.write_text("{}", encoding="utf-8")
     with pytest.raises(WriteError, match="exists"):
-        describe.new("indexing-overlap", tmp_path / "third.toml", False)
+        make.new("indexing-overlap", tmp_path / "third.toml", False)
     assert not (tmp_path / "third.toml").exists()
-    describe.new("indexing-overlap", target, True)
+    make.new("indexing-overlap", target, True)
     assert beside.read_text(encoding="utf-8") != "{}"
 
 
 def test_schema_goes_to_the_terminal_or_a_file(tmp_path, capsys):
-    describe.schema("flying-cutter", None, False)
+    make.schema("flying-cutter", None, False)
     assert '"flying-cutter"' in capsys.readouterr().out
-    describe.schema(None, tmp_path / "all.json", False)
+    make.schema(None, tmp_path / "all.json", False)
     assert (tmp_path / "all.json").exists()
 
 
 def test_an_unknown_template_is_told_with_the_known_ones(tmp_path):
     with pytest.raises(InputError, match=r"no template is named 'mill'; expected one of .*motion-laws"):
-        describe.new("mill", tmp_path / "x.toml", False)
+        make.new("mill", tmp_path / "x.toml", False)
 
 
 def test_errors_name_what_is_optional(tmp_path):

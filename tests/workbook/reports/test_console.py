@@ -5,8 +5,7 @@ from pathlib import Path
 from rich.console import Console
 
 from workbook.judging.report import FOLLOWS, Finding, Report
-from workbook.reports.console import MOST, show_report
-from workbook.reports.differing import differing
+from workbook.reports.console import MOST, differing, show_report
 
 
 def printed(findings: list[Finding], everything: bool = False) -> str:

@@ -13,7 +13,7 @@ from workbook.commands import make, verify
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Report
-from workbook.reports import console, summary
+from workbook.reports import console
 from workbook.reports.terminal import say, say_data, shown
 from workbook.visible import visible
 
@@ -58,7 +58,7 @@ def test_reports_are_not_obeyed(tmp_path, capsys):
     report.cells = {NASTY: 1}
     out = Console(width=2_000)
     console.show_report(report, out)
-    summary.show_summary(
+    console.show_summary(
         [Outcome(report.path, "disagrees", report), Outcome(report.path, "unreadable", reason="x")], out
     )
     printed = capsys.readouterr().out

@@ -12,9 +12,9 @@ import openpyxl
 import pytest
 
 from tests.cutting import TEMPLATE
-from workbook.controllers.certificates import percent
 from workbook.differences.design import Design, read
 from workbook.reading.descriptions import read_machine
+from workbook.reports.cams import percent
 from workbook.reports.differences import figure
 from workbook.reports.study import figure as figure_of
 from workbook.serve.live import design

@@ -168,7 +168,7 @@ def test_a_command_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, 
     from workbook.commands import study as command_
 
     study, results = written(tmp_path, *VARIED, **GOALS), tmp_path / "r.csv"
-    monkeypatch.setattr("workbook.studies.pace.MOST_ROWS", PART)
+    monkeypatch.setattr("workbook.studies.run.MOST_ROWS", PART)
     monkeypatch.setattr(command_, "run", lambda plan, parts, workers, told: run(plan, parts, HERE, stop_after(2)))
     with pytest.raises(KeyboardInterrupt):
         command_.study(study, results, None, 1, False, None, True, False)
@@ -180,7 +180,7 @@ def test_a_command_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, 
 @POSIX
 @pytest.mark.parametrize("kills", [3, pytest.param(25, marks=pytest.mark.nightly)])
 def test_a_command_killed_at_any_time_goes_on_to_the_same_bytes(tmp_path, monkeypatch, kills):
-    monkeypatch.setattr("workbook.studies.pace.MOST_ROWS", 4)
+    monkeypatch.setattr("workbook.studies.run.MOST_ROWS", 4)
     study = written(tmp_path, laws("MTP", "CUB"), stops(80, 120, 16), **GOALS)
     begin = time.monotonic()
     assert forked(study, tmp_path / "whole.csv", False).ended() == 0

@@ -13,8 +13,8 @@ from workbook.reading.descriptions import read_machine
 from workbook.studies.evaluate import Evaluator
 from workbook.studies.judged import picked
 from workbook.studies.named import gathered, require_names
-from workbook.studies.pace import Pace
 from workbook.studies.plan import read_study
+from workbook.studies.run import Pace
 from workbook.studies.summary import summed
 from workbook.templates import TEMPLATES
 

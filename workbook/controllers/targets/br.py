@@ -1,17 +1,14 @@
 """B&R: the polynomials of McCamDataType in REAL, as assignments in Structured Text."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from engine.cams.interpolation import quintics_between
 from engine.cams.profile import CamProfile, ProfilePiece, profile
 from engine.laws.base import Array
-from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, literal
+from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, counts, literal, read_counts, read_stand, stands
 from workbook.controllers.structured import assigned, comments, indexed, scalar
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.units import counts, read_counts, read_stand, stands
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")
@@ -28,14 +25,9 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     offset = float(at.y[0])
     begin, end = ([(one.y - offset) / dy, one.y1 * dx / dy, one.y2 * dx**2 / dy] for one in (at, last))
     made = quintics_between(x / dx, [one[:-1] for one in begin], [one[1:] for one in end])
-    return table(*scaled(made, x / dx), steps, offset)
-
-
-def scaled(c: Array, x: Array) -> tuple[Array, Array]:
-    """Return coefficients as REAL holds them, the first constant 0, and places as whole steps."""
-    rounded = REAL.rounded(c)
-    rounded[0, 0] = 0.0
-    return rounded, DINT.rounded(x)
+    coefficients = REAL.rounded(made)
+    coefficients[0, 0] = 0.0
+    return table(coefficients, DINT.rounded(x / dx), steps, offset)
 
 
 def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -> Table:
@@ -70,10 +62,8 @@ def write(handed: Handed) -> str:
         texts = [literal(REAL.text(value)) for value in (*values, round((end - made.edges[0]) / dx))]
         fields = dict(zip(FIELDS, texts, strict=True)) | {"Reserve": "0"}
         lines.append(assigned(f"{name}.PolynomialData[{k}]", fields))
-    told = stands(offset, handed.units[1])
-    return comments([*handed.header, told, counts(steps, handed.units), f"{name} : McCamDataType"]) + "".join(
-        f"{one}\n" for one in lines
-    )
+    told = (stands(offset, handed.units[1]), counts(steps, handed.units), f"{name} : McCamDataType")
+    return comments([*handed.header, *told]) + "".join(f"{one}\n" for one in lines)
 
 
 def read(text: str) -> Table:
@@ -86,22 +76,16 @@ def read(text: str) -> Table:
     return table(REAL.rounded(np.array(powers).T), x, read_counts(text), read_stand(text))
 
 
-TARGET = Target(
-    "br",
-    "B&R, polynomials of McCamDataType in Structured Text",
-    ".st",
-    ("polynomials",),
-    ("quintics",),
-    write,
-    read,
-    (
-        Claim("fields, REAL coefficients, DINT periods, at most 128 polynomials", "documented", LIBRARY),
-        Claim("y begins at 0, the last X is MasterPeriod, the end meets SlavePeriod to 0.1", "documented", ERRORS),
-        Claim("X is cumulative; A is the constant", "probable", ERRORS),
-        Claim("x counts from the begin of each polynomial", "untested", "no document says it"),
-        Claim("SlavePeriod 0 of a cam that comes back", "untested", "no document says it"),
+TARGETS = (
+    Target(
+        "br", "B&R, polynomials of McCamDataType in Structured Text", ".st", ("polynomials",), ("quintics",),
+        write, read, (
+            Claim("fields, REAL coefficients, DINT periods, at most 128 polynomials", "documented", LIBRARY),
+            Claim("y begins at 0, the last X is MasterPeriod, the end meets SlavePeriod to 0.1", "documented", ERRORS),
+            Claim("X is cumulative; A is the constant", "probable", ERRORS),
+            Claim("x counts from the begin of each polynomial", "untested", "no document says it"),
+            Claim("SlavePeriod 0 of a cam that comes back", "untested", "no document says it"),
+        ),
+        number=DINT_IN_REAL, points=(2, 129), built=built,
     ),
-    number=DINT_IN_REAL,
-    points=(2, 129),
-    built=built,
-)
+)  # fmt: skip

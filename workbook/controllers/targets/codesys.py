@@ -1,16 +1,23 @@
-"""CODESYS SoftMotion: SMC_CAMXYVA in Structured Text."""
+"""CODESYS SoftMotion in Structured Text: points of SMC_CAMXYVA, a table of pairs, switches of MC_CAMSWITCH_TR."""
 
-from __future__ import annotations
+from math import ceil, log2
 
+import numpy as np
+
+from engine.laws.base import Array
 from workbook.controllers.number import LREAL, literal
-from workbook.controllers.structured import comments, grouped, points, rows
-from workbook.controllers.table import Table
-from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.tracks.codesys import TAPPETS
+from workbook.controllers.structured import comments, counted, grouped, pairs, points, rows
+from workbook.controllers.table import LOCAL, SPLINES
+from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
 
 FIELDS = ("dX", "dY", "dV", "dA")
+EDGES = ("fEditorMaster", "fEditorSlave", "fTableMaster", "fTableSlave")
+SWITCHED = ("TrackNumber", "FirstOnPosition", "LastOnPosition")
 HELP = "CODESYS help, SM3_Basic, MC_CAM_REF"
+HELP_TABLE = "CODESYS help, SM3_Basic, SMC_CAMTable_LREAL_128_1 and MC_CAM_REF"
+HELP_SWITCHES = "Machine Expert V1.2 help, SM3_Basic, MC_CAMSWITCH_TR"
 GENERATED = "CODESYS help, Display Generated Code"
+MANUAL = "Lenze SoftMotion manual DMS 5.2, p. 105"
 
 
 def write(handed: Handed) -> str:
@@ -27,27 +34,84 @@ def write(handed: Handed) -> str:
     )
 
 
-def read(text: str) -> Table:
-    """Return the points of a Structured Text."""
-    return points(text, lambda one: grouped(one, FIELDS), "nElements")
+def write_table(handed: Handed) -> str:
+    """Return the type of the table, the table, and the cam that refers to it."""
+    table, n, name = handed.table, len(handed.table.x), f"Cam_{handed.name}"
+    kind = f"SMC_CAMTable_LREAL_{n}_2"
+    body = ",\n".join(f"    [{row['x']}, {row['y']}]" for row in rows(table, ("x", "y")))
+    ends = dict(zip(EDGES, (span(table.x), span(table.y)) * 2, strict=True))
+    limits = ", ".join(f"{edge}Min := {low}, {edge}Max := {high}" for edge, (low, high) in ends.items())
+    start, end = (literal(LREAL.text(float(table.x[k]))) for k in (0, -1))
+    declared = ", ".join(f"{edge}{which}" for edge in EDGES for which in ("Min", "Max"))
+    return (
+        f"{comments(handed.header)}TYPE {kind} : STRUCT\n  Table : ARRAY[0..{n - 1}] OF ARRAY[0..1] OF LREAL;\n"
+        f"  {declared} : REAL;\nEND_STRUCT END_TYPE\nVAR_GLOBAL\n  {name}_T : {kind} := (\n  Table := [\n{body}],\n"
+        f"  {limits});\n  {name} : MC_CAM_REF := (byType := 2, byVarType := 6, xStart := {start}, xEnd := {end}, "
+        f"nElements := {n},\n    nTappets := 0, byInterpolationQuality := 3, strCAMName := '{name}', "
+        f"pce := ADR({name}_T));\nEND_VAR\n"
+    )
 
 
-TARGET = Target(
-    "codesys",
-    "CODESYS SoftMotion, SMC_CAMXYVA in Structured Text",
-    ".st",
-    ("x", "y", "y'", "y''"),
-    ("quintics",),
-    write,
-    read,
-    (
-        Claim("members of MC_CAM_REF, byType 3 for XYVA", "documented", HELP),
-        Claim("members dX, dY, dV, dA in this order, and the form of the initialiser", "documented", GENERATED),
-        Claim("dV and dA are derivatives by the master, both ends are points", "documented",
-              "Lenze SoftMotion manual DMS 5.2, p. 105"),
-        Claim("polynomials of degree 5 between points", "documented", GENERATED),
-        Claim("the members of SMC_CAMXYVA are LREAL", "probable", "no document at hand says it"),
+def span(values: Array) -> tuple[str, str]:
+    """Return ends that REAL holds exactly, alike for editor and table: nothing is scaled."""
+    reach = 2.0 ** ceil(log2(max(1.0, float(np.abs(values).max()))))
+    low = -reach if float(values.min()) < 0.0 else 0.0
+    return literal(LREAL.text(low)), literal(LREAL.text(reach))
+
+
+def write_switches(handed: HandedTracks) -> str:
+    """Return a list of global variables: the times, and the reference that leads to them."""
+    texts = [(str(number), *(literal(LREAL.text(x)) for x in ends)) for number, *ends in handed.times]
+    told = [", ".join(f"{name} := {value}" for name, value in zip(SWITCHED, row, strict=True)) for row in texts]
+    body = ",\n".join(f"    ({one}, AxisDirection := 0, CamSwitchMode := 0)" for one in told)
+    name, n = handed.name, len(told)
+    return (
+        f"{comments([*handed.header, *handed.called])}VAR_GLOBAL\n"
+        f"  {name}_S : ARRAY[1..{n}] OF MC_CAMSWITCH_TR := [\n{body}];\n"
+        f"  {name} : MC_CAMSWITCH_REF := (NoOfSwitches := {n}, CamSwitchPtr := ADR({name}_S));\nEND_VAR\n"
+    )
+
+
+def read_switches(text: str) -> list[Track]:
+    """Return the tracks of a Structured Text."""
+    times = list(zip(*(column.tolist() for column in grouped(text, SWITCHED)), strict=True))
+    counted(text, "NoOfSwitches", len(times))
+    return gathered(text, times)
+
+
+TAPPETS = Tappets(
+    "MC_CAMSWITCH_TR for MC_DigitalCamSwitch", write_switches, read_switches, (
+        Claim("switches: TrackNumber 1 to 32, FirstOnPosition, LastOnPosition LREAL; inverted where the first is above "
+              "the last; AxisDirection 0: both, CamSwitchMode 0: by position", "documented", HELP_SWITCHES),
+        Claim("switches: MC_CAMSWITCH_REF has NoOfSwitches and CamSwitchPtr", "probable", "public code that uses it"),
+        Claim("switches: the output at the very end of a modulo axis that is on from 0 to its end", "untested",
+              "no document says it"),
     ),
-    points=(2, 32_767),
-    tappets=TAPPETS,
+    tracks=32,
+)  # fmt: skip
+
+TARGETS = (
+    Target(
+        "codesys", "CODESYS SoftMotion, SMC_CAMXYVA in Structured Text", ".st", ("x", "y", "y'", "y''"),
+        ("quintics",), write, lambda text: points(text, grouped(text, FIELDS), "nElements"), (
+            Claim("members of MC_CAM_REF, byType 3 for XYVA", "documented", HELP),
+            Claim("members dX, dY, dV, dA in this order, and the form of the initialiser", "documented", GENERATED),
+            Claim("dV and dA are derivatives by the master, both ends are points", "documented", MANUAL),
+            Claim("polynomials of degree 5 between points", "documented", GENERATED),
+            Claim("the members of SMC_CAMXYVA are LREAL", "probable", "no document at hand says it"),
+        ),
+        points=(2, 32_767), tappets=TAPPETS,
+    ),
+    Target(
+        "codesys-table", "CODESYS SoftMotion, table of pairs, cubic, in Structured Text", ".st", ("x", "y"),
+        (*SPLINES, LOCAL), write_table, lambda text: points(text, pairs(text, "Table"), "nElements"), (
+            Claim("members of MC_CAM_REF, byType 2 for pairs, byInterpolationQuality 3 for cubic", "documented",
+                  HELP_TABLE),
+            Claim("the eight limits, which must not be 0, scale the table", "documented", HELP_TABLE),
+            Claim("pairs as ARRAY OF ARRAY[0..1]", "probable", MANUAL),
+            Claim("the ends of the cubic interpolation, and whether it is a spline", "untested", "no document says it"),
+            Claim("whether each compiler takes the nested initialiser", "untested", "no document says it"),
+        ),
+        points=(4, 32_767),
+    ),
 )  # fmt: skip

@@ -1,17 +1,13 @@
-"""A table of any tool: x, y, y', y'', y''' in columns of text."""
-
-from __future__ import annotations
+"""Tables of any tool in columns of text: x, y, y', y'', y''', and the switches' track, from, to."""
 
 import numpy as np
 
 from workbook.controllers.number import LREAL
 from workbook.controllers.table import SPLINES, Table
-from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
 from workbook.controllers.text import joined, numbers
-from workbook.controllers.tracks.csv import TAPPETS
 from workbook.errors import TargetError
 
-WIDTHS = (2, 3, 4, 5)
 DENSE = 100  # points: so many tell by their differences what y' is
 FAR = 0.5
 
@@ -27,7 +23,7 @@ def write(handed: Handed) -> str:
 
 def read(text: str) -> Table:
     """Return the table of a text of two to five columns."""
-    x, y, *more = np.array(numbers(text, WIDTHS)).T
+    x, y, *more = np.array(numbers(text, (2, 3, 4, 5))).T
     table = Table(x, y, *more)
     if table.v is not None and len(x) > DENSE:
         off = np.abs(np.diff(y) - 0.5 * (table.v[:-1] + table.v[1:]) * np.diff(x)).sum()
@@ -36,19 +32,31 @@ def read(text: str) -> Table:
     return table
 
 
-TARGET = Target(
-    "csv",
-    "Columns of text: x, y, y', y'', y'''",
-    ".csv",
-    ("x", "y", "y'", "y''", "y'''"),
-    ("quintics",),
-    write,
-    read,
-    (
-        Claim("both ends are points, x rises, derivatives are by the master", "documented", "this project"),
-        Claim("a controller makes polynomials of degree 5 of y, y' and y''", "untested", "no common standard"),
+def write_switches(handed: HandedTracks) -> str:
+    """Return comments, a line of titles, and a line a time."""
+    titles = handed.separator.join(("track", "on from", "to"))
+    head = "".join(f"# {line}\r\n" for line in (*handed.header, *handed.called, titles))
+    rows = [[str(number), LREAL.text(begin), LREAL.text(end)] for number, begin, end in handed.times]
+    return head + joined(rows, handed.separator, handed.decimal)
+
+
+def read_switches(text: str) -> list[Track]:
+    """Return the tracks of a text of three columns."""
+    return gathered(text, ((number, begin, end) for number, begin, end in numbers(text, (3,))))
+
+
+SAID = "on from one angle to another; past the end of the cycle where to is less"
+
+TARGETS = (
+    Target(
+        "csv", "Columns of text: x, y, y', y'', y'''", ".csv", ("x", "y", "y'", "y''", "y'''"), ("quintics",),
+        write, read, (
+            Claim("both ends are points, x rises, derivatives are by the master", "documented", "this project"),
+            Claim("a controller makes polynomials of degree 5 of y, y' and y''", "untested", "no common standard"),
+        ),
+        plain=SPLINES, signs=("separator", "decimal"),
+        tappets=Tappets(
+            "track, on from, to", write_switches, read_switches, (Claim(SAID, "documented", "this project"),)
+        ),
     ),
-    plain=SPLINES,
-    signs=("separator", "decimal"),
-    tappets=TAPPETS,
 )  # fmt: skip

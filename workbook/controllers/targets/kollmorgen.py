@@ -1,7 +1,5 @@
 """Kollmorgen KAS: a cam profile as CSV."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np
@@ -40,19 +38,14 @@ def read(text: str) -> Table:
     return Table(x, y)
 
 
-TARGET = Target(
-    "kollmorgen",
-    "Kollmorgen KAS, cam profile as CSV",
-    ".csv",
-    ("x", "y"),
-    SPLINES,
-    write,
-    read,
-    (
-        Claim("CYCLIC, TABLE_BEGIN, x;y;SPLINE, TABLE_END; four segments or more", "documented", HELP),
-        Claim("an import divides x and y by their largest: scale and offset are the profile's", "documented", HELP),
-        Claim("line ends, CYCLIC;NO;", "probable", HELP),
-        Claim("the ends of the spline", "untested", "no document says it"),
+TARGETS = (
+    Target(
+        "kollmorgen", "Kollmorgen KAS, cam profile as CSV", ".csv", ("x", "y"), SPLINES, write, read, (
+            Claim("CYCLIC, TABLE_BEGIN, x;y;SPLINE, TABLE_END; four segments or more", "documented", HELP),
+            Claim("an import divides x and y by their largest: scale and offset are the profile's", "documented", HELP),
+            Claim("line ends, CYCLIC;NO;", "probable", HELP),
+            Claim("the ends of the spline", "untested", "no document says it"),
+        ),
+        points=(5, 10_000),
     ),
-    points=(5, 10_000),
-)
+)  # fmt: skip

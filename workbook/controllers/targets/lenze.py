@@ -1,7 +1,5 @@
 """Lenze Global Drive Cam Loader: x and y as text."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np
@@ -29,18 +27,12 @@ def read(text: str) -> Table:
     return Table(x, y)
 
 
-TARGET = Target(
-    "lenze",
-    "Lenze Global Drive Cam Loader, text",
-    ".txt",
-    ("x", "y"),
-    (*SPLINES, LOCAL),
-    write,
-    read,
-    (
-        Claim("x, y parted by blanks or tabs, point or comma, // comments, x rises", "documented", MANUAL),
-        Claim("what is between the points, limits, the end of a cycle", "untested", "no document says it"),
+TARGETS = (
+    Target(
+        "lenze", "Lenze Global Drive Cam Loader, text", ".txt", ("x", "y"), (*SPLINES, LOCAL), write, read, (
+            Claim("x, y parted by blanks or tabs, point or comma, // comments, x rises", "documented", MANUAL),
+            Claim("what is between the points, limits, the end of a cycle", "untested", "no document says it"),
+        ),
+        points=(4, 10_000), signs=("decimal",),
     ),
-    points=(4, 10_000),
-    signs=("decimal",),
-)
+)  # fmt: skip

@@ -1,9 +1,8 @@
-"""Rockwell Logix: a CAM array as a Tag of L5X; reads CAM_PROFILE too."""
-
-from __future__ import annotations
+"""Rockwell Logix: a CAM array, and switches as an OUTPUT_CAM array, as Tags of L5X; reads CAM_PROFILE too."""
 
 import re
 import struct
+from collections.abc import Sequence
 from itertools import pairwise
 from xml.etree.ElementTree import Element
 
@@ -13,8 +12,7 @@ from engine.cams.interpolation import straight
 from engine.cams.profile import ProfilePiece, profile
 from workbook.controllers.number import REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
-from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.tracks.rockwell import TAPPETS
+from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
 from workbook.controllers.xml import parsed
 from workbook.errors import TargetError
 
@@ -24,6 +22,13 @@ MANUAL = "Rockwell MOTION-RM002H-EN-P"
 SLOPES = ("StartSlope", "EndSlope")
 PROFILE_ROW = 14  # integers
 CALCULATED = 2
+POSITION = "1"
+MEMBERS = {
+    "CAM": {"Master": "REAL", "Slave": "REAL", "SegmentType": "DINT"},
+    "OUTPUT_CAM": {"OutputBit": "DINT", "LatchType": "DINT", "UnlatchType": "DINT", "Left": "REAL", "Right": "REAL",
+                   "Duration": "REAL", "EnableType": "DINT", "EnableBit": "DINT"},
+}  # fmt: skip
+RADIX = {"DINT": "Decimal", "REAL": "Float"}
 
 
 def write(handed: Handed) -> str:
@@ -33,15 +38,12 @@ def write(handed: Handed) -> str:
     rows = [(real(x), real(y), str(int(not line))) for x, y, line in zip(table.x, table.y, lines, strict=True)]
     told = "\n".join(re.sub("-(?=-)", "- ", line) for line in handed.header)
     packed = ",".join(f"[{','.join(row)}]" for row in rows)
-    elements = "".join(element(k, row) for k, row in enumerate(rows))
     slopes = "".join(slope(f"{name}_{which}", value)
                      for which, value in zip(SLOPES, table.slopes or (0.0, 0.0), strict=True))  # fmt: skip
+    points = tag(name, "CAM", rows, f'<Data Format="L5K"><![CDATA[[{packed}]]]></Data>\n')
     return (
         f'<?xml version="1.0" encoding="UTF-8"?>\n<!--\n{told}\nThe slopes are arguments of MCCP.\n-->\n<Tags>\n'
-        f'<Tag Name="{name}" TagType="Base" DataType="CAM" Dimensions="{len(rows)}" Constant="false" '
-        f'ExternalAccess="Read/Write">\n<Data Format="L5K"><![CDATA[[{packed}]]]></Data>\n'
-        f'<Data Format="Decorated">\n<Array DataType="CAM" Dimensions="{len(rows)}">\n{elements}</Array>\n</Data>\n'
-        f"</Tag>\n{slopes}</Tags>\n"
+        f"{points}{slopes}</Tags>\n"
     )
 
 
@@ -50,15 +52,17 @@ def real(value: float) -> str:
     return literal(REAL.text(value)).replace("E", "e")
 
 
-def element(k: int, row: tuple[str, str, str]) -> str:
-    """Return one element of the array in its decorated form."""
-    master, slave, kind = row
+def tag(name: str, kind: str, rows: Sequence[Sequence[str]], packed: str = "") -> str:
+    """Return the tag of an array, its elements in their decorated form."""
+    elements = ""
+    for k, row in enumerate(rows):
+        members = "".join(f'<DataValueMember Name="{member}" DataType="{of}" Radix="{RADIX[of]}" Value="{value}"/>'
+                          for (member, of), value in zip(MEMBERS[kind].items(), row, strict=True))  # fmt: skip
+        elements += f'<Element Index="[{k}]"><Structure DataType="{kind}">{members}</Structure></Element>\n'
     return (
-        f'<Element Index="[{k}]"><Structure DataType="CAM">'
-        f'<DataValueMember Name="Master" DataType="REAL" Radix="Float" Value="{master}"/>'
-        f'<DataValueMember Name="Slave" DataType="REAL" Radix="Float" Value="{slave}"/>'
-        f'<DataValueMember Name="SegmentType" DataType="DINT" Radix="Decimal" Value="{kind}"/>'
-        f"</Structure></Element>\n"
+        f'<Tag Name="{name}" TagType="Base" DataType="{kind}" Dimensions="{len(rows)}" Constant="false" '
+        f'ExternalAccess="Read/Write">\n{packed}<Data Format="Decorated">\n'
+        f'<Array DataType="{kind}" Dimensions="{len(rows)}">\n{elements}</Array>\n</Data>\n</Tag>\n'
     )
 
 
@@ -92,11 +96,16 @@ def array(cam: Element, packed: list[list[str]], slopes: tuple[float, float] | N
     given = [numbers(k, row) for k, row in enumerate(rows or packed)]
     if rows and packed and given != [numbers(k, row) for k, row in enumerate(packed)]:
         raise TargetError("the two forms of the tag's data, L5K and Decorated, differ; expected the same points")
-    told = cam.get("Dimensions", "")
-    if told.isascii() and told.isdecimal() and int(told[:9]) != len(given):
-        raise TargetError(f"Dimensions is {told[:9]}, {len(given)} elements follow; expected as many")
+    require_dimensions(cam, len(given))
     x, y, kinds = np.array(given).reshape(-1, 3).T
     return Table(REAL.rounded(x), REAL.rounded(y), slopes=slopes, straight=kinds[:-1] == 0.0)
+
+
+def require_dimensions(cam: Element, count: int) -> None:
+    """Raise TargetError where a tag tells of another number of elements."""
+    told = cam.get("Dimensions", "")
+    if told.isascii() and told.isdecimal() and int(told[:9]) != count:
+        raise TargetError(f"Dimensions is {told[:9]}, {count} elements follow; expected as many")
 
 
 def numbers(k: int, row: list[str]) -> list[float]:
@@ -150,26 +159,67 @@ def float64(high: int, low: int) -> float:
     return float(value)
 
 
-TARGET = Target(
-    "rockwell",
-    "Rockwell Logix, CAM array as a Tag of L5X",
-    ".xml",
-    ("x", "y", "straight"),
-    ("clamped cubic spline",),
-    write,
-    read,
-    (
-        Claim("Master and Slave REAL, SegmentType DINT: 0 linear, 1 cubic, of the way to the next point", "documented",
-              f"{MANUAL}, p. 159, 174, 627"),
-        Claim("the slopes are arguments of MCCP, by the master", "documented", f"{MANUAL}, p. 160"),
-        Claim("a run of cubic segments is a clamped cubic spline", "probable", "coefficients of one real project"),
-        Claim("Tag with L5K and Decorated data of the same values", "probable", "public code that reads such exports"),
-        Claim("CAM_PROFILE: 14 integers an element, as decoded from one project", "probable", "two public sources"),
-        Claim("a spline beside a linear segment takes its slope", "untested", "no document says it"),
-        Claim("limits of points, the wrapper that an import wants", "untested", "not found"),
+def write_switches(handed: HandedTracks) -> str:
+    """Return the tag of the array; a time past the end of the cycle is two elements, as left must be below right."""
+    rows = []
+    for number, begin, end in handed.times:
+        for low, high in [(begin, end)] if begin < end else [(begin, handed.cycle), (0.0, end)]:
+            rows.append((str(number - 1), POSITION, POSITION, real(low), real(high), "0.0", "0", "0"))
+    told = "\n".join(line.replace("--", "- -") for line in (*handed.header, *handed.called))
+    head = f'<?xml version="1.0" encoding="UTF-8"?>\n<!--\n{told}\n-->\n<Tags>\n'
+    return f"{head}{tag(handed.name, 'OUTPUT_CAM', rows)}</Tags>\n"
+
+
+def read_switches(text: str) -> list[Track]:
+    """Return the tracks of the one tag of type OUTPUT_CAM."""
+    cams = [tag for tag in parsed(text).iter("Tag") if tag.get("DataType") == "OUTPUT_CAM"]
+    if len(cams) != 1:
+        raise TargetError(f"{len(cams)} tags of type OUTPUT_CAM; expected one in a file")
+    rows = [ranged(k, one) for k, one in enumerate(cams[0].iter("Element"))]
+    require_dimensions(cams[0], len(rows))
+    return gathered(text, rows)
+
+
+def ranged(k: int, one: Element) -> tuple[int, float, float]:
+    """Return the track of an element, and from where to where it is on."""
+    held = {member.get("Name", ""): member.get("Value", "") for member in one.iter("DataValueMember")}
+    if (held.get("LatchType"), held.get("UnlatchType")) != (POSITION, POSITION):
+        raise TargetError(f"element {k}: it does not switch by position; expected LatchType and UnlatchType {POSITION}")
+    try:
+        bit, low, high = int(held["OutputBit"]), float(held["Left"]), float(held["Right"])
+    except (KeyError, ValueError):
+        raise TargetError(f"element {k}: expected numbers for OutputBit, Left and Right") from None
+    if not low < high:
+        raise TargetError(f"element {k}: Left is {low:.9g}, Right {high:.9g}; expected Left below Right")
+    ends = REAL.rounded(np.array([low, high])).tolist()
+    return bit + 1, ends[0], ends[1]
+
+
+TAPPETS = Tappets(
+    "OUTPUT_CAM array for MAOC, as a Tag of L5X", write_switches, read_switches, (
+        Claim("switches: OutputBit 0 to 31, LatchType and UnlatchType 1 by position, Left below Right", "documented",
+              f"{MANUAL}, p. 293, 632"),
+        Claim("switches: Duration, EnableType and EnableBit follow, and are not used", "probable", f"{MANUAL}, p. 293"),
+        Claim("switches: of one that is on past the end of the cycle, two elements meet there without a pulse",
+              "untested", "no document says it"),
     ),
-    number=REAL,
-    points=(2, 10_000),
-    exact=straight,
-    tappets=TAPPETS,
+    number=REAL, tracks=32,
+)  # fmt: skip
+
+TARGETS = (
+    Target(
+        "rockwell", "Rockwell Logix, CAM array as a Tag of L5X", ".xml", ("x", "y", "straight"),
+        ("clamped cubic spline",), write, read, (
+            Claim("Master and Slave REAL, SegmentType DINT: 0 linear, 1 cubic, of the way to the next point",
+                  "documented", f"{MANUAL}, p. 159, 174, 627"),
+            Claim("the slopes are arguments of MCCP, by the master", "documented", f"{MANUAL}, p. 160"),
+            Claim("a run of cubic segments is a clamped cubic spline", "probable", "coefficients of one real project"),
+            Claim("Tag with L5K and Decorated data of the same values", "probable",
+                  "public code that reads such exports"),
+            Claim("CAM_PROFILE: 14 integers an element, as decoded from one project", "probable", "two public sources"),
+            Claim("a spline beside a linear segment takes its slope", "untested", "no document says it"),
+            Claim("limits of points, the wrapper that an import wants", "untested", "not found"),
+        ),
+        number=REAL, points=(2, 10_000), exact=straight, tappets=TAPPETS,
+    ),
 )  # fmt: skip

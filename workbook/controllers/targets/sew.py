@@ -1,7 +1,5 @@
 """SEW MOVI-C: cam points as text, a count and then pairs."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from workbook.controllers.number import LREAL
@@ -19,33 +17,17 @@ def write(handed: Handed) -> str:
     return f"{len(rows)}\r\n" + joined(rows, handed.separator, handed.decimal)
 
 
-def read(text: str) -> Table:
-    """Return the points."""
-    x, y = np.array(numbers(text, (2,))).T
-    return Table(x, y)
-
-
-TARGET = Target(
-    "sew",
-    "SEW MOVI-C, cam points as text, cubic",
-    ".txt",
-    ("x", "y"),
-    (LOCAL, CENTRAL),
-    write,
-    read,
-    (
-        Claim("a count, then x and y a line, semicolon (newer manual: tab), point or comma", "documented", MANUAL),
-        Claim("up to 1024 points for linear and cubic, 64 for a spline", "documented", MANUAL),
-        Claim(
-            "cubic: the velocity is continuous, the acceleration jumps at points", "documented", "SEW help 57491440523"
+TARGETS = (
+    Target(
+        "sew", "SEW MOVI-C, cam points as text, cubic", ".txt", ("x", "y"), (LOCAL, CENTRAL),
+        write, lambda text: Table(*np.array(numbers(text, (2,))).T), (
+            Claim("a count, then x and y a line, semicolon (newer manual: tab), point or comma", "documented", MANUAL),
+            Claim("up to 1024 points for linear and cubic, 64 for a spline", "documented", MANUAL),
+            Claim("cubic: the velocity is continuous, the acceleration jumps at points", "documented",
+                  "SEW help 57491440523"),
+            Claim("the slope that a cubic has at a point: by its neighbours; at equal steps all such rules agree "
+                  "inside", "untested", "no document says it"),
         ),
-        Claim(
-            "the slope that a cubic has at a point: by its neighbours; at equal steps all such rules agree inside",
-            "untested",
-            "no document says it",
-        ),
+        points=(2, 1024), spacing="equal", signs=("separator", "decimal"),
     ),
-    points=(2, 1024),
-    spacing="equal",
-    signs=("separator", "decimal"),
-)
+)  # fmt: skip

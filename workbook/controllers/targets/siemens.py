@@ -1,41 +1,107 @@
-"""Siemens S7-1500T: basic points of the library LCamHdl, as assignments in SCL."""
+"""Siemens S7-1500T as assignments in SCL: basic points of the library LCamHdl, points and segments of TO_Cam."""
 
-from __future__ import annotations
+import numpy as np
 
+from engine.cams.profile import CamProfile, ProfilePiece, profile
+from engine.cams.interpolation import HIGHEST, segmented, simple
+from engine.laws.base import Array
+from workbook.controllers.number import LREAL, literal
 from workbook.controllers.structured import assigned, comments, indexed, points, rows
-from workbook.controllers.table import Table
+from workbook.controllers.table import SPLINES, Table
 from workbook.controllers.target import Claim, Handed, Target
+from workbook.errors import TargetError
 
-FIELDS = ("leadingValue", "followingValue", "velocityRatio", "accelerationRatio")
+BASIC = ("leadingValue", "followingValue", "velocityRatio", "accelerationRatio")
+SEGMENT = ("xmin", "xmax", *(f"a{k}" for k in range(HIGHEST + 1)), "sineAmplitude", "sinePeriod", "sinePhase")
 TYPES = "simatic-ax/lcamhdl, docs/types"
+HELP = "Siemens TIA help, S7-1500/S7-1500T synchronous operation, tags of the cam"
+JOINT = 1e-4  # a gap that the controller pulls together
 
 
 def write(handed: Handed) -> str:
     """Return the assignments, a line a point."""
     name = f"Cam_{handed.name}"
-    lines = [assigned(f"{name}[{k}]", row) for k, row in enumerate(rows(handed.table, FIELDS), 1)]
+    lines = [assigned(f"{name}[{k}]", row) for k, row in enumerate(rows(handed.table, BASIC), 1)]
     declared = f"{name} : ARRAY[1..{len(lines)}] OF LCamHdl_typeBasicPoint, for CreateCamBasic"
     return comments([*handed.header, declared]) + "".join(f"{line}\n" for line in lines)
 
 
-def read(text: str) -> Table:
-    """Return the points that are assigned."""
-    return points(text, lambda one: indexed(one, FIELDS))
+def write_points(handed: Handed) -> str:
+    """Return the assignments of the points, and of how to go between them."""
+    name = f"Cam_{handed.name}"
+    lines = [f"{assigned(f'{name}.Point[{k}]', row)} {name}.ValidPoint[{k}] := TRUE;"
+             for k, row in enumerate(rows(handed.table, ("x", "y")), 1)]  # fmt: skip
+    lines.append(f"{name}.InterpolationSettings.InterpolationMode := 1;")
+    lines.append(f"{name}.InterpolationSettings.BoundaryConditions := {int(handed.repeats)};")
+    declared = f"{name} : TO_Cam; MC_InterpolateCam comes before its use; points beyond these stay invalid"
+    return comments([*handed.header, declared]) + "".join(f"{line}\n" for line in lines)
 
 
-TARGET = Target(
-    "siemens",
-    "Siemens S7-1500T, LCamHdl basic points in SCL",
-    ".scl",
-    ("x", "y", "y'", "y''"),
-    ("quintics",),
-    write,
-    read,
-    (
-        Claim("fields of LCamHdl_typeBasicPoint, LREAL, derivatives by the leading value", "documented", TYPES),
-        Claim("2 to 51 points, leading values rise, polynomials of degree 5 between them", "documented", TYPES),
-        Claim("start and end of the cam are the first and the last point", "documented", TYPES),
-        Claim("the prefix that the tag has in a project, # or a data block", "untested", "not part of the library"),
+def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
+    """Return a motion between places as segments, of polynomials and a sine from each place."""
+    made = segmented(of, x)
+    return Table(x, np.append(made.at(x[:-1]).y, made.at(x, left=True).y[-1]), profile=made)
+
+
+def write_segments(handed: Handed) -> str:
+    """Return the assignments, a line a segment; ``sinePeriod`` is taken for the angular frequency by x."""
+    made, name, lines = handed.table.profile, f"Cam_{handed.name}", []
+    if made is None:
+        raise TargetError("the table has no segments")
+    for k, (low, high, c, sines) in enumerate(zip(made.edges, made.edges[1:], made.c, made.sines, strict=False), 1):
+        texts = (literal(LREAL.text(float(value))) for value in (low, high, *c, *sines[0]))
+        fields = dict(zip(SEGMENT, texts, strict=True))
+        lines.append(f"{assigned(f'{name}.Segment[{k}]', fields)} {name}.ValidSegment[{k}] := TRUE;")
+    declared = f"{name} : TO_Cam; MC_InterpolateCam comes before its use; segments beyond these stay invalid"
+    return comments([*handed.header, declared]) + "".join(f"{line}\n" for line in lines)
+
+
+def read_segments(text: str) -> Table:
+    """Return the segments that are assigned; x counts from the begin of each."""
+    low, high, *rest = indexed(text, SEGMENT)
+    c, (amplitude, omega, phase) = rest[: HIGHEST + 1], rest[HIGHEST + 1 :]
+    gaps = np.abs(low[1:] - high[:-1]) > JOINT
+    if gaps.any():
+        raise TargetError(f"segment {int(gaps.argmax()) + 2} does not begin where the one before it ends")
+    x = np.append(low, high[-1])
+    Table(x, np.append(c[0], c[0][-1]))  # says which x does not rise
+    made = profile(
+        [ProfilePiece(float(low[k]), float(low[k]), tuple(float(one[k]) for one in c),
+                      ((amplitude[k], omega[k], phase[k]),))
+         for k in range(len(low))], float(high[-1]),
+    )  # fmt: skip
+    return Table(x, np.append(made.at(x[:-1]).y, made.at(x[-1:], left=True).y), profile=made)
+
+
+TARGETS = (
+    Target(
+        "siemens", "Siemens S7-1500T, LCamHdl basic points in SCL", ".scl", ("x", "y", "y'", "y''"), ("quintics",),
+        write, lambda text: points(text, indexed(text, BASIC)), (
+            Claim("fields of LCamHdl_typeBasicPoint, LREAL, derivatives by the leading value", "documented", TYPES),
+            Claim("2 to 51 points, leading values rise, polynomials of degree 5 between them", "documented", TYPES),
+            Claim("start and end of the cam are the first and the last point", "documented", TYPES),
+            Claim("the prefix that the tag has in a project, # or a data block", "untested", "not part of the library"),
+        ),
+        points=(2, 51),
     ),
-    points=(2, 51),
+    Target(
+        "siemens-points", "Siemens S7-1500T, points of TO_Cam in SCL", ".scl", ("x", "y"), SPLINES,
+        write_points, lambda text: points(text, indexed(text, ("x", "y"))), (
+            Claim("fields of Point, ValidPoint, InterpolationSettings; 1 to 1000 points, LREAL", "documented", HELP),
+            Claim("InterpolationMode 1 is a cubic spline through the points", "documented", HELP),
+            Claim("ends of the spline: BoundaryConditions 1 (equal first derivatives), 0 (none)", "untested",
+                  "the help does not give the formula"),
+        ),
+        points=(2, 1000),
+    ),
+    Target(
+        "siemens-segments", "Siemens S7-1500T, segments of TO_Cam in SCL", ".scl", ("segments",), ("polynomials",),
+        write_segments, read_segments, (
+            Claim("fields of Segment, LREAL, at most 50; Y = Σ a_k x^k + b0 sin(b1 x + b2)", "documented", HELP),
+            Claim("x counts from xmin; it may also be absolute or from 0 to 1: read one segment back first", "untested",
+                  "no document says it"),
+            Claim("sinePeriod holds b1, rad by x", "untested", "the help names it a length in rad"),
+        ),
+        points=(2, 51), spacing="breaks", exact=simple, built=built,
+    ),
 )  # fmt: skip

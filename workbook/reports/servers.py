@@ -1,21 +1,27 @@
-"""The report of a run as JUnit XML, as CI servers read it: a suite for each workbook, a case for each sheet."""
+"""The report of a run as CI servers and code hosts read it: JUnit XML, and SARIF 2.1.0 beside the changed files.
 
-from __future__ import annotations
+Source: OASIS, Static Analysis Results Interchange Format (SARIF) Version 2.1.0, 2020.
+"""
 
-from collections.abc import Sequence
+import json
+from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
+from typing import Any
 from xml.etree.ElementTree import Element, indent, tostring
 
+import workbook
 from workbook.judging.one import Outcome
 from workbook.judging.report import Finding, Report
 from workbook.reports.html import e
-from workbook.reports.page import by_sheet, exact, own_verdict, told, where, witness
+from workbook.reports.page import KINDS, by_sheet, exact, own_verdict, told, where, witness
 
 DESIGN = "the machine's own checks"
+SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+OTHERS = {"design": "a check of the machine's own fails", "unreadable": "the file cannot be read"}
 
 
 def junit(outcomes: Sequence[Outcome], when: datetime) -> str:
-    """Return the run as JUnit XML: findings are failures, a file that cannot be read is an error."""
+    """Return the run as JUnit XML: a suite for each workbook, a case for each sheet; findings are failures."""
     suites = [suite(outcome, when) for outcome in outcomes]
     root = e("testsuites", *suites, name="motionbook verify", **counts(suites, "testcase", "failure", "error"))
     root.set("time", f"{sum(o.seconds for o in outcomes):.3f}")
@@ -28,24 +34,21 @@ def suite(outcome: Outcome, when: datetime) -> Element:
     name = str(outcome.path)
     if outcome.report:
         cases = [case(name, sheet, found) for sheet, found in by_sheet(outcome.report).items()]
-        cases.append(design(name, outcome.report))
+        lines = "\n".join(check.line for check in outcome.report.failing)
+        failed = e("failure", lines, message=own_verdict(outcome.report), type="design")
+        cases.append(testcase(name, DESIGN, *([] if outcome.report.holds else [failed])))
         known = [properties(outcome.sha256, outcome.report)]
     else:
-        cases = [testcase(name, "open", unopened(outcome))]
-        known = []
+        first = outcome.reason.partition("\n")[0]
+        why = e("error", outcome.reason, message=first, type=outcome.verdict)
+        if outcome.verdict == "no machine":  # it was rightly passed over
+            why = e("skipped", message=first)
+        cases, known = [testcase(name, "open", why)], []
     made = e("testsuite", *known, *cases, name=name, timestamp=f"{when.astimezone(UTC):%Y-%m-%dT%H:%M:%S}",
              time=f"{outcome.seconds:.3f}", hostname="localhost")  # fmt: skip
     for key, value in counts([made], "testcase", "failure", "error", "skipped").items():
         made.set(key, value)
     return made
-
-
-def unopened(outcome: Outcome) -> Element:
-    """Return why there is no report: an error, unless the workbook was rightly skipped."""
-    first = outcome.reason.partition("\n")[0]
-    if outcome.verdict == "no machine":
-        return e("skipped", message=first)
-    return e("error", outcome.reason, message=first, type=outcome.verdict)
 
 
 def case(book: str, sheet: str, found: Sequence[Finding]) -> Element:
@@ -55,14 +58,6 @@ def case(book: str, sheet: str, found: Sequence[Finding]) -> Element:
     more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
     lines = "\n".join(line(finding) for finding in found)
     return testcase(book, sheet, e("failure", lines, message=line(found[0]) + more, type=found[0].kind))
-
-
-def design(book: str, report: Report) -> Element:
-    """Return the case of the machine itself: failed where its own checks are."""
-    if report.holds:
-        return testcase(book, DESIGN)
-    lines = "\n".join(check.line for check in report.failing)
-    return testcase(book, DESIGN, e("failure", lines, message=own_verdict(report), type="design"))
 
 
 def testcase(book: str, name: str, *result: Element) -> Element:
@@ -92,3 +87,32 @@ def counts(suites: Sequence[Element], *tags: str) -> dict[str, str]:
     """Return how many of the ``tags`` the suites hold, by the attributes in which JUnit gives them."""
     named = {"testcase": "tests", "failure": "failures", "error": "errors", "skipped": "skipped"}
     return {named[tag]: str(sum(sum(1 for _ in s.iter(tag)) for s in suites)) for tag in tags}
+
+
+def sarif(outcomes: Sequence[Outcome]) -> str:
+    """Return the run: each finding is an error, each failing check of a machine a warning."""
+    rules = [{"id": kind, "shortDescription": {"text": words}} for kind, words in (KINDS | OTHERS).items()]
+    driver = {"name": "motionbook", "version": workbook.__version__, "rules": rules}
+    results = [result for outcome in outcomes for result in of_one(outcome)]
+    run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
+    return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, ensure_ascii=False, indent=1) + "\n"
+
+
+def of_one(outcome: Outcome) -> Iterator[dict[str, Any]]:
+    """Yield the results of one workbook."""
+    if outcome.report is None:
+        if outcome.verdict == "unreadable":
+            yield result(outcome, "unreadable", "error", outcome.reason)
+        return
+    for finding in outcome.report.findings:
+        yield result(outcome, finding.kind, "error", line(finding), f"{finding.sheet}!{finding.cell}")
+    for check in outcome.report.failing:
+        yield result(outcome, "design", "warning", check.line, f"{check.sheet}!{check.cell}")
+
+
+def result(outcome: Outcome, rule: str, level: str, text: str, cell: str = "") -> dict[str, Any]:
+    """Return a result; the cell is its logical location, as a workbook has no lines."""
+    where: dict[str, Any] = {"physicalLocation": {"artifactLocation": {"uri": outcome.path.as_posix()}}}
+    if cell:
+        where["logicalLocations"] = [{"fullyQualifiedName": cell}]
+    return {"ruleId": rule, "level": level, "message": {"text": text}, "locations": [where]}
