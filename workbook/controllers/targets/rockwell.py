@@ -4,7 +4,7 @@ import re
 import struct
 from collections.abc import Sequence
 from itertools import pairwise
-from xml.etree.ElementTree import Element
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder, XMLParser
 
 import numpy as np
 
@@ -13,9 +13,9 @@ from engine.cams.profile import ProfilePiece, profile
 from workbook.controllers.number import REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
-from workbook.controllers.xml import parsed
 from workbook.errors import TargetError
 
+DEEPEST, MOST = 100, 200_000  # levels and elements; a tag of 10,000 points has 50,000
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 ROW = re.compile(r"\[([^\[\]]{1,400})\]")
 MANUAL = "Rockwell MOTION-RM002H-EN-P"
@@ -193,6 +193,42 @@ def ranged(k: int, one: Element) -> tuple[int, float, float]:
         raise TargetError(f"element {k}: Left is {low:.9g}, Right {high:.9g}; expected Left below Right")
     ends = REAL.rounded(np.array([low, high])).tolist()
     return bit + 1, ends[0], ends[1]
+
+
+class Plain(TreeBuilder):
+    """Builds elements, and refuses a document type and what is nested too deeply."""
+
+    depth = count = 0
+
+    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
+        """Refuse a document type, and with it every entity."""
+        raise TargetError("it declares a document type or entities, which no engineering tool writes")
+
+    def start(self, tag: str, attrs: dict[str, str]) -> Element:
+        """Begin an element."""
+        self.depth += 1
+        self.count += 1
+        if self.depth > DEEPEST:
+            raise TargetError(f"it is nested more than {DEEPEST} deep")
+        if self.count > MOST:
+            raise TargetError(f"it has more than {MOST:,} elements; expected a file of one tag")
+        return super().start(tag, attrs)
+
+    def end(self, tag: str) -> Element:
+        """End an element."""
+        self.depth -= 1
+        return super().end(tag)
+
+
+def parsed(text: str) -> Element:
+    """Return the root of a text in XML; raise TargetError where it is none, or declares a document type."""
+    parser = XMLParser(target=Plain())
+    try:
+        parser.feed(text)
+        root: Element = parser.close()
+    except (ParseError, ValueError) as error:
+        raise TargetError(f"it is not well-formed XML ({error})") from None
+    return root
 
 
 TAPPETS = Tappets(
