@@ -53,11 +53,6 @@ class Vary(Model):
         """The entries that vary together."""
         return [self.key] if isinstance(self.key, str) else self.key
 
-    @property
-    def continuous(self) -> bool:
-        """Whether it is a range."""
-        return self.low is not None
-
 
 class Bound(Model):
     """What a result must keep to."""
@@ -118,9 +113,9 @@ class Study(Model):
             raise EntryError("results", "empty; expected the name of a result, or an objective")
         if self.way.kind == "evolution" and len(goals) != 1:
             raise EntryError("minimise", f"{len(goals)} objectives; evolution expects one")
-        if self.way.kind == "evolution" and not all(one.continuous for one in self.vary):
+        if self.way.kind == "evolution" and any(one.low is None for one in self.vary):
             raise EntryError("vary", "evolution expects ranges alone; lists go by full or sobol")
-        if self.way.kind == "full" and any(one.continuous and one.steps is None for one in self.vary):
+        if self.way.kind == "full" and any(one.low is not None and one.steps is None for one in self.vary):
             raise EntryError("vary", "a study in full expects steps of each range; or way.kind sobol or evolution")
         return self
 

@@ -7,7 +7,7 @@ from engine.cams.profile import CamProfile, ProfilePiece, profile
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, counts, literal, read_counts, read_stand, stands
 from workbook.controllers.structured import assigned, comments, indexed, scalar
-from workbook.controllers.table import Table
+from workbook.controllers.table import Table, given
 from workbook.controllers.target import Claim, Handed, Target
 from workbook.errors import TargetError
 
@@ -46,10 +46,8 @@ def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -
 
 def write(handed: Handed) -> str:
     """Return the assignments of the periods and of each polynomial; x counts from the begin of each."""
-    made, name, steps = handed.table.profile, f"Cam_{handed.name}", handed.table.steps
-    if made is None:
-        raise TargetError("the table has no polynomials")
-    (dx, dy), offset = steps, float(made.c[0, 0])
+    made, name = given(handed.table.profile, "polynomials"), f"Cam_{handed.name}"
+    (dx, dy), offset = handed.table.steps, float(made.c[0, 0])
     lines = [
         f"{name}.MasterPeriod := {DINT.text(made.total / dx)}; {name}.SlavePeriod := {DINT.text(made.travel / dy)};",
         f"{name}.PolynomialNumber := {len(made.c)};",
@@ -62,7 +60,7 @@ def write(handed: Handed) -> str:
         texts = [literal(REAL.text(value)) for value in (*values, round((end - made.edges[0]) / dx))]
         fields = dict(zip(FIELDS, texts, strict=True)) | {"Reserve": "0"}
         lines.append(assigned(f"{name}.PolynomialData[{k}]", fields))
-    told = (stands(offset, handed.units[1]), counts(steps, handed.units), f"{name} : McCamDataType")
+    told = (stands(offset, handed.units[1]), counts((dx, dy), handed.units), f"{name} : McCamDataType")
     return comments([*handed.header, *told]) + "".join(f"{one}\n" for one in lines)
 
 

@@ -7,7 +7,7 @@ from engine.cams.interpolation import HIGHEST, segmented, simple
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, literal
 from workbook.controllers.structured import assigned, comments, indexed, points, rows
-from workbook.controllers.table import SPLINES, Table
+from workbook.controllers.table import SPLINES, Table, given
 from workbook.controllers.target import Claim, Handed, Target
 from workbook.errors import TargetError
 
@@ -45,9 +45,7 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
 
 def write_segments(handed: Handed) -> str:
     """Return the assignments, a line a segment; ``sinePeriod`` is taken for the angular frequency by x."""
-    made, name, lines = handed.table.profile, f"Cam_{handed.name}", []
-    if made is None:
-        raise TargetError("the table has no segments")
+    made, name, lines = given(handed.table.profile, "segments"), f"Cam_{handed.name}", []
     for k, (low, high, c, sines) in enumerate(zip(made.edges, made.edges[1:], made.c, made.sines, strict=False), 1):
         texts = (literal(LREAL.text(float(value))) for value in (low, high, *c, *sines[0]))
         fields = dict(zip(SEGMENT, texts, strict=True))
