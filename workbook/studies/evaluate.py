@@ -187,9 +187,6 @@ def keeps(bound: Bound | str, values: Values) -> NDArray[np.bool_]:
     """Return which results keep to a bound, or are a text."""
     if isinstance(bound, str):
         return np.asarray(values == bound)
-    kept = ~np.isnan(values.astype(np.float64))
-    if bound.min is not None:
-        kept &= values >= bound.min
-    if bound.max is not None:
-        kept &= values <= bound.max
-    return np.asarray(kept)
+    numbers = values.astype(np.float64)  # what is none keeps to nothing
+    low, high = -np.inf if bound.min is None else bound.min, np.inf if bound.max is None else bound.max
+    return np.asarray((numbers >= low) & (numbers <= high))
