@@ -4,6 +4,7 @@ A command's module is loaded when it is called, so that help and a wrong option 
 """
 
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 from typer.exceptions import TyperException
@@ -49,15 +50,11 @@ def ran() -> int:
 
 def fault_of(error: Exception) -> str:
     """Return a line about what nobody has foreseen, or about a folder that was removed while one is in it."""
-    if isinstance(error, FileNotFoundError) and not here_is_a_folder():
-        return "the folder in which this runs is no longer there; go to another one"
+    if isinstance(error, FileNotFoundError):
+        gone = True
+        with suppress(OSError):
+            gone = not Path.cwd().is_dir()
+        if gone:
+            return "the folder in which this runs is no longer there; go to another one"
     said = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
     return f"motionbook failed inside ({said[:200]}); please report this"
-
-
-def here_is_a_folder() -> bool:
-    """Whether the folder in which this runs is there."""
-    try:
-        return Path.cwd().is_dir()
-    except OSError:
-        return False

@@ -37,9 +37,9 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
         described = making.described(source, motors, reducers)
         failing = making.build(described, target, overwrite=force)
     say(OUT, f"Built {target.absolute()}")
-    show_failing(failing)
+    show("FAIL ", failing, "yellow")
     if not described.design.replaced:
-        show_notes(TEMPLATES[described.template].rates(described))
+        show("Note:", TEMPLATES[described.template].rates(described))
 
 
 def inputs(book: Path, output: Path | None, force: bool) -> None:
@@ -49,7 +49,7 @@ def inputs(book: Path, output: Path | None, force: bool) -> None:
         refuse_existing(output, force)
     with ERR.status(shown(f"Reading {book} …")):
         text, notes = entered(book)
-    show_notes(notes)
+    show("Note:", notes)
     if output is None:
         say_data(text)
         return
@@ -77,9 +77,9 @@ def regenerate(book: Path, output: Path, force: bool) -> None:
     refuse_existing(output, force)
     with ERR.status(shown(f"Regenerating {book} …")):
         notes, failing = making.regenerate(book, output, force)
-    show_notes(notes)
+    show("Note:", notes)
     say(OUT, f"Built {output.absolute()}")
-    show_failing(failing)
+    show("FAIL ", failing, "yellow")
 
 
 def templates(check: bool) -> int:
@@ -96,16 +96,10 @@ def templates(check: bool) -> int:
     return DISAGREES if stale else AGREES
 
 
-def show_failing(failing: list[str]) -> None:
-    """Print the machine's own checks that do not hold."""
-    for check in failing:
-        say(ERR, f"FAIL  {check}", "yellow")
-
-
-def show_notes(notes: list[str]) -> None:
-    """Print what was not carried over."""
-    for note in notes:
-        say(ERR, f"Note: {note}")
+def show(mark: str, lines: list[str], style: str = "") -> None:
+    """Print checks that fail, or notes on what was not carried over."""
+    for line in lines:
+        say(ERR, f"{mark} {line}", style)
 
 
 def new(template: str, output: Path | None, force: bool) -> None:

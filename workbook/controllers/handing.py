@@ -122,7 +122,9 @@ def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> 
     y, v, a, j = (clean(one, size * (len(x) / of.total) ** order) for order, one in enumerate((y, v, a, j)))
     had = [number.rounded(column) if name in target.columns else None
            for name, column in (("y'", v), ("y''", a), ("y'''", j))]  # fmt: skip
-    lines = lying(of, x) if "straight" in target.columns else None
+    h = WITHIN * np.diff(x)
+    begins, ends = of.index(x[:-1] + h), of.index(x[1:] - h)
+    lines = np.asarray(straight(of)[begins] & (begins == ends)) if "straight" in target.columns else None
     first, second = (v if number.whole else number.rounded(v))[[0, -1]].tolist()
     return Table(x, number.rounded(y, y_step), had[0], had[1], had[2], (first, second), lines, steps=(x_step, y_step))
 
@@ -133,13 +135,6 @@ def snapped(of: CamProfile, places: Array, x: Array) -> CamProfile:
     nearest = np.where(of.edges - places[after - 1] <= places[after] - of.edges, after - 1, after)
     on = np.abs(places[nearest] - of.edges) <= SAME * of.total
     return replace(of, edges=np.where(on, x[nearest], of.edges))
-
-
-def lying(of: CamProfile, x: Array) -> NDArray[np.bool_]:
-    """Return which ways between places lie within one straight stretch."""
-    h = np.diff(x)
-    first, last = of.index(x[:-1] + WITHIN * h), of.index(x[1:] - WITHIN * h)
-    return np.asarray(straight(of)[first] & (first == last))
 
 
 def clean(values: Array, size: float) -> Array:

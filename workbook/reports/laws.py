@@ -6,7 +6,7 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
-from engine.laws import CATALOGUE, Entry
+from engine.laws import CATALOGUE
 from engine.laws.continuity import WORDS, continuity
 from workbook.reports.console import plain
 
@@ -20,17 +20,15 @@ EXPLAINED = (
 
 
 def catalogue() -> list[dict[str, Any]]:
-    """Return every law of the catalogue with its coefficients, for its parameters as delivered."""
-    return [described(entry) for entry in CATALOGUE]
-
-
-def described(entry: Entry) -> dict[str, Any]:
-    """Return what is known of a law: names, source, coefficients, continuity, names elsewhere."""
-    law = entry.example()
-    figures = {name: plain(getattr(law.coefficients, field)) for name, field in (FIGURES | COSTS).items()}
-    smooth = dict(zip(SMOOTH, (WORDS[order] for order in continuity(law)), strict=True))
-    told = {"code": entry.code, "name": entry.name, "aliases": list(entry.aliases), "source": entry.source}
-    return told | figures | smooth | {"names": entry.vendors._asdict()}
+    """Return every law's names, source, coefficients, for its parameters as delivered, continuity, names elsewhere."""
+    rows: list[dict[str, Any]] = []
+    for entry in CATALOGUE:
+        law = entry.example()
+        figures = {name: plain(getattr(law.coefficients, field)) for name, field in (FIGURES | COSTS).items()}
+        smooth = dict(zip(SMOOTH, (WORDS[order] for order in continuity(law)), strict=True))
+        told = {"code": entry.code, "name": entry.name, "aliases": list(entry.aliases), "source": entry.source}
+        rows.append(told | figures | smooth | {"names": entry.vendors._asdict()})
+    return rows
 
 
 def show_catalogue(console: Console) -> None:

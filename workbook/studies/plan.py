@@ -130,19 +130,17 @@ KINDS = ("string_type", "list_type")
 
 def lines_of(error: ValidationError, where: str) -> list[str]:
     """Return a line for each of pydantic's faults; of an entry of several kinds, for the kind that was meant."""
-    faults = [(place_of(fault), fault) for fault in error.errors(include_url=False)]
+    faults: list[tuple[list[str], Any]] = []
+    for fault in error.errors(include_url=False):
+        place = [str(part + 1) if isinstance(part, int) else part for part in fault["loc"]]  # rows counted from 1
+        named = [part for part in place if part not in INNER and not part.startswith(("function-", "list["))]
+        faults.append((named, fault))
     told: dict[str, str] = {}
     for place, fault in faults:
         others = [other for other, _ in faults if other[: len(place)] == place]
         if len(others) < 2 or fault["type"] not in KINDS:
             told.setdefault(".".join(place), line_of(fault, place, where))
     return list(told.values()) or [line_of(faults[0][1], faults[0][0], where)]
-
-
-def place_of(fault: Any) -> list[str]:
-    """Return the names, and numbers from 1, on the way to a fault."""
-    place = [str(part + 1) if isinstance(part, int) else part for part in fault["loc"]]
-    return [part for part in place if part not in INNER and not part.startswith(("function-", "list["))]
 
 
 def line_of(fault: Any, place: list[str], where: str) -> str:
@@ -153,15 +151,11 @@ def line_of(fault: Any, place: list[str], where: str) -> str:
     if fault["type"] == "extra_forbidden":
         models: dict[int, type[BaseModel]] = {1: Study, 3: Vary}
         known = models.get(len(place))
-        expected = f"; expected one of {nearest(place[-1], keys_of(known))}" if known else ""
+        keys = [field.alias or name for name, field in known.model_fields.items()] if known else []
+        expected = f"; expected one of {nearest(place[-1], keys)}" if known else ""
         return f"{where}: {'.'.join(place)}: unknown entry{expected}"
     what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
     return f"{where}: {'.'.join(place)}: {what}; {fault['msg'][:1].lower()}{fault['msg'][1:]}"
-
-
-def keys_of(model: type[BaseModel]) -> list[str]:
-    """Return the keys of a table as they are written."""
-    return [field.alias or name for name, field in model.model_fields.items()]
 
 
 def planned(study: Study, base: Path, where: str) -> Plan:
