@@ -22,34 +22,22 @@ def nearest(given: str, known: Iterable[str]) -> str:
     return ", ".join(alike or names[:MOST]) + more
 
 
-def way(machine: Machine, key: str, where: str) -> tuple[list[str], Any]:
-    """Return the names and numbers (from 0) on the way that a key tells, and what stands at its end."""
-    entry: Any = machine
-    path: list[str] = []
-    for whole, number, plain in PART.findall(key):
-        entry, part = step(entry, whole or number or plain, bool(number), f"{where}: {key!r}")
-        path.append(part)
-    return path, entry
-
-
 def written(path: Sequence[str]) -> str:
     """Return the way to an entry as a study writes it."""
     return re.sub(r"\.(\d+)", lambda found: f"[{int(found[1]) + 1}]", ".".join(path))
 
 
-def path_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
-    """Return the names and numbers (from 0) on the way to an entry; raise InputError where there is none such."""
-    path, entry = way(machine, key, where)
-    if not path or isinstance(entry, BaseModel | list):
-        raise InputError([f"{where}: {key!r} is a table of entries; expected one of {nearest('', below(entry))} in it"])
-    return tuple(path)
-
-
-def table_of(machine: Machine, key: str, where: str) -> tuple[str, ...]:
-    """Return the way to a table of entries, such as a phase; raise InputError where there is none."""
-    path, entry = way(machine, key, where)
-    if not isinstance(entry, BaseModel):
+def path_of(machine: Machine, key: str, where: str, table: bool = False) -> tuple[str, ...]:
+    """Return the names and numbers (from 0) on the way to an entry, or to a table; raise InputError for neither."""
+    entry: Any = machine
+    path: list[str] = []
+    for whole, number, plain in PART.findall(key):
+        entry, part = step(entry, whole or number or plain, bool(number), f"{where}: {key!r}")
+        path.append(part)
+    if table and not isinstance(entry, BaseModel):
         raise InputError([f"{where}: {key!r} is no table of entries; expected a phase"])
+    if not table and (not path or isinstance(entry, BaseModel | list)):
+        raise InputError([f"{where}: {key!r} is a table of entries; expected one of {nearest('', below(entry))} in it"])
     return tuple(path)
 
 

@@ -23,7 +23,7 @@ from workbook.laws.entries import ENTRIES, references
 from workbook.laws.library import laws
 from workbook.reading.descriptions import counted, parsed, write_machine
 from workbook.studies.model import Bound, Study, Vary
-from workbook.studies.paths import below, changed, held, nearest, path_of, table_of, written
+from workbook.studies.paths import below, changed, held, nearest, path_of, written
 from workbook.studies.space import Dimension, Space, arranged
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.visible import found
@@ -200,7 +200,7 @@ def taken(plan: Plan, vary: Vary, paths: tuple[tuple[str, ...], ...], where: str
     entry = paths[0][-1]
     if len(paths) > 1 or entry not in EDGES:
         raise InputError([f"{where}, takes: {vary.keys} takes no room; expected one key, of {', '.join(EDGES)}"])
-    path = table_of(plan.base, vary.takes, f"{where}, takes")
+    path = path_of(plan.base, vary.takes, f"{where}, takes", table=True)
     if path == paths[0][:-1] or EDGES[entry][0] not in below(held(plan.data, path)):
         raise InputError([f"{where}, takes: {vary.takes!r} cannot give room; expected another phase"])
     return path
