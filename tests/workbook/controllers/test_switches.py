@@ -111,7 +111,7 @@ def test_random_switches_are_read_back(edges, across):
         one = target(name).tappets
         off = certified(lanes, one.read(written(name, lanes)))
         assert max(each.largest for each in off) <= (1e-4 if name == "rockwell" else 0.0)
-        assert max(each.apart for each in off) <= (1e-3 if name == "rockwell" else 0.0)
+        assert max(each.duration for each in off) <= (1e-3 if name == "rockwell" else 0.0)
 
 
 def test_a_switch_that_differs_is_told_by_edge_and_share():

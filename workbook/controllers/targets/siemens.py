@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from engine.cams.profile import CamProfile, ProfilePiece, profile
 from engine.cams.interpolation import HIGHEST, segmented, simple
+from engine.cams.profile import CamProfile, ProfilePiece, profile
 from engine.laws.base import Array
 from workbook.controllers.number import LREAL, literal
 from workbook.controllers.structured import assigned, comments, indexed, points, rows
