@@ -5,41 +5,21 @@ values declared is taken, so that an entry in one row of a table leaves alone wh
 """
 
 import operator
-import re
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from functools import lru_cache
-from typing import Any, NamedTuple
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.columns import Formulas, Moved
 from workbook.book.declare import Block, Book
-from workbook.book.formula import TOKEN, Area, Formula, FormulaError
+from workbook.book.formula import Area, Formula
+from workbook.book.tree import Node, tree
 
-
-class Call(NamedTuple):
-    """A function with its arguments, each a list of words and calls."""
-
-    name: str
-    arguments: list[list[Any]]
-
-
-class Word(NamedTuple):
-    """A word of a formula: an area, a text, a number or a sign."""
-
-    kind: str
-    value: Any
-
-
-DUMMY = re.compile(r"A([0-9]+)(:B[0-9]+)?")
+NONE = object()  # no value at all
 CHOOSING = frozenset(("INDEX", "MATCH", "IF", "CHOOSE"))  # functions that need not read all that they name
-ARGUMENT = "argument"
-TWICE = Word("number", 2.0)
-
-
-def together(arguments: list[list[Any]]) -> list[Any]:
-    """Return the words of several arguments."""
-    return [word for argument in arguments for word in argument]
+COMPARED: dict[str, Callable[[Any, Any], bool]] = {
+    "=": operator.eq, "<>": operator.ne, "<": operator.lt, ">": operator.gt, "<=": operator.le, ">=": operator.ge,
+}  # fmt: skip
 
 
 class Dependence:
@@ -96,91 +76,11 @@ class Dependence:
         """Whether a formula, as its values are, reads a cell."""
         if reader not in self._known:
             formula = self._formulas[reader]
-            areas = formula.arguments
+            areas: Iterable[Area | str] = formula.arguments
             if CHOOSING & formula.functions:
-                areas = tuple(self._used(bound(parsed(formula.shape), areas)))
+                areas = Reading(formula.arguments, self._values, self._keyed).of(tree(formula.shape))
             self._known[reader] = frozenset(area for area in areas if isinstance(area, Area))
         return any(area.holds(at) for area in self._known[reader])
-
-    def _used(self, nodes: list[Any]) -> Iterator[Area]:
-        for node in nodes:
-            if isinstance(node, Word):
-                if isinstance(node.value, Area):
-                    yield node.value
-            elif node.name == "INDEX" and len(node.arguments) == 2:
-                yield from self._indexed(*node.arguments)
-            elif node.name == "MATCH" and len(node.arguments) == 3:
-                yield from self._matched(*node.arguments[:2])
-            elif node.name == "IF" and len(node.arguments) == 3:
-                condition, *branches = node.arguments
-                truth = self._truth(condition)
-                yield from self._used(condition)
-                yield from self._used(branches[0 if truth else 1] if truth is not None else together(branches))
-            elif node.name == "CHOOSE":
-                choice, *branches = node.arguments
-                number = self._value(choice)
-                yield from self._used(choice)
-                taken = branches[number - 1 : number] if isinstance(number, int) and number > 0 else branches
-                yield from self._used(together(taken))
-            else:
-                yield from self._used(together(node.arguments))
-
-    def _indexed(self, place: list[Any], number: list[Any]) -> Iterator[Area]:
-        yield from self._used(number)
-        area = place[0].value if len(place) == 1 and isinstance(place[0], Word) else None
-        row = self._value(number)
-        if isinstance(area, Area) and area.left == area.right and isinstance(row, int) and 0 < row <= area.size:
-            yield area._replace(top=area.top + row - 1, bottom=area.top + row - 1)
-        else:
-            yield from self._used(place)
-
-    def _matched(self, key: list[Any], place: list[Any]) -> Iterator[Area]:
-        """Yield what a look-up reads: in a column of keys 2 · number + share those of its number."""
-        yield from self._used(key)
-        area = place[0].value if len(place) == 1 and isinstance(place[0], Word) else None
-        number = self._value(key[2:3]) if len(key) > 2 and key[0] == TWICE else None
-        if area not in self._keyed or not isinstance(number, int):
-            yield from self._used(place)
-            return
-        rows = [i for i, cell in enumerate(area.cells()) if number <= self._values[cell] / 2 < number + 1]
-        if rows:
-            yield area._replace(top=area.top + rows[0], bottom=area.top + rows[-1])
-
-    def _value(self, nodes: list[Any]) -> Any:
-        """Return what a plain word stands for, or None; a whole number as one."""
-        if len(nodes) != 1 or not isinstance(nodes[0], Word):
-            return None
-        found = nodes[0].value
-        if isinstance(found, Area):
-            found = self._values.get(found.first) if found.size == 1 else None
-        return int(found) if isinstance(found, float) and found.is_integer() else found
-
-    def _truth(self, nodes: list[Any]) -> bool | None:
-        """Return whether a plain comparison, or several joined, holds; None where that cannot be told."""
-        if len(nodes) == 1 and isinstance(nodes[0], Call):
-            name, arguments = nodes[0]
-            told = [self._truth(argument) for argument in arguments]
-            if name == "NOT":
-                return None if told[0] is None else not told[0]
-            if name == "AND":
-                return False if False in told else None if None in told else True
-            if name == "OR":
-                return True if True in told else None if None in told else False
-            return None
-        for i, node in enumerate(nodes):
-            if isinstance(node, Word) and node.kind == "comparison":
-                return compared(node.value, self._held(nodes[:i]), self._held(nodes[i + 1 :]))
-        return None
-
-    def _held(self, nodes: list[Any]) -> Any:
-        """Return what one side of a comparison is; an empty cell is an empty text."""
-        if len(nodes) == 1 and isinstance(nodes[0], Word) and isinstance(nodes[0].value, Area):
-            area = nodes[0].value
-            if area.size > 1 or area.first not in self._values:
-                return None
-            found = self._values[area.first]
-            return "" if found is None else found
-        return self._value(nodes)
 
     def _area(self, name: str, sheet: str) -> Area:
         """Return what a name of the book means, or ``title!``."""
@@ -199,15 +99,98 @@ class Dependence:
         return placed(block, first, last - first + 1)
 
 
+class Reading:
+    """What a formula of these arguments reads, as the values are; ``keyed`` are columns of keys 2 · number + share."""
+
+    def __init__(self, arguments: Sequence[Area | str], values: Mapping[Address, Any], keyed: Collection[Area]) -> None:
+        self.arguments, self.values, self.keyed = arguments, values, keyed
+
+    def of(self, *nodes: Node) -> Iterator[Area]:
+        """Yield the areas that are read."""
+        for node in nodes:
+            called = (node.value, len(node.parts)) if node.kind == "call" else None
+            if node.kind == "argument":
+                yield from self.areas(node)
+            elif called == ("INDEX", 2):
+                yield from self.indexed(*node.parts)
+            elif called == ("MATCH", 3):
+                yield from self.matched(*node.parts[:2])
+            elif called == ("IF", 3):
+                condition, *branches = node.parts
+                truth = self.truth(condition)
+                yield from self.of(condition, *(branches if truth is None else [branches[0 if truth else 1]]))
+            elif called and node.value == "CHOOSE":
+                choice, *branches = node.parts
+                number = self.value(choice)
+                known = isinstance(number, int) and number > 0
+                yield from self.of(choice, *(branches[number - 1 : number] if known else branches))
+            else:
+                yield from self.of(*node.parts)
+
+    def areas(self, node: Node) -> Iterator[Area]:
+        """Yield the area that a node is, if it is one."""
+        if node.kind == "argument" and isinstance(area := self.arguments[node.value], Area):
+            yield area
+
+    def indexed(self, place: Node, number: Node) -> Iterator[Area]:
+        """Yield what is read of a column by number: the cell, where the number is known."""
+        row = self.value(number)
+        yield from self.of(number)
+        for area in self.areas(place):
+            if area.left == area.right and isinstance(row, int) and 0 < row <= area.size:
+                yield area._replace(top=area.top + row - 1, bottom=area.top + row - 1)
+                return
+        yield from self.of(place)
+
+    def matched(self, key: Node, place: Node) -> Iterator[Area]:
+        """Yield what a look-up reads: in a column of keys 2 · number + share those of its number."""
+        yield from self.of(key)
+        area, first = next(self.areas(place), None), key
+        while first.kind == "operation" and first.value in ("+", "-"):
+            first = first.parts[0]
+        twice = first.value == "*" and first.parts[0] == Node("number", 2.0)
+        number = self.value(first.parts[1]) if twice else None
+        if area not in self.keyed or not isinstance(number, int):
+            yield from self.of(place)
+            return
+        rows = [i for i, cell in enumerate(area.cells()) if number <= self.values[cell] / 2 < number + 1]
+        if rows:
+            yield area._replace(top=area.top + rows[0], bottom=area.top + rows[-1])
+
+    def value(self, node: Node) -> Any:
+        """Return what a number, a text or a cell stands for, or None; a whole number as one."""
+        found = node.value if node.kind == "number" else None
+        if node.kind == "argument":
+            found = self.arguments[node.value]
+        if isinstance(found, Area):
+            found = self.values.get(found.first) if found.size == 1 else None
+        return int(found) if isinstance(found, float) and found.is_integer() else found
+
+    def truth(self, node: Node) -> bool | None:
+        """Return whether a plain comparison, or several joined, holds; None where that cannot be told."""
+        if node.kind == "operation" and node.value in COMPARED:
+            return compared(node.value, *map(self.held, node.parts))
+        told = [self.truth(part) for part in node.parts] if node.kind == "call" else []
+        if node.value == "NOT" and told:
+            return None if told[0] is None else not told[0]
+        if node.value == "AND" and told:
+            return False if False in told else None if None in told else True
+        if node.value == "OR" and told:
+            return True if True in told else None if None in told else False
+        return None
+
+    def held(self, node: Node) -> Any:
+        """Return what one side of a comparison is; an empty cell is an empty text."""
+        for area in self.areas(node):
+            found = self.values.get(area.first, NONE) if area.size == 1 else NONE
+            return None if found is NONE else "" if found is None else found
+        return self.value(node)
+
+
 def placed(block: Block, column: int, columns: int) -> Area:
     """Return the area of a block's columns."""
     last, right = block.row + block.size - 1, column + columns - 1
     return Area(block.sheet.title, block.row, column, last, right, block.size == columns == 1)
-
-
-COMPARED: dict[str, Callable[[Any, Any], bool]] = {
-    "=": operator.eq, "<>": operator.ne, "<": operator.lt, ">": operator.gt, "<=": operator.le, ">=": operator.ge,
-}  # fmt: skip
 
 
 def compared(sign: str, one: Any, other: Any) -> bool | None:
@@ -220,52 +203,3 @@ def compared(sign: str, one: Any, other: Any) -> bool | None:
     if all(texts):
         one, other = one.lower(), other.lower()
     return COMPARED[sign](one, other)
-
-
-@lru_cache(maxsize=10_000)
-def parsed(shape: str) -> list[Any]:
-    """Return a shape as words and calls; of an argument its number. Raises FormulaError for text that is none."""
-    open_calls: list[tuple[str, list[list[Any]]]] = [("", [[]])]
-    position = 1
-    while position < len(shape):
-        found = TOKEN.match(shape, position)
-        if found is None or found.lastgroup == "other":
-            position = signed(shape, position, open_calls)
-            continue
-        position = found.end()
-        kind, word = found.lastgroup or "", found[0]
-        if kind == "function":
-            open_calls.append((word[:-1].upper(), [[]]))
-        elif kind == "number":
-            open_calls[-1][1][-1].append(Word(kind, float(word)))
-        elif dummy := DUMMY.fullmatch(word):
-            open_calls[-1][1][-1].append(Word(ARGUMENT, int(dummy[1]) - 1))
-    return open_calls[0][1][0]
-
-
-def bound(nodes: list[Any], arguments: Sequence[Area | str]) -> list[Any]:
-    """Return words and calls of a shape with its arguments in place."""
-    return [
-        Call(node.name, [bound(each, arguments) for each in node.arguments]) if isinstance(node, Call)
-        else Word(ARGUMENT, arguments[node.value]) if node.kind == ARGUMENT else node
-        for node in nodes
-    ]  # fmt: skip
-
-
-def signed(text: str, position: int, open_calls: list[tuple[str, list[list[Any]]]]) -> int:
-    """Take in a sign between words; return where the next word begins."""
-    sign = text[position]
-    if sign == "(":
-        open_calls.append(("", [[]]))
-    elif sign == ",":
-        open_calls[-1][1].append([])
-    elif sign == ")":
-        if len(open_calls) == 1:
-            raise FormulaError("#NAME?", "a bracket closes that none opens")
-        name, arguments = open_calls.pop()
-        open_calls[-1][1][-1].append(Call(name, arguments))
-    else:
-        longer = text[position : position + 2]
-        sign = longer if longer in COMPARED else sign
-        open_calls[-1][1][-1].append(Word("comparison" if sign in COMPARED else "sign", sign))
-    return position + len(sign)

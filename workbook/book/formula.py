@@ -7,7 +7,7 @@ the names of functions reaches a compiler.
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -142,6 +142,17 @@ def read(text: str, sheet: str, area: Resolve, known: dict[str, Area | str] | No
 
     shape = "=" + TOKEN.sub(replaced, text[1:])
     return Formula(shape, tuple(arguments), tuple(written))
+
+
+def words(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the words of a formula with their kinds, and the signs between them, without blanks."""
+    at = 0
+    while at < len(text):
+        token = TOKEN.match(text, at)
+        kind, word = (str(token.lastgroup), token[0]) if token else ("sign", text[at])
+        at += len(word)
+        if kind != "space":
+            yield kind, word
 
 
 def meant(kind: str | None, word: str, sheet: str, area: Resolve) -> Area | str:

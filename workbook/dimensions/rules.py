@@ -8,7 +8,7 @@ from fractions import Fraction
 from workbook.book.address import Address
 from workbook.book.columns import Moved
 from workbook.book.formula import Area, Formula, FormulaError
-from workbook.dimensions.tree import Node, tree
+from workbook.book.tree import Node, tree
 from workbook.dimensions.units import NONE, Dimension, dimension_of, is_either, powers, written
 from workbook.reading.contents import Contents
 
@@ -80,6 +80,8 @@ class Reading:
             return self.arguments[int(node.value)]
         if node.kind == "other":
             return FREE
+        if node.kind == "constants":
+            raise FormulaError("#VALUE!", "constants side by side have no dimension of their own")
         parts = [self.of(part) for part in node.parts]
         return self.operation(node.value, parts) if node.kind == "operation" else self.call(node.value, parts)
 

@@ -1,8 +1,6 @@
 """Whether a formula takes one cell of a range by where it stands, as Excel does and evaluators do not."""
 
-from collections.abc import Iterator
-
-from workbook.book.formula import TOKEN
+from workbook.book.formula import words
 
 SIGNS = frozenset("+-*/^&=<>%")
 OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))
@@ -27,17 +25,6 @@ def spreads(formula: str) -> bool:
             if not called or (computed(found, k) and OVER_ARRAYS.isdisjoint(called)):
                 return True
     return False
-
-
-def words(text: str) -> Iterator[tuple[str, str]]:
-    """Yield the words of a formula with their kinds, and the signs between them, without blanks."""
-    at = 0
-    while at < len(text):
-        token = TOKEN.match(text, at)
-        kind, word = (str(token.lastgroup), token[0]) if token else ("sign", text[at])
-        at += len(word)
-        if kind != "space":
-            yield kind, word
 
 
 def several(word: str) -> bool:

@@ -5,15 +5,14 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from workbook.book.formula import FormulaError
-from workbook.witnesses.spread import words
+from workbook.book.formula import FormulaError, words
 
 LEVELS = (("=", "<>", "<", ">", "<=", ">="), ("&",), ("+", "-"), ("*", "/"), ("^",))
 """operations of two sides, those that bind least first"""
 
 
 class Node(NamedTuple):
-    """An operation, a call, a number, an argument of the formula, or a text or error; and what it is made of."""
+    """An operation, a call, a number, an argument, constants side by side, or a name or error; and its parts."""
 
     kind: str
     value: Any = None
@@ -65,6 +64,10 @@ class Reader:
         elif word == "(":
             node = self.level(0)
             self.next()
+        elif word == "{":
+            while self.next()[1] != "}":
+                pass
+            node = Node("constants")
         elif kind == "number":
             node = Node("number", float(word))
         elif kind == "reference":
