@@ -150,7 +150,7 @@ class Reading:
             first = first.parts[0]
         twice = first.value == "*" and first.parts[0] == Node("number", 2.0)
         number = self.value(first.parts[1]) if twice else None
-        if area not in self.keyed or not isinstance(number, int):
+        if area is None or area not in self.keyed or not isinstance(number, int):
             yield from self.of(place)
             return
         rows = [i for i, cell in enumerate(area.cells()) if number <= self.values[cell] / 2 < number + 1]

@@ -6,7 +6,7 @@ The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and
 from engine.drive.motor import CORNERS, Corners, Motor, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
-from workbook.book.sentence import NOTHING, Said, exceeding
+from workbook.book.sentence import NOTHING, Said, amount, exceeding
 from workbook.entries.units import RPM, shown
 
 RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"
@@ -25,6 +25,24 @@ def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quant
               .then(mends)),
         check("@ok_speed", f"{of}: speed within the motor's", "@speed<=@motor_nmax", reserve.speed.ok,
               says=exceeding("@speed", "@motor_nmax", "rpm", *fastest).then(mends)),
+    ]  # fmt: skip
+
+
+def below_curve(of: str, falls: float, spare: float, mends: Said = NOTHING) -> Quantity:
+    """Return the check that the torque stays below a curve that falls (Nm s), of which so much is to spare (Nm)."""
+    says = amount("0-@spare", -spare, "", " Nm more than the motor has at its speed").then(mends)
+    return check("@ok_curve", f"{of}: torque below the motor's curve", "OR(@fall=0,@spare>=0)",
+                 not falls or spare >= 0.0, says=says)  # fmt: skip
+
+
+def within_reducer(of: str, *found: tuple[str, str, str, bool, float, float], mends: Said = NOTHING) -> list[Quantity]:
+    """Return checks of a reducer's limits: which, its cells, whether it is met, value and limit as shown."""
+    units = {"torque": "Nm", "mean torque": "Nm", "speed": "rpm"}
+    names = {"torque": "peak", "mean torque": "mean", "speed": "speed"}
+    return [
+        check(f"@ok_reducer_{names[what]}", f"{of}: {what} within the reducer's", f"OR({limit}=0,{cell}<={limit})", ok,
+              says=exceeding(cell, limit, units[what], value, most).then(mends))
+        for what, cell, limit, ok, value, most in found
     ]  # fmt: skip
 
 

@@ -1,6 +1,6 @@
 """The shaft that a motor and a reducer are chosen for: what it asks of them, in figures and in formulas."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from engine.drive.quadrature import COUNT
 from engine.laws.base import Array
 from engine.selection.point_load import PointLoad
+from workbook.book.chart import in_scope
 from workbook.book.rows import filled
 
 
@@ -20,6 +21,30 @@ class Figure(NamedTuple):
     formula: str
     value: float
     scale: float = 0.0
+
+
+LABELS = {
+    "own": ("mean of α²", "rad²/s⁴"), "square": ("mean of S², driving", "Nm²"), "square_back": ("… driven", "Nm²"),
+    "product": ("mean of α S, driving", "W/s"), "product_back": ("… driven", "W/s"),
+    "way": ("share of the cycle in motion", ""), "way_turning": ("mean of α d", "rad/s²"),
+    "way_behind": ("mean of S d, driving", "Nm"), "way_back": ("… driven", "Nm"), "speed": ("largest speed", "rad/s"),
+    "mean": ("mean speed", "rad/s"), "smax": ("largest torque", "Nm"), "smean": ("mean torque", "Nm"),
+    "cycles": ("cycles an hour", "1/h"), "inertia": ("inertia", "kg m²"), "beside": ("parts beside the motor", "kg m²"),
+    "brake": ("held by a brake at rest", ""), "by_power": ("losses by the flow of power", ""),
+    "left": ("rated torque available at the ambient temperature", ""), "held_j": ("inertia with its motor", "kg m²"),
+    "held_jm": ("its motor", "kg m²"), "held_i": ("its reduction", ""), "held_eta": ("its efficiency", ""),
+    "held_no_load": ("its no-load torque", "Nm"), "held_rated": ("its continuous torque", "Nm"),
+    "held_peak": ("its peak torque", "Nm"), "held_top": ("peak torque demand", "Nm"),
+    "held_spare": ("reserve below the motor's curve", "Nm"), "held_nmax": ("its largest speed", "rpm"),
+    "held_row": ("its row of motors", ""), "held_gear": ("its row of reducers", ""),
+    "turns": ("acceleration of its shaft over that of its points", ""),
+}  # fmt: skip
+"""of each figure of a shaft and of the pair that drives it, in the order of the sheet: what it is, and its unit"""
+
+
+def figures(scope: str, found: Mapping[str, tuple[str, float] | tuple[str, float, float]]) -> list[Figure]:
+    """Return figures of their formulas, values and scales, ``scope`` in place of @."""
+    return [Figure(name, *of, in_scope(found[name][0], scope), *found[name][1:]) for name, of in LABELS.items()]
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,7 @@ from engine.drive.quadrature import COUNT
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import amount, exceeding
-from workbook.drive.motor import continuous, limit_checks, limits_table, plane, rms_point
+from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, plane, rms_point, within_reducer
 from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.flying.driving import ToolDrive
@@ -91,23 +90,17 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
 def checks(view: ToolDrive) -> list[Quantity]:
     """Return the checks of the motor's and the reducer's limits."""
     fastest, strongest, lasting = view.limits
-    speed, torque, spare = view.speed, view.chosen.torque_factor * view.asked.torque, float(view.left.min())
+    speed, mean, torque = view.speed, view.asked.mean_torque, view.chosen.torque_factor * view.asked.torque
     return [
         check("@ok_told", "Drive: motor and reducer are in the catalogue", "@motor_row*@reducer_row>0", True,
               says=f'"{UNLISTED}"'),
         *limit_checks(view.reserve, "Drive"),
-        check("@ok_curve", "Drive: torque below the motor's curve", "OR(@fall=0,@spare>=0)",
-              not view.falling.fall or spare >= 0.0,
-              says=amount("0-@spare", -spare, "", " Nm more than the motor has at its speed")),
-        check("@ok_reducer_speed", "Drive: speed within the reducer's", "OR(@reducer_nmax=0,@speed<=@reducer_nmax)",
-              not fastest or speed <= fastest,
-              says=exceeding("@speed", "@reducer_nmax", "rpm", shown(speed, RPM), shown(fastest, RPM))),
-        check("@ok_reducer_peak", "Drive: torque within the reducer's",
-              "OR(@reducer_peak=0,sel_tmax<=@reducer_peak)", not strongest or torque <= strongest,
-              says=exceeding("sel_tmax", "@reducer_peak", "Nm", torque, strongest)),
-        check("@ok_reducer_mean", "Drive: mean torque within the reducer's",
-              "OR(@reducer_mean=0,@smean<=@reducer_mean)", not lasting or view.asked.mean_torque <= lasting,
-              says=exceeding("@smean", "@reducer_mean", "Nm", view.asked.mean_torque, lasting)),
+        below_curve("Drive", view.falling.fall, float(view.left.min())),
+        *within_reducer(
+            "Drive", ("speed", "@speed", "@reducer_nmax", not fastest or speed <= fastest, shown(speed, RPM),
+                      shown(fastest, RPM)),
+            ("torque", "sel_tmax", "@reducer_peak", not strongest or torque <= strongest, torque, strongest),
+            ("mean torque", "@smean", "@reducer_mean", not lasting or mean <= lasting, mean, lasting)),
     ]  # fmt: skip
 
 

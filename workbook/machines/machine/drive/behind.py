@@ -12,7 +12,7 @@ from workbook.book.declare import Sheet, calc
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.view import DriveView
-from workbook.selection.shaft import Figure, Shaft
+from workbook.selection.shaft import Figure, Shaft, figures
 
 DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
 BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
@@ -83,10 +83,8 @@ def means(sheet: Sheet, view: DriveView) -> None:
 def shaft_of(view: DriveView) -> Shaft:
     """Return the shaft behind the reducer of a drive, as the sheet Selection reads it."""
     d, load = view.driven, load_of(view)
-    scope = f"drive{d.number}_"
-    figures = [one._replace(formula=one.formula.replace("@", scope)) for one in figures_of(view, load)]
     return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load,
-                 "ABS({})/@held_i", turning(view), view.scales.behind, figures)  # fmt: skip
+                 "ABS({})/@held_i", turning(view), view.scales.behind, figures_of(view, load))  # fmt: skip
 
 
 def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
@@ -97,38 +95,21 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
     spare, left = "@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top
     if view.knows_falling:
         spare, left = "@spare", view.spare
-    return [
-        Figure("own", "mean of α²", "rad²/s⁴", "@ask_own", own, alpha**2),
-        Figure("square", "mean of S², driving", "Nm²", "@ask_square", square, behind**2),
-        Figure("square_back", "… driven", "Nm²", "@ask_square_back", square_back, behind**2),
-        Figure("product", "mean of α S, driving", "W/s", "@ask_product", mixed, alpha * behind),
-        Figure("product_back", "… driven", "W/s", "@ask_product_back", mixed_back, alpha * behind),
-        Figure("way", "share of the cycle in motion", "", "@ask_way", ways[0]),
-        Figure("way_turning", "mean of α d", "rad/s²", "@ask_way_turning", ways[1], alpha),
-        Figure("way_behind", "mean of S d, driving", "Nm", "@ask_way_behind", ways[2], behind),
-        Figure("way_back", "… driven", "Nm", "@ask_way_back", ways[3], behind),
-        Figure("speed", "largest speed", "rad/s", "@ask_speed", load.speed),
-        Figure("mean", "mean speed", "rad/s", "@mean*PI()/30/@i1", load.mean_speed),
-        Figure("smax", "largest torque", "Nm", "@smax", load.torque, behind),
-        Figure("smean", "mean torque", "Nm", "@smean", view.reducer_checks[1].value, behind),
-        Figure("cycles", "cycles an hour", "1/h", "@cycles", view.cycles),
-        Figure("inertia", "inertia", "kg m²", "@ask_inertia", load.inertia),
-        Figure("beside", "parts beside the motor", "kg m²", "@ask_beside", d.beside_motor),
-        Figure("brake", "held by a brake at rest", "", '(@holding="brake")', float(d.holding == "brake")),
-        Figure("by_power", "losses by the flow of power", "", '(@method="physical")',
-               float(d.given.method == "physical")),
-        Figure("left", "rated torque available at the ambient temperature", "", "@derate", d.left),
-        Figure("held_j", "inertia with its motor", "kg m²", "@j0", d.at_motor),
-        Figure("held_jm", "its motor", "kg m²", "@jm", motor.inertia),
-        Figure("held_i", "its reduction", "", "@i1", d.reducer.ratio),
-        Figure("held_eta", "its efficiency", "", "@eta1", d.reducer.efficiency),
-        Figure("held_no_load", "its no-load torque", "Nm", "@no_load", d.reducer.no_load_torque),
-        Figure("held_rated", "its continuous torque", "Nm", "@continuous", view.reserve.rms_torque.limit),
-        Figure("held_peak", "its peak torque", "Nm", "@motor_peak", motor.peak_torque),
-        Figure("held_top", "peak torque demand", "Nm", "MAX(@tmax,0-@tmin)", top, torque),
-        Figure("held_spare", "reserve below the motor's curve", "Nm", spare, left, torque),
-        Figure("held_nmax", "its largest speed", "rpm", "@motor_nmax", motor.max_speed),
-        Figure("held_row", "its row of motors", "", "@motor_row", motor.row),
-        Figure("held_gear", "its row of reducers", "", "@reducer_row", d.reducer.row),
-        Figure("turns", "acceleration of its shaft over that of its points", "", "@ask_turns", turns_of(view)),
-    ]  # fmt: skip
+    return figures(f"drive{d.number}_", {
+        "own": ("@ask_own", own, alpha**2), "square": ("@ask_square", square, behind**2),
+        "square_back": ("@ask_square_back", square_back, behind**2), "product": ("@ask_product", mixed, alpha * behind),
+        "product_back": ("@ask_product_back", mixed_back, alpha * behind), "way": ("@ask_way", ways[0]),
+        "way_turning": ("@ask_way_turning", ways[1], alpha), "way_behind": ("@ask_way_behind", ways[2], behind),
+        "way_back": ("@ask_way_back", ways[3], behind), "speed": ("@ask_speed", load.speed),
+        "mean": ("@mean*PI()/30/@i1", load.mean_speed), "smax": ("@smax", load.torque, behind),
+        "smean": ("@smean", view.reducer_checks[1].value, behind), "cycles": ("@cycles", view.cycles),
+        "inertia": ("@ask_inertia", load.inertia),
+        "beside": ("@ask_beside", d.beside_motor), "brake": ('(@holding="brake")', float(d.holding == "brake")),
+        "by_power": ('(@method="physical")', float(d.given.method == "physical")), "left": ("@derate", d.left),
+        "held_j": ("@j0", d.at_motor), "held_jm": ("@jm", motor.inertia), "held_i": ("@i1", d.reducer.ratio),
+        "held_eta": ("@eta1", d.reducer.efficiency), "held_no_load": ("@no_load", d.reducer.no_load_torque),
+        "held_rated": ("@continuous", view.reserve.rms_torque.limit), "held_peak": ("@motor_peak", motor.peak_torque),
+        "held_top": ("MAX(@tmax,0-@tmin)", top, torque), "held_spare": (spare, left, torque),
+        "held_nmax": ("@motor_nmax", motor.max_speed), "held_row": ("@motor_row", motor.row),
+        "held_gear": ("@reducer_row", d.reducer.row), "turns": ("@ask_turns", turns_of(view)),
+    })  # fmt: skip

@@ -3,8 +3,8 @@
 import math
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
-from workbook.book.sentence import Said, amount, exceeding
-from workbook.drive.motor import continuous, limit_checks, limits_table, rms_point
+from workbook.book.sentence import Said
+from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
 from workbook.entries.titles import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine.drive import behind, by_angle, max_rate
@@ -210,9 +210,7 @@ def curve_check(view: DriveView, mends: Said) -> Quantity:
         return check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed",
                      "@drop=0", not view.driven.catalogued_falling.fall,
                      says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
-    says = amount("0-@spare", -view.spare, "", " Nm more than the motor has at its speed")
-    return check("@ok_curve", f"{called}: torque below the motor's curve", "OR(@fall=0,@spare>=0)",
-                 not view.driven.falling.fall or view.spare >= 0.0, says=says.then(mends))  # fmt: skip
+    return below_curve(called, view.driven.falling.fall, view.spare, mends)
 
 
 def linkage_checks(view: DriveView) -> list[Quantity]:
@@ -230,17 +228,9 @@ def linkage_checks(view: DriveView) -> list[Quantity]:
 
 def reducer_checks(view: DriveView, mends: Said) -> list[Quantity]:
     """Return the checks of the reducer's limits."""
-    driven = view.driven
-    label, (torque, mean, speed) = f"{driven.called}: ", view.reducer_checks
-    fastest, limit = shown(speed.value, RPM), driven.reducer.max_speed
-    return [
-        check("@ok_reducer_peak", f"{label}torque within the reducer's", "OR(@reducer_held=0,@smax<=@reducer_held)",
-              torque.ok, says=exceeding("@smax", "@reducer_held", "Nm", torque.value, torque.limit)
-              .then(mends)),
-        check("@ok_reducer_mean", f"{label}mean torque within the reducer's",
-              "OR(@reducer_mean=0,@smean<=@reducer_mean)", mean.ok,
-              says=exceeding("@smean", "@reducer_mean", "Nm", mean.value, driven.reducer.mean_torque)
-              .then(mends)),
-        check("@ok_reducer_speed", f"{label}speed within the reducer's", "OR(@reducer_nmax=0,@speed<=@reducer_nmax)",
-              speed.ok, says=exceeding("@speed", "@reducer_nmax", "rpm", fastest, limit).then(mends)),
-    ]  # fmt: skip
+    reducer, (torque, mean, speed) = view.driven.reducer, view.reducer_checks
+    return within_reducer(
+        view.driven.called, ("torque", "@smax", "@reducer_held", torque.ok, torque.value, torque.limit),
+        ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
+        ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
+    )  # fmt: skip
