@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
-from engine.selection.ratios import Ranges, RatioCurves, ratio_curves, ratio_ranges
+from engine.selection.ratios import ratio_curves, ratio_ranges
 from engine.selection.task import NOTHING
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
@@ -26,19 +26,10 @@ class RatiosSheet:
         self.view, self.choice, self.task = view, view.before, view.before.grid.task
         self.rooms, self.efficiency = self.choice.rooms, view.chosen.efficiency
         self.first = float(self.choice.reducers.ratio[0])
-
-    @property
-    def ranges(self) -> Ranges:
-        """The range of each motor."""
-        m = self.choice.motors
-        return ratio_ranges(self.task, m.rated_torque, m.inertia, m.max_speed, self.efficiency)
-
-    @property
-    def curves(self) -> RatioCurves:
-        """The ratios of the motor in use over the load factor."""
-        motor = self.view.motor
-        begin = LEAST, MOST
-        return ratio_curves(self.task, motor.rated_torque, motor.inertia, self.efficiency, POINTS, begin)
+        m, motor = self.choice.motors, view.motor
+        self.ranges = ratio_ranges(self.task, m.rated_torque, m.inertia, m.max_speed, self.efficiency)
+        self.curves = ratio_curves(self.task, motor.rated_torque, motor.inertia, self.efficiency, POINTS, (LEAST, MOST))
+        """the ratios of the motor in use over the load factor"""
 
     def declare(self, book: Book) -> None:
         """Declare the sheet."""
@@ -89,7 +80,7 @@ class RatiosSheet:
         found, n, m = self.ranges, self.rooms[0], self.choice.motors
         places = np.arange(1, n + 1)
         low, high = (self.drawn(one, n, found.accepted) for one in (found.lowest, found.tau_max))
-        words = [verdict(*one) for one in zip(found.strong, found.accepted, strict=True)] if self.task.moves else []
+        words = np.where(found.accepted, "yes", np.where(found.strong, "too slow", "too weak"))
 
         def of(values: Array) -> list[Any]:
             return filled(np.nan_to_num(values), n)
@@ -100,7 +91,7 @@ class RatiosSheet:
             constant("k", "number", "k", "", places.tolist()),
             result("verdict", "has a range of τ?", "", "",
                    '=IF([j]*sel_moves=0,"–",IF([enough]=0,"too weak",IF([low]<=[tau_max],"yes","too slow")))',
-                   filled(words, n, "–")),
+                   filled(words if self.task.moves else [], n, "–")),
             result("alpha", "accelerating factor", "α", "W/s", "=IF([j]>0,INDEX([sel_motors.rated],[k])^2/[j],0)",
                    of(found.accelerating_factor), source="T_N²/J_M", format='0;-0;"–"'),
             result("tau_min", "least ratio", "τ_min", "", "=IF([enough]=1,2*SQRT([j])*sel_wrms/([wide]+[root]),0)",
@@ -184,11 +175,6 @@ class RatiosSheet:
                    "=IF(sel_moves=1,SQRT(drive_jm)*([wide]+[root])*ratio_eta/(2*sel_trms*[pace]),"
                    "1/[sel_reducers.i.1])", drawn(x.tau_max)),
         )  # fmt: skip
-
-
-def verdict(strong: bool, accepted: bool) -> str:
-    """Return whether a motor has a range of ratios, in words."""
-    return "yes" if accepted else "too slow" if strong else "too weak"
 
 
 def figure11(motors: int) -> Chart:
