@@ -1,24 +1,12 @@
-"""A phase as entered wherever phases follow one another: a law over a lift in a duration."""
+"""Rules of a phase as it is entered wherever phases follow one another."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
 from pydantic import Field
 
 from workbook.book.limits import RowRule
-from workbook.entries.types import DesignError, EntryError, Model, Number, Positive
-from workbook.laws.entries import LawName, Laws
-
-
-class PhaseEntry(Model):
-    """One phase: a law, carried out over a lift in a duration, in the units of the motion."""
-
-    law: LawName = "DWL"
-    lift: Number = 0.0
-    duration: Positive
-
-    def design_faults(self) -> Iterator[DesignError]:
-        """Yield a dwell that is to lift."""
-        yield from resting(self.law, self.lift)
+from workbook.entries.types import DesignError, EntryError, Model, Number
+from workbook.laws.entries import Laws
 
 
 class Passing(Model):

@@ -1,30 +1,20 @@
 """How many pieces a motion has, and the room that its table has for them."""
 
-from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from typing import Any, Protocol
+from typing import Any
+
+from pydantic import BaseModel
 
 from engine.laws import Law
 from engine.motion.pieces import law_pieces
 from workbook.entries.machine import Machine
-from workbook.entries.types import DesignError, EntryError, TogetherError
+from workbook.entries.types import EntryError
 from workbook.laws.entries import Laws
 from workbook.laws.library import laws
 
 FEW = 8  # rows more than are used, where a description does not say how many
 KNOWN = 256  # laws of which is kept how many pieces they have: a study asks for each many times
 CROWDED = "{} pieces do not fit into {} rows; build it with larger sizes.motion_pieces"
-
-
-class Phased(Protocol):
-    """A phase as entered."""
-
-    @property
-    def law(self) -> str:
-        """The name of its law."""
-
-    def model_dump(self) -> dict[str, Any]:
-        """Return its entries."""
 
 
 def counts(given: Laws) -> dict[str, int]:
@@ -54,29 +44,12 @@ def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
     return room
 
 
-def settle_phases(machine: Machine, motions: Mapping[str, Sequence[Phased]]) -> None:
-    """Settle the room for motions of phases, by the places of their entries in the description.
-
-    Raises TogetherError for motions of more pieces than there is room for.
-    """
-    number = counts(machine.laws)
-    needed = [sum(number[phase.law] for phase in phases) for phases in motions.values()]
-    room = settle(machine, max(needed), machine.sizes.phases)
-    found = [
-        DesignError(key, CROWDED.format(count, room), rule_of(i), [at_rest(phase) for phase in phases])
-        for i, ((key, phases), count) in enumerate(zip(motions.items(), needed, strict=True), 1)
-        if count > room
-    ]
-    if found:
-        raise TogetherError(found)
-
-
 def rule_of(i: int) -> str:
     """Return the name of the rule that the pieces of the i-th motion, from 1, find room."""
     return f"room{i}"
 
 
-def at_rest(phase: Phased) -> dict[str, Any]:
+def at_rest(phase: BaseModel) -> dict[str, Any]:
     """Return the entries of a phase that does not move instead."""
     return phase.model_dump() | {"law": "DWL", "lift": 0.0}
 
