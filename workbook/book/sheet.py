@@ -9,21 +9,10 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
+from workbook.book import limits
 from workbook.book.block import Block
 from workbook.book.chart import Chart, in_scope
-from workbook.book.limits import (
-    MESSAGES,
-    SPARE,
-    USED,
-    Guard,
-    Limit,
-    RowRule,
-    all_empty,
-    beside,
-    full,
-    of_cells,
-    of_rows,
-)
+from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Quantity, sentence
 from workbook.book.rows import as_rows
 
@@ -112,10 +101,10 @@ class Sheet:
         """
         own = self._own(quantities)
         watched = self._limited(own)
-        self._rows(own, {q.name: beside(q, limit) for q, limit in watched})
+        self._rows(own, {q.name: limits.beside(q, limit) for q, limit in watched})
         if watched:
             name = f"{watched[0][0].name}_entries"
-            guard, verdict = of_cells(name, f"{self.called or self.title}: entries within limits", watched)
+            guard, verdict = limits.of_cells(name, f"{self.called or self.title}: entries within limits", watched)
             self.book.guards.append(guard)
             self.checks(verdict)
 
@@ -178,7 +167,7 @@ class Sheet:
         inputs = [q for q in quantities if q.role == "input"]
         explained = any(q.source for q in quantities)
         self._heads(title, FIRST, explained, quantities)
-        top, unused = self.row + (4 if explained else 3), in_scope(blank or all_empty(inputs), self.scope)
+        top, unused = self.row + (4 if explained else 3), in_scope(blank or limits.all_empty(inputs), self.scope)
         name = in_scope(name, self.scope)
         block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
         self.row = top + size + 1
@@ -193,11 +182,11 @@ class Sheet:
         named = re.split(r"[:;(]", block.title)[0].strip()
         label = f"{self.called or self.title}, {named}: entries within limits"
         rows = self.book.limit(inputs[0].key.partition(".*")[0])
-        columns, verdict = of_rows(guard, label, inputs, rows is not None and rows.required)
+        columns, verdict = limits.of_rows(guard, label, inputs, rows is not None and rows.required)
         self.book.guards.append(guard)
         self.messages.append((block, tuple(columns)))
-        if columns[0].name == USED:
-            room = full(guard, as_rows(columns[0].value, block.size, USED))
+        if columns[0].name == limits.USED:
+            room = limits.full(guard, as_rows(columns[0].value, block.size, limits.USED))
             self.put(room, block.row + block.size, block.columns[inputs[0].name])
         self.checks(verdict)
         self.row += 1
@@ -205,9 +194,9 @@ class Sheet:
     def place_messages(self) -> None:
         """Place the messages of tables of inputs: to the right of each, where its rows are free."""
         for block, columns in self.messages:
-            runs = SPARE if block.quantities[-1].align == "left" else 0
+            runs = limits.SPARE if block.quantities[-1].align == "left" else 0
             column = self._free(block, len(columns), runs)
-            self.workings(block, f"{block.name}{MESSAGES}", "What is expected", column, *columns)
+            self.workings(block, f"{block.name}{limits.MESSAGES}", "What is expected", column, *columns)
 
     def _free(self, block: Block, wide: int, runs: int) -> int:
         """Return the first column right of a table from which on so many are free, ``runs`` left for its texts.

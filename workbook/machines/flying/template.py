@@ -35,16 +35,16 @@ def declare(given: FlyingCutter) -> Book:
     view = Flying(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     cut, scale = view.cut, view.scales
-    fastest, dw, beta = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration, view.task(cut).load_factor
+    fastest, beta = shown(cut.max_angular_speed, RPM), view.task(cut).load_factor
+    about = (
+        "A tool that follows the line while it works: the motion of its drum or slide, and what its drive must give."
+    )
     summary_sheet(
-        book,
-        given,
-        "A tool that follows the line while it works: the motion of its drum or slide, and what its drive must give.",
-        [
+        book, given, about, [
             result("about_rate", "Products", "", "1/min", "=fly_rate", shown(cut.rate, PER_MINUTE)),
             result("about_n", "Greatest speed of the shaft", "n", "rpm", "=fly_w_max*60/(2*PI())", fastest),
-            result("about_dw", "Peak acceleration of the shaft", "ω̇_max", "rad/s²",
-                   "=fly_dw", dw, scale=scale.angular_acceleration),
+            result("about_dw", "Peak acceleration of the shaft", "ω̇_max", "rad/s²", "=fly_dw",
+                   cut.max_angular_acceleration, scale=scale.angular_acceleration),
             result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta, scale=scale.power_rate),
         ],
     )  # fmt: skip
@@ -92,15 +92,10 @@ def truths(given: FlyingCutter) -> list[str]:
     return [f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"]
 
 
+SIZES = {
+    "cycle": ("cycle", 1), "lengths": ("lengths", 1), "motion_pieces": ("tool_pieces", 0), "motors": ("motors", 0),
+    "reducers": ("reducers", 0),
+}  # fmt: skip
 TEMPLATE = Template(
-    "flying-cutter",
-    FlyingCutter,
-    declare,
-    variants,
-    LAW_SIZES
-    | {"cycle": ("cycle", 1), "lengths": ("lengths", 1), "motion_pieces": ("tool_pieces", 0)}
-    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
-    check,
-    axes=axes,
-    truths=truths,
+    "flying-cutter", FlyingCutter, declare, variants, LAW_SIZES | SIZES, check, axes=axes, truths=truths
 )

@@ -32,12 +32,8 @@ def declare(given: IndexingOverlap) -> Book:
     shelf = LawShelf(given.laws, given.sizes)
     view = Overlapping(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    summary_sheet(
-        book,
-        given,
-        "Motions of one machine, one after the other and with overlap: how much the acceleration falls.",
-        in_short(view),
-    )
+    about = "Motions of one machine, one after the other and with overlap: how much the acceleration falls."
+    summary_sheet(book, given, about, in_short(view))
     overlap_sheet(book, view, shelf.stack)
     picture_sheet(book, view, shelf.stack)
     cycle_sheets(book, view, shelf.stack)
@@ -94,14 +90,5 @@ def set_profile(station: Station) -> CamProfile:
     return turned(fixed, shown(schedule.arrival, DEGREE))
 
 
-TEMPLATE = Template(
-    "indexing-overlap",
-    IndexingOverlap,
-    declare,
-    variants,
-    LAW_SIZES
-    | {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1), "motion_pieces": ("tool1_a_pieces", 0)},
-    check,
-    laid_out,
-    axes,
-)
+SIZES = {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1), "motion_pieces": ("tool1_a_pieces", 0)}
+TEMPLATE = Template("indexing-overlap", IndexingOverlap, declare, variants, LAW_SIZES | SIZES, check, laid_out, axes)
