@@ -99,3 +99,7 @@ def factors(k: int) -> Any:
 def own_pieces(k: int, room: int) -> list[dict[str, Any]]:
     """Return pieces of an own law; with little room, the one of a single piece."""
     return list(FAMILY["OWN"].page.variation(k, room)["pieces"])
+
+
+RISING = [{"duration": 0.4, "c0": 5.0}, {"duration": 0.6, "c0": -10 / 3}]
+"""an own law that speeds up once, for less time than it slows down"""

@@ -12,7 +12,7 @@ from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.laws.library import laws
-from workbook.machines.flying.variations import RISING
+from workbook.laws.variations import RISING
 from workbook.machines.flying.view import Flying
 from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES

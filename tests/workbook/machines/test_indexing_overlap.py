@@ -9,7 +9,7 @@ from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.laws.library import laws
-from workbook.machines.overlap.variations import RISING
+from workbook.laws.variations import RISING
 from workbook.machines.overlap.view import Overlapping
 from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES

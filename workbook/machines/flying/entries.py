@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
 from workbook.entries.exported import Exporting
+from workbook.entries.turn import TURN
 from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.asked import Smoothness
@@ -14,7 +15,6 @@ from workbook.motion.room import settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
-TURN = 360.0
 MORE = 3  # pieces of the tool's motion beside the law's: a wait, the piece that it interrupts, the work
 
 

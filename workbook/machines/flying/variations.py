@@ -4,13 +4,10 @@ from collections.abc import Iterator
 from math import pi, radians
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, own_in, single_humped, variations, vary_laws
+from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, single_humped, variations, vary_laws
 from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.motion.asked import smoothness_for
 from workbook.selection.variations import vary_selection
-
-RISING = [{"duration": 0.4, "c0": 5.0}, {"duration": 0.6, "c0": -10 / 3}]
-"""An own law that speeds up once: for less time than it slows down."""
 
 
 def variants(machine: FlyingCutter) -> list[FlyingCutter]:

@@ -2,10 +2,11 @@
 
 from engine.laws.inverse import is_monotone
 from workbook.book.sentence import figure
+from workbook.entries.turn import TURN
 from workbook.entries.types import ANGLE_TOLERANCE, END_TOLERANCE, DesignError
 from workbook.laws.library import laws
 from workbook.laws.registry import RISING
-from workbook.machines.overlap.entries import LEAST, TURN, IndexingOverlap
+from workbook.machines.overlap.entries import LEAST, IndexingOverlap
 from workbook.machines.overlap.view import Overlapping, Station
 
 BACKWARDS = "a law moves backwards: see its sheet, or Laws"

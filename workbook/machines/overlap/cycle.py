@@ -10,10 +10,11 @@ from engine.overlap.picture import LANE_SHARE, lane
 from engine.overlap.schedule import filled_turn, pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
+from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws.phases import ACCELERATION, VELOCITY
 from workbook.laws.sampling import Pieces
-from workbook.machines.overlap.entries import TURN, ToolEntry, TransferEntry
+from workbook.machines.overlap.entries import ToolEntry, TransferEntry
 from workbook.machines.overlap.view import Overlapping, Station
 from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts

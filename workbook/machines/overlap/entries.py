@@ -9,13 +9,13 @@ from workbook.book.sentence import figure
 from workbook.entries.exported import Exporting
 from workbook.entries.machine import Sizes
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
+from workbook.entries.turn import TURN
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import settle
 
 MOST_TOOLS = 6
-TURN = 360.0
 REST = 2  # pieces of a motion beside those of its laws: a tool's dwell and its rest
 Name = Annotated[str, Field(min_length=1, max_length=80, pattern=NO_FORMULA), LOOKED_UP]
 LEAST = 0.01  # degrees: no cam moves in less

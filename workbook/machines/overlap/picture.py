@@ -6,10 +6,10 @@ from engine.overlap import clearance, colliding
 from engine.overlap.picture import BODY, FRAME, LANE_SHARE, PLATE, PUNCH, STEP, WALLS, WIDTH
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
+from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
 from workbook.machines.overlap.cycle import ALLOWED, SCHEDULES, AtAngles, transfer_columns
-from workbook.machines.overlap.entries import TURN
 from workbook.machines.overlap.view import Overlapping, Station
 
 SAYS = '=IF([free]<0-inverse_bound*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'

@@ -9,10 +9,11 @@ from engine.overlap import corners, rests, room
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import amount
+from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import AtAngles
-from workbook.machines.overlap.entries import LEAST, TURN
+from workbook.machines.overlap.entries import LEAST
 from workbook.machines.overlap.view import Station
 from workbook.motion.asked import ABOUT as CONTINUOUS
 

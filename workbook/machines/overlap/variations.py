@@ -3,12 +3,9 @@
 from collections.abc import Iterable
 from typing import Any
 
-from workbook.laws.variations import SIX, factors, law_for, own_in, variations, vary_laws
+from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.motion.asked import smoothness_for
-
-RISING = [{"duration": 0.4, "c0": 5.0}, {"duration": 0.6, "c0": -10 / 3}]
-"""An own law that rises throughout: accelerated for less time than braked."""
 
 
 def variants(machine: IndexingOverlap) -> list[IndexingOverlap]:

@@ -23,8 +23,9 @@ from engine.overlap import (
 from engine.overlap.parts import Inverse
 from engine.overlap.picture import Scene
 from workbook.book.chart import in_scope
+from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
-from workbook.machines.overlap.entries import MOST_TOOLS, TURN, IndexingOverlap, ToolEntry
+from workbook.machines.overlap.entries import MOST_TOOLS, IndexingOverlap, ToolEntry
 
 SCOPE = "tool{}_"  # of the names of a tool's cells
 
