@@ -43,7 +43,29 @@ READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "r
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
-    """Write the workbook of ``machine``; return its failing checks in lines; raise WriteError or InputError."""
+    """Write the workbook of a machine.
+
+    Parameters
+    ----------
+    machine : Machine
+        The description, read or made.
+    path : Path
+        Of the workbook.
+    overwrite : bool
+        Whether a file that exists is replaced.
+
+    Returns
+    -------
+    list of str
+        A line for each check that fails.
+
+    Raises
+    ------
+    WriteError
+        Where ``path`` exists or cannot be written.
+    InputError
+        For a machine that the engine refuses.
+    """
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
     require_possible(template, machine, counted)

@@ -97,7 +97,20 @@ def has(data: Any, key: str) -> bool:
 
 
 def finish(book: Book, sources: tuple[str, ...]) -> Book:
-    """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles."""
+    """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles.
+
+    Parameters
+    ----------
+    book : Book
+        With all its sheets.
+    sources : tuple of str
+        Documents that formulas are from.
+
+    Returns
+    -------
+    Book
+        The same.
+    """
     checks_sheet(book)
     close(book, sources)
     repeat_verdict(book)

@@ -16,11 +16,24 @@ def in_scope(text: str, scope: str) -> str:
 
 @dataclass(frozen=True)
 class Series:
-    """One line of a chart; ``x`` and ``y`` are column references such as ``[samples.xi]``.
+    """One line of a chart.
 
-    A name ``=tool1_name`` shows the cell of that name.
-    ``points`` draws no line, ``marker`` a sign at each point; ``up`` and ``right`` are columns of lengths, of the
-    strokes that go up or to the right from each point: separate lines, none of them a series of its own.
+    Parameters
+    ----------
+    name : str
+        In the legend; ``=tool1_name`` shows the cell of that name.
+    x, y : str
+        Columns, such as ``[samples.xi]``.
+    dashed : bool
+        Whether the line is.
+    points : bool
+        Whether points are drawn in place of a line.
+    color : str
+        Hexadecimal; empty for the next of the palette.
+    marker : {"none", "circle", "diamond", "dash"}
+        A sign at each point.
+    up, right : str
+        Columns of lengths, of strokes up or to the right from each point: separate lines.
     """
 
     name: str
@@ -41,9 +54,24 @@ class Series:
 
 @dataclass(frozen=True)
 class Chart:
-    """An XY chart: lines between points, never splines. An axis title ``=name`` shows the cell of that name, "" none.
+    """An XY chart: straight lines between points.
 
-    A range is least, largest and step; a largest or a step of None is left to the program.
+    Parameters
+    ----------
+    title : str
+        Above it.
+    x, y : str
+        Titles of the axes, with unit; ``=name`` shows the cell of that name, "" none.
+    series : tuple of Series
+        The lines.
+    about : str
+        What it shows, for those who cannot see it.
+    x_range, y_range : tuple of float or None
+        Least, largest and step; a largest or a step of None is left to the program.
+    lanes : bool
+        Whether each line has a lane of its own, named where it begins.
+    log_y : bool
+        Whether heights are logarithmic.
     """
 
     title: str

@@ -74,32 +74,113 @@ class Quantity(NamedTuple):
 
 
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:
-    """Return an input: a cell that the engineer fills, kept at ``key`` of the machine description."""
+    """Return an input: a cell that the engineer fills.
+
+    Parameters
+    ----------
+    name : str
+        Name of its cell, without blanks; ``@`` stands for the sheet's scope.
+    label, symbol : str
+        What it is called, and its symbol.
+    unit : str
+        As the sheet shows it; empty without one.
+    value : float, int, str or sequence of them, in ``unit``
+        What the description has; a sequence fills a column.
+    key : str
+        Where the description keeps it, dotted.
+    **more
+        Further fields of :class:`Quantity`.
+
+    Returns
+    -------
+    Quantity
+        Placed by a :class:`Sheet`.
+    """
     return Quantity(name, label, symbol, unit, "input", None, value, key=key, **more)
 
 
 def calc(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, **more: Any) -> Quantity:
-    """Return a working: a formula cell on the way to a result."""
+    """Return a working: a formula cell on the way to a result.
+
+    Parameters
+    ----------
+    name : str
+        Name of its cell, without blanks; ``@`` stands for the sheet's scope.
+    label, symbol : str
+        What it is called, and its symbol.
+    unit : str
+        As the sheet shows it; empty without one.
+    formula : str or sequence of str
+        With ``[name]`` for cells of the same table, ``[table.column]`` for others.
+    value : float, int, str or sequence of them, in ``unit``
+        What the cell must compute, by other means than its formula.
+    **more
+        Further fields of :class:`Quantity`.
+
+    Returns
+    -------
+    Quantity
+        Placed by a :class:`Sheet`.
+    """
     return Quantity(name, label, symbol, unit, "calculation", formula, value, **more)
 
 
 def result(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, **more: Any) -> Quantity:
-    """Return a result: a formula cell that the engineer came for."""
+    """Return a result: a formula cell that the engineer came for.
+
+    Parameters
+    ----------
+    name, label, symbol, unit, formula, value, **more
+        As of :func:`calc`.
+
+    Returns
+    -------
+    Quantity
+        Placed by a :class:`Sheet`.
+    """
     return Quantity(name, label, symbol, unit, "result", formula, value, **more)
 
 
 def constant(name: str, label: str, symbol: str, unit: str, value: Any, **more: Any) -> Quantity:
-    """Return a number or text that belongs to the method, not to the machine: locked, and verified."""
+    """Return a number or text that belongs to the method and not to the machine: locked, and verified.
+
+    Parameters
+    ----------
+    name, label, symbol, unit, value, **more
+        As of :func:`calc`.
+
+    Returns
+    -------
+    Quantity
+        Placed by a :class:`Sheet`.
+    """
     return Quantity(name, label, symbol, unit, "constant", None, value, **more)
 
 
 def check(
     name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str | Said = "",
 ) -> Quantity:  # fmt: skip
-    """Return a check: a cell that says OK where ``condition`` holds and FAIL where it does not.
+    """Return a check: a cell that says OK where a condition is met and FAIL where it is not.
 
-    ``says`` is the formula, without =, of the sentence beside it where it fails: where, and by how much; with what it
-    gives by the engine, where the check is none of a rule. ``rule`` names the rule of the entries that it mirrors.
+    Parameters
+    ----------
+    name, label : str
+        As of :func:`calc`.
+    condition : str
+        Formula without =, TRUE where the check is passed.
+    ok : bool
+        What it is, by other means than the formula.
+    source : str
+        What the check is about, beside it.
+    rule : str
+        The rule of the entries that it mirrors.
+    says : str or Said
+        Formula, without =, of the sentence beside it where it fails; with what it gives, where it mirrors no rule.
+
+    Returns
+    -------
+    Quantity
+        Placed by ``Sheet.checks``.
     """
     formula = f'=IF({condition},"OK","FAIL")'
     verdict = "OK" if ok else "FAIL"

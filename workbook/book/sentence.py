@@ -71,7 +71,22 @@ NOTHING = Said("", "")
 
 
 def amount(cell: str, value: float, before: str, after: str) -> Said:
-    """Return a sentence on one amount, rounded for people."""
+    """Return a sentence on one amount, rounded for people.
+
+    Parameters
+    ----------
+    cell : str
+        Formula of the amount, without =.
+    value : float, in the unit of the cell
+        What it gives.
+    before, after : str
+        Words around it.
+
+    Returns
+    -------
+    Said
+        The formula, and what it says.
+    """
     return around(shown(cell), rounded(value), before, after)
 
 
@@ -91,7 +106,22 @@ def around(shows: str, shown: str, before: str, after: str) -> Said:
 
 
 def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Said:
-    """Return a sentence on a value that is above its limit: what it is, and by how much."""
+    """Return a sentence on a value that is above its limit: what it is, and by how much.
+
+    Parameters
+    ----------
+    cell, limit : str
+        Formulas of the value and of its limit, without =.
+    unit : str
+        Of both.
+    value, most : float, in ``unit``
+        What they give.
+
+    Returns
+    -------
+    Said
+        The formula, and what it says.
+    """
     one, other = amount(cell, value, "", f" {unit}, "), amount(f"{cell}-{limit}", value - most, "", f" {unit} too much")
     return Said(f"{one.says}&{other.says}", f"{one.said}{other.said}")
 

@@ -41,7 +41,24 @@ class Identified(Protocol):
 
 
 def summary_sheet(book: Book, machine: Identified, purpose: str, key_results: list[Quantity]) -> Sheet:
-    """Declare the head of the first sheet; a table of axes may follow, :func:`close` adds what needs all sheets."""
+    """Declare the head of the first sheet; a table of axes may follow, :func:`close` adds what needs all sheets.
+
+    Parameters
+    ----------
+    book : Book
+        Without sheets yet.
+    machine : Identified
+        Its title, number, revision, author and date.
+    purpose : str
+        A sentence below the title.
+    key_results : list of Quantity
+        Shown in short, with the unit of each.
+
+    Returns
+    -------
+    Sheet
+        To go on with.
+    """
     sheet = book.sheet(TITLE, purpose)
     sheet.one_page = True
     sheet.print_columns = COLUMNS

@@ -107,7 +107,18 @@ def is_free_text(model: type[BaseModel], q: Quantity) -> bool:
 
 @cache
 def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
-    """Return what gives the limits of an entry in cells, by its key: of a number, or of a word that must be there."""
+    """Return what gives the limits of an entry in cells.
+
+    Parameters
+    ----------
+    model : type of BaseModel
+        That of the machine.
+
+    Returns
+    -------
+    callable of str
+        By the key of an entry its Limit: of a number, or of a word that must be there; else None.
+    """
 
     @cache
     def limit(key: str) -> Limit | None:

@@ -33,12 +33,28 @@ from workbook.witnesses.witness import CellWitness, Witness
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | None = None) -> Report:
-    """Verify one workbook with the witnesses of these names, or with ``all`` that are on this machine.
+    """Verify one workbook.
 
-    ``beside`` is a second process that evaluates this book meanwhile.
+    Parameters
+    ----------
+    path : Path
+        Of the workbook.
+    witnesses : sequence of str
+        Names of those that evaluate its formulas, or ``all`` that are on this machine.
+    beside : Beside or None
+        A second process that evaluates this book meanwhile.
 
-    Raises ReadError or InputError where the book cannot be read, ReadError for a witness of unknown name, and
-    WitnessError for one that is asked by name and is not on this machine.
+    Returns
+    -------
+    Report
+        Findings, notices, checks and what was compared.
+
+    Raises
+    ------
+    ReadError, InputError
+        Where the book cannot be read, or a witness is unknown.
+    WitnessError
+        For one that is asked by name and is not on this machine.
     """
     names, absent = present(witnesses)
     file = open_book(path)
