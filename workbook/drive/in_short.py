@@ -49,24 +49,23 @@ def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: Seq
     A drive's cells are those of :mod:`workbook.drive.motor`, in its scope.
     """
     driven = drives(axes) if any(axis.reserve for axis in axes) else []
+
+    def each(formula: str) -> list[str]:
+        return [formula.format(i) for i in range(1, len(axes) + 1)]
+
     sheet.row += 1
     sheet.table(
         "axes_short", "Axes", len(axes),
-        calc("axis", "axis", "", "", each(axes, "=[axes.name.{0}]"), [axis.name for axis in axes], align="left"),
-        result("travel", "travel", "h", travel, each(axes, "=[axes.high.{0}]-[axes.low.{0}]"),
+        calc("axis", "axis", "", "", each("=[axes.name.{0}]"), [axis.name for axis in axes], align="left"),
+        result("travel", "travel", "h", travel, each("=[axes.high.{0}]-[axes.low.{0}]"),
                [axis.travel for axis in axes], source="highest less lowest position"),
-        result("v", "greatest velocity", *rates[0], each(axes, "=[axes.v.{0}]"),
+        result("v", "greatest velocity", *rates[0], each("=[axes.v.{0}]"),
                [axis.fastest for axis in axes]),
-        result("a", "greatest acceleration", *rates[1], each(axes, "=[axes.a.{0}]"),
+        result("a", "greatest acceleration", *rates[1], each("=[axes.a.{0}]"),
                [axis.hardest for axis in axes]),
         *driven,
         *(highest_rates(axes) if any(axis.highest for axis in axes) else []),
     )  # fmt: skip
-
-
-def each(axes: Sequence[InShort], formula: str) -> list[str]:
-    """Return a formula for each axis, with its number."""
-    return [formula.format(i) for i in range(1, len(axes) + 1)]
 
 
 def drives(axes: Sequence[InShort]) -> list[Quantity]:

@@ -107,7 +107,7 @@ def parse(
     path: Path, table: Any, head: list[str], separator: str, model: type[Row], columns: dict[str, str],
     faults: list[str],
 ) -> Iterator[Product]:  # fmt: skip
-    """Yield what each line says; enter what is wrong with its structure and types in ``faults``."""
+    """Yield what each line says; enter in ``faults`` what is of no use, whatever other numbers would be."""
     names = {entry: column for column, entry in columns.items()}
     for cells in table:
         if not any(cell.strip() for cell in cells):
@@ -119,18 +119,12 @@ def parse(
         filled = zip(head, cells, strict=False)  # cells at the end may be missing
         given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
         given = {entry: cell for entry, cell in given.items() if cell is not None}
-        faults += [f"{where}, {line}" for line in refused(given, model, names)]
+        try:
+            model.model_validate(given)
+        except ValidationError as error:
+            told = error.errors(include_url=False)
+            faults += [f"{where}, {line_of(fault, model, names)}" for fault in told if not numeric(fault, model)]
         yield given
-
-
-def refused(given: Product, model: type[Row], names: dict[str, str]) -> list[str]:
-    """Return a line for each entry that is of no use as it stands, whatever other numbers would be."""
-    try:
-        model.model_validate(given)
-    except ValidationError as error:
-        told = error.errors(include_url=False)
-        return [line_of(fault, model, names) for fault in told if not numeric(fault, model)]
-    return []
 
 
 def value(cell: str, entry: str, separator: str) -> Any:

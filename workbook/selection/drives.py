@@ -26,11 +26,6 @@ def drives_table(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
-def taken(view: Choosing, column: str) -> str:
-    """Return the formula of a figure of the named drive; no program looks up in a single cell alike."""
-    return f"INDEX([@drives.{column}],@no)" if len(view.shafts) > 1 else f"[@drives.{column}.1]"
-
-
 def known(view: Choosing) -> str:
     """Return the condition under which the axis that is named is one of them."""
     return "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis"
@@ -39,10 +34,11 @@ def known(view: Choosing) -> str:
 def chosen(sheet: Sheet, view: Choosing) -> None:
     """Declare the named drive."""
     number = "MATCH(@axis,[@drives.axis],0)" if len(view.shafts) > 1 else "COUNT([@drives.k])"
+    taken = "INDEX([@drives.{}],@no)" if len(view.shafts) > 1 else "[@drives.{}.1]"  # no single cell is looked up alike
     rows = [calc("@no", "Row of the axis", "", "", f"={number}", view.number + 1, format="0")]
     for each in zip(*(one.figures for one in view.shafts), strict=True):
         name, label, unit, _, value, _ = each[view.number]
-        rows.append(calc(f"@{name}", label.capitalize(), "", unit, f"={taken(view, name)}+0", value,
+        rows.append(calc(f"@{name}", label.capitalize(), "", unit, f"={taken.format(name)}+0", value,
                          scale=max(one.scale for one in each)))  # fmt: skip
     sheet.rows(*rows, *held(view))
 

@@ -22,7 +22,9 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Q
     """Declare the sheet; ``axis`` is the entry that names one of several shafts, ``more`` are entries of the book."""
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: usable pairs, best first.")
     with sheet.scoped("sel_"):
-        entries(sheet, view, [*named(axis), *more])
+        named = given("@axis", "Axis", "", "", axis, "selection.axis", choices="=sel_axes", align="left",
+                      source="one with a drive")  # fmt: skip
+        entries(sheet, view, [*([named] if axis else []), *more])
         asked(sheet, view)
         outcome(sheet, view, axis)
         best_table(sheet, view)
@@ -39,14 +41,6 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Q
         book.column_names["sel_axes"] = ("sel_drives", "axis")
     sheet.print_columns = max(20, sheet.print_columns)
     return sheet
-
-
-def named(axis: str) -> list[Quantity]:
-    """Return the entry of the axis, where there may be several."""
-    if not axis:
-        return []
-    return [given("@axis", "Axis", "", "", axis, "selection.axis", choices="=sel_axes", align="left",
-                  source="one with a drive")]  # fmt: skip
 
 
 def entries(sheet: Sheet, view: Choosing, first: Sequence[Quantity]) -> None:
@@ -96,9 +90,10 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
     first = "INDEX([@best.{0}],MATCH(1,[@best.holds],0))"
     there = "SUM([@best.holds])=0"
     usable = int((view.grid.verdicts == "yes").sum())
+    message = WORDS[(pair is not None, bool(view.ranked), usable > 0, True).index(True)]
     sheet.heading("Results")
     sheet.rows(
-        result("@message", "In words", "", "", MESSAGE, message(view), align="left"),
+        result("@message", "In words", "", "", MESSAGE, message, align="left"),
         result("@motor", "Proposed motor", "", "", f'=IF({there},"none",{first.format("motor")})',
                view.motors.names[pair[0]] if pair else "none", align="left"),
         result("@reducer", "Proposed reducer", "", "", f'=IF({there},"none",{first.format("reducer")})',
@@ -111,7 +106,7 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
         *([check("@ok_axis", "Selection: its axis has a drive", known(view), True, rule=":chosen",
                  says=f'"{UNCHOSEN}"&@axis')] if axis else []),
         check("@ok", "Selection: a motor and a reducer fit", "SUM([@best.holds])>0", pair is not None,
-              says=Said("@message", message(view)))
+              says=Said("@message", message))
     )  # fmt: skip
     sheet.heading("The pair that the drive has")
     motor, reducer = view.held_names
@@ -141,18 +136,8 @@ def own_pair(view: Choosing) -> list[Quantity]:
     ]  # fmt: skip
 
 
-MESSAGE = (
-    '=IF(SUM([@best.holds])>0,"the first below its motor\'s curve",'
-    'IF(@count>0,"none of the best is below its motor\'s curve",'
-    'IF(@usable>0,"no usable pair has what it is ranked by","no pair can do it")))'
-)
-
-
-def message(view: Choosing) -> str:
-    """Return in words what came out."""
-    if view.proposed is not None:
-        return "the first below its motor's curve"
-    if view.ranked:
-        return "none of the best is below its motor's curve"
-    usable = bool((view.grid.verdicts == "yes").any())
-    return "no usable pair has what it is ranked by" if usable else "no pair can do it"
+WORDS = (
+    "the first below its motor's curve", "none of the best is below its motor's curve",
+    "no usable pair has what it is ranked by", "no pair can do it",
+)  # fmt: skip
+MESSAGE = '=IF(SUM([@best.holds])>0,"{}",IF(@count>0,"{}",IF(@usable>0,"{}","{}")))'.format(*WORDS)

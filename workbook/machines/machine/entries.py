@@ -21,15 +21,7 @@ from workbook.entries.types import (
     Positive,
     TogetherError,
 )
-from workbook.machines.machine.chain import (
-    TRAVELLING_LOAD,
-    TURNING_LOAD,
-    AxisLoad,
-    AxisMotor,
-    AxisPart,
-    PowerEntry,
-    Reducer,
-)
+from workbook.machines.machine import chain
 from workbook.machines.machine.clearance.entries import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.machines.machine.selection.entries import Choice
@@ -78,10 +70,10 @@ class Axis(Model):
         default=None, description="A document whose printed figures a sheet of its own has beside those of the drive"
     )
     mechanism: Mechanism | None = None
-    load: AxisLoad = AxisLoad()
-    parts: list[AxisPart] = []  # noqa: RUF012 - frozen
-    motor: AxisMotor | None = None
-    reducer: Reducer = Reducer()
+    load: chain.AxisLoad = chain.AxisLoad()
+    parts: list[chain.AxisPart] = []  # noqa: RUF012 - frozen
+    motor: chain.AxisMotor | None = None
+    reducer: chain.Reducer = chain.Reducer()
     _built: str | None = PrivateAttr(default=None)
 
     @property
@@ -113,7 +105,7 @@ class Axis(Model):
             raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
         slides = self.mechanism is not None and self.mechanism.SLIDES
         moved = f"a {self.mechanism.kind}" if slides and self.mechanism else f"an axis in {self.unit}"
-        for name in (*TURNING_LOAD, "arm") if slides or self.unit == "mm" else TRAVELLING_LOAD:
+        for name in (*chain.TURNING_LOAD, "arm") if slides or self.unit == "mm" else chain.TRAVELLING_LOAD:
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of {moved}; expected none")
         return self
@@ -164,7 +156,7 @@ class AnyMachine(Exporting):
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
     switches: Annotated[list[SwitchEntry], Field(max_length=MOST_SWITCHES)] = []  # noqa: RUF012 - frozen
     clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
-    power: PowerEntry = PowerEntry()
+    power: chain.PowerEntry = chain.PowerEntry()
     gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
     selection: Choice = Choice()
     sizes: MachineSizes = MachineSizes()
@@ -183,7 +175,7 @@ class AnyMachine(Exporting):
         for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
             require_distinct((one.name for one in getattr(self, key)), kind, f"{key}.{{}}.name")
         require_axes(self.clearances, [axis.name for axis in self.axes])
-        if self.power != PowerEntry() and not any(axis.motor for axis in self.axes):
+        if self.power != chain.PowerEntry() and not any(axis.motor for axis in self.axes):
             raise EntryError("power", "no axis has a drive; expected none")
         if self.gravity != type(self).model_fields["gravity"].default and not self.weighs:
             raise EntryError("gravity", "no axis with a drive has a weight; expected none")

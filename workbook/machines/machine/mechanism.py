@@ -12,14 +12,12 @@ UNSIZED = "a size of the mechanism is empty"
 LEAST_POINTS = 2
 
 
-def sized(label: str) -> Any:
-    """Return the field of a size in mm; the sheet of the drive has its ``label`` too."""
-    return in_unit("mm", label, title=label)
+def size(label: str, note: str = "", default: Any = None) -> Any:
+    """Return the field of a size in mm, which the sheet of the drive calls so too.
 
-
-def size(label: str, note: str = "") -> Any:
-    """Return the field of a size in mm that may be empty, until the design is finished or for good."""
-    return in_unit("mm", f"{label}{note}", None, title=label)
+    One without a default must be told; one of None may be empty, until the design is finished or for good.
+    """
+    return in_unit("mm", f"{label}{note}", default, title=label)
 
 
 class MechanismEntry(Model):
@@ -71,7 +69,7 @@ class LeadScrew(MechanismEntry):
 
     SIZE: ClassVar[str] = "lead"
     kind: Literal["lead screw"]
-    lead: Positive = sized("Lead of the screw")
+    lead: Positive = size("Lead of the screw", default=...)
 
 
 class Conveyor(Belted):
@@ -79,7 +77,7 @@ class Conveyor(Belted):
 
     SIZE: ClassVar[str] = "roller_diameter"
     kind: Literal["conveyor"]
-    roller_diameter: Positive = sized("Diameter of the roller")
+    roller_diameter: Positive = size("Diameter of the roller", default=...)
 
 
 class RackAndPinion(MechanismEntry):
@@ -87,7 +85,7 @@ class RackAndPinion(MechanismEntry):
 
     SIZE: ClassVar[str] = "pinion_diameter"
     kind: Literal["rack and pinion"]
-    pinion_diameter: Positive = sized("Pitch diameter of the pinion")
+    pinion_diameter: Positive = size("Pitch diameter of the pinion", default=...)
 
 
 class Belt(Belted):
@@ -95,7 +93,7 @@ class Belt(Belted):
 
     SIZE: ClassVar[str] = "pulley_diameter"
     kind: Literal["belt"]
-    pulley_diameter: Positive = sized("Pitch diameter of the pulley")
+    pulley_diameter: Positive = size("Pitch diameter of the pulley", default=...)
 
 
 class FeedRollers(MechanismEntry):
@@ -103,7 +101,7 @@ class FeedRollers(MechanismEntry):
 
     SIZE: ClassVar[str] = "roller_radius"
     kind: Literal["feed rollers"]
-    roller_radius: Positive = sized("Radius of the rollers")
+    roller_radius: Positive = size("Radius of the rollers", default=...)
 
 
 class RotaryTable(MechanismEntry):
@@ -127,8 +125,8 @@ class PressCrank(MechanismEntry):
     LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1.0, "rod_length": 10.0}
     SLIDES: ClassVar[bool] = True
     kind: Literal["press crank"]
-    crank_radius: Positive = sized("Radius of the crank")
-    rod_length: Positive = sized("Length of the connecting rod")
+    crank_radius: Positive = size("Radius of the crank", default=...)
+    rod_length: Positive = size("Length of the connecting rod", default=...)
     offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
     start_angle: Number | None = in_unit(
         "°", "Angle of the crank from the line of the slide, outwards, where the axis is at 0; 0 if empty", None

@@ -12,7 +12,6 @@ from workbook.drive.in_short import NO_DRIVE, InShort, axes_in_short
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.entries.texts import place_of
-from workbook.entries.turn import TurnPhase
 from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.latest import latest
 from workbook.laws.sampling import Pieces
@@ -37,8 +36,7 @@ from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches.sheet import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
 from workbook.machines.machine.timing.cycle import cycle_sheets, exportable
-from workbook.machines.machine.timing.sheet import positions, timing_sheet
-from workbook.machines.machine.timing.sheet import rates as units_of_rates
+from workbook.machines.machine.timing.sheet import timing_sheet, units
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import export_sheet
@@ -62,8 +60,8 @@ def declare(given: AnyMachine) -> Book:
     axes_in_short(
         sheet,
         [in_short(axis, drives.get(axis.number)) for axis in machine.axes],
-        positions(machine),
-        [(symbol, units_of_rates(machine, order)) for order, symbol in enumerate(machine.over.symbols[1:3], 1)],
+        units(machine),
+        [(symbol, units(machine, order)) for order, symbol in enumerate(machine.over.symbols[1:3], 1)],
     )
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
@@ -174,27 +172,20 @@ LAW = f'=IF({OTHERS},"{SEVERAL}",IF(MAX([axis{{0}}.no])={DWELL},"{NO_DRIVE}",IND
 def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> None:
     """Declare two more columns of the table: the law of all movements of an axis, and whether all its checks hold.
 
-    ``names`` are those of the book's laws.
+    These are the checks of its phases, and of its drive; ``names`` are those of the book's laws.
     """
     block = book.blocks["axes_short"]
-    laws = [law_of(axis.given.phases, names) for axis in axes]
+    laws, checks = [], []
+    for axis in axes:
+        moving = {names.index(phase.law) for phase in axis.given.phases} - {DWELL - 1}
+        laws.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
+        own = (f"axis{axis.number}_", f"drive{axis.number}_")
+        checks.append([k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)])
     block.sheet.workings(
         block, "axes_judged", "", max(block.columns.values()) + 1,
         result("law", "law", "", "", [LAW.format(axis.number) for axis in axes], laws, align="right"),
-        summed_up(book, "axes_judged", "its checks", [of_axis(book, axis.number) for axis in axes]),
+        summed_up(book, "axes_judged", "its checks", checks),
     )  # fmt: skip
-
-
-def of_axis(book: Book, number: int) -> list[int]:
-    """Return which checks are those of an axis: of its phases, and of its drive."""
-    own = (f"axis{number}_", f"drive{number}_")
-    return [k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)]
-
-
-def law_of(phases: Sequence[TurnPhase], names: Sequence[str]) -> str:
-    """Return the law of all movements, as the sheet Laws has it."""
-    moving = {names.index(phase.law) for phase in phases} - {DWELL - 1}
-    return SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE
 
 
 TEMPLATE = Template(

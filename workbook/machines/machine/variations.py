@@ -129,9 +129,13 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
 
 
 def linked(axis: dict[str, Any], i: int, k: int, room: int) -> None:
-    """Give an axis another mechanism of a changing ratio of its kind, and lifts that it reaches."""
+    """Give an axis another mechanism of a changing ratio, of its kind, and lifts that it reaches."""
     if axis["mechanism"]["kind"] == "table":
-        tabled(axis, i, k, room)
+        count = (room, room - 1, 2)[k % 3]
+        steps = [9.0 + 0.7 * ((j + i + k) % 3) for j in range(count)]
+        places = [sum(steps[:j]) - 6.0 for j in range(count)]
+        axis["mechanism"]["points"] = [{"angle": (22.0 + k) * j - 40.0, "position": y} for j, y in enumerate(places)]
+        to_and_fro(axis["phases"], -5.0, 0.9 * places[-1], k)
         return
     if axis["mechanism"]["kind"] == "rocker":
         lever = 60.0 + 9 * k + i
@@ -161,15 +165,6 @@ def to_and_fro(phases: list[dict[str, Any]], low: float, high: float, k: int) ->
         back = n == len(moving) - 1 and k != 3
         phase["lift"] = (0.0 if back else goal) - at
         at += phase["lift"]
-
-
-def tabled(axis: dict[str, Any], i: int, k: int, room: int) -> None:
-    """Give an axis another table of positions, once a straight line, and lifts that it reaches."""
-    count = (room, room - 1, 2)[k % 3]
-    steps = [9.0 + 0.7 * ((j + i + k) % 3) for j in range(count)]
-    places = [sum(steps[:j]) - 6.0 for j in range(count)]
-    axis["mechanism"]["points"] = [{"angle": (22.0 + k) * j - 40.0, "position": y} for j, y in enumerate(places)]
-    to_and_fro(axis["phases"], -5.0, 0.9 * places[-1], k)
 
 
 def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products: dict[str, Any]) -> None:

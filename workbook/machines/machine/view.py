@@ -169,13 +169,16 @@ class Whole:
 
     A turn lasts its ``time`` (s), at the ``speed`` of the master shaft (rad/s): a turn of the cycle by its unit over an
     abscissa that tells no time. ``room`` are the rows of the table of an axis' pieces. A machine that ``hands_over``
-    velocity between phases has a straight line in its book.
+    velocity between phases has a straight line in its book. ``angles`` are the samples of the master shaft in degrees,
+    ``samples`` the same in rad.
     """
 
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
         self.machine, self.over, rate = machine, machine.over, si(machine.per_minute, PER_MINUTE)
         self.time, self.speed, self.room = turn_time(rate), shaft_speed(rate), machine.sizes.motion_pieces or 0
         self.hands_over = bool(machine.laws.of("LIN"))
+        self.angles = np.linspace(0.0, TURN, machine.sizes.cycle + 1)
+        self.samples: Array = si(self.angles, DEGREE)
         both = zip(machine.axes_turned, machine.axes, strict=True)
         speed, over = self.speed, self.over
         moving = [
@@ -185,16 +188,6 @@ class Whole:
         self.axes = [latest("axes at speed", (one, speed), partial(one.at_speed, speed)) for one in moving]
         each = zip(machine.switches_turned, machine.switches, strict=True)
         self.lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(each, 1)]
-
-    @cached_property
-    def angles(self) -> Array:
-        """The sampled angles of the master shaft in degrees."""
-        return np.linspace(0.0, TURN, self.machine.sizes.cycle + 1)
-
-    @cached_property
-    def samples(self) -> Array:
-        """The same in rad."""
-        return si(self.angles, DEGREE)
 
     @property
     def near(self) -> float:

@@ -137,14 +137,13 @@ def contrary(one: Handing) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def straight_on(step: Handover) -> int:
-    """Return whether both ends of a step are those of a straight line."""
-    begin, end, d = step.begin.required, step.end.required, step.phase.duration
-    return int(Ends(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
-
-
 def carried_out(one: Handing) -> list[Quantity]:
     """Return the columns of whether a law can have such ends, why not, and how it is carried out."""
+
+    def straight_on(step: Handover) -> int:
+        begin, end, d = step.begin.required, step.end.required, step.phase.duration
+        return int(Ends(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
+
     small = f"{ROUNDING:.0E}"
     texts = one.spread([reason(step) for step in one.handed], ("", "", ""))
     law = f"INDEX([{one.entries}.law],[row])"

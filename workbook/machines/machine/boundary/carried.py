@@ -65,6 +65,11 @@ def halves(one: Handing) -> list[Quantity]:
 def polynomial(one: Handing) -> list[Quantity]:
     """Return the columns of a polynomial Σ e_n ξⁿ between its ends."""
     y, h, powers = one.rows.at.y, one.motion.size(0), one.rows.powers
+
+    def at_end(step: Handover, end: int) -> float:
+        terms = [perm(n, 2) * e for n, e in enumerate(step.powers)][2:]
+        return sum(terms) if end else terms[0]
+
     left = (
         ("w", "lift that the begin leaves", "=IF([mode]=7,[h]-[e1]-[f0]/2,0)"),
         ("x", "velocity that it leaves", "=IF([mode]=7,[f1]-[e1]-[f0],0)"),
@@ -89,12 +94,6 @@ def polynomial(one: Handing) -> list[Quantity]:
                one.of(lambda step, i=i: at_end(step, i)), scale=h, source="Σ n (n − 1) e_n ξⁿ⁻²")  # type: ignore[misc]
           for i, word in enumerate(("begin", "end"))),
     ]  # fmt: skip
-
-
-def at_end(step: Handover, end: int) -> float:
-    """Return d²y/dξ² of a polynomial at its begin, 0, or its end, 1."""
-    powers = [perm(n, 2) * e for n, e in enumerate(step.powers)][2:]
-    return sum(powers) if end else powers[0]
 
 
 def hermite(n: int, powers: int) -> str:

@@ -34,9 +34,8 @@ def clearances_sheet(book: Book, apart: list[Apart]) -> None:
     """Declare the sheet, where there are clearances."""
     if not apart:
         return
-    sheet = book.sheet(
-        "Clearances", f"Axes that must stay apart: the least gap over a {apart[0].over.period}, and where it is."
-    )
+    about = f"Axes that must stay apart: the least gap over a {apart[0].over.period}, and where it is."
+    sheet = book.sheet("Clearances", about)
     sheet.heading("Enter")
     sheet.note("gap = offset + factor · position + factor · position, in the unit of the first axis.")
     table(sheet, apart)
@@ -57,9 +56,8 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
         return [f"=[axes.name.{one.rows[end].axis.number}]" for one in apart]
 
     def each(formula: str) -> list[str]:
-        return [
-            f"={formula.format(n=one.number, i=one.rows[0].axis.number, j=one.rows[1].axis.number)}" for one in apart
-        ]
+        numbers = [(one.number, *(rows.axis.number for rows in one.rows)) for one in apart]
+        return [f"={formula.format(n=n, i=i, j=j)}" for n, i, j in numbers]
 
     def scale(end: int, factor: str) -> list[str]:
         units = [one.rows[end].axis.given.unit for one in apart]
@@ -152,14 +150,6 @@ def least(sheet: Sheet, one: Apart) -> None:
     )  # fmt: skip
 
 
-def velocity(one: Apart, end: int) -> Quantity:
-    """Return the column of an axis' geometric velocity at the points."""
-    rows = one.rows[end]
-    return calc(f"v{AXES[end]}", f"{OF[end]}geometric velocity", "y'", rows.at.unit(1),
-                f"={sampled(rows.pieces, 1, AXES[end])}", one.velocities[end],
-                scale=rows.axis.motion.size(1))  # fmt: skip
-
-
 def points(sheet: Sheet, one: Apart) -> None:
     """Declare the gap and its slope at points of the cycle, and the lowest point of the parabola before each."""
     n, angles, low = one.number, one.angles, one.lowest
@@ -171,7 +161,9 @@ def points(sheet: Sheet, one: Apart) -> None:
         calc("theta", one.over.angle, "θ", "°", f"=IF([k]={end},360,MAX(0,SMALL({at},MAX(1,[k]-1))*([k]>1)))",
              angles, scale=TURN, format="0.0##", source="0, the places below in their order, 360"),
         *positions(one, 0, angles), *positions(one, 1, angles), gap(one, angles),
-        velocity(one, 0), velocity(one, 1),
+        *(calc(f"v{mark}", f"{of}geometric velocity", "y'", rows.at.unit(1), f"={sampled(rows.pieces, 1, mark)}",
+               values, scale=rows.axis.motion.size(1))
+          for mark, of, rows, values in zip(AXES, OF, one.rows, one.velocities, strict=True)),
         calc("slope", "slope of the gap", "", f"{one.unit}/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", one.slopes,
              scale=float(np.abs(one.slopes).max()), source="factor · y' + factor · y'"),
         calc("fall", "by the slope before, it rises", "g_0", one.unit,

@@ -147,11 +147,6 @@ def highest(view: DriveView) -> Sequence[Quantity]:
     ]  # fmt: skip
 
 
-def mending(view: DriveView) -> Said:
-    """Return what would mend a limit that is not held: the rate up to which all are."""
-    return Said('"; "&@mends', f"; {mends(view).said}")
-
-
 def mends(view: DriveView) -> Said:
     """Return the sentence on the rate up to which the drive holds all limits."""
     most = view.highest.rate

@@ -11,9 +11,8 @@ from workbook.machines.machine.drive import behind, by_angle, max_rate
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import registry
-from workbook.machines.machine.drive.points import cuts_table, intervals_table, points_table
+from workbook.machines.machine.drive.points import charts, cuts_table, intervals_table, points_table, samples_table
 from workbook.machines.machine.drive.reach import back_check, reach_check, reach_table
-from workbook.machines.machine.drive.samples import charts, samples_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.workings import peaks_table, top, workings
 from workbook.machines.machine.from_names import kind_name
@@ -39,7 +38,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     with sheet.scoped(f"drive{driven.number}_"):
         entries(sheet, driven, page.entries(driven, f"axes.{driven.number - 1}"))
         outcome(sheet, view)
-        mends = max_rate.mending(view)
+        mends = Said('"; "&@mends', f"; {max_rate.mends(view).said}")
         sheet.checks(
             *limit_checks(view.reserve, driven.called, mends=mends), *reducer_checks(view, mends),
             *in_use.checks(driven.number, driven.called), curve_check(view, mends), *windows_check(view),

@@ -31,27 +31,13 @@ REDUCER = (
     ("inertia", "inertia at the input", "J_G", "kg cm²", "", "@j_reducer", "inertia"),
     ("no_load_torque", "no-load torque", "T_nl", "Nm", "at the motor, against its rotation", "@no_load", "t012"),
     ("peak_torque", "largest output torque", "", "Nm", "empty: no limit", "@reducer_peak", "tmax"),
-    (
-        "full_cycles",
-        "cycles an hour up to which that torque holds",
-        "Z_h",
-        "1/h",
-        "empty: 1,000",
-        "@reducer_full",
-        "full",
-    ),
-    (
-        "cycle_factor",
-        "factor that it counts over beyond",
-        "f_s",
-        "",
-        "as its maker says; empty: 1",
-        "@reducer_fs",
-        "fs",
-    ),
+    ("full_cycles", "cycles an hour up to which that torque holds", "Z_h", "1/h", "empty: 1,000",
+     "@reducer_full", "full"),
+    ("cycle_factor", "factor that it counts over beyond", "f_s", "", "as its maker says; empty: 1",
+     "@reducer_fs", "fs"),
     ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit", "@reducer_mean", "t2n"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit", "@reducer_nmax", "nmax"),
-)
+)  # fmt: skip
 """of each entry: words, symbol, unit and a note, the cell that is used, and the column of the catalogue"""
 DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
 ZERO = dict.fromkeys(("peak_torque", "mean_torque", "max_speed"), "0: no limit") | {"full_cycles": "0: not given"}

@@ -22,13 +22,7 @@ from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, with_motor
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.motion.tables import AxisRows
-from workbook.machines.machine.selection.in_use import (
-    MotorInUse,
-    ReducerInUse,
-    falling_of,
-    motor_in_use,
-    reducer_in_use,
-)
+from workbook.machines.machine.selection import in_use
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
@@ -63,16 +57,15 @@ class Studied:
     def motors_used(self) -> dict[str, Array]:
         """The figures of the motor in each design; the knee (rad/s) and the fall (Nm s) of its curve."""
         axes = [self.axis_with(k, 0, 0) for k in range(len(self.motors.values))]
-        falls = [falling_of(one.motor.name if one.motor else "", self.products) for one in axes]
-        curve = {name: np.array([getattr(one, name) for one in falls]) for name in Falling._fields}
-        used = [motor_in_use(one, self.products) for one in axes]
-        more = {name: values[self.motors.places] for name, values in curve.items()}
-        return figures(used, self.motors, self.products.motors) | more
+        falls = [in_use.falling_of(one.motor.name if one.motor else "", self.products) for one in axes]
+        used = [in_use.motor_in_use(one, self.products) for one in axes]
+        curve = dict(zip(Falling._fields, np.array(falls).T[:, self.motors.places], strict=True))
+        return figures(used, self.motors, self.products.motors) | curve
 
     @cached_property
     def reducers_used(self) -> dict[str, Array]:
         """The figures of the reducer in each design."""
-        used = [reducer_in_use(self.axis_with(0, k, 0), self.products) for k in range(len(self.reducers.values))]
+        used = [in_use.reducer_in_use(self.axis_with(0, k, 0), self.products) for k in range(len(self.reducers.values))]
         return figures(used, self.reducers, self.products.reducers)
 
     @cached_property
@@ -169,7 +162,7 @@ class Studied:
     @cached_property
     def time(self) -> Any:
         """Times of a cycle (s)."""
-        return Column([turn_time(si(rate, PER_MINUTE)) for rate in self.rates.values], self.rates.places).each
+        return cycles(self.rates)
 
     @cached_property
     def mains(self) -> Means:
@@ -212,8 +205,15 @@ class Studied:
         return np.array([self.highest_each[one].limit for one in self.designs], dtype=object)
 
 
+def cycles(rate: Column) -> Any:
+    """Return the times of a cycle (s)."""
+    return Column([turn_time(si(one, PER_MINUTE)) for one in rate.values], rate.places).each
+
+
 def figures(
-    used: Sequence[MotorInUse] | Sequence[ReducerInUse], column: Column, products: Sequence[MotorRow | ReducerRow]
+    used: Sequence[in_use.MotorInUse] | Sequence[in_use.ReducerInUse],
+    column: Column,
+    products: Sequence[MotorRow | ReducerRow],
 ) -> dict[str, Array]:
     """Return the figures of products in use in each design, and what those of the catalogue weigh and cost."""
     rows = [None, *products]

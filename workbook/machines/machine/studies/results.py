@@ -9,9 +9,9 @@ import numpy as np
 
 from engine.drive.dc_bus import together
 from engine.motion.smoothness import shortfalls
-from engine.timing import at_rate, ratio_of, turn_time
+from engine.timing import at_rate, ratio_of
 from workbook.entries.texts import place_of
-from workbook.entries.units import KW, PER_MINUTE, shown, si
+from workbook.entries.units import KW, shown
 from workbook.laws.family import COEFFICIENTS
 from workbook.laws.library import laws, named
 from workbook.machines.machine.clearance.gap import Apart
@@ -22,7 +22,7 @@ from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.power.sheet import KWH
 from workbook.machines.machine.power.view import Mains
 from workbook.machines.machine.studies import drive_results
-from workbook.machines.machine.studies.drives import ONE, Studied, in_words
+from workbook.machines.machine.studies.drives import ONE, Studied, cycles, in_words
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling, Worked
 from workbook.selection.choosing import Choosing
@@ -78,11 +78,6 @@ def of_laws(machine: AnyMachine, found: Worked) -> Worked:
                 if not q.rule:
                     checks[one.own(q.name)] = partial(np.array, q.value)
     return checks
-
-
-def cycles(rate: Column) -> Any:
-    """Return the times of a cycle (s)."""
-    return Column([turn_time(si(one, PER_MINUTE)) for one in rate.values], rate.places).each
 
 
 def of_axis(axis: MovingAxis, faster: Any) -> Worked:

@@ -81,24 +81,15 @@ class SwitchEntry(Model):
 
 def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError]:
     """Yield the first time of a switch, in degrees, that does not last, or is not over where another begins."""
-    said = fault_of(turned, over)
-    if said:
-        unused = [UNUSED for _ in turned.on]
-        yield DesignError("on", f"{turned.name} {said}", "apart", unused)
-
-
-def fault_of(turned: SwitchEntry, over: Abscissa) -> str:
-    """Return what is wrong with the times of a switch, which are in degrees."""
     told = [(k, time) for k, time in enumerate(turned.on, 1) if time.told]
-    for k, time in told:
-        if time.span <= ANGLE_TOLERANCE:
-            return f"time {k} does not last"
+    said = [f"time {k} does not last" for k, time in told if time.span <= ANGLE_TOLERANCE]
     for k, time in told:
         after = [((other.start or 0.0) - (time.start or 0.0)) % TURN for j, other in told if j != k]
         more = time.span - min(after, default=time.span)
         if more > ANGLE_TOLERANCE:
-            return f"time {k} is on {over.said(more)} beyond the begin of another"
-    return ""
+            said.append(f"time {k} is on {over.said(more)} beyond the begin of another")
+    if said:
+        yield DesignError("on", f"{turned.name} {said[0]}", "apart", [UNUSED for _ in turned.on])
 
 
 def spelled(switches: Any) -> Any:

@@ -29,7 +29,7 @@ def cycle_sheets(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
 
 def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
     """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
-    over, i, samples = machine.over, one.axis.number, len(machine.angles)
+    over, i, samples, told = machine.over, one.axis.number, len(machine.angles), one.axis.told(machine.samples)
     title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
     with sheet.scoped(f"cycle{i}_"):
@@ -46,7 +46,12 @@ def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
             calc("lane", "in the diagram", "", "", "=@floor+@scale*([y]-[n]*@lap)",
                  one.axis.lane(machine.samples, floor, LANE_SHARE)),
             *([theta] if over.measured else []),
-            *found(one),
+            calc("n", "cycles of its phases begun before", "n_c", "",
+                 "=INT((MIN([theta],timing_end)-@late+eps)/360)", told.cycles, format="0",
+                 source="the end of the turn has the left limit"),
+            calc("p", "angle of its phases", "", "°", "=[theta]-@late-360*[n]", shown(told.x, DEGREE), format="0.0##",
+                 source="θ − shift − 360 n_c", scale=360.0),
+            *finding(one.pieces, "p", told.x),
         )  # fmt: skip
     sheet.unprinted, sheet.widths = True, {FIRST: 14}
 
@@ -92,16 +97,3 @@ def exportable(one: AxisRows) -> Exportable:
     return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, units,
                       (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
                       "*1000" if unit == "mm" else "*180/PI()", axis.motion.size, later, over=over)  # fmt: skip
-
-
-def found(one: AxisRows) -> list[Quantity]:
-    """Return where the samples of an axis lie: in which cycle, at which angle of its phases, in which piece."""
-    told = one.axis.told(one.machine.samples)
-    return [
-        calc("n", "cycles of its phases begun before", "n_c", "",
-             "=INT((MIN([theta],timing_end)-@late+eps)/360)", told.cycles, format="0",
-             source="the end of the turn has the left limit"),
-        calc("p", "angle of its phases", "", "°", "=[theta]-@late-360*[n]", shown(told.x, DEGREE), format="0.0##",
-             source="θ − shift − 360 n_c", scale=360.0),
-        *finding(one.pieces, "p", told.x),
-    ]  # fmt: skip

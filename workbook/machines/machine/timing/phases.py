@@ -68,7 +68,10 @@ def passing(one: AxisRows) -> list[Quantity]:
     """Return the entries of where phases meet, and the kind of both ends; none where all of them begin at rest."""
     if not one.ends:
         return []
-    n, kinds = one.rows, [both.kinds for _, both in one.ends.phases]
+    n, over, kinds = one.rows, one.machine.over, [both.kinds for _, both in one.ends.phases]
+    units, symbols = (one.at.unit(1), one.at.unit(2)), ("y'", "y''")
+    if over.measured:
+        units, symbols = over.rates(one.axis.given.unit)[:2], over.symbols[1:3]
 
     def end(name: str, word: str, values: list[str]) -> Quantity:
         return result(name, f"kind of its {word}", "", "", f"=INDEX([{one.name}_kinds.{name}],2*[k])",
@@ -77,7 +80,7 @@ def passing(one: AxisRows) -> list[Quantity]:
 
     return [
         *entries(entry(one, "velocity"), entry(one, "acceleration"), f"axes.{one.axis.number - 1}.phases.*",
-                 *rates_of(one)),
+                 units, symbols),
         end("begins", "begin", [begin for begin, _ in kinds]), end("ends", "end", [end for _, end in kinds]),
     ]  # fmt: skip
 
@@ -168,16 +171,6 @@ def faults(one: AxisRows) -> list[Quantity]:
              filled([p.lack for p in one.axis.phases], one.rows),
              source="at its end: the law's lack"),
     ]  # fmt: skip
-
-
-def rates_of(one: AxisRows) -> tuple[tuple[str, str], tuple[str, str]]:
-    """Return the units, and the symbols, of what is entered for the place where two phases meet."""
-    at, over = one.at, one.machine.over
-    if not over.measured:
-        return (at.unit(1), at.unit(2)), ("y'", "y''")
-    _, y1, y2, _ = over.symbols
-    velocity, acceleration, _ = over.rates(one.axis.given.unit)
-    return (velocity, acceleration), (y1, y2)
 
 
 def beyond(over: Abscissa) -> Quantity:

@@ -81,19 +81,10 @@ def of_length(machine: Whole) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def units(machine: Whole) -> list[str]:
-    """Return the units in which axes move, each once."""
-    return list(dict.fromkeys(axis.given.unit for axis in machine.axes))
-
-
-def positions(machine: Whole) -> str:
-    """Return the units of the positions of all axes."""
-    return ", ".join(units(machine))
-
-
-def rates(machine: Whole, order: int) -> str:
-    """Return the units of a derivative of all axes, as it is shown."""
-    return ", ".join(machine.over.rates(unit)[order - 1] for unit in units(machine))
+def units(machine: Whole, order: int = 0) -> str:
+    """Return the units of the positions of all axes (order 0), or of a derivative, as they are shown."""
+    each = dict.fromkeys(axis.given.unit for axis in machine.axes)
+    return ", ".join((unit, *machine.over.rates(unit))[order] for unit in each)
 
 
 def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
@@ -108,7 +99,7 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
     def of(column: str) -> list[str]:
         return [f"=MAX([axis{axis.number}.{column}])" for axis in axes]
 
-    unit, size = positions(machine), max(shown(a.motion.size(0), a.unit) for a in axes)
+    unit, size = units(machine), max(shown(a.motion.size(0), a.unit) for a in axes)
     sheet.row += 1
     table = sheet.table(
         "axes", "Axes", n,
@@ -129,8 +120,8 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
              each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes], scale=size),
         result("high", "highest position", "", unit,
              each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes], scale=size),
-        result("v", "greatest velocity", y1, rates(machine, 1), of("v"), [a.fastest for a in axes]),
-        result("a", "greatest acceleration", y2, rates(machine, 2), of("a"), [a.hardest for a in axes]),
+        result("v", "greatest velocity", y1, units(machine, 1), of("v"), [a.fastest for a in axes]),
+        result("a", "greatest acceleration", y2, units(machine, 2), of("a"), [a.hardest for a in axes]),
     )  # fmt: skip
     sheet.workings(
         table, "axes_taken", "Workings", FIRST + columns + 1,
@@ -145,7 +136,7 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
 
 def gaps(machine: Whole) -> list[Quantity]:
     """Return the columns of each axis' greatest lift, what a law leaves of one, and where the cycle ends."""
-    axes, last, unit = machine.axes, machine.over.in_degrees("MAX([{0}.stop])"), positions(machine)
+    axes, last, unit = machine.axes, machine.over.in_degrees("MAX([{0}.stop])"), units(machine)
     lift = "MAX(MAX([{0}.h]),0-MIN([{0}.h]))"
     lack = "MAX(MAX([{0}.lack]),0-MIN([{0}.lack]))"
     gap = f"SUM([{{0}}.h])-IF(360-{last}>check_zero,0,INDEX([{{0}}.lack],COUNT([{{0}}.stop])))"
@@ -201,7 +192,8 @@ def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the charts of position, velocity and acceleration: a row for travelling axes, one for turning axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
     over, symbols = machine.over, ("y", *machine.over.symbols[1:])
-    groups = {unit: [axis for axis in machine.axes if axis.given.unit == unit] for unit in units(machine)}
+    moving = dict.fromkeys(axis.given.unit for axis in machine.axes)
+    groups = {unit: [axis for axis in machine.axes if axis.given.unit == unit] for unit in moving}
     for unit, axes in groups.items():
         of = {"mm": " of travelling axes", "°": " of turning axes"}.get(unit, "") if len(groups) > 1 else ""
         charts = []
