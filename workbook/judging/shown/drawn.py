@@ -82,11 +82,14 @@ class Reader:
         ids = [str(one.get("val")) for one in groups[0] if tag(one) == "axId"][:2] if groups else []
         first, second = (*(axes.get(name, Axis()) for name in ids), Axis(), Axis())[:2]
         grounds = (child(plot, "spPr"), child(root, "spPr"))
+        others = (child(root, "chart", name) for name in ("title", "legend"))
+        over = max(share(one, "w", 0.0) * share(one, "h", 0.0) for one in others)
         odd = [said for said, there in (
             ("labels of their own", any(tag(one) == "dLbl" and child(one, "tx") is not None for one in everything)),
             ("points of their own", any(tag(one) == "dPt" and child(one, "spPr") is not None for one in everything)),
             ("texts that cannot be seen", any(tag(one) in ("defRPr", "rPr") and unreadable(one) for one in everything)),
             ("a ground of its own", any(one is not None and dark(one) for one in grounds)),
+            ("a title or a legend over it", over > taste.OVER),
             ("zeros where nothing is", value(root, "chart", "dispBlanksAs") == "zero"),
         ) if there]  # fmt: skip
         return Drawn(
@@ -95,7 +98,7 @@ class Reader:
             [one for name, one in axes.items() if name not in ids],
             [form.get("formatCode", "General") for one in everything if tag(one) in ("dLbls", "dLbl")
              for form in one if tag(form) == "numFmt" and form.get("sourceLinked") not in taste.YES],
-            tuple(float(value(plot, "layout", "manualLayout", end) or 1.0) for end in "wh"),  # type: ignore[arg-type]
+            (share(plot, "w", 1.0), share(plot, "h", 1.0)),
             value(root, "chart", "plotVisOnly", otherwise="1") in taste.YES,
             {tag(one) for one in everything} - {tag(group) for group in groups}, odd, self._at, number,
         )  # fmt: skip
@@ -152,6 +155,11 @@ def value(element: Element | None, *path: str, otherwise: str = "") -> str:
     """Return the attribute ``val`` of the element that a path of names leads to."""
     found = child(element, *path)
     return otherwise if found is None else str(found.get("val", "1"))
+
+
+def share(part: Element | None, end: str, otherwise: float) -> float:
+    """Return which share of a chart's width or height one of its parts has by hand."""
+    return float(value(part, "layout", "manualLayout", end) or otherwise)
 
 
 def source(data: Element | None) -> str:

@@ -86,7 +86,7 @@ CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|.)')  # of headers and footers
 # Charts: colours, widths, legend, grid, ticks, place
 
 LEAST_CHART, SMALL_CHART = 0.12, 0.4  # of the width or the height of a fresh build: hardly to be seen, small
-BEHIND = 0.5  # of a chart that another drawing may cover
+BEHIND, OVER = 0.5, 0.25  # of a chart that another drawing may cover, and that its title or legend may have
 AXIS = {"backwards": SHOWN, "log": SHOWN, "scaled": SHOWN, "not shown": NOTICE}
 LINE = {"not drawn": NOTICE, "bent between its points": NOTICE}
 """what is told of an axis and of a line where these are otherwise than in a fresh build"""
