@@ -63,10 +63,6 @@ class Drive:
         """J_machine/J_m, at the motor's shaft; 0 for a motor without inertia."""
         return self.mechanism.inertia(self.method) / self.motor_inertia if self.motor_inertia else 0.0
 
-    def resisting(self, direction: ArrayLike) -> Array:
-        """Return what resists at the load (Nm, or N) in a direction (−1, 0, 1); at rest, what the motor holds."""
-        return self._held(self.mechanism.load.resisting(direction), direction)
-
     def torques(self, acceleration: ArrayLike, direction: ArrayLike) -> list[Array]:
         """Return the torque (or force) that each shaft must be driven with, from the motor's to the load's.
 

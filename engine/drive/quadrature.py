@@ -43,14 +43,6 @@ class Rows:
         """Return the pieces at places among them."""
         return Rows(self.powers[:, index], tuple(sine[:, index] for sine in self.sines))
 
-    def over(self, axes: int) -> "Rows":
-        """Return the same for places in an array of so many axes, a piece along the first."""
-        shape = (-1, *([1] * (axes - 1)))
-        return Rows(
-            np.array([one.reshape(shape) for one in self.powers]),
-            tuple(np.array([one.reshape(shape) for one in sine]) for sine in self.sines),
-        )
-
 
 def rows_of(pieces: Sequence[MotionPiece]) -> Rows:
     """Return pieces side by side."""

@@ -13,7 +13,7 @@ from engine.laws.pulse_law import PulseLaw
 from engine.motion.joining import EndedPhase, Joined, Rates, Side, agrees, slope
 from engine.motion.phase import Phase
 
-STRAIGHT, NEVER, PULSES, FIXED, SEPTIC = -1, 0, 1, 2, 7
+STRAIGHT, NEVER, PULSES, FIXED = -1, 0, 1, 2
 """ways in which laws meet their neighbours: they have a velocity; take none; take one by the heights of two pulses;
 keep the velocities that they have at their ends"""
 
@@ -123,12 +123,6 @@ class Handover:
         """The ends of a polynomial, per unit of ξ; at rest and without a stroke of all else."""
         law = self.phase.law
         return law.ends if isinstance(law, EndedPolynomial) else Ends(stroke=0.0)
-
-    @property
-    def left(self) -> tuple[float, float, float]:
-        """Of a polynomial of degree 7, what its begin leaves to be done: lift, velocity, acceleration."""
-        e = self.hermite if self.mode == SEPTIC else Ends(stroke=0.0)
-        return e.stroke - e.v0 - e.a0 / 2.0, e.v1 - e.v0 - e.a0, e.a1 - e.a0
 
     @property
     def reversing(self) -> float:

@@ -52,11 +52,6 @@ class LosslessCycle:
         """Share of the cycle that each phase takes."""
         return [p.duration / self.time for p in self.phases]
 
-    @property
-    def moving(self) -> float:
-        """Share of the cycle in motion."""
-        return math.fsum(share for share, p in zip(self.shares, self.phases, strict=True) if p.moves)
-
     @cached_property
     def acceleration(self) -> float:
         """ω̇_rms (rad/s²): sqrt(Σ C_a,rms² h²/t³ / t_c)."""

@@ -224,10 +224,9 @@ def test_exact_rms_needs_phases():
         LosslessCycle(Load(1.0), [])
 
 
-def test_shares_of_the_cycle_in_motion():
+def test_shares_of_the_cycle_and_the_mean_square_of_what_resists():
     cycle = LosslessCycle(Load(1.0, 2.0, 3.0), PHASES)
     assert cycle.shares == pytest.approx([1 / 3, 1 / 6, 1 / 4, 1 / 4])
-    assert cycle.moving == pytest.approx(7 / 12)
     assert cycle.resisting_square == pytest.approx(25 / 3 + 4 / 6 + 1 / 4 + 4 / 4)
 
 
