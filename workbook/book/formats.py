@@ -10,14 +10,11 @@ NOISE = 1e-12  # of any unit: a size below it is rounding
 
 def sample(q: Quantity) -> Any:
     """Return the value by whose size all cells of a quantity are shown: the only one, or the greatest of them."""
-    one = q.format or isinstance(q.value, str) or not hasattr(q.value, "__len__")
-    return q.value if one else peak(list(q.value))
-
-
-def peak(values: list[Any]) -> Any:
-    """Return the number of largest size among ``values``, or the first of them."""
+    if q.format or isinstance(q.value, str) or not hasattr(q.value, "__len__"):
+        return q.value
+    values = list(q.value)
     numbers = [v for v in values if isinstance(v, int | float) and not isinstance(v, bool)]
-    return max(numbers, key=abs) if numbers else (values[0] if values else None)
+    return max(numbers, key=abs) if numbers else next(iter(values), None)
 
 
 def number_format(q: Quantity, value: Any) -> str:

@@ -85,11 +85,6 @@ def lines_of(text: str, points: float, room: float) -> int:
     return count
 
 
-def look(block: Block, q: Quantity) -> Font:
-    """Return the font of a quantity's cells."""
-    return style.ROLES[style.kind(q.role, block.is_table)].font
-
-
 def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
     """Return the width of each column that has one of its own, in digits."""
     found: dict[int, float] = WIDTHS | sheet.widths
@@ -99,8 +94,10 @@ def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
         for q, column in zip(block.quantities, block.columns.values(), strict=True):
             if q.role in ("sentence", "check"):
                 continue
-            texts, font = standing.texts(block, q), look(block, q)
-            needed = longest(words(texts) if q.wrap else texts, font)
+            texts: Iterable[str] = standing.texts(block, q)
+            if q.wrap:
+                texts = [word for text in texts for word in text.split()]
+            needed = longest(texts, style.ROLES[style.kind(q.role, block.is_table)].font)
             has = found.get(column, COLUMN_WIDTH)
             if needed + GAP > has:
                 run = min(free(found, taken, row, column, side(block, q)) for row in rows(block))
@@ -112,11 +109,6 @@ def side(block: Block, q: Quantity) -> int:
     """Return where a quantity's texts run over: to the right, to the left, or, in the middle of a table, nowhere."""
     towards: dict[str, int] = {"left": 1, "right": -1}
     return towards.get(style.alignment(q, sample(q), block.is_table), 0)
-
-
-def words(texts: Iterable[str]) -> list[str]:
-    """Return the words of texts."""
-    return [word for text in texts for word in text.split()]
 
 
 def longest(texts: Iterable[str], font: Font) -> float:
