@@ -20,8 +20,8 @@ from workbook.machines.machine.drive.linkages import FALLS
 from workbook.machines.machine.drive.mechanisms.column import Column
 from workbook.machines.machine.mechanism import Table
 
-LEVEL = 1e-6
-"""1/m, or 1/rad: of the ratio; a smaller change of it is none, as of a table of a straight line"""
+LEVEL = 1e-4
+"""of a ratio over the narrowest part; a smaller change of it is rounding, as of a table of a straight line"""
 SIZED = "@count>=2"
 FITS = "SUM([@curve.falls])=0"
 HOLDS = "angle and position rise from point to point"
@@ -133,7 +133,7 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
         calc("m", "parabola about point", "", "", used("MAX(2,MIN([k],@count-1))"), of(about), format="0"),
         calc("bend", "curvature of the parabola", "y''", "",
              f"=IF(AND([on]=1,@count>2),2*(1/{right}-1/{left})/({after}-{before}),0)", of(found.bend),
-             scale=float(np.abs(found.bend).max()) or 1.0, source="through three points"),
+             scale=change(found.bend, found.slope, np.diff(one.columns[0])), source="through three points"),
         calc("slope", "its slope", "y'", "",
              used(f"1/{left}+[bend]/2*(2*[phi]-{middle}-{before})"), of(found.slope), source="there"),
         calc("h0", "to the point before", "", "", used(at("w", BEFORE)), of(found.widths[0])),
@@ -145,7 +145,7 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
         calc("first", "φ' of the parabola", "", "", used("IF([slope]>0,1/[slope],0)"), of(first),
              source="1/y'; 0 where y' is not above 0"),
         calc("b", "φ'' of the parabola", "", "", "=0-[bend]*[first]^3", of(found.second),
-             scale=float(np.abs(found.second).max()) or 1.0, source="−y''/y'³"),
+             scale=change(found.second, first, one.widths), source="−y''/y'³"),
         calc("calm", "the curve rises", "", "",
              used("IF(AND([first]>0,4*[first]+MIN([h1]*[b],0-[h0]*[b])>0,"
                   "8*[first]+[h1]*[b]<10*[c1],8*[first]-[h0]*[b]<10*[c0]),1,0)"),
@@ -153,7 +153,7 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
         calc("g", "φ' there", "φ'", "", "=IF([on]=0,0,IF([calm]=1,[first],1/MAX(0.8/[flat],MIN(4/[flat],[slope]))))",
              of(one.columns[2])),
         calc("h", "φ'' there", "φ''", "", "=[calm]*[b]", of(one.columns[3]),
-             scale=float(np.abs(found.second).max()) or 1.0),
+             scale=change(found.second, first, one.widths)),
     ]  # fmt: skip
 
 
@@ -196,7 +196,12 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
         calc("g", "ratio", "φ'", "", f"=SUMPRODUCT({D},{{1,2,3,4,5}},[t]^{{0,1,2,3,4}})/{width}", of(first),
              source="dφ/dy"),
         calc("h", "its change", "φ''", "", f"=SUMPRODUCT({D},{{0,2,6,12,20}},[t]^{{0,0,1,2,3}})/{width}^2", of(second),
-             scale=max(float(np.abs(second).max()), LEVEL * float(first.max())), source="d²φ/dy²"),
+             scale=change(second, first, one.widths), source="d²φ/dy²"),
         calc("phi", "angle of the shaft", "φ", "rad", f"=INDEX([@curve.phi],[part])+SUMPRODUCT({D},[t]^{{1,2,3,4,5}})",
              of(turned), scale=1.0),
     ]  # fmt: skip
+
+
+def change(values: Array, ratios: Array, widths: Array) -> float:
+    """Return how large changes of ratios grow over parts of these widths."""
+    return max(float(np.abs(values).max()), LEVEL * float(np.abs(ratios).max()) / float(widths.min()))
