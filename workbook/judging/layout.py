@@ -125,6 +125,7 @@ def follow(match: Match, report: Report, suspects: set[Address]) -> None:
     left without a cell to refer to.
     """
     fits = match.file.fits
+    unfit = {*fits, *(block.name for block, _ in match.misfits)}
     less = any(fit.lost or fit.gone for fit in fits.values())
     torn = less or any(fit.inserted for fit in fits.values()) or bool(match.misfits)
     formulas = {(p.address.sheet, p.address.a1): p for p in match.pairs} if torn else {}
@@ -135,6 +136,6 @@ def follow(match: Match, report: Report, suspects: set[Address]) -> None:
             suspect = pair.address in suspects
             bereft = suspect and "#REF!" in str(pair.held)
             follows |= (f.kind in FOLLOWING and (bereft or not suspect)) or (f.kind == "formula" and bereft)
-            follows |= f.kind == "changed" and pair.cell.block.name in fits
+            follows |= f.kind == "changed" and pair.cell.block.name in unfit
         (report.following if follows else kept).append(f)
     report.findings[:] = kept

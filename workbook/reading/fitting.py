@@ -11,6 +11,7 @@ from typing import Any
 from workbook.book.address import Address, Fit, Place
 from workbook.book.declare import Block, Book
 from workbook.book.formula import area_of
+from workbook.book.limits import MESSAGES
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile
 
@@ -84,7 +85,8 @@ def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], 
     j, rows = counting(block), range(place.rows)
     formulas = [k for k, q in enumerate(block.quantities) if q.formula is not None and place.cell(0, k).column]
     if j is None or not place.cell(0, j).column:
-        own = [r for r in rows if not formulas or any(held(file, place.cell(r, k), True) for k in formulas)]
+        spots = [(place, k) for k in formulas] or messages_beside(file, block, place)
+        own = [r for r in rows if not spots or any(held(file, where.cell(r, k), True) for where, k in spots)]
         return (own if 2 * len(own) > place.rows else rows), []
     first = as_rows(block.quantities[j].value, block.size, block.name)[0]
     numbers = [number(file.value(place.cell(r, j))) for r in rows]
@@ -92,6 +94,14 @@ def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], 
         return rows, []
     empty = [not any(held(file, place.cell(r, k), True) for k in formulas) for r in rows]
     return by_numbers(numbers, empty, first, lambda r: leads_up(file, place, r)) or (rows, [])
+
+
+def messages_beside(file: BookFile, block: Block, place: Place) -> list[tuple[Place, int]]:
+    """Return the columns of the messages in the rows of a table, which has no formulas of its own; none elsewhere."""
+    beside = file.places.get(f"{block.name}{MESSAGES}")
+    if beside is None or (beside.sheet, beside.row, beside.rows) != (place.sheet, place.row, place.rows):
+        return []
+    return [(beside, k) for k in range(beside.columns)]
 
 
 def by_numbers(

@@ -51,7 +51,7 @@ def grid(
         constant("what", "", "", "", ["name", "reduction"]), constant("k", "", "", "", [1, 2], format="0"),
     )  # fmt: skip
     for c in range(1, across + 1):
-        told = [f'=[reducers.name.{c}]&""', f"=[@reducers.i.{c}]+0"]
+        told = [f'=INDEX([reducers.name],{c})&""', f"=[@reducers.i.{c}]+0"]
         each = calc("v", f"reducer {c}", "", "", told, [names[c - 1], reductions[c - 1]],
                     align="center", wrap=True)  # fmt: skip
         sheet.beside(heads, f"@{name}_head{c}", each)

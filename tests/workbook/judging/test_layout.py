@@ -132,6 +132,7 @@ def test_rows_above_and_below_a_table_and_columns_within_are_understood(name, ta
 def test_a_row_deleted_from_a_table_is_understood_or_one_line(name, table, books, tmp_path):
     path = books(name)
     sheet, first, last, *_ = place(path, table)
+    unnumbered = table in ("motors", "reducers", "cycle1")  # of these no row says which it is
     for row in (first, first + 1, last - 1, last):
         made = edited(path, tmp_path, excel.Lines(sheet, row, -1))
         try:
@@ -143,7 +144,8 @@ def test_a_row_deleted_from_a_table_is_understood_or_one_line(name, table, books
             continue
         assert {f.kind for f in report.findings} <= {"layout"}
         if report.findings:
-            one(report, sheet, f"{row}:{row}", "gone above row", "undo", table)
+            told = last if unnumbered else row
+            one(report, sheet, f"{told}:{told}", "gone above row", "undo", table)
 
 
 @pytest.mark.parametrize("full", [False, True], ids=["entries only", "a copied row"])
