@@ -20,6 +20,7 @@ from workbook.machines.machine.mechanism import SCREWS, UNSIZED
 from workbook.machines.machine.selection import in_use
 from workbook.selection.catalogue import FULL_CYCLES
 
+USED = "The figures that this sheet computes with: the catalogue's where a name is entered, else those entered below."
 MACHINES, OWN = "the machine's rate", "a rate of its own"
 END = "INDEX([motors.end],MAX(1,@motor_row))"
 LEVEL = (
@@ -36,6 +37,8 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
+        sheet.heading("Motor and reducer in use", USED)
+        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *cycle_rows(view), *curve_rows(view))
         entries(sheet, driven, page.entries(driven, f"axes.{driven.number - 1}"))
         outcome(sheet, view)
         mends = Said('"; "&@mends', f"; {max_rate.mends(view).said}")
@@ -50,8 +53,6 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         sheet.heading("Enter: parts and process forces")
         parts_table(sheet, driven, sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
-        sheet.heading("Motor and reducer in use")
-        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *cycle_rows(view), *curve_rows(view))
         sheet.not_printed_below()
         workings(sheet, view, page.sizes(driven))
         if driven.given.kind in registry.WORKED:

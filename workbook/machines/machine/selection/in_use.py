@@ -145,6 +145,10 @@ def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
                         used.max_speed or 0.0)  # fmt: skip
 
 
+UNUSED = "not used"
+"""what is entered of a product that has the catalogue's figures"""
+
+
 def entries(axis: Axis, key: str) -> list[Quantity]:
     """Return the rows of what is entered of reducer and motor."""
     rows: list[Quantity] = []
@@ -154,6 +158,8 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
             given(f"@{kind}_name", f"{kind.capitalize()} of the catalogue", "", "", entered.name or None,
                   f"{key}.{kind}.name", choices=f"={kind}_name", align="left",
                   source="leave empty to enter the figures below"),
+            calc(f"@own_{kind}", f"{kind.capitalize()}, as entered: the figures below are", "", "",
+                 f'=IF(@{kind}_name="","used","{UNUSED}")', UNUSED if entered.name else "used", align="right"),
             *(given(f"@own_{kind}_{name}", f"{kind.capitalize()}, as entered: {words}", symbol, unit,
                     getattr(entered, name), f"{key}.{kind}.{name}", source=source,
                     format="General" if unit in SI_UNITS else "0.0##")
