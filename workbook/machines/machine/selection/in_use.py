@@ -31,7 +31,7 @@ REDUCER = (
     ("inertia", "inertia at the input", "J_G", "kg cm²", "", "@j_reducer", "inertia"),
     ("no_load_torque", "no-load torque", "T_nl", "Nm", "at the motor, against its rotation", "@no_load", "t012"),
     ("peak_torque", "largest output torque", "", "Nm", "empty: no limit", "@reducer_peak", "tmax"),
-    ("full_cycles", "cycles an hour up to which that torque holds", "Z_h", "1/h", "empty: 1,000",
+    ("full_cycles", "full-torque cycles an hour", "Z_h", "1/h", "empty: 1,000",
      "@reducer_full", "full"),
     ("cycle_factor", "factor that it counts over beyond", "f_s", "", "as its maker says; empty: 1",
      "@reducer_fs", "fs"),
