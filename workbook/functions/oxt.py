@@ -8,6 +8,7 @@ compares with :func:`idl`, by LibreOffice's SDK::
 
 from importlib import resources
 from importlib.resources.abc import Traversable
+from operator import attrgetter
 from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
@@ -67,7 +68,7 @@ def write(path: Path, overwrite: bool = False) -> None:
 
 def parts() -> dict[str, bytes]:
     """Return the files of the add-in by name, in order."""
-    modules = sorted((p for p in (PACKAGE / FUNCTIONS_FOLDER).iterdir() if p.name.endswith(".py")), key=_name)
+    modules = sorted((PACKAGE / FUNCTIONS_FOLDER).iterdir(), key=attrgetter("name"))
     about = {f"description/{language}.txt": text.encode() for language, text in ABOUT._asdict().items()}
     return {
         "META-INF/manifest.xml": manifest(),
@@ -76,12 +77,8 @@ def parts() -> dict[str, bytes]:
         "CalcAddIns.xcu": calc_add_ins(),
         RDB: (PACKAGE / RDB).read_bytes(),
         COMPONENT: source(PACKAGE / COMPONENT),
-        **{f"pythonpath/{FUNCTIONS_FOLDER}/{module.name}": source(module) for module in modules},
+        **{f"pythonpath/{FUNCTIONS_FOLDER}/{one.name}": source(one) for one in modules if one.name.endswith(".py")},
     }
-
-
-def _name(file: Traversable) -> str:
-    return file.name
 
 
 def source(file: Traversable) -> bytes:

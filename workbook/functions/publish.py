@@ -30,17 +30,12 @@ The names that begin with _ are called by the others: take them all.
 
 
 def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
-    """Write the workbook with the names and the page that shows them, replacing what is there."""
-    made = parts(declare(shown), Shown, names(), f"{NAMESPACE}.")
-    pack(archive.dynamic(made | {SHEET: unsaved(made[SHEET])}), path, overwrite=True)
+    """Write the workbook with the names and the page that shows them, replacing what is there.
 
-
-def unsaved(sheet: bytes) -> bytes:
-    """Return the sheet without the saved value of the cell that says whether the functions compute.
-
-    A program shows what is saved and does not ask: what is not saved it has to compute.
+    The cell that says whether the functions compute has no saved value: a program shows what is saved and does not ask.
     """
-    return WHETHER.sub(rb"\1\2", sheet)
+    made = parts(declare(shown), Shown, names(), f"{NAMESPACE}.")
+    pack(archive.dynamic(made | {SHEET: WHETHER.sub(rb"\1\2", made[SHEET])}), path, overwrite=True)
 
 
 def names() -> Iterator[DefinedName]:
@@ -69,15 +64,12 @@ def write_files() -> list[Path]:
 def stale_files() -> list[Path]:
     """Return the committed files that today's code would generate differently."""
     with tempfile.TemporaryDirectory() as folder:
-        return [FOLDER / name for name in COMMITTED if stale(name, Path(folder) / name)]
+        return [FOLDER / name for name in COMMITTED if stale(FOLDER / name, Path(folder) / name)]
 
 
-def stale(name: str, fresh: Path) -> bool:
-    """Whether a committed file differs from a fresh one."""
-    COMMITTED[name](fresh)
-    kept = FOLDER / name
-    if not kept.exists():
-        return True
-    if kept.suffix == ".xlsx":
+def stale(kept: Path, fresh: Path) -> bool:
+    """Whether a committed file differs from a fresh one, or is not there."""
+    COMMITTED[kept.name](fresh)
+    if kept.exists() and kept.suffix == ".xlsx":
         return not same_book(fresh, kept)
-    return kept.read_bytes() != fresh.read_bytes()
+    return not kept.exists() or kept.read_bytes() != fresh.read_bytes()

@@ -120,25 +120,19 @@ class Shown(Model):
         return float(np.sqrt(value**2 @ duration / duration.sum()))
 
 
-EXAMPLE = Shown(
-    phases=[
-        ShownPhase(law="DWL", duration=30.0),
-        ShownPhase(law="MTP", duration=120.0, lift=80.0, p=[0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125]),
-        ShownPhase(law="DWL", duration=30.0),
-        ShownPhase(law="MSN", duration=40.0, lift=-13.0),
-        ShownPhase(law="LIN", duration=40.0, lift=-25.0),
-        ShownPhase(law="PO5", duration=40.0, lift=-12.0),
-        ShownPhase(law="OWN", duration=60.0, lift=-30.0, p=[1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0]),
+MTP = [0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125]
+EXAMPLE = Shown.model_validate({
+    "phases": [
+        {"law": "DWL", "duration": 30.0},
+        {"law": "MTP", "duration": 120.0, "lift": 80.0, "p": MTP},
+        {"law": "DWL", "duration": 30.0},
+        {"law": "MSN", "duration": 40.0, "lift": -13.0},
+        {"law": "LIN", "duration": 40.0, "lift": -25.0},
+        {"law": "PO5", "duration": 40.0, "lift": -12.0},
+        {"law": "OWN", "duration": 60.0, "lift": -30.0, "p": [1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0]},
     ],
-    shafts=[
-        Shaft(inertia=0.02, ratio=1.0),
-        Shaft(inertia=0.5, ratio=0.2),
-        Shaft(inertia=0.0012, ratio=-3.0),
+    "shafts": [{"inertia": 0.02, "ratio": 1.0}, {"inertia": 0.5, "ratio": 0.2}, {"inertia": 0.0012, "ratio": -3.0}],
+    "profile": [
+        {"value": value, "duration": d} for value, d in ((12.0, 0.2), (3.0, 0.5), (-9.0, 0.2), (0.0, 0.6))
     ],
-    profile=[
-        Interval(value=12.0, duration=0.2),
-        Interval(value=3.0, duration=0.5),
-        Interval(value=-9.0, duration=0.2),
-        Interval(value=0.0, duration=0.6),
-    ],
-)
+})  # fmt: skip

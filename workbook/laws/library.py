@@ -1,14 +1,22 @@
-"""The laws of a book: each a name, a family, what is entered, and the engine's law of it."""
+"""The laws of a book: each a name, a family, what is entered, and the engine's law of it.
 
+Which laws a workbook has besides the basic ones is told by the names of its cells.
+"""
+
+import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 from engine.laws import Law
 from workbook.book.chart import in_scope
-from workbook.laws.entries import Laws
+from workbook.entries.machine import Machine
+from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.laws.family import Page
-from workbook.laws.registry import CODES, FAMILY, Family
+from workbook.laws.registry import CODES, FAMILY, RISING, Family
+
+CALLED = re.compile(r"([A-Z][A-Z0-9]{2})(\d{1,4})_called")
 
 
 @dataclass(frozen=True)
@@ -65,16 +73,28 @@ class NamedLaw:
 def named(given: Laws) -> list[NamedLaw]:
     """Return the laws of a book in the order of their numbers."""
     return [
-        NamedLaw(name, number, family_of(given, name), given[name], given.called(name))
+        NamedLaw(name, number, FAMILY[given[name].family if given[name] else name], given[name], given.called(name))
         for number, name in enumerate(given.names, 1)
     ]
-
-
-def family_of(given: Laws, name: str) -> Family:
-    """Return the family of a law by its name."""
-    return FAMILY[name if name == "DWL" else given[name].family]
 
 
 def laws(given: Laws) -> dict[str, Law]:
     """Return the engine's laws by name, in the order of their numbers."""
     return {one.name: one.law for one in named(given)}
+
+
+def numbered(names: Iterable[str]) -> dict[str, str]:
+    """Return the family of each law that has a name of its own, by its key such as ``MTP8``, in their order."""
+    found = [match for match in map(CALLED.fullmatch, names) if match and match[1] in ENTRIES]
+    return {f"{match[1]}{match[2]}": match[1] for match in sorted(found, key=lambda match: int(match[2]))}
+
+
+def with_laws(machine: Machine, laws: dict[str, str]) -> Machine:
+    """Return a machine whose book has cells for these laws, and for no other besides the basic ones."""
+    copy = machine.model_copy(
+        deep=True, update={"laws": Laws({key: {"family": family} for key, family in laws.items()})}
+    )
+    for one in references(copy):
+        if one.name not in CODES:
+            object.__setattr__(one.entries, one.field, RISING[0])
+    return copy

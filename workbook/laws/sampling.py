@@ -112,16 +112,13 @@ class Pieces:
         self, values: dict[str, Array], derivatives: str, role: Any = calc, entries: Container[str] = ENTRIES
     ) -> list[Quantity]:
         """Return the columns of ``derivatives``, a part of ``svaj``, with the engine's values."""
+        both = ARGUMENTS if self.second_sine else ARGUMENTS[:1]
+        sines = [(entry[1:], x) for entry, x, *_ in both if entry in entries]
         made = []
         for d in derivatives:
             label, _, source = SPELLED[d]
             highest = max((k for k in range(self.room) if f"c{k}" in entries), default=-1)
-            formula = polynomial(d, highest, self.room) + self.turned(d, entries)
+            formula = polynomial(d, highest, self.room) + "".join(SINES[d].format(*sine) for sine in sines)
             made.append(role(d, label, d, "", f"={formula.removeprefix('+') or 'INDEX(piece_c1,[q])'}", values[d],
                              source=source))  # fmt: skip
         return made
-
-    def turned(self, derivative: str, entries: Container[str]) -> str:
-        """Return what the sines add to a derivative."""
-        both = ARGUMENTS if self.second_sine else ARGUMENTS[:1]
-        return "".join(SINES[derivative].format(entry[1:], x) for entry, x, *_ in both if entry in entries)

@@ -1,10 +1,10 @@
 """What templates' variations share: other parameters for every law, asymmetric, with zero stages, of several pieces."""
 
-from collections.abc import Callable, Container, Iterable
+from collections.abc import Callable, Container, Iterable, Iterator
+from itertools import count
 from typing import Any
 
 from workbook.entries.machine import Machine
-from workbook.laws.family import Page
 from workbook.laws.registry import CODES, FAMILY, Family
 
 SIX = 6
@@ -53,25 +53,20 @@ def laws_in(description: Any, names: Container[str]) -> set[str]:
 def vary_laws(laws: dict[str, Any], k: int, scale: Any, room: int) -> None:
     """Give every law other parameters: asymmetric, with zero stages, of several pieces."""
     for name, entry in laws.items():
-        if page_of(name, entry).has_sheet:
+        if family_of(name, entry).page.has_sheet:
             entry["lift"] *= -next(scale) if k % 2 else next(scale)
             entry["time"] *= next(scale)
     for i, (name, entry) in enumerate(laws.items()):
-        entry.update(page_of(name, entry).variation(k if name in CODES else k + i, room))
+        entry.update(family_of(name, entry).page.variation(k if name in CODES else k + i, room))
 
 
 def single_humped(laws: dict[str, Any]) -> list[str]:
     """Return the laws that speed up once, from rest to rest, whatever their parameters."""
-    return [name for name, entry in laws.items() if page_of(name, entry).single]
+    return [name for name, entry in laws.items() if family_of(name, entry).page.single]
 
 
-def page_of(name: str, entry: dict[str, Any]) -> Page:
-    """Return the page of a law in a description, which leaves out the family of a basic law."""
-    return told_family(name, entry).page
-
-
-def told_family(name: str, entry: dict[str, Any]) -> Family:
-    """Return its family."""
+def family_of(name: str, entry: dict[str, Any]) -> Family:
+    """Return the family of a law in a description, which leaves out that of a basic law."""
     return FAMILY[entry.get("family", name)]
 
 
@@ -88,17 +83,9 @@ def own_in(laws: dict[str, Any]) -> list[str]:
     return [name for name, entry in laws.items() if entry.get("family", name) == "OWN"]
 
 
-def factors(k: int) -> Any:
+def factors(k: int) -> Iterator[float]:
     """Yield a factor near 1 for each number, no two alike."""
-    n = 0
-    while True:
-        n += 1
-        yield 1 + 0.013 * ((n * 7 + k * 5) % 23) + 0.0007 * n
-
-
-def own_pieces(k: int, room: int) -> list[dict[str, Any]]:
-    """Return pieces of an own law; with little room, the one of a single piece."""
-    return list(FAMILY["OWN"].page.variation(k, room)["pieces"])
+    return (1 + 0.013 * ((n * 7 + k * 5) % 23) + 0.0007 * n for n in count(1))
 
 
 RISING = [{"duration": 0.4, "c0": 5.0}, {"duration": 0.6, "c0": -10 / 3}]

@@ -13,7 +13,7 @@ from workbook.entries.design import set_at
 from workbook.entries.exported import ExportEntry, named
 from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError
-from workbook.laws.layout import numbered, with_laws
+from workbook.laws.library import numbered, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
 from workbook.reading.files import BookFile, Words, require_narrow
 from workbook.reading.fitting import ends_lost, fitted

@@ -16,7 +16,7 @@ from workbook.entries.types import Model
 from workbook.laws import registry
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import LawSheet, PieceRow
-from workbook.laws.layout import with_laws
+from workbook.laws.library import with_laws
 from workbook.laws.page import COEFFICIENTS
 from workbook.laws.registry import CODES, FAMILIES, FAMILY, family_of, require_complete
 from workbook.laws.variations import SIX, law_for, laws_in, variations

@@ -19,7 +19,7 @@ from workbook.book.sentence import amount, figure
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, ENTRIES, LawSheet, Page, Stacked
+from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page, Stacked
 from workbook.laws.mending import missing
 from workbook.laws.tops import OWN_ENTRIES, extremes, points_table
 
@@ -217,24 +217,17 @@ PAGE = OwnPage(
 def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
     """Declare the table of pieces."""
 
-    def entry(name: str, label: str, symbol: str, field: str) -> Quantity:
+    def entry(name: str, field: str) -> Quantity:
         values = filled([getattr(piece, field) for piece in own.pieces], n, None)
         digits = "0.0000" if name == "d" else "General"
-        return given(name, label, symbol, "", values, f"{key}.pieces.*.{field}", format=digits)
+        return given(name, *LABELS[name], "", values, f"{key}.pieces.*.{field}", format=digits)
 
     pieces = filled(own.made, n, engine.Piece(0.0))
     at = ends(pieces)
     entered = sheet.table(
         "@pieces", "Fill one row each, in order; the durations sum to 1; leave spare rows empty", n,
         constant("k", "piece", "k", "", list(range(1, n + 1))),
-        entry("d", "duration", "d", "duration"),
-        entry("c0", "constant", "c0", "c0"),
-        entry("c1", "slope", "c1", "c1"),
-        entry("c2", "quadratic", "c2", "c2"),
-        entry("c3", "cubic", "c3", "c3"),
-        entry("P", "amplitude", "P", "amplitude"),
-        entry("omega", "frequency", "ω", "omega"),
-        entry("phi", "phase", "φ", "phase"),
+        *map(entry, OWN_ENTRIES, Piece.model_fields),
         rules=[TURNING],
     )  # fmt: skip
     sheet.workings(

@@ -6,7 +6,7 @@ from typing import Any
 from engine.selection.pair_matrix import RANKS
 from workbook.laws.registry import Family
 from workbook.laws.shared import POLYNOMIAL
-from workbook.laws.variations import SIX, factors, law_for, page_of, passing, told_family, variations, vary_laws
+from workbook.laws.variations import SIX, factors, family_of, law_for, passing, variations, vary_laws
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
@@ -36,7 +36,7 @@ def shaped(laws: dict[str, Any]) -> list[str]:
     The polynomial 4-5-6-7 and two sines too. Beside a straight line a phase may move there and back: not behind every
     mechanism.
     """
-    families = {name: told_family(name, entry) for name, entry in laws.items()}
+    families = {name: family_of(name, entry) for name, entry in laws.items()}
     return [name for name, one in families.items() if one.page.way != STRAIGHT
             and (of_shapes(one) or one.page.way == SEVENTH or one.page.second_sine)]  # fmt: skip
 
@@ -48,7 +48,7 @@ def of_shapes(family: Family) -> bool:
 
 def handing(laws: dict[str, Any]) -> list[str]:
     """Return those with straight lines, for drives of constant ratio."""
-    return [name for name, entry in laws.items() if page_of(name, entry).way == STRAIGHT] + shaped(laws)
+    return [name for name, entry in laws.items() if family_of(name, entry).page.way == STRAIGHT] + shaped(laws)
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
