@@ -1,11 +1,12 @@
 """The page that shows each function in use: a law, a motion of phases, shafts and a profile, all to be changed."""
 
+from collections.abc import Iterable
 from math import isfinite
 from typing import Any
 
 from engine.laws.inverse import inverse
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import FIRST, Book, Sheet, Text, calc, constant, given, result
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.functions.declared import FUNCTIONS, TAKES, Argument
 from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
@@ -28,6 +29,7 @@ ARGUMENTS = {
     "ratios": "[shafts.ratio]", "values": "[profile.value]", "durations": "[profile.span]",
 }  # fmt: skip
 PIECE = {"duration": "duration", **{f"c{i}": f"c{i}" for i in range(4)}, "amplitude": "P", "omega": "ω", "phase": "φ"}
+DERIVATIVES = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 PROBE = '=MOTION.S("CUB",0.5,0)'
 QUIET = "ISERROR([fn_probe.fn_probe])"
 """where the functions do not compute, the examples show nothing in place of their errors"""
@@ -122,12 +124,7 @@ def results(shown: Shown) -> list[Any]:
     return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion[:3], shown.reduced, shown.rms]
 
 
-LAW_CURVES = (
-    ("Position", "xi", "s", "ξ", "s"),
-    ("Velocity", "xi", "v", "ξ", "v"),
-    ("Acceleration", "xi", "a", "ξ", "a"),
-    ("Jerk", "xi", "j", "ξ", "j"),
-)
+LAW_CURVES = [(word.capitalize(), "xi", name, "ξ", name) for name, word in DERIVATIVES.items()]
 MOTION_CURVES = (
     ("Position of the motion", "x", "y", "x", "y"),
     ("Velocity of the motion", "x", "y1", "x", "y'"),
@@ -144,9 +141,12 @@ def curve(title: str, x: str, y: str, x_axis: str, y_axis: str, table: str) -> C
 
 def motion(sheet: Sheet, shown: Shown) -> None:
     """Declare the table of phases, and the charts of the motion."""
-    rows = len(shown.phases) + EMPTY_PHASES
-    phases = shown.phases
+    phases, rows = shown.phases, len(shown.phases) + EMPTY_PHASES
     p = [filled(phase.p, WIDTH, None) for phase in phases]
+
+    def entry(name: str, words: str, values: Iterable[Any], key: str) -> Quantity:
+        return given(name, words, "", "", filled(values, rows, None), f"phases.*.{key}", format="General")
+
     sheet.heading("A motion of phases", "Empty rows at the end are left out; a law without parameters is as delivered.")
     sheet.note("A curved phase takes the velocity of a straight line LIN beside it. A row VIA, velocity, acceleration")
     sheet.note("prescribes these between two curved phases, or where the motion begins or ends.")
@@ -154,13 +154,8 @@ def motion(sheet: Sheet, shown: Shown) -> None:
     sheet.table(
         "phases", "Phases", rows,
         given("law", "law", "", "", filled([one.law for one in phases], rows, None), "phases.*.law", align="center"),
-        given("duration", "duration", "", "",
-              filled([one.duration for one in phases], rows, None), "phases.*.duration", format="General"),
-        given("lift", "lift", "", "",
-              filled([one.lift for one in phases], rows, None), "phases.*.lift", format="General"),
-        *(given(f"p{i}", f"parameter {i}", "", "",
-                filled(values, rows, None), "phases.*.p.*", format="General")
-          for i, values in enumerate(zip(*p, strict=True), 1)),
+        *(entry(name, name, [getattr(one, name) for one in phases], name) for name in ("duration", "lift")),
+        *(entry(f"p{i}", f"parameter {i}", values, "p.*") for i, values in enumerate(zip(*p, strict=True), 1)),
     )  # fmt: skip
     sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=13)
 
@@ -168,17 +163,15 @@ def motion(sheet: Sheet, shown: Shown) -> None:
 def sums(sheet: Sheet, shown: Shown) -> None:
     """Declare the shafts and the profile."""
     sheet.heading("Shafts that turn together, and a profile constant in each interval")
-    shafts, profile = shown.shafts, shown.profile
-    sheet.table(
-        "shafts", "Shafts", len(shafts),
-        given("inertia", "inertia", "J", "", [s.inertia for s in shafts], "shafts.*.inertia", format="General"),
-        given("ratio", "speed ratio", "ω_i/ω", "", [s.ratio for s in shafts], "shafts.*.ratio", format="General"),
-    )  # fmt: skip
-    sheet.table(
-        "profile", "Profile", len(profile),
-        given("value", "value", "", "", [i.value for i in profile], "profile.*.value", format="General"),
-        given("span", "duration", "t", "", [i.duration for i in profile], "profile.*.duration", format="General"),
-    )  # fmt: skip
+    tables = (
+        ("shafts", shown.shafts, (("inertia", "inertia", "J", "inertia"), ("ratio", "speed ratio", "ω_i/ω", "ratio"))),
+        ("profile", shown.profile, (("value", "value", "", "value"), ("span", "duration", "t", "duration"))),
+    )
+    for table, rows, columns in tables:
+        sheet.table(table, table.capitalize(), len(rows), *(
+            given(name, words, symbol, "", [getattr(one, key) for one in rows], f"{table}.*.{key}", format="General")
+            for name, words, symbol, key in columns
+        ))  # fmt: skip
 
 
 def arguments(sheet: Sheet) -> None:
@@ -197,8 +190,7 @@ def samples(sheet: Sheet, shown: Shown) -> None:
     sheet.heading("The sampled law and the sampled motion")
     sheet.table("law", "The law", LAW_STEPS + 1, calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", shown.xis),
         *(result(name, words, name, "", f"=MOTION.{name.upper()}({LAW},[xi],{P})", values)
-          for name, words, values in zip("svaj", ("position", "velocity", "acceleration", "jerk"), shown.samples,
-                                         strict=True)),
+          for (name, words), values in zip(DERIVATIVES.items(), shown.samples, strict=True)),
         constant("k", "sample", "k", "", list(range(LAW_STEPS + 1)))).quiet = QUIET  # fmt: skip
     sheet.table("motion", "The motion", MOTION_STEPS + 1,
         calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", shown.xs),

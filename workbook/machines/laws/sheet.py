@@ -131,7 +131,7 @@ def costs(sheet: Sheet, view: Compared) -> None:
         calc("inside", "order between them", "", "", ORDER.format(0), [inside for _, inside in view.smooth],
              format="0"),
         *(calc(f"{name}_of", f"{words}, if it does not jump", "", "", f'=IF(MIN([ends],[inside])>1,[{name}],"∞")',
-               [getattr(each, name) if keeps else "∞" for each, keeps in zip(found, view.unjerked, strict=True)],
+               [getattr(one, name) if min(orders) > 1 else "∞" for one, orders in zip(found, view.smooth, strict=True)],
                format="0.0000")
           for name, words in (("loss", "copper loss"), ("va", "largest power"))),
     )  # fmt: skip
@@ -157,8 +157,8 @@ def names_sheet(book: Book, view: Compared) -> None:
 def samples(sheet: Sheet, view: Compared) -> None:
     """Declare the sampled curves, a table each."""
     n, stack = view.sizes.cycle, view.stack
-    for i, one, found in zip(CURVES, view.curves, view.samples, strict=True):
-        values = dict(zip("svaj", found, strict=True))
+    for i, one in zip(CURVES, view.curves, strict=True):
+        values = dict(zip("svaj", one.law.evaluate(view.xi), strict=True))
         sheet.table(
             f"samples{i}", f"Curve {i} over ξ = t / t_a", n + 1,
             constant("k", "sample", "k", "", list(range(n + 1))),

@@ -1,12 +1,14 @@
 """Motion laws compared: every law of the book side by side, and what each costs."""
 
+from typing import Any
+
 from workbook.book.declare import Book, calc, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.laws.entries import MotionLaws
+from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 from workbook.machines.laws.sheet import comparison_sheet, names_sheet
-from workbook.machines.laws.variations import variants
 from workbook.machines.laws.view import Compared
 from workbook.template import Template, finish
 
@@ -32,6 +34,21 @@ def declare(given: MotionLaws) -> Book:
     names_sheet(book, view)
     shelf.sheets(book)
     return finish(book, ("S1", "S3"))
+
+
+def variants(machine: MotionLaws) -> list[MotionLaws]:
+    """Return six books of the same layout, with other laws drawn and other parameters everywhere."""
+    return [MotionLaws.model_validate(data) for data in variations(machine, varied)]
+
+
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn: one curve to four."""
+    k = turn % SIX
+    vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
+    count = (MOST_CURVES, 1, 3, MOST_CURVES, 2, MOST_CURVES)[k]
+    names = ["DWL", *data["laws"]]
+    data["comparison"]["curves"] = [{"law": law_for(MOST_CURVES * turn + i, names)} for i in range(count)]
+    return data
 
 
 TEMPLATE = Template("motion-laws", MotionLaws, declare, variants, LAW_SIZES | {"cycle": ("samples1", 1)})

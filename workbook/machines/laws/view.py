@@ -3,7 +3,6 @@
 from functools import cached_property
 from typing import NamedTuple
 
-from engine.laws.base import Array, Kinematics
 from engine.laws.continuity import Meeting, code, continuity, meetings
 from engine.laws.sections import abscissae
 from workbook.laws.library import NamedLaw
@@ -25,7 +24,7 @@ class Joined(NamedTuple):
 
 
 class Compared:
-    """The laws of a book, those that are drawn, and where the pieces of each meet."""
+    """The laws of a book, those that are drawn at ``xi``, those compared (all but the dwell), and where pieces meet."""
 
     def __init__(self, machine: MotionLaws, laws: list[NamedLaw], stack: Pieces) -> None:
         self.entered = [curve.law for curve in machine.comparison.curves]
@@ -33,21 +32,8 @@ class Compared:
         chosen = [*self.entered, *(self.entered[0] for _ in range(len(self.entered), MOST_CURVES))]
         known = {one.name: one for one in laws}
         self.curves = [known[name] for name in chosen]
-
-    @property
-    def moving(self) -> list[NamedLaw]:
-        """The laws that are compared: all but the dwell."""
-        return [one for one in self.laws if one.family.entry.rises]
-
-    @cached_property
-    def xi(self) -> Array:
-        """The abscissae of the curves."""
-        return abscissae(self.sizes.cycle)
-
-    @cached_property
-    def samples(self) -> list[Kinematics[Array]]:
-        """s, v, a, j of each curve."""
-        return [one.law.evaluate(self.xi) for one in self.curves]
+        self.moving = [one for one in laws if one.family.entry.rises]
+        self.xi = abscissae(self.sizes.cycle)
 
     @cached_property
     def smooth(self) -> list[tuple[int, int]]:
@@ -71,12 +57,7 @@ class Compared:
         """Return the row of the first piece of a law in the table of joints, counted from 1."""
         return 1 + next(i for i, row in enumerate(self.joints) if row.one is joined.one)
 
-    @cached_property
-    def unjerked(self) -> list[bool]:
-        """Whether the acceleration of each law jumps nowhere."""
-        return [min(orders) > 1 for orders in self.smooth]
-
     def least(self, figure: str) -> float:
         """Return the least of a coefficient among the laws whose acceleration does not jump; 0 where there is none."""
-        kept = [one.law.coefficients for one, keeps in zip(self.moving, self.unjerked, strict=True) if keeps]
+        kept = [one.law.coefficients for one, orders in zip(self.moving, self.smooth, strict=True) if min(orders) > 1]
         return float(min((getattr(each, figure) for each in kept), default=0.0))
