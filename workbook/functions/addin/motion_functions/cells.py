@@ -9,11 +9,10 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Tuple, Union
 
-from .composed import Motion
-from .joined import AGREES, Row, Rows, Via, joined
+from .composed import AGREES, Motion, Row, Via, joined
 from .law import Law
 from .laws import OWN, OWN_WIDTH, PARAMETERS
-from .library import law
+from .library import Rows, law
 from .refused import NUM, VALUE, Refused
 
 Cell = Union[float, str]

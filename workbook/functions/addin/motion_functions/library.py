@@ -14,7 +14,7 @@ from typing import NamedTuple, Sequence, Tuple
 from .law import Law, end_of
 from .laws import LAWS, OWN_WIDTH, SUM_TOLERANCE, Declared
 from .piece import Piece
-from .polynomials import halves, hermite
+from .polynomials import half, hermite
 from .refused import NUM, VALUE, Refused
 
 Rows = Tuple[Tuple[float, ...], ...]
@@ -126,8 +126,8 @@ def own(rows: Rows) -> list[Piece]:
 def polynomial(declared: Declared, share: float, ends: Ends) -> Law:
     """Return a symmetric polynomial of a share, or, of the share ½, the one between ends."""
     if not any(ends[1:]):
-        ahead, behind = halves(declared.half, share)
-        return Law([ahead.scaled(ends.lift)], [behind.scaled(ends.lift)], ends.lift)
+        ahead, behind = (half(declared.half, d).scaled(ends.lift) for d in (share, 1.0 - share))
+        return Law([ahead], [behind], ends.lift)
     meets = len(declared.half) // 2
     if share != 0.5 or any(ends[1 + 2 * meets :]):
         raise Refused(NUM)

@@ -7,13 +7,8 @@ from typing import Sequence
 from .piece import Piece
 
 
-def halves(c: Sequence[float], share: float) -> tuple[Piece, Piece]:
-    """Return the half that begins the law of :attr:`Declared.half`, and the other as seen backwards from its end."""
-    return half(c, share), half(c, 1.0 - share)
-
-
 def half(c: Sequence[float], d: float) -> Piece:
-    """Return a half from rest that lasts ``d``: it gains the velocity of the whole and rises by ``d``."""
+    """Return a half of :attr:`Declared.half` from rest that lasts ``d``: it gains the velocity of the whole and rises by ``d``."""
     return Piece(d, **{f"c{i}": 2.0 * value / d ** (i + 1) for i, value in enumerate(c)})
 
 
