@@ -8,7 +8,7 @@ from .piece import Piece
 
 
 def half(c: Sequence[float], d: float) -> Piece:
-    """Return a half of :attr:`Declared.half` from rest that lasts ``d``: it gains the velocity of the whole and rises by ``d``."""
+    """Return a half from rest that lasts ``d``: it gains the velocity of the whole and rises by ``d``."""
     return Piece(d, **{f"c{i}": 2.0 * value / d ** (i + 1) for i, value in enumerate(c)})
 
 
