@@ -28,12 +28,6 @@ class Term:
     text: str
     loose: bool = False
 
-    def __add__(self, other: Any) -> Term:
-        return Term(f"{self.text} + {term(other).text}", True)
-
-    def __radd__(self, other: Any) -> Term:
-        return term(other) + self
-
     def __sub__(self, other: Any) -> Term:
         return Term(f"{self.text} - {term(other).within}", True)
 

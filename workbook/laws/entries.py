@@ -100,7 +100,8 @@ class Laws(RootModel[dict[str, Entered]]):
     def _plain(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         """Put the family first, and leave out that of a basic law: its name says it."""
         dumped: dict[str, Any] = handler(self)
-        return {name: in_order(entry, name not in CODES) for name, entry in dumped.items()}
+        families = {name: entry.pop("family") for name, entry in dumped.items()}
+        return {name: entry if name in CODES else {"family": families[name], **entry} for name, entry in dumped.items()}
 
     @classmethod
     def entry_at(cls, key: str) -> type[Model]:
@@ -196,12 +197,6 @@ def nearest(given: Any, known: Iterable[str]) -> str:
     alike = get_close_matches(str(given).upper(), [name.upper() for name in names], n=3, cutoff=0.6)
     chosen = [name for name in names if name.upper() in alike] if given is not None else []
     return chosen[0] if len(chosen) == 1 else f"one of {', '.join(chosen or names)}"
-
-
-def in_order(entry: dict[str, Any], named: bool) -> dict[str, Any]:
-    """Return what is dumped of a law's entries: its family first, where it has a name of its own."""
-    rest = {key: value for key, value in entry.items() if key != "family"}
-    return {"family": entry["family"], **rest} if named else rest
 
 
 class Reference(NamedTuple):

@@ -61,15 +61,11 @@ class Points(LawSheet):
     @property
     def exact(self) -> Spline:
         """The engine's law: its ends are settled here, whatever is beside it."""
-        natural = [self._natural(end) for end in ENDS]
         entered = (self.first_slope, self.last_slope)
+        natural = [slope is None and self.natural in (end, "both") for end, slope in zip(ENDS, entered, strict=True)]
         slopes = [None if free else slope or 0.0 for free, slope in zip(natural, entered, strict=True)]
         points = tuple((point.at, point.s) for point in self.points)
         return Spline(points, (slopes[0], slopes[1]), (natural[0], natural[1]))
-
-    def _natural(self, end: str) -> bool:
-        entered = self.first_slope if end == ENDS[0] else self.last_slope
-        return entered is None and self.natural in (end, "both")
 
 
 FEW = "{} points are given; expected 2 or more"
