@@ -185,15 +185,15 @@ def refilled(held: Any, example: Any) -> Any:
     return held if isinstance(held, str) and isinstance(example, str) else deepcopy(example)
 
 
-def at(data: Any, path: str) -> Any:
-    """Return what a description has at a place, of a list too short its last; NONE where there is nothing."""
+def at(data: Any, path: str, exactly: bool = False) -> Any:
+    """Return what a description has at a place, else NONE, of a list too short its last; ``exactly``, else None."""
     for part in parts(path):
-        if isinstance(data, list) and data:
+        if isinstance(data, list) and data and (int(part) < len(data) or not exactly):
             data = data[min(int(part), len(data) - 1)]
         elif isinstance(data, dict) and part in data:
             data = data[part]
         else:
-            return NONE
+            return None if exactly else NONE
     return data
 
 
@@ -216,12 +216,12 @@ def differing(
     """Return by key the entries below the places that were replaced, where they differ."""
     found: dict[str, Replaced] = {}
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
-        old = dict(leaves(exactly(entered, path), path))
-        for key, value in leaves(exactly(made, path), path):
+        old = dict(leaves(at(entered, path, exactly=True), path))
+        for key, value in leaves(at(made, path, exactly=True), path):
             was = old.pop(key, NONE)
             absent = was is NONE or was == {}
             was = None if absent else was
-            if absent and exactly(entered, joined(parts(key)[:-1])):
+            if absent and at(entered, joined(parts(key)[:-1]), exactly=True):
                 was = rules.default_at(model, ruled(key, entered))
             if was != value:
                 found.setdefault(key, Replaced(plain(was), turn))
@@ -234,16 +234,6 @@ def differing(
 def plain(value: Any) -> Any:
     """Return an entry as models have it: whole numbers too are decimal ones."""
     return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
-
-
-def exactly(data: Any, path: str) -> Any:
-    """Return what a description has at a place; None where there is nothing."""
-    for part in parts(path):
-        if isinstance(data, list):
-            data = data[int(part)] if int(part) < len(data) else None
-        else:
-            data = data.get(part) if isinstance(data, dict) else None
-    return data
 
 
 def leaves(data: Any, path: str) -> Iterator[tuple[str, Any]]:

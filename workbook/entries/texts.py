@@ -1,4 +1,4 @@
-"""Texts as entered: in one line that every program shows, and names that every program finds again by MATCH."""
+"""Texts as entered: in one line that every program shows, names that every program finds again by MATCH, titles."""
 
 import re
 from collections.abc import Iterable
@@ -72,3 +72,26 @@ def require_distinct(names: Iterable[str], kind: str, key: str) -> None:
             like = "" if first == each else f", which a look-up takes for {first!r}"
             raise EntryError(key.format(i), f"a second {kind} is named {each!r}{like}; expected a name of its own")
         seen[alike(each)] = each
+
+
+LONGEST = 31  # characters of a sheet's title, as UTF-16 counts them; Excel's limit
+RESERVED = ("Summary", "Cycle", "Drive cycle", "Pieces", "Laws", "Export", "Checks", "History")
+"""sheets that come later, and a title that Excel keeps for itself"""
+
+
+def sheet_title(name: str, taken: Iterable[str], plain: str = "Law") -> str:
+    """Return a title for the sheet of a name; ``plain`` for a name of which nothing is left."""
+    words = cut(re.sub(r"[\[\]:*?/\\]", "-", name), LONGEST) or plain
+    others = {alike(title) for title in (*taken, *RESERVED)}
+    found, more = words, 1
+    while alike(found) in others:
+        more += 1
+        ending = f" ({more})"
+        found = cut(words, LONGEST - len(ending)) + ending
+    return found
+
+
+def cut(text: str, most: int) -> str:
+    """Return as much of a text as UTF-16 has in so many units, without apostrophes or blanks at its ends."""
+    kept = text.strip("' ").encode("utf-16-le", "surrogatepass")[: 2 * most].decode("utf-16-le", "ignore")
+    return kept.strip("' ")

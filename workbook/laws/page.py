@@ -10,7 +10,7 @@ from engine.motion import Phase
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.machine import Sizes
-from workbook.entries.titles import sheet_title
+from workbook.entries.texts import sheet_title
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
 from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, Page, entries_of, value_at

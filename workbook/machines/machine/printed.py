@@ -7,7 +7,7 @@ import numpy as np
 
 from engine.timing import at_rate
 from workbook.book.declare import Book, calc, constant
-from workbook.entries.titles import sheet_title
+from workbook.entries.texts import sheet_title
 from workbook.machines.machine.drive.view import DriveView
 
 NONE = "-"

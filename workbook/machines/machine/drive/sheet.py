@@ -5,7 +5,7 @@ import math
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
-from workbook.entries.titles import sheet_title
+from workbook.entries.texts import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine.drive import behind, by_angle, max_rate
 from workbook.machines.machine.drive.driven import Driven

@@ -4,7 +4,7 @@ from functools import partial
 
 from workbook.book.again import again
 from workbook.book.declare import FIRST, Book, Quantity, calc, constant, result
-from workbook.entries.titles import sheet_title
+from workbook.entries.texts import sheet_title
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.timing.sheet import LANE_SHARE
