@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from math import isfinite
 from typing import Any
 
+import numpy as np
+
 from engine.laws.inverse import inverse
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given, result
@@ -188,14 +190,15 @@ def arguments(sheet: Sheet) -> None:
 def samples(sheet: Sheet, shown: Shown) -> None:
     """Declare the sampled law and the sampled motion."""
     sheet.heading("The sampled law and the sampled motion")
-    sheet.table("law", "The law", LAW_STEPS + 1, calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", shown.xis),
+    xi, x = np.arange(LAW_STEPS + 1) / LAW_STEPS, np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
+    sheet.table("law", "The law", LAW_STEPS + 1, calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", xi),
         *(result(name, words, name, "", f"=MOTION.{name.upper()}({LAW},[xi],{P})", values)
-          for (name, words), values in zip(DERIVATIVES.items(), shown.samples, strict=True)),
+          for (name, words), values in zip(DERIVATIVES.items(), shown.one.evaluate(xi), strict=True)),
         constant("k", "sample", "k", "", list(range(LAW_STEPS + 1)))).quiet = QUIET  # fmt: skip
     sheet.table("motion", "The motion", MOTION_STEPS + 1,
-        calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", shown.xs),
+        calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", x),
         *(result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
           for name, words, symbol, key, values in zip(
               ("y", "y1", "y2"), ("position", "velocity", "acceleration"), ("y", "y'", "y''"), ("POS", "VEL", "ACC"),
-              shown.moved[:3], strict=True)),
+              shown.motion.at(x)[:3], strict=True)),
         constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1)))).quiet = QUIET  # fmt: skip

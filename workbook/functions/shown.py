@@ -4,13 +4,11 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field
 
 from engine.drive import Part, reflected_inertia
 from engine.laws import Law
-from engine.laws.base import Kinematics
-from engine.motion import Motion, MotionValues, Phase
+from engine.motion import Motion, Phase
 from engine.motion.joining import joined
 from workbook.entries.types import Model, NotNegative, Number, Share
 from workbook.functions.declared import CODES, TAKES
@@ -84,29 +82,9 @@ class Shown(Model):
         return FAMILY[self.law].page.numbers(self.laws[self.law]) if self.law in TAKES else []
 
     @cached_property
-    def xis(self) -> NDArray[np.float64]:
-        """The sampled ξ."""
-        return np.arange(LAW_STEPS + 1) / LAW_STEPS
-
-    @cached_property
-    def samples(self) -> Kinematics[NDArray[np.float64]]:
-        """The chosen law at the sampled ξ."""
-        return self.one.evaluate(self.xis)
-
-    @cached_property
     def motion(self) -> Motion:
         """The phases, joined: they take over velocities from straight lines."""
         return joined([phase.made for phase in self.phases], periodic=False).motion
-
-    @cached_property
-    def xs(self) -> NDArray[np.float64]:
-        """The sampled x."""
-        return np.arange(MOTION_STEPS + 1) * self.motion.total / MOTION_STEPS
-
-    @cached_property
-    def moved(self) -> MotionValues[NDArray[np.float64]]:
-        """The motion at the sampled x."""
-        return self.motion.at(self.xs)
 
     @property
     def reduced(self) -> float:

@@ -118,7 +118,6 @@ class Page:
     fastest: str
     parameters: tuple[Parameter, ...] = ()
     variations: tuple[Mapping[str, Any], ...] = ()
-    constants: tuple[Quantity, ...] = ()
     workings: Callable[[Any], list[Quantity]] = lambda law: []
     checks: tuple[LawCheck, ...] = ()
     rests: bool = True
@@ -221,15 +220,11 @@ class Page:
 
     def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
         """Return the rows of the stack for a law of the family."""
+        shown = dict.fromkeys(self.columns, "=[@pieces.{}.{}]") if self.has_sheet else {}
         return [
-            Stacked(piece, {name: self._entry(name, k) for name in ENTRIES})
-            for k, piece in enumerate(law.monotone_pieces(), 1)
+            Stacked(piece, row.formulas | {name: cell.format(name, k) for name, cell in shown.items()})
+            for k, (piece, row) in enumerate(zip(law.monotone_pieces(), self.pieces, strict=True), 1)
         ]
-
-    def _entry(self, name: str, k: int) -> str:
-        """Return the formula of an entry of the ``k``-th piece, from 1."""
-        shown = self.has_sheet and name in self.columns
-        return f"=[@pieces.{name}.{k}]" if shown else self.pieces[k - 1].formulas[name]
 
     @property
     def columns(self) -> tuple[str, ...]:

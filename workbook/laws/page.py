@@ -8,7 +8,7 @@ from engine.laws.sections import abscissae
 from engine.laws.table import begins
 from engine.motion import Phase
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
+from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.entries.machine import Sizes
 from workbook.entries.texts import sheet_title
 from workbook.entries.units import MM, shown, si
@@ -16,7 +16,11 @@ from workbook.laws import sampling
 from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, Page, entries_of, value_at
 from workbook.laws.library import NamedLaw
 
-POWERS = {"c0": "", "c1": " u", "c2": " u²", "c3": " u³", "c4": " u⁴", "c5": " u⁵"}
+SPELLED = {
+    "c0": "c0", "c1": "c1 u", "c2": "c2 u²", "c3": "c3 u³", "c4": "c4 u⁴", "c5": "c5 u⁵",
+    "P": "P sin(ωu + φ)", "P2": "P₂ sin(ω₂u + φ₂)",
+}  # fmt: skip
+"""what the columns of a table of pieces add to a(u)"""
 
 
 def finite(value: float) -> float | str:
@@ -40,10 +44,8 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         risen(sheet, one, rise)
         page.work(sheet, one, stack, sizes)
         if page.pieces:
-            sheet.heading(
-                "Pieces",
-                f"On each piece a(u) = {spelled(page)}, u = ξ − ξ_k; velocity and position are carried on.",
-            )
+            a = " + ".join(words for name, words in SPELLED.items() if name in page.columns) or "0"
+            sheet.heading("Pieces", f"On each piece a(u) = {a}, u = ξ − ξ_k; velocity and position are carried on.")
             pieces_table(sheet, page, law)
         sheet.checks(*page.verdicts(one, sizes))
         draw(sheet, one.called)
@@ -56,35 +58,23 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
     return sheet
 
 
-def spelled(page: Page) -> str:
-    """Return a(u) of the family's pieces."""
-    powers = [f"{name}{power}" for name, power in POWERS.items() if name in page.columns]
-    sines = {"P": "P sin(ωu + φ)", "P2": "P₂ sin(ω₂u + φ₂)"}
-    return " + ".join([*powers, *(words for name, words in sines.items() if name in page.columns)]) or "0"
-
-
 def entries(sheet: Sheet, one: NamedLaw) -> None:
     """Declare the law's name, the rise that is shown, and the law's parameters."""
     page, entered = one.page, one.entered
-    sheet.rows(
-        *(() if one.basic else name_of(one)),
-        given("@h", "Rise shown", "h", "mm",
-              entered.lift, f"{one.key}.lift", source="any; a return is negative"),
-        given("@t", "Time of the rise", "t_a", "s", entered.time, f"{one.key}.time"),
-        *page.constants,
-        *(given(p.name, p.label, p.symbol, "",
-                value_at(entered, p.key), f"{one.key}.{p.key}", format="0.0000", source=p.source)
-          for p in page.parameters),
-    )  # fmt: skip
-
-
-def name_of(one: NamedLaw) -> tuple[Quantity, Quantity]:
-    """Return the rows of a law's name, as it is and as it was when the book was built."""
-    return (
+    called = (
         given("@called", "Name of the law", "", "",
               one.name, f"{one.key}.called", align="center", source="by which a phase takes it"),
         constant("@built", "Named when the book was built", "", "",
                  one.called, align="center", source="the sheet and its checks keep this name"),
+    )  # fmt: skip
+    sheet.rows(
+        *(() if one.basic else called),
+        given("@h", "Rise shown", "h", "mm",
+              entered.lift, f"{one.key}.lift", source="any; a return is negative"),
+        given("@t", "Time of the rise", "t_a", "s", entered.time, f"{one.key}.time"),
+        *(given(p.name, p.label, p.symbol, "",
+                value_at(entered, p.key), f"{one.key}.{p.key}", format="0.0000", source=p.source)
+          for p in page.parameters),
     )  # fmt: skip
 
 
