@@ -114,8 +114,8 @@ DESCRIPTIONS = {
         ["laws.MTP.durations", "expected 7 entries"],
     ),
     "more phases than rows": (
-        "[sizes]",
-        "[sizes]\nphases = 2",
+        "phases = 6 ",
+        "phases = 2 ",
         ["axes[2].phases", "5 rows", "raise sizes.phases"],
     ),
     "formula for a name": ('name = "MC02"', 'name = "=1+1"', ["axes[2].name", "'=1+1'", "does not begin with ="]),

@@ -49,7 +49,6 @@ class Sheet:
     blocks: list[Block] = field(default_factory=list)
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
-    first_page: int = 0  # the last column of the first of two pages side by side; 0: each page has all columns
     print_rows: int = 0
     folded: int = 0  # the column from which on there are workings alone: an outline of them is folded
     unprinted: bool = False  # whether it is for the screen alone: its print area is an empty cell

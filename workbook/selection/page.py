@@ -40,7 +40,6 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Q
     if axis:
         book.column_names["sel_axes"] = ("sel_drives", "axis")
     sheet.print_columns = max(20, sheet.print_columns)
-    sheet.first_page = max(book.blocks["sel_best"].columns.values())
     return sheet
 
 

@@ -189,7 +189,7 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
     whole = pages.whole_on_one(sheet, last)
     page.page_setup.orientation, page.page_setup.paperSize = "portrait" if sheet.portrait else "landscape", 9
     page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(whole)
-    page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=not sheet.first_page)
+    page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
     page.page_margins = PageMargins(**pages.MARGINS)
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
@@ -198,11 +198,6 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
         return
     page.print_title_rows = f"1:{sheet.head}"
     page.print_area = f"A1:{get_column_letter(columns)}{last}"
-    if sheet.first_page:
-        columns = sheet.first_page
-        page.page_setup.scale = int(100.0 * pages.SPARE * pages.scale(columns, wide))
-        page.print_title_cols = f"A:{get_column_letter(FIRST)}"
-        page.col_breaks.append(Break(id=columns))
     for row in [] if whole else pages.breaks(sheet, last, columns, wide, high):
         page.row_breaks.append(Break(id=row))
 

@@ -84,7 +84,7 @@ def polynomial(one: Handing) -> list[Quantity]:
                f"=IF([mode]>1,INDEX([{one.asked}.q{i}],[k])*[span]^2,0)",
                one.of(lambda step, i=i: (step.hermite.a0, step.hermite.a1)[i]), scale=h)  # type: ignore[misc]
           for i, (name, word) in enumerate((("f0", "begin"), ("g1", "end")))),
-        *(calc(name, label, "", y, formula, one.of(lambda step, i=i: step.left[i]), scale=h)  # type: ignore[misc]
+        *(calc(name, label, "", y, formula, one.of(lambda step, i=i: left_by_begin(step)[i]), scale=h)  # type: ignore[misc]
           for i, (name, label, formula) in enumerate(left) if powers == SEPTIC_POWERS),
         *(calc(f"e{n}", f"power {n}", f"e{n}", y, hermite(n, powers),
                one.of(lambda step, n=n: step.powers[n]), scale=h)  # type: ignore[misc]
@@ -94,6 +94,14 @@ def polynomial(one: Handing) -> list[Quantity]:
                one.of(lambda step, i=i: at_end(step, i)), scale=h, source="Σ n (n − 1) e_n ξⁿ⁻²")  # type: ignore[misc]
           for i, word in enumerate(("begin", "end"))),
     ]  # fmt: skip
+
+
+def left_by_begin(step: Handover) -> tuple[float, float, float]:
+    """Return the lift, velocity and acceleration that the begin of a polynomial of degree 7 leaves; 0 of all else."""
+    ends = step.hermite
+    if step.mode != SEPTIC_POWERS - 1:
+        return 0.0, 0.0, 0.0
+    return ends.stroke - ends.v0 - ends.a0 / 2.0, ends.v1 - ends.v0 - ends.a0, ends.a1 - ends.a0
 
 
 def hermite(n: int, powers: int) -> str:

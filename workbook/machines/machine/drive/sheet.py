@@ -168,11 +168,11 @@ def cycle_rows(view: DriveView) -> list[Quantity]:
     held = view.reducer_checks[0].limit
     return [
         calc("@cycles", "Cycles an hour", "", "1/h", "=60*@rate", view.cycles),
-        calc("@full", "Reducer: cycles up to which its largest torque holds", "Z_h", "1/h",
+        calc("@full", "Reducer: cycles an hour beyond which f_s counts", "", "1/h",
              f"=IF(@reducer_full=0,{FULL_CYCLES:g},@reducer_full)", view.driven.reducer.full_cycles or FULL_CYCLES),
-        calc("@reducer_held", "Reducer: largest output torque at these", "", "Nm",
+        calc("@reducer_held", "Reducer: largest output torque at this rate", "", "Nm",
              "=@reducer_peak/IF(@cycles>@full*(1+1E-9),@reducer_fs,1)", 0.0 if math.isinf(held) else held,
-             source="over f_s beyond Z; 0: no limit"),
+             source="over f_s beyond these cycles; 0: no limit"),
     ]  # fmt: skip
 
 
