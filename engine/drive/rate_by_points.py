@@ -16,6 +16,9 @@ from engine.drive.limits import ReducerLimits
 from engine.drive.motor import Falling
 from engine.laws.base import Array
 
+LEAST_USE = 1e-9
+"""a smaller use of a limit is lost in rounding: the limit allows more than 30,000 times the present rate"""
+
 
 class Share(NamedTuple):
     """A limit at no speed, what of it is taken without motion and at the present rate, the use of the rate's square."""
@@ -26,12 +29,12 @@ class Share(NamedTuple):
     use: float
 
     def highest(self, rate: float) -> float:
-        """Return the highest rate that it allows for a present one; infinite where none is too high."""
+        """Return the highest rate that it allows for a present one; infinite where none is found too high."""
         if math.isinf(self.limit):
             return math.inf
         if self.standing >= self.limit:
             return 0.0
-        return rate / math.sqrt(self.use) if self.use > 0.0 else math.inf
+        return rate / math.sqrt(self.use) if self.use > LEAST_USE else math.inf
 
 
 class Squares(NamedTuple):

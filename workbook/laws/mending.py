@@ -4,15 +4,13 @@ from collections.abc import Sequence
 
 from engine import laws as engine
 from engine.laws import Law
-from engine.laws.mended import Groups, groups, misses, scaled_by
+from engine.laws.mended import ALIKE, Groups, groups, misses, scaled_by
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 
-EITHER = (
-    "=IF(OR(MAX([@mend.slow])>0,@v_up>@least),IF(ABS(@under)>@least_under,{0}/@under,0),IF(@s_up>1E6*@least,1/@s_up,0))"
-)
+EITHER = "=IF(OR(MAX([@mend.slow])>0,@v_up>@least),IF(ABS(@under)>@least_under,{0}/@under,0),IF(@s_up>@alike*MAX([@mend.size]),1/@s_up,0))"
 """a factor: of two groups, or, where nothing slows down, of all"""
-WORTH = '=IF(MIN(@up,@down)>1E-6*MAX(@up,@down),"yes","no: it should speed up, then slow down")'
+WORTH = '=IF(MIN(@up,@down)>@alike*MAX(@up,@down),"yes","no: it should speed up, then slow down")'
 
 
 def missing(sheet: Sheet, law: Law, n: int) -> None:
@@ -64,12 +62,14 @@ def sums(found: Groups) -> list[Quantity]:
     return [
         calc("@least", "A velocity below this is none", "", "",
              "=1E-12*MAX([@mend.size])", found.least, format="0E+00"),
+        constant("@alike", "Share of the largest below which travels and factors are none", "", "", ALIKE,
+                 format="0E+00"),
         calc("@s_up", "Travel of those that gain", "S⁺", "",
              "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_s])", found.s1),
         calc("@v_up", "Velocity that they gain", "V⁺", "", "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_v])", found.v1),
         calc("@s_down", "Travel of those that lose", "S⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_s])", found.s2),
         calc("@v_down", "Velocity that they lose", "V⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_v])", found.v2),
         calc("@under", "Determinant", "", "", "=@s_up*@v_down-@s_down*@v_up", found.under, source="S⁺V⁻ − S⁻V⁺"),
-        calc("@least_under", "A determinant below this is none", "", "", "=1E-6*MAX([@mend.size])^2",
+        calc("@least_under", "A determinant below this is none", "", "", "=@alike*MAX([@mend.size])^2",
              found.least_under, format="0E+00"),
     ]  # fmt: skip

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from engine.drive.rate_by_points import Share, by_cycles, line, squares
+from engine.drive.rate_by_points import LEAST_USE, Share, by_cycles, line, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import Said, Sentence, bound
 from workbook.entries.units import RPM, shown
@@ -80,6 +80,8 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
         calc("@smean0", "Mean output torque of the reducer, without inertia", "", "Nm", f"={cubic('S0')}",
              points.cubic_mean(view.load.output_torque_at_rest), scale=view.scales.behind),
         *many_cycles(view),
+        constant("@least_use", "A share that grows less than this is none", "", "", LEAST_USE, format="0E+00",
+                 source="a rate beyond 30,000 times the present one"),
     )  # fmt: skip
     each = list(LIMITS) if view.knows_falling else list(LIMITS)[:-1]
     cells, level = [LIMITS[name] for name in each], view.shares["peak torque"]._replace(limit=0.0, use=0.0)
@@ -99,7 +101,7 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
         calc("use", "share that grows with the square of the rate", "1/x", "", [f"={cell.use}" for cell in cells],
              [one.use for one in found], scale=1.0),
         calc("rate", "met up to", "N", "cycles/min",
-             f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,IF([use]<=0,"{NO_LIMIT}",@rate/SQRT([use]))))',
+             f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,IF([use]<=@least_use,"{NO_LIMIT}",@rate/SQRT([use]))))',
              [rate(view, one) for one in found], align="right", source="N/√(share)"),
     )  # fmt: skip
 
