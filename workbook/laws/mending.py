@@ -8,7 +8,10 @@ from engine.laws.mended import ALIKE, Groups, groups, misses, scaled_by
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 
-EITHER = "=IF(OR(MAX([@mend.slow])>0,@v_up>@least),IF(ABS(@under)>@least_under,{0}/@under,0),IF(@s_up>@alike*MAX([@mend.size]),1/@s_up,0))"
+EITHER = (
+    "=IF(OR(MAX([@mend.slow])>0,@v_up>@least),IF(ABS(@under)>@least_under,{0}/@under,0),"
+    "IF(@s_up>@alike*MAX([@mend.size]),1/@s_up,0))"
+)
 """a factor: of two groups, or, where nothing slows down, of all"""
 WORTH = '=IF(MIN(@up,@down)>@alike*MAX(@up,@down),"yes","no: it should speed up, then slow down")'
 
