@@ -198,14 +198,12 @@ def at(data: Any, path: str, exactly: bool = False) -> Any:
 
 
 def set_at(data: Any, path: list[str], value: Any) -> None:
-    """Set an entry, making tables on the way; None takes it away from its table."""
+    """Set an entry, making tables on the way."""
     *above, last = path
     for part in above:
         data = data[int(part)] if isinstance(data, list) else data.setdefault(part, {})
     if isinstance(data, list):
         data[int(last)] = value
-    elif value is None:
-        data.pop(last, None)
     else:
         data[last] = value
 
@@ -253,13 +251,13 @@ def as_entered(machine: Machine) -> dict[str, Any]:
     data = machine.model_dump(exclude_none=True)
     for key, old in machine.design.replaced.items():
         set_at(data, parts(key), old.value)
-    return {key: emptied(value) for key, value in data.items()}
+    return dict(emptied(data))
 
 
 def emptied(data: Any) -> Any:
-    """Return a description without the rows at the end of a list in which nothing is entered."""
+    """Return a description without entries of nothing, and without the rows at the end of a list that have none."""
     if isinstance(data, dict):
-        return {key: emptied(value) for key, value in data.items()}
+        return {key: emptied(value) for key, value in data.items() if value is not None}
     if isinstance(data, list):
         rows = [emptied(value) for value in data]
         while rows and rows[-1] in ({}, None):
