@@ -84,7 +84,8 @@ def polynomial(one: Handing) -> list[Quantity]:
                f"=IF([mode]>1,INDEX([{one.asked}.q{i}],[k])*[span]^2,0)",
                one.of(lambda step, i=i: (step.hermite.a0, step.hermite.a1)[i]), scale=h)  # type: ignore[misc]
           for i, (name, word) in enumerate((("f0", "begin"), ("g1", "end")))),
-        *(calc(name, label, "", y, formula, one.of(lambda step, i=i: left_by_begin(step)[i]), scale=h)  # type: ignore[misc]
+        *(calc(name, label, "", y, formula,
+               one.of(lambda step, i=i: left_by_begin(step)[i]), scale=h)  # type: ignore[misc]
           for i, (name, label, formula) in enumerate(left) if powers == SEPTIC_POWERS),
         *(calc(f"e{n}", f"power {n}", f"e{n}", y, hermite(n, powers),
                one.of(lambda step, n=n: step.powers[n]), scale=h)  # type: ignore[misc]

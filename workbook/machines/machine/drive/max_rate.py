@@ -101,7 +101,8 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
         calc("use", "share that grows with the square of the rate", "1/x", "", [f"={cell.use}" for cell in cells],
              [one.use for one in found], scale=1.0),
         calc("rate", "met up to", "N", "cycles/min",
-             f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,IF([use]<=@least_use,"{NO_LIMIT}",@rate/SQRT([use]))))',
+             f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,'
+             f'IF([use]<=@least_use,"{NO_LIMIT}",@rate/SQRT([use]))))',
              [rate(view, one) for one in found], align="right", source="N/√(share)"),
     )  # fmt: skip
 
