@@ -33,7 +33,7 @@ REDUCER = (
     ("peak_torque", "largest output torque", "", "Nm", "empty: no limit", "@reducer_peak", "tmax"),
     ("full_cycles", "full-torque cycles an hour", "Z_h", "1/h", "empty: 1,000",
      "@reducer_full", "full"),
-    ("cycle_factor", "shock factor beyond these", "f_s", "", "divides that torque; empty: 1",
+    ("cycle_factor", "cycle factor beyond these", "f_s", "", "divides that torque; empty: 1",
      "@reducer_fs", "fs"),
     ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit", "@reducer_mean", "t2n"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit", "@reducer_nmax", "nmax"),
