@@ -153,7 +153,8 @@ class Joints:
     def _jumps(self, room: int) -> list[Quantity]:
         """Return what jumps where each piece begins."""
         wraps, marks = self.asked.wraps, ("'", "''", "'''")
-        last, wrapped = f"IF({wraps},{room},0)" if wraps else str(room), room * self.asked.periodic
+        last, wrapped = f"[{self.name}.r.last]", room * self.asked.periodic
+        last = f"IF({wraps},{last},0)" if wraps else last
         joined = zip(self.found, self.rows.pieces, strict=True)
         met = [
             (k if joint.lasting > 1 else wrapped) * (piece.duration > 0.0) for k, (joint, piece) in enumerate(joined)
