@@ -68,7 +68,7 @@ class ReducerRow(Model):
     max_speed: Positive | None = None  # rpm, of the input
     max_torque: Positive | None = None  # Nm, of the output
     full_cycles: Positive | None = None  # 1/h, up to which the largest output torque holds
-    cycle_factor: Factor | None = None  # cycle factor f_s: divides that torque beyond
+    cycle_factor: Factor | None = None  # f_s: divides that torque beyond
     mean_torque: Positive | None = None  # Nm, of the output: T2N
     mass: NotNegative | None = None  # kg
     cost: NotNegative | None = None

@@ -18,6 +18,7 @@ from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import Master
+from workbook.machines.machine.exact import rates
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.view import Whole
 
@@ -167,6 +168,13 @@ def test_a_drive_is_sized_at_a_rate_of_its_own():
     assert both("drive1_sized") == "a rate of its own"
     assert both("axes_short", "sized") == [150.0, "machine's"]
     assert both("drive2_rate") == 200.0
+
+
+@pytest.mark.parametrize(("rate", "lines"), [(200.0, 0), (0.05, 0), (0.01, 1)])
+def test_a_rate_is_told_where_the_sheet_has_none_for_it_is_beyond_rounding(rate, lines):
+    told = rates(small([driven(*RISE, load={"mass": 20.0, "friction": 0.1}) | {"rate": rate}]))
+    assert len(told) == lines
+    assert all("is 420.9082 cycles/min exactly (RMS torque); its sheet says none" in line for line in told)
 
 
 def test_a_rate_without_a_drive_is_refused():

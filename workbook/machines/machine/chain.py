@@ -110,7 +110,7 @@ class Reducer(Model):
     no_load_torque: NotNegative = 0.0  # Nm, at the motor's shaft
     peak_torque: Positive | None = None  # Nm, behind it
     full_cycles: Positive | None = None  # 1/h, up to which the peak torque holds
-    cycle_factor: Factor | None = None  # cycle factor: divides that torque beyond
+    cycle_factor: Factor | None = None  # divides that torque beyond
     mean_torque: Positive | None = None  # Nm, behind it: the cubic mean, weighted by speed
     max_speed: Positive | None = None  # rpm, of the input
 

@@ -1,5 +1,6 @@
 """What is true of results by points: the exact engine's, where a sheet is farther off than it states."""
 
+import math
 from collections.abc import Iterator
 
 from workbook.book.sentence import rounded
@@ -38,16 +39,17 @@ def rates(machine: AnyMachine) -> list[str]:
 
 def rate_of(view: DriveView) -> Iterator[str]:
     """Yield the line on the highest rate of a drive: the exact one is only searched where entering it again tells."""
-    most = view.highest.rate
-    if not isinstance(most, float) or not most:
-        return
-    settled = settled_highest(view).rate
-    if isinstance(settled, float) and abs(settled - most) <= RATE / 2.0 * most:
-        return
+    told = view.highest.rate
+    most = told if isinstance(told, float) else math.inf
+    if isinstance(told, float):
+        settled = settled_highest(view).rate
+        if not told or (isinstance(settled, float) and abs(settled - told) <= RATE / 2.0 * told):
+            return
     exact, limit = view.exact_highest()
-    if abs(exact - most) > RATE * most:
+    if abs(exact - most) > RATE * min(exact, most):
+        says = f"about {rounded(told)}" if isinstance(told, float) else told
         yield (f"{view.driven.called}: the highest rate is {rounded(exact)} cycles/min exactly ({limit}); "
-               f"its sheet says about {rounded(most)}")  # fmt: skip
+               f"its sheet says {says}")  # fmt: skip
 
 
 def truths(machine: AnyMachine) -> list[str]:
