@@ -26,7 +26,9 @@ ENDS = ("feasible", "fails", "impossible")  # the last columns of a table
 EXTRA = "Parquet wants the package pyarrow: pip install pyarrow; or name the results .csv"
 LOCK, TOLD = "lock", "study.json"
 OWN = re.compile(r"\.?part-[0-9]{8}\.(json|csv|parquet)")
-"""the files of a part, and what was written of one when the process ended; no others are read or removed"""
+"""the files of a part, and the drafts left where a process ended; no others are removed"""
+NOTED = re.compile(r"part-([0-9]{8})\.json")
+"""the file that is written last of a part"""
 STEP = 64
 ANOTHER = ("holds parts of another study, or of this one before it was changed; --force begins anew, "
            "-o names other results")  # fmt: skip
@@ -71,8 +73,7 @@ class Parts:
 
     def complete(self) -> set[int]:
         """Return the numbers of the parts that are whole: their rows are those that were written."""
-        numbers = {int(one.stem.removeprefix("part-")) for one in self._own() if one.suffix == ".json"}
-        return {number for number in numbers if self._whole(number)}
+        return {number for number in numbers(self.folder) if self._whole(number)}
 
     def _own(self) -> list[Path]:
         """Return the files of parts; what else lies in the folder is somebody's own."""
@@ -129,9 +130,14 @@ def progress(results: Path) -> tuple[int, int]:
     """Return how many designs of an unfinished study are worked out, and how many there are; 0 of 0 of none."""
     folder = folder_of(results)
     with suppress(ValueError, TypeError, KeyError):
-        noted, parts = begun(folder), [one for one in folder.glob("part-*.json") if OWN.fullmatch(one.name)]
-        return min(int(noted["size"]), len(parts) * int(noted["step"])), int(noted["size"])
+        noted = begun(folder)
+        return min(int(noted["size"]), len(numbers(folder)) * int(noted["step"])), int(noted["size"])
     return 0, 0
+
+
+def numbers(folder: Path) -> list[int]:
+    """Return the numbers of the parts that a folder names as written."""
+    return [int(found[1]) for one in folder.glob("part-*") if (found := NOTED.fullmatch(one.name))]
 
 
 def folder_of(results: Path) -> Path:

@@ -19,7 +19,7 @@ from workbook.build import build
 from workbook.cluster import ClusterError, pool
 from workbook.errors import WriteError
 from workbook.pool import HERE
-from workbook.studies.folder import Parts
+from workbook.studies.folder import Parts, progress
 from workbook.studies.run import run
 
 GOALS = {"minimise": ["drive1_rms"]}
@@ -62,7 +62,9 @@ def test_a_study_goes_on_from_its_complete_parts_and_counts_nothing_twice(tmp_pa
     parts = parts_of(plan, tmp_path / "cut.csv")
     with pytest.raises(KeyboardInterrupt):
         studied(plan, parts, stop_after(2))
-    (tmp_path / "cut.csv.parts" / "part-00000002.csv").write_text("half of a par")  # without what says it is whole
+    (parts.folder / "part-00000002.csv").write_text("half of a par")  # without what says it is whole
+    (parts.folder / ".part-00000002.json").write_text("{")  # the draft of a process that ended while it wrote
+    assert progress(tmp_path / "cut.csv")[0] == 2 * parts.step
     assert parts.complete() == {0, 1}
     fresh = []
     again = studied(plan, parts, lambda count, before: fresh.append((count, before)), resume=True)
