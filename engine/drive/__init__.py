@@ -4,6 +4,7 @@ mechanisms      screw, belt, rollers …; crank-slider, rocker, table of positio
 chain           stages and parts on shafts; the torque at each shaft
 loads, losses   masses on guides, forces, cylinders; efficiency by the direction of power
 motor           its limits, its peak torque over the speed, derating
+brake           what it holds, in which dwells
 drive           a motor on a mechanism of constant ratio: torque, speed and power for any motion
 train           a motor, gears and a mechanism of any ratio, and the forces of the process
 curves          forces within a piece as powers and sines

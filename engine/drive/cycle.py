@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from engine.drive.brake import dwell_times
 from engine.drive.curves import evaluated, force_curve, largest_size, position, sign_changes
 from engine.drive.search import NOISE, crossed
 from engine.drive.train import Force, Motion3, ShaftMotion, Train, Weights
@@ -28,7 +29,7 @@ class TorqueInterval:
     """A part of a piece in which direction, process force and the way of power through every stage stay as they are.
 
     u runs from ``low`` to ``high``, from the piece's begin, in units of the motion; ``speed`` is that of the abscissa
-    (1/s). ``weights`` are those of each shaft from the motor's; 0 of the motor's where a brake holds it.
+    (1/s). ``weights`` are those of each shaft from the motor's, which is ``braked`` where a brake holds it.
     """
 
     train: Train
@@ -39,6 +40,7 @@ class TorqueInterval:
     direction: float
     force: Force
     weights: tuple[Weights, ...]
+    braked: bool = False
 
     @property
     def time(self) -> float:
@@ -86,10 +88,21 @@ class TorqueInterval:
         load = self.load(u)
         if shaft == len(self.weights):
             return self.force.at(load)
+        if shaft == 0 and self.braked:
+            return np.zeros(load.y.shape)
+        return self._driven(load, shaft)
+
+    def _driven(self, load: Motion3, shaft: int) -> Array:
+        """Return the torque (Nm) of a shaft but the load's, whatever holds it."""
         turning = self.train.shaft(load, self.within)
         weights = self.weights[shaft]
         found = weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration
         return np.asarray(found + self.no_load(shaft))
+
+    @property
+    def brake_torque(self) -> float:
+        """What the brake holds (Nm); 0 where none does."""
+        return float(np.abs(self._driven(self.load(np.array([self.low])), 0))[0]) if self.braked else 0.0
 
     def no_load(self, shaft: int) -> float:
         """Return the torque (Nm) of the motor's shaft that opposes its rotation, whatever the load; 0 of another."""
@@ -114,7 +127,7 @@ class TorqueInterval:
         if self.train.linkage:
             return None
         ratio = self.train.drive.mechanism.stages[-1].ratio
-        weights = self.weights[shaft]
+        weights = Weights(0.0, 0.0) if shaft == 0 and self.braked else self.weights[shaft]
         share, level = weights.force / ratio, self.no_load(shaft)
         return force_curve(self.piece, self.speed, self.force, share, weights.inertia * ratio, level)
 
@@ -127,13 +140,17 @@ class TorqueInterval:
 
 
 class Span(NamedTuple):
-    """A part of a piece, from ``low`` to ``high``, in which direction and process force stay as they are."""
+    """A part of a piece, from ``low`` to ``high``, in which direction and process force stay as they are.
+
+    ``dwell`` is the time (s) of the dwell that it belongs to; 0 where it moves.
+    """
 
     piece: MotionPiece
     low: float
     high: float
     direction: float
     force: Force
+    dwell: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -197,7 +214,10 @@ class DriveCycle:
     @cached_property
     def spans(self) -> tuple[Span, ...]:
         """All spans, in the order of the unshifted motion. Raises OutOfReachError."""
-        return tuple(span for piece in self.unshifted.moved for span in self._of(piece))
+        found = [span for piece in self.unshifted.moved for span in self._of(piece)]
+        lasts, direction = np.array([((one.high - one.low) / self.speed, one.direction) for one in found]).T
+        dwells = dwell_times(lasts, direction).tolist()
+        return tuple(one._replace(dwell=dwell) for one, dwell in zip(found, dwells, strict=True))
 
     def _of(self, piece: MotionPiece) -> Iterator[Span]:
         """Yield the spans of a piece."""
@@ -243,11 +263,10 @@ class DriveCycle:
             yield from self._through(part, [*factors[: shaft - 1], factor, *factors[shaft:]], shaft - 1)
 
     def _interval(self, span: Span, factors: Sequence[float]) -> TorqueInterval:
-        weights = tuple(self.train.weights(factors))
-        if span.direction == 0.0 and self.train.drive.holding == "brake":  # on the motor's shaft: gears carry the load
-            weights = (Weights(0.0, 0.0), *weights[1:])
-        piece, low, high, direction, force = span
-        return TorqueInterval(self.train, piece, self.speed, low, high, direction, force, weights)
+        weights, drive = tuple(self.train.weights(factors)), self.train.drive
+        piece, low, high, direction, force, dwell = span  # a brake is on the motor's shaft: gears carry the load
+        braked = drive.holding == "brake" and bool(drive.brake.holds(direction, dwell))
+        return TorqueInterval(self.train, piece, self.speed, low, high, direction, force, weights, braked)
 
 
 def parts(cuts: Sequence[float], width: float) -> Iterator[tuple[float, float]]:

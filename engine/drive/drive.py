@@ -7,11 +7,13 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
+from engine.drive.brake import Brake
 from engine.drive.chain import Mechanism, require_not_negative
 from engine.drive.losses import Method, require_method
 from engine.laws.base import Array
 
 Holding = Literal["motor", "brake"]
+ANY = Brake()
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,8 @@ class Drive:
         Torque at the motor's shaft that opposes its rotation, whatever the load; 0 or more.
     copper : float, W/(Nm)²
         Losses of its winding over the square of its torque, P_N/T_N²; 0 or more.
+    brake : Brake
+        The one that holds, if a brake does; by default it holds any torque, in any dwell.
 
     Raises
     ------
@@ -46,6 +50,7 @@ class Drive:
     holding: Holding = "motor"
     no_load: float = 0.0
     copper: float = 0.0
+    brake: Brake = ANY
 
     def __post_init__(self) -> None:
         require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load, copper=self.copper)

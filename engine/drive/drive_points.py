@@ -92,6 +92,11 @@ class DrivePoints:
         return np.where(self.load.braked, 0.0, self.load.at_motor(self.load.output_torque_at_rest)) + self.no_load
 
     @property
+    def brake_torque(self) -> float:
+        """The largest torque that a brake holds in dwells, at the motor's shaft (Nm)."""
+        return float(np.abs(np.where(self.load.braked, self.load.at_motor(self.load.output_torque), 0.0)).max())
+
+    @property
     def no_load(self) -> Array:
         """Torque that opposes the motor's rotation, whatever the load (Nm)."""
         return self.load.train.drive.no_load * self.load.direction

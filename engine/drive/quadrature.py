@@ -17,6 +17,7 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
+from engine.drive.brake import dwell_times
 from engine.drive.cycle import DriveCycle
 from engine.drive.train import Train
 from engine.laws.base import Array
@@ -110,7 +111,8 @@ class LoadPoints:
 
     ``velocity`` and ``acceleration`` are those of the load (m or rad, per s), ``direction`` 1, −1 or 0 at rest;
     ``steady`` and ``friction`` (N or Nm) resist always, and against motion; ``first`` and ``second`` are φ' and φ'' of
-    the mechanism; ``share`` is what a point counts in a mean over the cycle; ``position`` counts in m or rad.
+    the mechanism; ``share`` is what a point counts in a mean over the cycle; ``position`` counts in m or rad;
+    ``dwell`` is the time (s) of the dwell that it belongs to, 0 where it moves.
     """
 
     train: Train
@@ -124,6 +126,7 @@ class LoadPoints:
     first: Array
     second: Array
     share: Array
+    dwell: Array
 
     @property
     def resisting(self) -> Array:
@@ -195,7 +198,8 @@ class LoadPoints:
     @property
     def braked(self) -> NDArray[np.bool_]:
         """Where a brake holds the motor's shaft."""
-        return np.asarray((self.direction == 0.0) & (self.train.drive.holding == "brake"))
+        drive = self.train.drive
+        return drive.brake.holds(self.direction, self.dwell) & (drive.holding == "brake")
 
 
 @dataclass(frozen=True)
@@ -224,6 +228,12 @@ class Cycle:
         v = self._derivative(np.arange(len(middles)), middles, 1)
         return np.where(np.abs(v) > self.still, np.sign(v), 0.0)
 
+    @cached_property
+    def dwells(self) -> Array:
+        """The time (s) of the dwell that each interval belongs to; 0 where it moves."""
+        lasts = np.array([one.end - one.begin for one in self.intervals]) / self.drive_cycle.speed
+        return dwell_times(lasts, self.direction)
+
     @property
     def still(self) -> float:
         """The speed up to which the load counts as at rest (m/s or rad/s)."""
@@ -249,7 +259,10 @@ class Cycle:
         direction = np.where(np.abs(v) > self.still, np.sign(v), self.direction[number])
         steady, friction = (level[number] for level in self.levels)
         first, second = self.drive_cycle.train.ratio(y)
-        return LoadPoints(self.drive_cycle.train, place, y, v, a, direction, steady, friction, first, second, share)
+        dwell = self.dwells[number]
+        return LoadPoints(
+            self.drive_cycle.train, place, y, v, a, direction, steady, friction, first, second, share, dwell
+        )
 
     def _derivative(self, number: NDArray[np.intp], place: Array, order: int) -> Array:
         """Return a derivative of the motion by time at places, each in an interval."""

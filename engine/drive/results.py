@@ -81,6 +81,11 @@ class DriveResults:
             for u in (_torque_candidates(one, shaft),)
         )
 
+    @property
+    def brake_torque(self) -> float:
+        """The largest torque that a brake holds in dwells, at the motor's shaft (Nm)."""
+        return max(one.brake_torque for one in self.drive_cycle.torque_intervals)
+
     @cached_property
     def power(self) -> Bounds:
         """Power (W) of the motor, with the losses of its winding."""

@@ -114,7 +114,12 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     axis["reducer"] = {"ratio": drawn.uniform(0.5, 40), "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1))),
                        "no_load_torque": drawn.choice((0.0, 10 ** drawn.uniform(-3, 3)))}  # fmt: skip
     axis["reducer"] |= strength(random.Random(str(axis["reducer"])))
+    brake = axis["motor"]["brake"] and {
+        "torque": 10 ** drawn.uniform(-3, 3), "closing": drawn.choice((0.0, drawn.uniform(0, 400))),
+        "opening": drawn.uniform(0, 400),
+    }  # fmt: skip
     axis["motor"] = {
+        "brake": brake,
         "inertia": drawn.choice((0.0, drawn.uniform(0, 500))), "rated_torque": 10 ** drawn.uniform(-3, 6),
         "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
         "holding": drawn.choice(("motor", "brake")), "temperature": drawn.choice((None, drawn.uniform(-20, 110))),

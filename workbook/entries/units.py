@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 MM = 1e-3  # m
+MS = 1e-3  # s
 MM_PER_TURN = MM / tau  # m/rad
 PERCENT = 1e-2
 KW = 1e3  # W

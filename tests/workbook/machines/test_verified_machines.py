@@ -27,6 +27,7 @@ def random_machine(number):
     if unit == "°" and not MECHANISMS[kind].SLIDES:
         load["arm"] = drawn.choice((None, {}))
     motor = {"inertia": 1.0, "rated_torque": 1.0, "peak_torque": 1.0, "max_speed": 1.0}
+    motor |= {"brake": {"torque": 1.0}} if number % 3 else {}
     rise, back = (10.0, 150.0, 30.0, "CIC"), (200.0, 340.0, -30.0, "CIC")
     one = axis(1, rise, back, unit=unit, mechanism=some_mechanism(kind).model_dump(), load=load, motor=motor)
     room = {"phases": drawn.choice((2, 4, 10)), "rotors": 2, "positions": 6}

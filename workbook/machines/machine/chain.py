@@ -67,6 +67,14 @@ class AxisLoad(Model):
     windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 
 
+class MotorBrake(Model):
+    """The brake of a motor, at its shaft. It holds in dwells that are no shorter than it takes to close and open."""
+
+    torque: Positive = in_unit("Nm", "Torque that it holds")
+    closing: NotNegative = in_unit("ms", "Time to close", 0.0)
+    opening: NotNegative = in_unit("ms", "Time to open", 0.0)
+
+
 class AxisMotor(Model):
     """A motor by its name in the catalogue, or by its figures; at rest it holds the load, or a brake does."""
 
@@ -82,6 +90,10 @@ class AxisMotor(Model):
         description="Losses of its winding at the rated torque, in kW; empty: as the catalogue has it, or none",
     )
     holding: Literal["motor", "brake"] = "motor"
+    brake: MotorBrake | None = Field(
+        default=None,
+        description="Its brake; with it the axis' sheet has entries and a check of the brake",
+    )
     temperature: Temperature | None = Field(
         default=None, description="Around it, in °C, where that lowers its rated torque; empty: as rated"
     )

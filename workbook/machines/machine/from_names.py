@@ -65,7 +65,8 @@ def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -
     kinds = [kind for kind in MECHANISMS if kind_name(number, kind) in names]
     viscous = 0.0 if f"drive{number}_viscous" in names else None
     arm = chain.SwingingArm() if f"drive{number}_arm_mass" in names else None
-    motor = chain.AxisMotor(inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
+    brake = chain.MotorBrake(torque=1.0) if f"drive{number}_brake_torque" in names else None
+    motor = chain.AxisMotor(brake=brake, inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
     return axis.model_copy(update={
         "unit": unit, "load": chain.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}), "parts": [],
         "rate": None, "printed": "S4" if f"drive{number}_printed" in names else None,
@@ -80,6 +81,7 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
         found[f"axes.{i}.unit"] = axis.unit
         if axis.mechanism:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
+        found |= {f"axes.{i}.motor.brake": {}} if axis.motor and axis.motor.brake else {}
         found |= {f"axes.{i}.printed": axis.printed} if axis.printed else {}
         found |= {f"axes.{i}.load.arm": {}} if axis.load.arm else {}
         found |= {f"axes.{i}.load.viscous": 0.0} if axis.load.viscous is not None else {}

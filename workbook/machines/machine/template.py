@@ -19,6 +19,7 @@ from workbook.laws.shelf import LAW_SIZES, shelf_of
 from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.clearance.gap import Apart
 from workbook.machines.machine.clearance.sheet import clearances_sheet
+from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.points import asks
@@ -130,7 +131,7 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
     drive_sheet(book, view)
     i, names = view.driven.number, {"at": "theta", "T": "T", "n": "n"} | ({"phi": "phi"} if view.varies else {})
     if asks(view):
-        names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "S"}
+        names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "Sm" if brake.known(view) else "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
     book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards
 

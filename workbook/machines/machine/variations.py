@@ -225,7 +225,7 @@ def parts(k: int, room: int) -> list[dict[str, Any]]:
 
 def motor(entries: dict[str, Any], i: int, k: int) -> None:
     """Give an axis another motor, whose limits are far or near."""
-    limits = ("rated_torque", "peak_torque", "max_speed")
+    limits, brake = ("rated_torque", "peak_torque", "max_speed"), entries["brake"]
     entries |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
     entries |= {
         "inertia": 0.0 if k == 4 else 10.0 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor",
@@ -233,6 +233,7 @@ def motor(entries: dict[str, Any], i: int, k: int) -> None:
         "stall_torque": entries["rated_torque"] * 1.6 if (i + k) % 2 else None,
         "rated_speed": entries["max_speed"] * 0.4 if (i + k) % 4 else None,
         "copper_losses": (None, 2e-5, 30.0)[(i + k) % 3],
+        "brake": brake and {"torque": (1e-3, 50.0, 1e6)[k % 3], "closing": 9.0 * k, "opening": (0.0, 2e3, 40.0)[i % 3]},
     }  # fmt: skip
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from engine.selection.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
+from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.view import DriveView
@@ -16,8 +17,6 @@ from workbook.selection.shaft import Figure, Shaft, figures
 
 DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
 BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
-FREE = '(1-([@pt.dir]=0)*(@holding="brake"))'
-"""0 where a brake holds the motor's shaft"""
 
 
 def load_of(view: DriveView) -> PointLoad:
@@ -44,10 +43,11 @@ def means(sheet: Sheet, view: DriveView) -> None:
     driven, load, alpha, behind = view.driven, load_of(view), turning(view), view.scales.behind
     own, mixed, mixed_back, square, square_back, *ways = load.squares
 
+    free = "[@pt.free]" if brake.known(view) else '(1-([@pt.dir]=0)*(@holding="brake"))'
     column, by = ("al", "") if view.varies else ("a", "@i2*")
 
     def mean(where: str, one: str, by: str = "") -> str:
-        return f"={by}SUMPRODUCT([@pt.share]*{where}*{FREE},[@pt.{one}],[@pt.S])"
+        return f"={by}SUMPRODUCT([@pt.share]*{where}*{free},[@pt.{one}],[@pt.S])"
 
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
@@ -93,6 +93,7 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
     own, mixed, mixed_back, square, square_back, *ways = load.squares
     top, motor = view.reserve.peak_torque.value, d.motor_used
     spare, left = "@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top
+    rest = ("0", 0.0) if brake.known(view) else ('(@holding="brake")', float(d.holding == "brake"))
     if view.knows_falling:
         spare, left = "@spare", view.spare
     return figures(f"drive{d.number}_", {
@@ -104,7 +105,7 @@ def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
         "mean": ("@mean*PI()/30/@i1", load.mean_speed), "smax": ("@smax", load.torque, behind),
         "smean": ("@smean", view.reducer_checks[1].value, behind), "cycles": ("@cycles", view.cycles),
         "inertia": ("@ask_inertia", load.inertia),
-        "beside": ("@ask_beside", d.beside_motor), "brake": ('(@holding="brake")', float(d.holding == "brake")),
+        "beside": ("@ask_beside", d.beside_motor), "brake": rest,
         "by_power": ('(@method="physical")', float(d.given.method == "physical")), "left": ("@derate", d.left),
         "held_j": ("@j0", d.at_motor), "held_jm": ("@jm", motor.inertia), "held_i": ("@i1", d.reducer.ratio),
         "held_eta": ("@eta1", d.reducer.efficiency), "held_no_load": ("@no_load", d.reducer.no_load_torque),

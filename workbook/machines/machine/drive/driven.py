@@ -8,6 +8,7 @@ from typing import TypeVar
 import numpy as np
 
 from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
+from engine.drive.brake import Brake
 from engine.drive.chain import gear_speed_ratio
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.limits import LimitChecks, Limits
@@ -19,7 +20,7 @@ from engine.drive.motor import Falling, TorqueCurve
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
 from workbook.drive.entries import RotatingParts
-from workbook.entries.units import DEGREE, KG_CM2, MM, shown, si
+from workbook.entries.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.latest import latest
 from workbook.machines.machine.drive.linkages import linkage_of, press_of
 from workbook.machines.machine.entries import AnyMachine
@@ -129,7 +130,13 @@ class Driven:
     def drive(self) -> Drive:
         """The motor on it."""
         used = self.motor_used.inertia, self.given.method, self.holding, self.reducer.no_load_torque
-        return Drive(self.mechanism, *used, self.motor_used.copper)
+        return Drive(self.mechanism, *used, self.motor_used.copper, self.brake)
+
+    @property
+    def brake(self) -> Brake:
+        """The motor's brake; one that holds any torque, in any dwell, where no figures are entered."""
+        entered = self.entered.motor and self.entered.motor.brake
+        return Brake(entered.torque, si(entered.closing + entered.opening, MS)) if entered else Brake()
 
     @property
     def train(self) -> Train:

@@ -17,7 +17,7 @@ from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.chain import WINDOWS
-from workbook.machines.machine.drive import by_angle
+from workbook.machines.machine.drive import brake, by_angle
 from workbook.machines.machine.drive.entered import acting
 from workbook.machines.machine.drive.mechanisms import press_crank
 from workbook.machines.machine.drive.mechanisms.registry import LINKAGES
@@ -28,7 +28,6 @@ LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
 LOSS1 = "IF({0}*[dir]<0,@in1,@out1)*{0}"
 CONSTANT = "IF([dir]=0,@held2,IF({0}*[dir]<0,@in2,@out2))*{0}"
 """output torque of the reducer by a force, of a constant ratio; LOSS2 is without the ratio"""
-BRAKED = "([dir]=0)*@brake"
 
 
 def asks(view: DriveView) -> bool:
@@ -73,8 +72,9 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         calc("F", "force at the load", "F", unit, drives, of(load.force), scale=size.force, source=equation),
         calc("S", "output torque of the reducer", "T_1", "Nm", f"={behind.format('[F]')}+{inertia}",
              of(load.output_torque), scale=size.behind, source="F/(η_2 φ') + J_p φ̈"),
+        *brake.of_points(view),
         result("T", "torque of the motor", "T", "Nm",
-               f"=IF({BRAKED},0,{LOSS1.format('[S]')}+{motor_inertia}+@no_load*[dir])",
+               f"=IF({brake.held(view)},0,{LOSS1.format('[S]')}+{motor_inertia}+@no_load*[dir])",
                of(points.torque), scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈ ± T_nl"),
         result("n", "speed of the motor", "n", "rpm", f"={motor_ratio}*[v]*30/PI()",
                of(shown(points.speed, RPM)), scale=size.rpm, source="i_1 φ' ẏ"),
@@ -119,7 +119,7 @@ def standing(view: DriveView, behind: str) -> list[Quantity]:
         calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={behind.format('[R]')}",
              of(load.output_torque_at_rest), scale=size.behind, source="F_r/(η_2 φ')"),
         calc("T0", "torque of the motor, without inertia", "T_s", "Nm",
-             f"=IF({BRAKED},0,{LOSS1.format('[S0]')}+@no_load*[dir])",
+             f"=IF({brake.held(view)},0,{LOSS1.format('[S0]')}+@no_load*[dir])",
              of(points.standing), scale=size.torque, source="T_1,s/(η_1 i_1) ± T_nl"),
     ]  # fmt: skip
     return [*columns, *(curve(view) if view.knows_falling else ())]
@@ -216,6 +216,7 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
         calc("dir", "direction", "", "",
              f"=IF({LENGTH},[dir-1],IF(ABS({speed})<=@still,0,SIGN({speed})))", view.by_interval(cycle.direction),
              format="0", source="1, −1; 0 at rest"),
+        *brake.of_intervals(view, LENGTH),
         calc("steady", "resists always", "", unit, f"=@steady+{acting('[at]', 'always')}", view.by_interval(steady),
              scale=view.scales.force, source="with process forces"),
         calc("friction", "against motion", "", unit, f"=@rub+{acting('[at]', 'moving')}", view.by_interval(friction),

@@ -7,7 +7,7 @@ from workbook.book.sentence import Said
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
 from workbook.entries.texts import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
-from workbook.machines.machine.drive import behind, by_angle, max_rate
+from workbook.machines.machine.drive import behind, brake, by_angle, max_rate
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import registry
@@ -43,7 +43,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         outcome(sheet, view)
         mends = Said('"; "&@mends', f"; {max_rate.mends(view).said}")
         sheet.checks(
-            *limit_checks(view.reserve, driven.called, mends=mends), *reducer_checks(view, mends),
+            *limit_checks(view.reserve, driven.called, mends=mends), *reducer_checks(view, mends), *brake.checks(view),
             *in_use.checks(driven.number, driven.called), curve_check(view, mends), *windows_check(view),
             *(linkage_checks(view) if view.varies else ()), *by_angle.checks(view),
         )  # fmt: skip
@@ -160,6 +160,7 @@ def energies(view: DriveView) -> list[Quantity]:
                shown(max(0.0, points.top(points.power)), KW), scale=size.power),
         result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
                shown(min(0.0, -points.top(-points.power)), KW), scale=size.power, source="regenerated"),
+        *brake.torque(view),
     ]  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from engine.drive.quadrature import COUNT, STANDSTILL
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import DEGREE, KW, RPM, shown
+from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.mechanism import BELTED, SCREWS
@@ -35,6 +36,7 @@ def losses(view: DriveView) -> list[Quantity]:
              source="η/i; by S4 1/(η i), as where it is driven"),
         calc("@brake", "A brake holds it at rest", "", "", '=IF(@holding="brake",1,0)',
              int(driven.holding == "brake"), format="0", source="1 yes, 0 no"),
+        *brake.workings(view),
         calc("@back2", "Loss factor of the mechanism, load driving", "f_2", "",
              f'=IF(@method="document",1/@eta2,IF(@eta2_back="",{entered},@eta2_back))',
              back, scale=1.0, source="0 or less: self-locking, driven down by the motor"),

@@ -172,12 +172,25 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
               f"{key}.copper_losses", source="empty: as the catalogue has it, or none"),
         given("@holding", "At rest the load is held by", "", "", motor.holding, f"{key}.holding",
               source="the motor, or a brake"),
+        *brake_entries(motor, key),
         given("@temperature", "Ambient temperature of the motor", "ϑ", "°C", motor.temperature, f"{key}.temperature",
               format="0.0##", source="empty: as rated"),
         given("@rated_at", "Ambient temperature of the rated torque", "ϑ_N", "°C", motor.rated_at, f"{key}.rated_at",
               format="0.0##"),
         given("@winding", "Largest temperature of the winding", "ϑ_max", "°C", motor.limit, f"{key}.limit",
               format="0.0##", source="155 °C of class F"),
+    ]  # fmt: skip
+
+
+def brake_entries(motor: AxisMotor, key: str) -> list[Quantity]:
+    """Return the rows of the motor's brake, where its description has one."""
+    brake, key = motor.brake, f"{key}.brake"
+    return [] if brake is None else [
+        given("@brake_torque", "Brake: torque that it holds", "T_B,N", "Nm", brake.torque, f"{key}.torque",
+              format="0.0##", source="at the motor's shaft"),
+        given("@brake_closing", "Brake: time to close", "", "ms", brake.closing, f"{key}.closing", format="0.0##"),
+        given("@brake_opening", "Brake: time to open", "", "ms", brake.opening, f"{key}.opening", format="0.0##",
+              source="the motor holds in dwells shorter than both"),
     ]  # fmt: skip
 
 
