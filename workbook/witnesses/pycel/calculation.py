@@ -46,7 +46,7 @@ class Calculation:
         for address, value in self._constants.items():
             self._numbers.cell(address, value)
         self._formulas = {self._numbers.cell(address): address for address in formulas}
-        self._occupied = len(self._numbers.values)
+        self._occupied, self._held = len(self._numbers.values), set[int]()
         for number, address in self._formulas.items():
             self._join(number, address, formulas[address])
         self._order, cycles = ordered({number: step.sources for number, step in self._steps.items()})
@@ -60,13 +60,16 @@ class Calculation:
     @np.errstate(all="ignore")  # what is not finite is worked out again, by elements
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> dict[Address, Any]:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
-        given = {self._input(address): entered(value) for address, value in (inputs or {}).items()}
+        given = inputs or {}
+        numbers = list(map(self._numbers.cell, given))
+        self._hold(numbers)
         values = list(self._numbers.values)
         begin()
-        for number, value in given.items():
-            values[number] = value
+        for number, value in zip(numbers, given.values(), strict=True):
+            values[number] = entered(value)
+        fixed = set(numbers)
         for number in self._order:
-            if number not in given:
+            if number not in fixed:
                 values[number] = self._result(number, values)
         return {address: values[number] for number, address in self._formulas.items()}
 
@@ -113,14 +116,16 @@ class Calculation:
                 for sheet, column, known, rows in columns
                 for row in rows
             ]
-            self._hold({number for number in cells if number >= self._occupied})
+            self._hold(cells)
             self._strips, self._strip_cells = strips, cells
         return self._strip_cells
 
     def _hold(self, numbers: Collection[int]) -> None:
-        """Let ranges hold cells of which they may not know."""
+        """Let ranges that may have passed over cells as empty hold them."""
+        empty = {number for number in numbers if number >= self._occupied} - self._held
+        self._held |= empty
         rows: dict[tuple[str, int], list[int]] = {}
-        for sheet, row, column in map(self._numbers.cells.__getitem__, numbers):
+        for sheet, row, column in map(self._numbers.cells.__getitem__, empty):
             rows.setdefault((sheet, column), []).append(row)
         for number, area in self._areas.items() if rows else ():
             columns = (rows.get((area.sheet, column), ()) for column in range(area.left, area.right + 1))
@@ -190,13 +195,6 @@ class Calculation:
         if isinstance(argument, str):
             raise FormulaError("#VALUE!", "a reference is expected, not a text")
         return self._numbers.other(("address", argument.a1), AddressRange.create(argument.a1))
-
-    def _input(self, address: Address) -> int:
-        """Return the number of a cell that is given a value; ranges that passed over it as empty now hold it."""
-        number = self._numbers.cell(address)
-        if number >= self._occupied:
-            self._hold([number])
-        return number
 
     def _note_cycles(self, cycles: Mapping[int, int]) -> set[int]:
         for number, need in cycles.items():
