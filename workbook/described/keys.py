@@ -59,6 +59,7 @@ EXAMPLES: dict[str, Any] = {
     "axes.*.mechanism.pinion_diameter": 63.66,
     "axes.*.mechanism.points": [{"angle": 30.0 * k, "position": y} for k, y in enumerate((0.0, 9.0, 26.0, 47.0))],
     "axes.*.mechanism.points.*.angle": 30.0, "axes.*.mechanism.points.*.position": 9.0, "axes.*.load.viscous": 40.0,
+    "axes.*.motor.brake.torque": 9.0, "axes.*.motor.brake.closing": 20.0, "axes.*.motor.brake.opening": 60.0,
     "axes.*.motor.temperature": 50.0, "axes.*.reducer.peak_torque": 280.0, "axes.*.reducer.mean_torque": 140.0,
     "axes.*.reducer.full_cycles": 1000.0, "axes.*.reducer.cycle_factor": 1.6, "axes.*.reducer.max_speed": 6000.0,
     "switches.*.on.*.start": 20.0, "switches.*.on.*.stop": 95.0,
