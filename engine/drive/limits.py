@@ -85,7 +85,7 @@ class LimitChecks:
 
     @cached_property
     def checks(self) -> tuple[LimitCheck, ...]:
-        """RMS torque, torque below the curve, speed, the reducer's three, inertia ratio, the brake's torque."""
+        """RMS torque, torque below the curve, speed, the reducer's three, inertia ratio; each in the limit's unit."""
         return tuple(self._checked(name) for name in self._limits)
 
     @property
@@ -109,7 +109,6 @@ class LimitChecks:
             "reducer peak torque": reducer.peak_at(1.0 / self.drive_cycle.time),
             "reducer mean torque": reducer.mean_torque,
             "inertia ratio": self.limits.inertia_ratio,
-            "brake torque": self.drive_cycle.train.drive.brake.torque,
         }
 
     @cached_property
@@ -134,7 +133,6 @@ class LimitChecks:
             "reducer peak torque": lambda: self.results.shaft_torque(1).peak,
             "reducer mean torque": lambda: self.results.mean_shaft_torque(1),
             "inertia ratio": lambda: self.inertia_ratio,
-            "brake torque": lambda: self.results.brake_torque,
         }
         value, limit = values[name](), self._limits[name]
         return LimitCheck(name, value, limit, value <= limit)

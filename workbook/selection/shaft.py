@@ -30,7 +30,7 @@ LABELS = {
     "way_behind": ("mean of S d, driving", "Nm"), "way_back": ("… driven", "Nm"), "speed": ("largest speed", "rad/s"),
     "mean": ("mean speed", "rad/s"), "smax": ("largest torque", "Nm"), "smean": ("mean torque", "Nm"),
     "cycles": ("cycles an hour", "1/h"), "inertia": ("inertia", "kg m²"), "beside": ("parts beside the motor", "kg m²"),
-    "brake": ("brake that its points do not count", ""), "by_power": ("losses by the flow of power", ""),
+    "brake": ("held by a brake in every dwell", ""), "by_power": ("losses by the flow of power", ""),
     "left": ("rated torque available at the ambient temperature", ""), "held_j": ("inertia with its motor", "kg m²"),
     "held_jm": ("its motor", "kg m²"), "held_i": ("its reduction", ""), "held_eta": ("its efficiency", ""),
     "held_no_load": ("its no-load torque", "Nm"), "held_rated": ("its continuous torque", "Nm"),

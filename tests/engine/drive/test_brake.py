@@ -5,11 +5,10 @@ from math import pi
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Motor, Stage
+from engine.drive import KINDS, Drive, Load, Stage
 from engine.drive.brake import Brake, dwell_times
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
-from engine.drive.limits import LimitChecks, Limits, ReducerLimits
 from engine.drive.quadrature import Cycle
 from engine.drive.results import DriveResults
 from engine.drive.train import Train
@@ -69,14 +68,6 @@ def test_a_faster_cycle_leaves_the_brake_no_time():
     assert DriveResults(cycle_of(Brake(200.0, 0.1), speed=1.01 * TURN)).brake_torque > 0.0
     dwells = [cycle_of(Brake(200.0, 0.1), speed=n * TURN) for n in (1.0, 1.01, 3.1)]
     assert [sum(one.braked for one in cycle.torque_intervals) for cycle in dwells] == [2, 1, 0]
-
-
-@pytest.mark.parametrize("torque", [STATIC * 1.001, STATIC * 0.999])
-def test_the_brakes_torque_is_a_limit_where_it_holds(torque):
-    limits = Limits(Motor(1e-3), reducer=ReducerLimits())
-    for holding in ("motor", "brake"):
-        checks = LimitChecks(cycle_of(Brake(torque), holding=holding), limits).checks
-        assert next(one for one in checks if one.name == "brake torque").ok == (holding == "motor" or torque > STATIC)
 
 
 @pytest.mark.parametrize(("figures", "said"), [((0.0,), "torque is 0"), ((5.0, -1.0), "time is -1")])

@@ -237,3 +237,23 @@ def test_a_name_with_dots_and_brackets_is_written_in_quotes(tmp_path):
     assert plan.space.size == 2
     with pytest.raises(InputError, match=r'has no .A.; expected "A.1 \[x\]"'):
         planned(tmp_path, {"key": "axes.A.1 [x].shift", "values": [1.0, 2.0]}, results=["drive1_rms"])
+
+
+MOTOR = {"inertia": 10.0, "rated_torque": 20.0, "peak_torque": 60.0, "max_speed": 6000.0}
+
+
+@pytest.mark.parametrize("torque", [0.1, 1e3])
+def test_a_brake_holds_in_a_study_the_dwells_that_it_holds_in_the_book(tmp_path, torque):
+    """From 30 to 300 cycles/min the same dwell becomes too short for it."""
+    brake = {"torque": torque, "closing": 100.0, "opening": 90.0}
+    base(tmp_path, **LOADED, motor=MOTOR | {"holding": "brake", "brake": brake})
+    rates = {"key": "master.rate", "values": [30.0, 300.0]}
+    plan = planned(tmp_path, rates, MOTORS, REDUCERS, results=["drive1_rms", "drive1_ok_brake", "drive1_brake_load"])
+    loads = []
+    for number in random.Random(1).sample(range(plan.space.size), 6):
+        pairs, _ = compared(plan, number)
+        require_alike({name: one for name, one in pairs.items() if "_ok_" not in name})
+        assert pairs["drive1_ok_brake"][0] == pairs["drive1_ok_brake"][1]
+        loads.append((pairs["drive1_brake_load"][0], pairs["drive1_ok_brake"][0]))
+    assert {load > 0.0 for load, _ in loads} == {True, False}
+    assert all((verdict == "OK") == (load <= torque) for load, verdict in loads)

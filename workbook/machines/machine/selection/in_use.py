@@ -190,7 +190,7 @@ def brake_entries(motor: AxisMotor, key: str) -> list[Quantity]:
               format="0.0##", source="at the motor's shaft"),
         given("@brake_closing", "Brake: time to close", "", "ms", brake.closing, f"{key}.closing", format="0.0##"),
         given("@brake_opening", "Brake: time to open", "", "ms", brake.opening, f"{key}.opening", format="0.0##",
-              source="the motor holds in dwells shorter than both"),
+              source="the motor holds in dwells shorter than both together"),
     ]  # fmt: skip
 
 

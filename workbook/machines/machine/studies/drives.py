@@ -147,6 +147,13 @@ class Studied:
         beside = self.reducers_used["inertia"] + self.bases[0].driven.beside_motor
         return beside + self.loads[0].inertia / self.gears.ratio**2
 
+    @property
+    def brake_load(self) -> Array:
+        """Largest torques that the motor's brake holds in dwells (Nm)."""
+        first = self.bases[0].driven.mechanism.stages[0]
+        held = self.of_rate(lambda base: base.points.brake_torque) * first.ratio * first.efficiency
+        return np.asarray(held / (self.gears.ratio * self.gears.efficiency))
+
     def behind(self, k: int) -> Array:
         """Return the largest (0) or the mean (1) torque behind the reducer (Nm)."""
         return self.of_rate(lambda base: base.reducer_checks[k].value)
