@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import comb, factorial
+from math import comb
 from typing import NamedTuple
 
 import numpy as np
@@ -18,29 +18,15 @@ NARROW = 1e-9
 ROUNDS = 40
 
 
-def _basis() -> Array:
-    """Return what makes the coefficients of powers of t, from −1 to 1, those of Bernstein, by their polar form."""
-    n = DEGREE
-    rows = np.zeros((n + 1, n + 1))
-    for k in range(n + 1):
-        for i in range(n + 1):  # i factors of the polar form are at 1, the others at −1
-            signs = sum(
-                comb(i, j) * comb(n - i, k - j) * (-1) ** (k - j) for j in range(max(0, k - n + i), min(i, k) + 1)
-            )
-            rows[k, i] = signs / comb(n, k)
-    return rows
-
-
-def _halves() -> tuple[Array, Array]:
-    """Return what makes a row of coefficients that of its left half, and of its right half (de Casteljau)."""
-    left = np.zeros((DEGREE + 1, DEGREE + 1))
-    for i in range(DEGREE + 1):
-        left[: i + 1, i] = [comb(i, j) / 2.0**i for j in range(i + 1)]
-    return left, left[::-1, ::-1]
-
-
-BASIS = _basis()
-LEFT, RIGHT = _halves()
+N = range(DEGREE + 1)
+BASIS = np.array([
+    [sum(comb(i, j) * comb(DEGREE - i, k - j) * (-1) ** (k - j) for j in range(k + 1)) / comb(DEGREE, k) for i in N]
+    for k in N
+])  # fmt: skip
+"""makes the coefficients of powers of t, from −1 to 1, those of Bernstein: the polar form at i times 1, else −1"""
+LEFT = np.array([[comb(i, j) / 2.0**i for i in N] for j in N])
+RIGHT = LEFT[::-1, ::-1]
+"""make a row of coefficients that of its left half, and of its right half (de Casteljau)"""
 
 
 class Largest(NamedTuple):
@@ -109,23 +95,16 @@ class Deviation(NamedTuple):
         return self.largest / self.peak if self.peak else float(np.inf) if self.largest else 0.0
 
 
-class Jump(NamedTuple):
-    """The largest jump that rebuilding adds to one derivative between two pieces, and where it is."""
-
-    largest: float
-    x: float
-
-
 @dataclass(frozen=True)
 class Certificate:
     """How far a rebuilt motion is from the one meant: of y, y', y'' and y''' the largest deviation over the cycle.
 
-    ``jumps`` are those of y, y' and y'' that the motion has not, ``closure`` what the end of the cycle fails to meet
-    its begin by in y, y' and y'', beyond what the motion does.
+    ``jumps`` are the largest between two pieces that rebuilding adds to y, y' and y'', ``closure`` what the end of the
+    cycle fails to meet its begin by in these, beyond what the motion does.
     """
 
     deviations: tuple[Deviation, ...]
-    jumps: tuple[Jump, ...]
+    jumps: tuple[float, ...]
     closure: tuple[float, ...]
 
 
@@ -135,60 +114,47 @@ def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
     Between two neighbouring breaks of either both are polynomials and sines. Their difference is enclosed by the
     coefficients of Bernstein of its Taylor polynomial, which are halved until they show the largest size.
     """
-    low, high = intervals(meant, rebuilt)
-    middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    one, other = (local(of, middle, half) for of in (meant, rebuilt))
+    middle, half = intervals(meant, rebuilt)
+    difference = local(rebuilt, middle, half) - local(meant, middle, half)
     deviations, jumps, closure = [], [], []
-    for order in range(ORDERS):
-        off = enclosing(derived(other - one, half, order))
+    for order, peak in enumerate(peaks(meant)):
+        off = enclosing(derived(difference, half, order))
         worst = largest(off)
-        x = float(middle[worst.row] + worst.t * half[worst.row])
-        deviations.append(Deviation(worst.value, x, peaks(meant)[order]))
-        if order < ORDERS - 1:
-            between = np.abs(off[1:, 0] - off[:-1, -1])
-            k = int(between.argmax()) if between.size else 0
-            jumps.append(Jump(float(between[k]), float(high[k])) if between.size else Jump(0.0, float(low[0])))
-            closure.append(float(off[-1, -1] - off[0, 0]))
-    return Certificate(tuple(deviations), tuple(jumps), tuple(closure))
+        deviations.append(Deviation(worst.value, float(middle[worst.row] + worst.t * half[worst.row]), peak))
+        jumps.append(float(np.abs(off[1:, 0] - off[:-1, -1]).max(initial=0.0)))
+        closure.append(float(off[-1, -1] - off[0, 0]))
+    return Certificate(tuple(deviations), tuple(jumps[:-1]), tuple(closure[:-1]))
 
 
 @lru_cache(maxsize=64)
 def peaks(of: CamProfile) -> tuple[float, ...]:
     """Return the reach of a motion, and the largest sizes of y', y'' and y'''."""
-    low, high = intervals(of, of)
-    middle, half = 0.5 * (low + high), 0.5 * (high - low)
+    middle, half = intervals(of, of)
     powers = local(of, middle, half)
-    rows = [enclosing(derived(powers, half, order)) for order in range(ORDERS)]
-    return _reach(rows[0]), *(largest(one).value for one in rows[1:])
-
-
-def _reach(rows: Array) -> float:
-    """Return the highest less the lowest value of polynomials: each is within the span of its coefficients."""
-    low, high = float(rows.min()), float(rows.max())
-    return max(0.0, largest(rows - low).value + largest(high - rows).value - (high - low))
+    y, *rates = (enclosing(derived(powers, half, order)) for order in range(ORDERS))
+    low, high = float(y.min()), float(y.max())  # the motion is within the span of its coefficients
+    reach = max(0.0, largest(y - low).value + largest(high - y).value - (high - low))
+    return reach, *(largest(one).value for one in rates)
 
 
 def intervals(meant: CamProfile, rebuilt: CamProfile) -> tuple[Array, Array]:
-    """Return begins and ends of the intervals of the cycle of ``meant`` in which both are one polynomial and sines."""
+    """Return middles and halves of the intervals of the cycle of ``meant`` in which both are a polynomial and sines."""
     begin, end = float(meant.edges[0]), float(meant.edges[-1])
     inner = rebuilt.edges[(rebuilt.edges > begin) & (rebuilt.edges < end)]
     edges = np.unique(np.concatenate([meant.edges, inner]))
     edges = edges[np.concatenate([[True], np.diff(edges) > SAME * (end - begin)])]
     edges[-1] = end
     middle = 0.5 * (edges[:-1] + edges[1:])
-    rate = np.maximum(*(fastest(of)[of.index(middle)] for of in (meant, rebuilt)))
+    rate = np.zeros(len(middle))
+    for of in (meant, rebuilt):
+        rates = np.where(of.sines[:, :, 0] != 0.0, np.abs(of.sines[:, :, 1]), 0.0)
+        rate = np.maximum(rate, rates.max(axis=1, initial=0.0)[of.index(middle)])
     parts: NDArray[np.intp] = np.ceil(np.maximum(rate * np.diff(edges) / WIDEST, 1.0)).astype(np.intp)
     width = np.repeat(np.diff(edges) / parts, parts)
     nth = np.arange(int(parts.sum())) - np.repeat(np.cumsum(parts) - parts, parts)
     low = np.repeat(edges[:-1], parts) + nth * width
-    return low, np.append(low[1:], end)
-
-
-def fastest(of: CamProfile) -> Array:
-    """Return the largest ω of the sines of each piece."""
-    if not of.sines.size:
-        return np.zeros(len(of.origins))
-    return np.asarray(np.abs(np.where(of.sines[:, :, 0] != 0.0, of.sines[:, :, 1], 0.0)).max(axis=1))
+    high = np.append(low[1:], end)
+    return 0.5 * (low + high), 0.5 * (high - low)
 
 
 def local(of: CamProfile, middle: Array, half: Array) -> Array:
@@ -199,7 +165,4 @@ def local(of: CamProfile, middle: Array, half: Array) -> Array:
 
 def derived(powers: Array, half: Array, order: int) -> Array:
     """Return the powers of a derivative by x."""
-    found = np.zeros_like(powers)
-    for k in range(order, len(powers)):
-        found[k - order] = powers[k] * (factorial(k) / factorial(k - order))
-    return found / half**order
+    return np.asarray(np.polynomial.polynomial.polyder(powers, order) / half**order)

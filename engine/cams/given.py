@@ -1,4 +1,4 @@
-"""A table of points as it is given: its columns, and how precise they are."""
+"""A table of points as it is given: its columns, how precise they are, and how fast it begins and ends."""
 
 from typing import NamedTuple
 
@@ -51,8 +51,7 @@ def part(of: Points, begin: int, end: int) -> Points:
     """Return a table from one of its points to another."""
     inside = slice(begin, end + 1)
     v, a = (None if one is None else one[inside] for one in (of.v, of.a))
-    last = end == len(of.x) - 1
-    begins, ends = of.begins and begin == 0, of.ends and last
+    begins, ends = of.begins and begin == 0, of.ends and end == len(of.x) - 1
     return of._replace(x=of.x[inside], y=of.y[inside], v=v, a=a, begins=begins, ends=ends)
 
 
@@ -61,13 +60,17 @@ def may_be(one: Law, of: Points) -> bool:
     return len(of.x) > 2 or of.a is None or one.code == QUINTIC
 
 
+def _polynomial_rates(x: Array, y: Array) -> tuple[float, float]:
+    """Return y' and y'' at x = 0 of a polynomial through points."""
+    width = float(np.abs(x).max())
+    c = np.linalg.lstsq(np.polynomial.polynomial.polyvander(x / width, len(x) - 1), y, rcond=None)[0]
+    return float(c[1]) / width, 2.0 * float(c[2]) / width**2 if len(c) > 2 else 0.0
+
+
 def rate_at(of: Points, side: int) -> tuple[float, float]:
     """Return y' and y'' at the begin (0) or the end (-1) of a table: its own, or of a polynomial through its points."""
     some = slice(0, FEW) if side == 0 else slice(-FEW, None)
-    x = of.x[some] - of.x[side]
-    width = float(np.abs(x).max())
-    c = np.linalg.lstsq(np.polynomial.polynomial.polyvander(x / width, len(x) - 1), of.y[some], rcond=None)[0]
-    v, a = float(c[1]) / width, (2.0 * float(c[2]) / width**2 if len(c) > 2 else 0.0)
+    v, a = _polynomial_rates(of.x[some] - of.x[side], of.y[some])
     return v if of.v is None else float(of.v[side]), a if of.a is None else float(of.a[side])
 
 
@@ -89,9 +92,5 @@ def seam(of: Points) -> tuple[float, float] | None:
     if of.v is not None or abs(rate_at(of, 0)[0] - rate_at(of, -1)[0]) > SEAM * fastest(of):
         return None
     half = FEW // 2 + 1
-    before, after = slice(-half, -1), slice(0, half)
-    x = np.concatenate([of.x[before] - of.x[-1], of.x[after] - of.x[0]])
-    y = np.concatenate([of.y[before] - of.y[-1], of.y[after] - of.y[0]])
-    width = float(np.abs(x).max())
-    c = np.linalg.lstsq(np.polynomial.polynomial.polyvander(x / width, len(x) - 1), y, rcond=None)[0]
-    return float(c[1]) / width, 2.0 * float(c[2]) / width**2 if len(c) > 2 else 0.0
+    x, y = (np.concatenate([one[-half:-1] - one[-1], one[:half] - one[0]]) for one in (of.x, of.y))
+    return _polynomial_rates(x, y)

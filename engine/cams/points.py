@@ -5,7 +5,7 @@ from math import factorial
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.certificate import DEGREE, derived, enclosing, intervals, local, peaks
+from engine.cams.certificate import derived, enclosing, intervals, local, peaks
 from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 
@@ -42,7 +42,9 @@ def spread(
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if _taken(sizes, middle, least).sum() + 1 <= n else (low, middle)
-    return nodes(of, _taken(sizes, low, least))
+    steps = _taken(sizes, low, least)
+    inner = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(of.edges[:-1], of.edges[1:], steps, strict=True)]
+    return np.concatenate([*inner, of.edges[-1:]])
 
 
 def _taken(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -53,39 +55,24 @@ def _taken(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.in
 
 def weights(of: CamProfile, order: int) -> Array:
     """Return for each piece its length by the root of its largest derivative of an order, beside the largest."""
-    low, high = intervals(of, of)
-    middle, half = 0.5 * (low + high), 0.5 * (high - low)
-    powers = local(of, middle, half)
-    value = np.abs(enclosing(derived(powers, half, order))).max(axis=1) if order <= DEGREE else np.zeros(len(low))
+    middle, half = intervals(of, of)
+    value = np.abs(enclosing(derived(local(of, middle, half), half, order))).max(axis=1)
     found = np.zeros(len(of.origins))
     np.maximum.at(found, of.index(middle), value)
     found[found < found.max(initial=0.0) * 1e-9] = 0.0
-    root = 1.0 / max(order - 2, 1)
     spans = np.diff(of.edges)
-    sizes: Array = spans * (found / factorial(order)) ** root
+    sizes: Array = spans * (found / factorial(order)) ** (1.0 / max(order - 2, 1))
     sizes = sizes / sizes.max() if sizes.max() > 0.0 else sizes
-    return np.maximum(sizes, np.where(beside(of), spans / spans.max(), 0.0)) if order == CUBIC else sizes
-
-
-def beside(of: CamProfile) -> NDArray[np.bool_]:
-    """Return which pieces are beside a jump of y'': a spline goes on swinging there, the less the shorter its steps.
-
-    A parabola that a cubic has exactly needs steps all the same.
-    """
+    if order != CUBIC:
+        return sizes
+    # a spline goes on swinging beside a jump of y'', the less the shorter its steps, also in a parabola that it has
     at = np.isin(of.edges, jumps(of))
-    return np.asarray(at[:-1] | at[1:])
-
-
-def nodes(of: CamProfile, steps: NDArray[np.intp]) -> Array:
-    """Return the breaks of a profile, and between them as many equal steps as each piece has."""
-    inner = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(of.edges[:-1], of.edges[1:], steps, strict=True)]
-    return np.concatenate([*inner, of.edges[-1:]])
+    return np.maximum(sizes, np.where(at[:-1] | at[1:], spans / spans.max(), 0.0))
 
 
 def doubled(of: CamProfile, x: Array) -> Array:
     """Return points with one more just before each jump: a point has one y' and one y'', which serve both sides."""
-    steps = np.array([one - BEFORE * of.total for one in jumps(of)])
-    return np.unique(np.concatenate([x, steps]))
+    return np.unique(np.concatenate([x, jumps(of) - BEFORE * of.total]))
 
 
 def jumps(of: CamProfile) -> Array:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -69,7 +69,7 @@ class CamProfile:
             for higher in range(len(c) - 1, power - 1, -1):
                 value = value * u + math.comb(higher, power) * c[higher]
             found[power] = value
-        for a, w, phi in np.moveaxis(sines, 1, 0).transpose(0, 2, 1) if sines.size else ():
+        for a, w, phi in np.moveaxis(sines, 1, 0).transpose(0, 2, 1):
             size = a.copy()
             for power in range(terms):
                 found[power] += size * np.sin(w * u + phi + power * math.pi / 2.0)
@@ -135,23 +135,10 @@ def turned(of: CamProfile, by: float) -> CamProfile:
     begin, end, total, travel = float(of.edges[0]), float(of.edges[-1]), of.total, of.travel
     whole = math.floor(by / total + SAME)
     by -= whole * total
-    of = replace(of, c=of.c.copy())
-    of.c[:, 0] -= whole * travel
-    if by <= SAME * total:
-        return of
-    cut = end - by
-    first = int(of.index(np.array([cut]))[0])
-    if of.edges[first + 1] - cut <= SAME * total:
-        first += 1
-    wrapped = replace(of, c=of.c.copy())
-    wrapped.c[:, 0] -= travel
-    late, early = slice(first, len(of.origins)), slice(0, first + 1)
-    inner = of.edges[:-1][early]
-    kept = inner < cut - SAME * total
-    edges = np.concatenate([[begin], of.edges[:-1][late][1:] + by - total, inner[kept] + by, [end]])
-    return CamProfile(
-        edges,
-        np.concatenate([of.origins[late] + by - total, of.origins[early][kept] + by]),
-        np.concatenate([wrapped.c[late], of.c[early][kept]]),
-        np.concatenate([of.sines[late], of.sines[early][kept]]),
-    )
+    c = np.concatenate([of.c, of.c])  # of the cycle before, and of this one
+    c[:, 0] -= np.repeat([whole + 1, whole], len(of.c)) * travel
+    edges, origins = (np.concatenate([one + by - total, one + by]) for one in (of.edges[:-1], of.origins))
+    ends = np.append(edges[1:], end + by)
+    kept = (ends > begin + SAME * total) & (edges < end - SAME * total)
+    edges = np.concatenate([[begin], edges[kept][1:], [end]])
+    return CamProfile(edges, origins[kept], c[kept], np.concatenate([of.sines, of.sines])[kept])

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from engine.cams.given import Points, precision
-from engine.cams.identify import THINNED, Found, Read, identified
+from engine.cams.identify import THINNED, Read, identified
 from engine.cams.profile import CamProfile
+from engine.cams.splined import Found
 from engine.laws.spline import Spline
 from workbook.controllers.handing import rules_of
 from workbook.controllers.table import Table
@@ -71,7 +72,7 @@ def lines(read: Read, units: tuple[str, str]) -> list[str]:
         points = len(one.law.as_pieces()) + 1
         name = one.law.name if one.known else f"no law of the registry, a cubic spline through {points} points"
         misses = "" if one.fits else "; so many points do not do"
-        v = one.rates[0]
+        v = one.rates(0)[0]
         misses += f"; begins with {v:.6g} {y}/{x}" if v else ""
         place = f"{one.begin + read.late:.9g}–{one.end + read.late:.9g} {x}"
         said.append(f"{place}: {name}, lift {one.lift:.9g} {y}, residual {one.residual:.2g} {y}{misses}")
@@ -130,13 +131,13 @@ def require_units(units: tuple[str, str]) -> None:
 def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
     """Raise TargetError where the last phase ends on the way, and the first does not take over what it ends with."""
     one, other = found[-1], found[0]
-    if one.law.code == "LIN" or not any(one.leaves):
+    if one.law.code == "LIN" or not any(one.rates(1)):
         return
-    taken = (other.lift / (other.end - other.begin), 0.0) if other.law.code == "LIN" else other.rates
+    taken = (other.lift / (other.end - other.begin), 0.0) if other.law.code == "LIN" else other.rates(0)
     size = abs(one.lift) if isinstance(one.law, Spline) else 1.0
     near = (AS_FAST * size * one.law.coefficients.cv, AS_FAST * size * one.law.coefficients.ca)
     span = one.end - one.begin
-    steps = enumerate(zip(one.leaves, taken, near, strict=True), 1)
+    steps = enumerate(zip(one.rates(1), taken, near, strict=True), 1)
     jumps = any(abs(a - b) * span**k > most for k, (a, b, most) in steps)
     if not closes or other.begin > begin or jumps:
         raise TargetError(f"it ends on the way at {one.end:.9g}, and its begin does not take that over: "
@@ -149,7 +150,7 @@ def passing(found: Sequence[Found], k: int, near: float) -> dict[str, float]:
     meets = k == 0 or found[k].begin - before.end <= near
     if not meets or {"LIN", Spline.code} & {found[k].law.code, before.law.code if k else ""}:
         return {}
-    rates = dict(zip(RATES, found[k].rates, strict=True))
+    rates = dict(zip(RATES, found[k].rates(0), strict=True))
     return {name: value for name, value in rates.items() if value}
 
 

@@ -49,7 +49,7 @@ def rows(axis: CamAxis, of: Certificate) -> list[list[str]]:
     """Return a row of texts for each derivative."""
     found = []
     for k, one in enumerate(of.deviations):
-        jump = f"{max(of.jumps[k].largest, abs(of.closure[k])):.3g}" if k < len(of.jumps) else ""
+        jump = f"{max(of.jumps[k], abs(of.closure[k])):.3g}" if k < len(of.jumps) else ""
         found.append([WORDS[k], f"{one.largest:.3g}", axis.units[k], percent(one.share), f"{one.x:.6g}", jump])
     return found
 
@@ -68,7 +68,7 @@ def figures(axis: CamAxis, of: Certificate) -> dict[str, Any]:
         share = one.share if math.isfinite(one.share) else None
         found[word] = {"unit": unit, "largest": one.largest, "share": share, "at": one.x, "peak": one.peak}
         if k < len(of.jumps):
-            found[word] |= {"jump": of.jumps[k].largest, "closure": of.closure[k]}
+            found[word] |= {"jump": of.jumps[k], "closure": of.closure[k]}
     return found
 
 

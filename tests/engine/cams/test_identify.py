@@ -97,7 +97,7 @@ def test_splines_that_part_a_movement_meet_with_one_velocity() -> None:
     assert {one.law.code for one in found} == {"SPL"}
     for one, other in pairwise(found):
         assert one.end == other.begin
-        assert one.leaves[0] == pytest.approx(other.rates[0], rel=1e-9)
+        assert one.rates(1)[0] == pytest.approx(other.rates(0)[0], rel=1e-9)
     assert max(one.residual for one in found) <= 1e-4 * np.ptp(waves)
 
 
