@@ -260,7 +260,7 @@ def test_the_components_python_is_old_enough_and_needs_nothing_else(add_in):
         absolute = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and not n.level]
         plain = [alias.name for n in ast.walk(tree) if isinstance(n, ast.Import) for alias in n.names]
         assert {*plain, *(str(n.module).split(".cells")[0] for n in absolute)} - ALLOWED <= {
-            f"motion_functions.{module}" for module in ("coefficients", "composed", "refused")
+            f"motion_functions.{module}" for module in ("coefficients", "composed", "law")
         }
 
 

@@ -10,10 +10,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from inspect import Parameter, signature
-from math import comb, lcm
+from math import lcm
 from typing import Any
 
-from workbook.functions.addin.motion_functions.laws import LAWS, OWN, Declared
+from workbook.functions.addin.motion_functions.laws import LAWS, OWN, Declared, mirrored
 
 PIECE = ("duration", *(f"c{i}" for i in range(6)), "amplitude", "omega", "phase", "amplitude2", "omega2", "phase2")
 """the columns of a piece; behind them stands the velocity with which the first begins"""
@@ -112,14 +112,12 @@ def written(law: Declared) -> str:
 def halves(law: Declared) -> str:
     """Return the pieces of a symmetric polynomial: its half over the share, and the same backwards over the rest."""
     first = [2 * Fraction(c) for c in law.half]
-    n = len(first)
-    second = [-sum(first[i] * comb(i, k) * (-1) ** k for i in range(k, n)) for k in range(n)]
 
     def half(share: str, c: Sequence[Fraction]) -> str:
         powers = [f"{fraction(value).text} / {share} ^ {i}" if value else "0" for i, value in enumerate(c, 1)]
-        return f"HSTACK({', '.join([share, *powers, *'0' * (len(PIECE) - n)])})"
+        return f"HSTACK({', '.join([share, *powers, *'0' * (len(PIECE) - len(c))])})"
 
-    return f"LET(share, INDEX(p, 1), rest, 1 - share, VSTACK({half('share', first)}, {half('rest', second)}))"
+    return f"LET(share, INDEX(p, 1), rest, 1 - share, VSTACK({half('share', first)}, {half('rest', mirrored(first))}))"
 
 
 def fits(law: Declared) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from functools import partial
 from typing import Callable
 
 import unohelper
@@ -10,7 +11,7 @@ from com.sun.star.lang import XServiceInfo
 from motion_functions.cells import Cells, motion, named, pairs
 from motion_functions.coefficients import coefficients, monotone
 from motion_functions.composed import reflected, root_mean_square
-from motion_functions.refused import NUM, Refused
+from motion_functions.law import NUM, Refused
 from motionbook import XMotionFunctions
 
 IMPLEMENTATION = "MOTION"  # the first part of the functions' names, also in the files
@@ -22,19 +23,19 @@ def failure(number: int) -> float:
     return struct.unpack("<d", struct.pack("<II", number, 0x7FF80000))[0]
 
 
-def of_law(n: int) -> Callable[..., float]:
-    """Return what gives s, v, a or j of a law at ξ."""
-    return lambda law, xi, parameters: named(law, parameters).at(xi)[n]
+def of_law(n: int, law: str, xi: float, parameters: Cells) -> float:
+    """Return s, v, a or j of a law at ξ."""
+    return named(law, parameters).at(xi)[n]
 
 
-def of_motion(n: int) -> Callable[..., float]:
-    """Return what gives position, velocity or acceleration of a motion at x."""
-    return lambda x, phases: motion(phases).at(x)[n]
+def of_motion(n: int, x: float, phases: Cells) -> float:
+    """Return position, velocity or acceleration of a motion at x."""
+    return motion(phases).at(x)[n]
 
 
-def coefficient(name: str) -> Callable[..., float]:
-    """Return what gives a coefficient of a law; C_j is infinite, which is #NUM!, where the acceleration jumps."""
-    return lambda law, parameters: getattr(coefficients(named(law, parameters)), name)
+def coefficient(n: int, law: str, parameters: Cells) -> float:
+    """Return a coefficient of a law; C_j is infinite, which is #NUM!, where the acceleration jumps."""
+    return coefficients(named(law, parameters))[n]
 
 
 def inverse(law: str, s: float, parameters: Cells) -> float:
@@ -46,18 +47,18 @@ def inverse(law: str, s: float, parameters: Cells) -> float:
 
 
 FUNCTIONS: dict[str, Callable[..., float]] = {
-    "S": of_law(0),
-    "V": of_law(1),
-    "A": of_law(2),
-    "J": of_law(3),
+    "S": partial(of_law, 0),
+    "V": partial(of_law, 1),
+    "A": partial(of_law, 2),
+    "J": partial(of_law, 3),
     "XI": inverse,
-    "CV": coefficient("cv"),
-    "CA": coefficient("ca"),
-    "CARMS": coefficient("ca_rms"),
-    "CJ": coefficient("cj"),
-    "POS": of_motion(0),
-    "VEL": of_motion(1),
-    "ACC": of_motion(2),
+    "CV": partial(coefficient, 0),
+    "CA": partial(coefficient, 1),
+    "CARMS": partial(coefficient, 2),
+    "CJ": partial(coefficient, 3),
+    "POS": partial(of_motion, 0),
+    "VEL": partial(of_motion, 1),
+    "ACC": partial(of_motion, 2),
     "JRED": lambda inertias, ratios: reflected(*pairs(inertias, ratios)),
     "RMS": lambda values, durations: root_mean_square(*pairs(values, durations)),
 }

@@ -7,13 +7,12 @@ those as delivered, and anything else is refused.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Tuple, Union
+from typing import Mapping, Tuple, Union
 
-from .composed import AGREES, Motion, Row, Via, joined
-from .law import Law
+from .composed import AGREES, Motion, Row, Via
+from .law import NUM, VALUE, Law, Refused
 from .laws import OWN, OWN_WIDTH, PARAMETERS
 from .library import Rows, law
-from .refused import NUM, VALUE, Refused
 
 Cell = Union[float, str]
 Cells = Union[Cell, Tuple[Tuple[Cell, ...], ...], None]
@@ -22,34 +21,21 @@ VIA = "VIA"
 """where a law turns round, as a number; what stands for the code in a row of what is prescribed between phases"""
 
 
-def number(cell: Cell) -> float:
-    """Return the number in a cell, 0 of an empty one; refuses a text."""
+def number(cell: Cell, words: Mapping[str, float] = {}) -> float:
+    """Return the number in a cell, 0 of an empty one, or what one of these words stands for; refuses another text."""
     if isinstance(cell, str):
-        if cell:
-            raise Refused(VALUE)
-        return 0.0
+        cell = words.get(cell.strip().lower(), cell or 0.0)
+    if isinstance(cell, str):
+        raise Refused(VALUE)
     return cell
 
 
-def rows(cells: Cells) -> tuple[tuple[float, ...], ...]:
+def rows(cells: Cells, words: Mapping[str, float] = {}) -> Rows:
     """Return the numbers of a range, or of a single value, by row."""
     if cells is None:
         raise Refused(VALUE)
-    if not isinstance(cells, tuple):
-        return ((number(cells),),)
-    return tuple(tuple(number(cell) for cell in row) for row in cells)
-
-
-def worded(cells: Cells) -> Rows:
-    """Return the numbers of a law's parameters: words that say where it turns round count as one."""
-    if not isinstance(cells, tuple):
-        return ((number(turn(cells)),),) if cells is not None else rows(cells)
-    return tuple(tuple(number(turn(cell)) for cell in row) for row in cells)
-
-
-def turn(cell: Cell) -> Cell:
-    """Return a cell, the number of a word in place of it."""
-    return TURNS.get(cell.strip().lower(), cell) if isinstance(cell, str) else cell
+    table = cells if isinstance(cells, tuple) else ((cells,),)
+    return tuple(tuple(number(cell, words) for cell in row) for row in table)
 
 
 def parameters(code: str, given: Cells) -> Rows:
@@ -57,7 +43,7 @@ def parameters(code: str, given: Cells) -> Rows:
     if PARAMETERS.get(code) == 0 or given is None:
         return OWN if code == "OWN" else ((0.0,),)
     if code != "OWN":
-        return worded(given)
+        return rows(given, TURNS)
     found = rows(given)
     return tuple(row for row in found if any(row)) or found[:1]  # blank rows are no pieces, and would fill the cache
 
@@ -84,8 +70,11 @@ def motion(table: Cells) -> Motion:
 
 @lru_cache(maxsize=128)
 def moved(table: tuple[tuple[Cell, ...], ...]) -> Motion:
-    """Return the motion of a table without blank rows at its end."""
-    return joined([via(row) if str(row[0]).strip().upper() == VIA else phase(row) for row in table])
+    """Return the motion of a table without blank rows at its end; a row VIA prescribes what its phases have there."""
+    return Motion([
+        Via(*(number(cell) for cell in (*row[1:4], 0.0)[:3])) if str(row[0]).strip().upper() == VIA else phase(row)
+        for row in table
+    ])  # fmt: skip
 
 
 @lru_cache(maxsize=128)
@@ -102,14 +91,7 @@ def rested(table: tuple[tuple[Cell, ...], ...]) -> Motion:
             found.append(phase(("DWL", start - done, 0.0)))
         if row:
             found.append(phase((row[3], stop - start, row[2], *row[4:])))
-    motion = joined(found)
-    motion.rests_from = begin
-    return motion
-
-
-def via(row: tuple[Cell, ...]) -> Via:
-    """Return velocity, acceleration and jerk that are prescribed between two phases."""
-    return Via(*(number(cell) for cell in (*row[1:4], 0.0)[:3]))
+    return Motion(found, begin)
 
 
 def phase(row: tuple[Cell, ...]) -> Row:

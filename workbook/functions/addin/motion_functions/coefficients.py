@@ -6,9 +6,7 @@ import math
 from functools import lru_cache
 from typing import NamedTuple
 
-from .law import Law, Stage
-from .piece import Piece
-from .refused import NUM, Refused
+from .law import NUM, Law, Piece, Refused
 
 JUMP = 1e-9  # of the largest acceleration: a smaller one is rounding
 BACKWARDS = 1e-9  # of the mean velocity: a smaller velocity backwards is rounding
@@ -33,14 +31,17 @@ class Coefficients(NamedTuple):
 @lru_cache(maxsize=512)
 def coefficients(law: Law) -> Coefficients:
     """Return the coefficients of a law, for unit rise and time; refuses sines of more than 1,000 rad in a piece."""
-    if any(stage.piece.turned > MOST for stage in law.stages):
+    pieces = [stage.piece for stage in law.stages]
+    if any(piece.turned > MOST for piece in pieces):
         raise Refused(NUM)
-    v = [v for stage in law.stages for v in velocities(stage)]
-    a = [abs(stage.piece.derivative(0, u)) for stage in law.stages for u in around(stage.piece, 1)]
-    j = [abs(stage.piece.derivative(1, u)) for stage in law.stages for u in around(stage.piece, 2)]
-    square = math.fsum(squared(stage.piece) for stage in law.stages)
-    cj = math.inf if jumps(law, JUMP * max(a)) else max(j)
-    return Coefficients(max(map(abs, v)), max(a), math.sqrt(square), cj, min(v))
+    v = [stage.state(u)[1] for stage in law.stages for u in around(stage.piece, 0)]
+    a = [abs(piece.derivative(0, u)) for piece in pieces for u in around(piece, 1)]
+    j = [abs(piece.derivative(1, u)) for piece in pieces for u in around(piece, 2)]
+    begins = [*(piece.derivative(0, 0.0) for piece in pieces), 0.0]
+    ends = [0.0, *(piece.derivative(0, piece.duration) for piece in pieces)]
+    jumps = any(abs(begin - end) > JUMP * max(a) for begin, end in zip(begins, ends))
+    square = math.fsum(squared(piece) for piece in pieces)
+    return Coefficients(max(map(abs, v)), max(a), math.sqrt(square), math.inf if jumps else max(j), min(v))
 
 
 def monotone(law: Law) -> bool:
@@ -51,22 +52,6 @@ def monotone(law: Law) -> bool:
 def around(piece: Piece, order: int) -> list[float]:
     """Return the ends of a piece and the zeros between them of the derivative of a of this order."""
     return [0.0, *piece.zeros(order), piece.duration]
-
-
-def velocities(stage: Stage) -> list[float]:
-    """Return v at the ends of a stage and wherever a is zero."""
-    return [stage.v0 + stage.piece.gains(u)[1] for u in around(stage.piece, 0)]
-
-
-def jumps(law: Law, least: float) -> bool:
-    """Whether a jumps by more than ``least``, between the stages or at the ends against rest."""
-    before = 0.0
-    for stage in law.stages:
-        ends = [stage.way * stage.piece.derivative(0, u) for u in (0.0, stage.piece.duration)][:: stage.way]
-        if abs(ends[0] - before) > least:
-            return True
-        before = ends[1]
-    return abs(before) > least
 
 
 def squared(piece: Piece) -> float:

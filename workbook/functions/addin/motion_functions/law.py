@@ -1,72 +1,176 @@
-"""Motion laws as pieces that are carried on, forwards from the begin and backwards from the end."""
+"""Motion laws as pieces that are carried on, each an acceleration of a polynomial and up to two sines."""
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_left, bisect_right
-from itertools import accumulate
 from typing import NamedTuple, Sequence
 
-from .piece import Piece
-from .refused import NUM, Refused
-
+VALUE, NUM = 519, 503  # LibreOffice's own numbers of the errors #VALUE! and #NUM!
+SERIES = 0.7  # rad, below which h − sin h has lost digits
+GRID = 256  # parts of a piece of two sines: where its derivatives change sign is looked for in each
 TOLERANCE = 2e-9  # a ξ this near to a break counts as on it
 OUTSIDE = 1e-12  # by so much of its range an argument may lie outside it
 ROUNDING = 4e-16
+ENDING = 1e-14  # of the lift: so near to its end a law has reached it
+
+
+class Refused(Exception):  # noqa: N818 - an answer, not a fault
+    """The arguments have no value; ``number`` is that of the spreadsheet's error."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(number)
+        self.number = number
+
+
+class Piece(NamedTuple):
+    """Duration and coefficients of a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂)."""
+
+    duration: float
+    c0: float = 0.0
+    c1: float = 0.0
+    c2: float = 0.0
+    c3: float = 0.0
+    amplitude: float = 0.0
+    omega: float = 0.0
+    phase: float = 0.0
+    c4: float = 0.0
+    c5: float = 0.0
+    amplitude2: float = 0.0
+    omega2: float = 0.0
+    phase2: float = 0.0
+
+    @property
+    def powers(self) -> tuple[float, ...]:
+        """c0 … c5."""
+        return (self.c0, self.c1, self.c2, self.c3, self.c4, self.c5)
+
+    @property
+    def sines(self) -> list[tuple[float, float, float]]:
+        """P, ω, φ of each sine that is there."""
+        both = (self.amplitude, self.omega, self.phase), (self.amplitude2, self.omega2, self.phase2)
+        return [sine for sine in both if sine[0]]
+
+    @property
+    def turned(self) -> float:
+        """How far the faster sine turns (rad)."""
+        return self.duration * max(abs(self.omega), abs(self.omega2))
+
+    def scaled(self, factor: float) -> Piece:
+        """Return the piece with its acceleration times ``factor``."""
+        c = {f"c{i}": factor * value for i, value in enumerate(self.powers)}
+        return self._replace(amplitude=factor * self.amplitude, amplitude2=factor * self.amplitude2, **c)
+
+    def gains(self, u: float) -> tuple[float, float]:
+        """Return ∬a and ∫a from the begin to u.
+
+        Of a sine, with h = ωu: ∫ = P u (sin φ sin h/h + cos φ (1 − cos h)/h),
+        ∬ = P u² (sin φ (1 − cos h)/h² + cos φ (h − sin h)/h²).
+        """
+        s = v = 0.0
+        for i in range(5, -1, -1):
+            s = s * u + self.powers[i] / ((i + 1) * (i + 2))
+            v = v * u + self.powers[i] / (i + 1)
+        s, v = u * u * s, u * v
+        for amplitude, omega, phase in self.sines:
+            h = omega * u
+            sinc, lift, lag = (math.sin(h) / h, 2 * (math.sin(h / 2) / h) ** 2, _lag(h)) if h else (1.0, 0.5, 0.0)
+            sin, cos = math.sin(phase), math.cos(phase)
+            s += amplitude * u * u * (sin * lift + cos * lag)
+            v += amplitude * u * (sin * sinc + cos * lift * h)
+        return s, v
+
+    def derivative(self, order: int, u: float) -> float:
+        """Return a(u), or its derivative of an order."""
+        found = 0.0
+        for i in range(5, order - 1, -1):
+            found = found * u + self.powers[i] * math.factorial(i) / math.factorial(i - order)
+        for amplitude, omega, phase in self.sines:
+            found += amplitude * omega**order * math.sin(omega * u + phase + order * math.pi / 2)
+        return found
+
+    def zeros(self, order: int) -> list[float]:
+        """Return where within the piece a, or its derivative of an order, changes its sign, rising.
+
+        Between two zeros of the next derivative a function is monotone, and has one zero or none; those of the
+        sixth derivative, −P ω⁶ sin(ωu + φ), are known.
+        """
+        if len(self.sines) > 1:
+            return self._crossings(order, [k * self.duration / GRID for k in range(1, GRID)])
+        found: list[float] = []
+        for _, omega, phase in self.sines:
+            turns = (phase, phase + omega * self.duration)
+            first, last = math.ceil(min(turns) / math.pi), math.floor(max(turns) / math.pi)
+            found = sorted((k * math.pi - phase) / omega for k in range(first, last + 1)) if omega else []
+        for derivative in range(5, order - 1, -1):
+            found = self._crossings(derivative, found)
+        return found
+
+    def _crossings(self, order: int, inner: list[float]) -> list[float]:
+        """Return where a derivative changes its sign, at most once between two neighbours of these, by halving."""
+        found = []
+        for low, high in zip([0.0, *inner], [*inner, self.duration]):
+            above = self.derivative(order, low) > 0.0
+            if (self.derivative(order, high) > 0.0) == above:
+                continue
+            for _ in range(60):
+                middle = (low + high) / 2
+                low, high = (middle, high) if (self.derivative(order, middle) > 0.0) == above else (low, middle)
+            found.append((low + high) / 2)
+        return found
+
+
+def _lag(h: float) -> float:
+    """Return (h − sin h)/h², by its series where the difference would lose digits."""
+    if abs(h) > SERIES:
+        return (h - math.sin(h)) / (h * h)
+    term, total = h / 6, h / 6
+    for k in range(4, 16, 2):
+        term *= -h * h / (k * (k + 1))
+        total += term
+    return total
 
 
 class Stage(NamedTuple):
-    """A piece at its place: with u = ±(ξ − origin), s = base ± (s0 + v0 u + ∬a), v = v0 + ∫a; the sign is ``way``."""
+    """A piece at its place, with position and velocity at its begin: s = s0 + v0 u + ∬a, v = v0 + ∫a, u = ξ − x0."""
 
     piece: Piece
-    way: int
-    origin: float
-    base: float
-    s0: float
-    v0: float
+    x0: float = 0.0
+    s0: float = 0.0
+    v0: float = 0.0
 
-    def at(self, xi: float) -> tuple[float, float, float, float]:
-        """Return s, v, a, j at ξ."""
-        u = self.way * (xi - self.origin)
-        gained_s, gained_v = self.piece.gains(u)
-        s = self.base + self.way * (self.s0 + self.v0 * u + gained_s)
-        return s, self.v0 + gained_v, self.way * self.piece.derivative(0, u), self.piece.derivative(1, u)
+    def state(self, u: float) -> tuple[float, float]:
+        """Return s and v at u from its begin."""
+        s, v = self.piece.gains(u)
+        return self.s0 + self.v0 * u + s, self.v0 + v
 
     def xi_at(self, s: float) -> float:
         """Return the ξ in the stage that has the position s, by Newton's method between bounds that close in."""
-        wanted = self.way * (s - self.base) - self.s0
         low, high = 0.0, self.piece.duration
         u = high / 2
         for _ in range(200):
-            gained_s, gained_v = self.piece.gains(u)
-            over, speed = self.v0 * u + gained_s - wanted, self.v0 + gained_v
-            low, high = (low, u) if over >= 0.0 else (u, high)
-            newton = u - over / speed if speed > 0.0 else -1.0
+            reached, speed = self.state(u)
+            low, high = (low, u) if reached >= s else (u, high)
+            newton = u - (reached - s) / speed if speed > 0.0 else -1.0
             following = newton if low <= newton <= high else (low + high) / 2
             done = abs(following - u) <= ROUNDING * u
             u = following
             if done:
                 break
-        return self.origin + self.way * u
+        return self.x0 + u
 
 
 class Law:
-    """A law over ξ in [0, 1] from s = 0: pieces from its begin, then pieces as seen backwards from its end.
+    """A law over ξ in [0, 1] from s = 0, of pieces one after the other; ``begin`` is the velocity at its begin."""
 
-    ``lift`` is where it ends, ``begin`` and ``finish`` are the velocities at begin and end.
-    """
-
-    def __init__(
-        self, forward: Sequence[Piece], backward: Sequence[Piece] = (), lift: float = 1.0, begin: float = 0.0,
-        finish: float = 0.0,
-    ) -> None:  # fmt: skip
-        ahead = [piece for piece in forward if piece.duration > 0.0]
-        behind = [piece for piece in backward if piece.duration > 0.0]
-        *self.begins, end = accumulate([0.0, *(piece.duration for piece in [*ahead, *behind[::-1]])])
-        self.stages = [
-            *(Stage(p, 1, x, 0.0, s, v) for p, x, s, v in _carried(ahead, begin)),
-            *(Stage(p, -1, end - x, lift, s, v) for p, x, s, v in _carried(behind, finish)[::-1]),
-        ]
-        self.heights = [stage.at(begin)[0] for stage, begin in zip(self.stages, self.begins)]
+    def __init__(self, pieces: Sequence[Piece], begin: float = 0.0) -> None:
+        self.stages: list[Stage] = []
+        x, s, v = 0.0, 0.0, begin
+        for piece in pieces:
+            if piece.duration > 0.0:
+                self.stages.append(Stage(piece, x, s, v))
+                s, v = self.stages[-1].state(piece.duration)
+                x += piece.duration
         self.end = self.at(1.0)[0]
 
     def at(self, xi: float) -> tuple[float, float, float, float]:
@@ -75,27 +179,14 @@ class Law:
             raise Refused(NUM)
         inside = min(max(xi, 0.0), 1.0)
         reached = min(inside + TOLERANCE, 1.0 - TOLERANCE)
-        return self.stages[bisect_right(self.begins, reached) - 1].at(inside)
+        stage = self.stages[bisect_right([one.x0 for one in self.stages], reached) - 1]
+        u = inside - stage.x0
+        return (*stage.state(u), stage.piece.derivative(0, u), stage.piece.derivative(1, u))
 
     def xi_at(self, s: float) -> float:
         """Return the first ξ with the position s. The law must not move backwards. Refuses an s that it never has."""
         if not (self.end > 0.0 and -OUTSIDE <= s <= self.end + OUTSIDE):
             raise Refused(NUM)
-        if s <= 0.0 or s >= self.end * (1.0 - 4 * ROUNDING):
+        if s <= 0.0 or s >= self.end * (1.0 - ENDING):
             return 0.0 if s <= 0.0 else 1.0
-        return self.stages[max(bisect_left(self.heights, s) - 1, 0)].xi_at(s)
-
-
-def _carried(pieces: Sequence[Piece], velocity: float) -> list[tuple[Piece, float, float, float]]:
-    """Return each piece with abscissa, position and velocity at its begin, the first with this velocity."""
-    found, (x, s, v) = [], (0.0, 0.0, velocity)
-    for piece in pieces:
-        found.append((piece, x, s, v))
-        x, s, v = end_of(piece, x, s, v)
-    return found
-
-
-def end_of(piece: Piece, x: float = 0.0, s: float = 0.0, v: float = 0.0) -> tuple[float, float, float]:
-    """Return abscissa, position and velocity at the end of a piece that begins with these."""
-    gained_s, gained_v = piece.gains(piece.duration)
-    return x + piece.duration, s + v * piece.duration + gained_s, v + gained_v
+        return self.stages[max(bisect_left([one.s0 for one in self.stages], s) - 1, 0)].xi_at(s)

@@ -75,6 +75,12 @@ def cut(share: Any, turn: Any, whole: Sequence[Any], rest: Sequence[Any]) -> Seq
     return shared(share, rise, fall)
 
 
+def mirrored(half: Sequence[Any]) -> Sequence[Any]:
+    """Return the acceleration of a polynomial's second half, by powers of u: that of the first, seen from its end."""
+    n = len(half)
+    return [-sum(half[i] * math.comb(i, k) * (-1) ** k for i in range(k, n)) for k in range(n)]
+
+
 def two_sines(turn: Any) -> Sequence[Mapping[str, Any]]:
     """Return the piece of the double harmonic, from rest to a reversal at its end, or the other way round."""
     first, second = (turning(turn, 1.0, 0.5 * math.pi, past * math.pi) for past in (-1.5, -2.5))

@@ -1,8 +1,7 @@
 """The laws by code, with their parameters checked, between rests or between prescribed ends.
 
 Most are seven stages: an acceleration from rest (an edge up, a constant, an edge down), a uniform velocity, and a
-deceleration, which is an acceleration seen backwards from its end. Source: S1, 'Modified trapezoidal (acceleration)
-curve (seven parameters)'.
+deceleration of the same kind. Source: S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'.
 """
 
 from __future__ import annotations
@@ -11,11 +10,8 @@ import math
 from functools import lru_cache
 from typing import NamedTuple, Sequence, Tuple
 
-from .law import Law, end_of
-from .laws import LAWS, OWN_WIDTH, SUM_TOLERANCE, Declared
-from .piece import Piece
-from .polynomials import half, hermite
-from .refused import NUM, VALUE, Refused
+from .law import NUM, VALUE, Law, Piece, Refused, Stage
+from .laws import LAWS, OWN_WIDTH, SUM_TOLERANCE, Declared, mirrored
 
 Rows = Tuple[Tuple[float, ...], ...]
 
@@ -53,7 +49,7 @@ def law(code: str, parameters: Rows, ends: Ends = REST) -> Law:
         raise Refused(VALUE)
     require(all(domain.has(p[k]) for k, domain in declared.domains.items()))
     if declared.stages:
-        return seven_stages(seven(declared.stages(*p)), ends, declared.straight)
+        return seven_stages(declared.stages(*p), ends, declared.straight)
     if declared.pieces:
         return standing([Piece(**entries) for entries in declared.pieces(*p)], ends, declared.begin)
     return polynomial(declared, p[0], ends)
@@ -61,9 +57,8 @@ def law(code: str, parameters: Rows, ends: Ends = REST) -> Law:
 
 def standing(pieces: Sequence[Piece], ends: Ends, begin: float = 0.0) -> Law:
     """Return a law that begins and ends as it does, whatever is beside it; refuses all other ends."""
-    if any(ends[1:]):
-        raise Refused(NUM)
-    return Law([piece.scaled(ends.lift) for piece in pieces], lift=ends.lift, begin=begin * ends.lift)
+    require(not any(ends[1:]))
+    return Law([piece.scaled(ends.lift) for piece in pieces], begin * ends.lift)
 
 
 def require(possible: bool) -> None:
@@ -72,28 +67,31 @@ def require(possible: bool) -> None:
         raise Refused(NUM)
 
 
-def seven(d: Sequence[float]) -> Sequence[float]:
-    """Return seven durations; refuses those that do not fill the rise, and pulses of no duration."""
-    require(min(d) >= 0.0 and abs(sum(d) - 1.0) <= SUM_TOLERANCE and sum(d[:3]) > 0.0 and sum(d[4:]) > 0.0)
-    return d
+def own(rows: Rows) -> list[Piece]:
+    """Return the pieces of the engineer's own law: in a row duration, c0, c1, c2, c3, P, ω, φ."""
+    if any(len(row) != OWN_WIDTH for row in rows):
+        raise Refused(VALUE)
+    durations = [row[0] for row in rows]
+    require(min(durations) >= 0.0 and abs(sum(durations) - 1.0) <= SUM_TOLERANCE)
+    return [Piece(*row) for row in rows]
 
 
 def seven_stages(d: Sequence[float], ends: Ends, straight: bool) -> Law:
-    """Return the law whose two parts meet at one velocity V, and which gains the lift.
+    """Return the law whose two pulses meet at one velocity V, and which gains the lift.
 
-    For unit acceleration the parts gain m and n and travel S_a and S_d from rest, over T₁ and T₂: then
-    V = [H − v0 (T₁ − S_a/m) − v1 (T₂ − S_d/n)]/(S_a/m + d4 + S_d/n), A = (V − v0)/m and B = (V − v1)/n.
+    Refuses durations that do not fill the rise, and pulses of no duration. For unit acceleration the pulses gain m and
+    n and travel S_a and S_d from rest, over T₁ and T₂: then A = (V − v0)/m, B = (V − v1)/n and
+    V = [H − v0 (T₁ − S_a/m) − v1 S_d/n]/(S_a/m + d4 + T₂ − S_d/n).
     """
-    if any(ends[3:]):
-        raise Refused(NUM)
-    ahead, behind = pulse(d[:3], straight), pulse(d[:3:-1], straight)
-    (s_a, m), (s_d, n) = reached(ahead), reached(behind)
-    first, last = s_a / m, s_d / n
-    slid = ends.v0 * (sum(d[:3]) - first) + ends.v1 * (sum(d[4:]) - last)
-    top = (ends.lift - slid) / (first + d[3] + last)
-    up, down = (top - ends.v0) / m, (top - ends.v1) / n
-    forward = [*(piece.scaled(up) for piece in ahead), Piece(d[3])]
-    return Law(forward, [piece.scaled(down) for piece in behind], *ends[:3])
+    require(min(d) >= 0.0 and abs(sum(d) - 1.0) <= SUM_TOLERANCE and sum(d[:3]) > 0.0 and sum(d[4:]) > 0.0)
+    require(not any(ends[3:]))
+    rise, fall = pulse(d[:3], straight), pulse(d[4:], straight)
+    (s_a, m), (s_d, n) = reached(rise), reached(fall)
+    first, slid = s_a / m, s_d / n
+    top = ends.lift - ends.v0 * (sum(d[:3]) - first) - ends.v1 * slid
+    top /= first + d[3] + sum(d[4:]) - slid
+    up, down = (top - ends.v0) / m, (ends.v1 - top) / n
+    return Law([*(one.scaled(up) for one in rise), Piece(d[3]), *(one.scaled(down) for one in fall)], ends.v0)
 
 
 def pulse(d: Sequence[float], straight: bool) -> list[Piece]:
@@ -108,27 +106,38 @@ def pulse(d: Sequence[float], straight: bool) -> list[Piece]:
 
 def reached(pieces: Sequence[Piece]) -> tuple[float, float]:
     """Return position and velocity at the end of pieces that begin at rest."""
-    state = (0.0, 0.0, 0.0)
+    s, v = 0.0, 0.0
     for piece in pieces:
-        state = end_of(piece, *state)
-    return state[1:]
-
-
-def own(rows: Rows) -> list[Piece]:
-    """Return the pieces of the engineer's own law: in a row duration, c0, c1, c2, c3, P, ω, φ."""
-    if any(len(row) != OWN_WIDTH for row in rows):
-        raise Refused(VALUE)
-    durations = [row[0] for row in rows]
-    require(min(durations) >= 0.0 and abs(sum(durations) - 1.0) <= SUM_TOLERANCE)
-    return [Piece(*row) for row in rows]
+        s, v = Stage(piece, 0.0, s, v).state(piece.duration)
+    return s, v
 
 
 def polynomial(declared: Declared, share: float, ends: Ends) -> Law:
     """Return a symmetric polynomial of a share, or, of the share ½, the one between ends."""
     if not any(ends[1:]):
-        ahead, behind = (half(declared.half, d).scaled(ends.lift) for d in (share, 1.0 - share))
-        return Law([ahead], [behind], ends.lift)
+        halves = (declared.half, share), (mirrored(declared.half), 1.0 - share)
+        c = [{f"c{i}": 2.0 * ends.lift * value / d ** (i + 1) for i, value in enumerate(half)} for half, d in halves]
+        return Law([Piece(share, **c[0]), Piece(1.0 - share, **c[1])])
     meets = len(declared.half) // 2
-    if share != 0.5 or any(ends[1 + 2 * meets :]):
-        raise Refused(NUM)
-    return Law([hermite(meets, ends)], lift=ends.lift, begin=ends.v0)
+    require(share == 0.5 and not any(ends[1 + 2 * meets :]))
+    return Law([hermite(meets, ends)], ends.v0)
+
+
+def hermite(meets: int, ends: Ends) -> Piece:
+    """Return the polynomial that meets one, two or three derivatives at ends.
+
+    Of s = Σ begin_i ξ^i + ξⁿ Σ b_k (ξ − 1)^k the first powers are those of the begin. With ``left``, Taylor's
+    coefficients at 1 of what these leave, and those of ξ⁻ⁿ, (−1)^k C(n + k − 1, k), b is the product of both series.
+    """
+    n = meets + 1
+    begin = [0.0, ends.v0, ends.a0 / 2, ends.j0 / 6][:n]
+    end = [ends.lift, ends.v1, ends.a1 / 2, ends.j1 / 6]
+    left = [end[k] - sum(math.comb(i, k) * begin[i] for i in range(k, n)) for k in range(n)]
+    inverse = [(-1) ** k * math.comb(n + k - 1, k) for k in range(n)]
+    b = [sum(left[i] * inverse[k - i] for i in range(k + 1)) for k in range(n)]
+    rest = [0.0] * n
+    for value in b[::-1]:  # Horner's scheme in ξ − 1
+        rest = [before - here for before, here in zip([0.0, *rest[:-1]], rest)]
+        rest[0] += value
+    s = [*begin, *rest]
+    return Piece(1.0, **{f"c{i - 2}": i * (i - 1) * s[i] for i in range(2, 2 * n)})
