@@ -22,6 +22,12 @@ def equal(of: CamProfile, n: int) -> Array:
     return np.linspace(float(of.edges[0]), float(of.edges[-1]), n)
 
 
+def parted(x: Array, parts: int) -> Array:
+    """Return points with others between each two, at so many equal steps."""
+    steps = np.linspace(0.0, 1.0, parts, endpoint=False)
+    return np.append((x[:-1, None] + np.diff(x)[:, None] * steps).ravel(), x[-1])
+
+
 def spread(
     of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_] | None = None
 ) -> Array:

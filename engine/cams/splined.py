@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from engine.cams.given import Points, part
 from engine.cams.interpolation import spline
+from engine.cams.points import parted
 from engine.cams.profile import CamProfile
 from engine.laws import Law
 from engine.laws.base import Array
@@ -65,8 +66,7 @@ def splined(of: Points, rebuilt: CamProfile, slopes: tuple[float, float], most: 
     its middle if a hundred points do not do.
     """
     if of.v is not None:
-        steps = np.linspace(0.0, 1.0, BETWEEN, endpoint=False)
-        x = np.append((of.x[:-1, None] + np.diff(of.x)[:, None] * steps).ravel(), of.x[-1])
+        x = parted(of.x, BETWEEN)
         of = of._replace(x=x, y=rebuilt.at(x, left=True).y, v=None, a=None)
     found: list[Found] = []
     left = [(0, len(of.x) - 1, slopes)]

@@ -4,11 +4,9 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
 from engine.cams.given import Points, precision
 from engine.cams.identify import THINNED, Read, identified
-from engine.cams.profile import CamProfile
+from engine.cams.points import parted
 from engine.cams.splined import Found
 from engine.laws.spline import Spline
 from workbook.controllers.handing import rules_of
@@ -37,25 +35,16 @@ def phases_of(target: Target, table: Table, units: tuple[str, str] = ("", ""), s
     if table.steps[1] != 1.0:
         known = max(known, 0.5 * table.steps[1])
     turns = units[0] == "°" and units[1] in ("mm", "°") and table.x[0] == 0.0 and table.x[-1] == TURN
-    if table.profile is not None:
-        return identified(polynomial(table, table.profile, known), rebuilt, turns, share)
     v = None if table.a is None else table.v  # y' alone is nobody's rule: as a rule it was made of differences
-    return identified(Points(table.x, table.y, v, table.a, known), rebuilt, turns, share)
-
-
-def polynomial(table: Table, profile: CamProfile, known: float) -> Points:
-    """Return the points of a table of polynomials: those that are exact everywhere have some between each two.
-
-    Those of whole steps are fitted to the motion, and keep to it at their ends.
-    """
-    if table.steps == (1.0, 1.0):
-        shares = np.linspace(0.0, 1.0, BETWEEN, endpoint=False)
-        x = np.append((table.x[:-1, None] + np.diff(table.x)[:, None] * shares).ravel(), table.x[-1])
-        at = profile.at(x, left=True)
-        return Points(x, at.y, at.y1, None, known)
-    at, last = profile.at(table.x), profile.at(table.x[-1:], left=True)
-    y, v, a = (np.append(one[:-1], other) for one, other in zip(at[:3], last[:3], strict=True))
-    return Points(table.x, y, v, a, known)
+    points = Points(table.x, table.y, v, table.a, known)
+    if table.profile is not None and table.steps == (1.0, 1.0):  # polynomials that are exact everywhere
+        x = parted(table.x, BETWEEN)
+        at = table.profile.at(x, left=True)
+        points = Points(x, at.y, at.y1, None, known)
+    elif table.profile is not None:  # polynomials of whole steps are fitted to the motion, and keep to it at their ends
+        at = table.profile.at(table.x)
+        points = Points(table.x, at.y, at.y1, at.y2, known)
+    return identified(points, rebuilt, turns, share)
 
 
 def units_of(text: str) -> tuple[str, str]:
@@ -81,7 +70,10 @@ def lines(read: Read, units: tuple[str, str]) -> list[str]:
 
 def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
     """Return the description of a machine of one axis, without its rate; raise TargetError for what none can have."""
-    require_units(units)
+    x, y = units
+    if x not in MEASURES or y not in ENTERED:
+        expected = f"{' or '.join(ENTERED)} over {', '.join(MEASURES)}"
+        raise TargetError(f"it is in {y} over {x}; expected an axis in {expected}")
     found = read.found
     for one in found:
         if not one.fits:
@@ -118,14 +110,6 @@ def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> di
     rows = {"points": points, "phases": len(moving)}
     sizes = {name: count for name, count in rows.items() if count > getattr(Sizes(), name)}  # usually there is room
     return {"template": "machine", "title": title, "laws": laws, "sizes": sizes, "master": master, "axes": [axis]}
-
-
-def require_units(units: tuple[str, str]) -> None:
-    """Raise TargetError for units that no axis of a machine has."""
-    x, y = units
-    if x not in MEASURES or y not in ENTERED:
-        expected = f"{' or '.join(ENTERED)} over {', '.join(MEASURES)}"
-        raise TargetError(f"it is in {y} over {x}; expected an axis in {expected}")
 
 
 def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:

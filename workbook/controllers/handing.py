@@ -91,12 +91,12 @@ def placed(target: Target, of: CamProfile, n: int) -> Array:
     if n < (needed := fewest(target, of)):
         raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
     exact = target.exact(of) if target.exact else None
-    extra = more(target, of)
+    extra = of_jumps(target, of)
     x = spread(of, n - extra, RULES[target.rules[0]].order, steps(target, of), exact)
     return doubled(of, x) if extra else x
 
 
-def more(target: Target, of: CamProfile) -> int:
+def of_jumps(target: Target, of: CamProfile) -> int:
     """Return how many points of their own jumps of y'' need: those of a target whose points have one y''."""
     return len(jumps(of)) if "y''" in target.columns else 0
 
@@ -108,18 +108,22 @@ def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
 
 
 def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> Table:
-    """Return the table of a motion at places, each number as the target holds it."""
+    """Return the table of a motion at places, each number as the target holds it.
+
+    The breaks of the motion are moved to where numbers have rounded the places: what jumps there jumps at a point.
+    What is only what rounding leaves of zero is zero.
+    """
     number = target.number
-    x_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest)
-    y_step = step_of(units[1])
+    x_step, y_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest), step_of(units[1])
     places, x = x, number.rounded(np.round(x, DIGITS - ceil(log10(of.total))), x_step)
-    of = snapped(of, places, x)
+    after = np.clip(np.searchsorted(places, of.edges), 1, len(places) - 1)
+    nearest = np.where(of.edges - places[after - 1] <= places[after] - of.edges, after - 1, after)
+    of = replace(of, edges=np.where(np.abs(places[nearest] - of.edges) <= SAME * of.total, x[nearest], of.edges))
     if target.built:
         return target.built(of, x, (x_step, y_step))
-    inner, last = of.at(x[:-1]), of.at(x[-1:], left=True)
-    y, v, a, j = (np.concatenate(both) for both in zip(inner, last, strict=True))
-    size = float(np.ptp(y))
-    y, v, a, j = (clean(one, size * (len(x) / of.total) ** order) for order, one in enumerate((y, v, a, j)))
+    at = of.at(x)
+    sizes = [max(float(np.abs(one).max()), float(np.ptp(at.y)) * (len(x) / of.total) ** k) for k, one in enumerate(at)]
+    y, v, a, j = (np.where(np.abs(one) < ROUNDED * size, 0.0, one) for one, size in zip(at, sizes, strict=True))
     had = [number.rounded(column) if name in target.columns else None
            for name, column in (("y'", v), ("y''", a), ("y'''", j))]  # fmt: skip
     h = WITHIN * np.diff(x)
@@ -129,23 +133,10 @@ def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> 
     return Table(x, number.rounded(y, y_step), had[0], had[1], had[2], (first, second), lines, steps=(x_step, y_step))
 
 
-def snapped(of: CamProfile, places: Array, x: Array) -> CamProfile:
-    """Return a profile whose breaks lie where numbers have rounded the places: what jumps there jumps at a point."""
-    after = np.clip(np.searchsorted(places, of.edges), 1, len(places) - 1)
-    nearest = np.where(of.edges - places[after - 1] <= places[after] - of.edges, after - 1, after)
-    on = np.abs(places[nearest] - of.edges) <= SAME * of.total
-    return replace(of, edges=np.where(on, x[nearest], of.edges))
-
-
-def clean(values: Array, size: float) -> Array:
-    """Return values without those that are only what rounding leaves of zero, beside others or a size."""
-    return np.where(np.abs(values) < ROUNDED * max(float(np.abs(values).max(initial=0.0)), size), 0.0, values)
-
-
 def fewest(target: Target, of: CamProfile) -> int:
     """Return the fewest points that do for a motion."""
     least = target.points[0]
-    return least if target.spacing == "equal" else max(least, int(steps(target, of).sum()) + 1 + more(target, of))
+    return least if target.spacing == "equal" else max(least, int(steps(target, of).sum()) + 1 + of_jumps(target, of))
 
 
 def reread(target: Target, text: str, made: Table) -> Table:

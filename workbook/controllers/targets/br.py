@@ -21,11 +21,10 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return a motion between places as polynomials of degree 5 whose coefficients, in steps, are rounded to REAL."""
     dx, dy = steps
     Table(x, x)  # says which x does not rise
-    at, last = of.at(x), of.at(x, left=True)
-    offset = float(at.y[0])
-    begin, end = ([(one.y - offset) / dy, one.y1 * dx / dy, one.y2 * dx**2 / dy] for one in (at, last))
-    made = quintics_between(x / dx, [one[:-1] for one in begin], [one[1:] for one in end])
-    coefficients = REAL.rounded(made)
+    both = of.at(x[:-1]), of.at(x[1:], left=True)
+    offset = float(both[0].y[0])
+    begin, end = ([(one.y - offset) / dy, one.y1 * dx / dy, one.y2 * dx**2 / dy] for one in both)
+    coefficients = REAL.rounded(quintics_between(x / dx, begin, end))
     coefficients[0, 0] = 0.0
     return table(coefficients, DINT.rounded(x / dx), steps, offset)
 
@@ -40,8 +39,7 @@ def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -
     made = profile(stretches, float(places[-1]))
     made = CamProfile(places, places[:-1], made.c, made.sines)
     made.c[:, 0] += offset
-    y = np.append(made.at(places[:-1]).y, made.at(places[-1:], left=True).y)
-    return Table(places, y, profile=made, steps=steps)
+    return Table(places, made.at(places).y, profile=made, steps=steps)
 
 
 def write(handed: Handed) -> str:

@@ -38,7 +38,7 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     places = equal(of, len(x))
     if places[0] != 0.0:
         raise TargetError(f"x begins at {places[0]:.9g}; expected 0, where the first ratio is")
-    y = np.append(of.at(places[:-1]).y, of.at(places[-1:], left=True).y)
+    y = of.at(places).y
     stroke = float(np.abs(y - y[0]).max()) or steps[1]
     return table(np.round((y - y[0]) / stroke * WHOLE), (of.total / (len(x) - 1), stroke / WHOLE), float(y[0]))
 

@@ -40,7 +40,7 @@ def write_points(handed: Handed) -> str:
 def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return a motion between places as segments, of polynomials and a sine from each place."""
     made = segmented(of, x)
-    return Table(x, np.append(made.at(x[:-1]).y, made.at(x, left=True).y[-1]), profile=made)
+    return Table(x, made.at(x).y, profile=made)
 
 
 def write_segments(handed: Handed) -> str:
@@ -68,7 +68,7 @@ def read_segments(text: str) -> Table:
                       ((amplitude[k], omega[k], phase[k]),))
          for k in range(len(low))], float(high[-1]),
     )  # fmt: skip
-    return Table(x, np.append(made.at(x[:-1]).y, made.at(x[-1:], left=True).y), profile=made)
+    return Table(x, made.at(x).y, profile=made)
 
 
 TARGETS = (
