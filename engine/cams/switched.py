@@ -32,13 +32,14 @@ def differing(meant: Switch, found: Switch) -> Differing:
     if not math.isclose(meant.cycle, found.cycle):
         raise ValueError(f"the cycles are {meant.cycle:g} and {found.cycle:g}; expected the same")
     cycle, here, there = meant.cycle, edges(meant), edges(found)
-    off = [Differing(0, *each, 0.0) for one, other in zip(here, there, strict=True)
-           for each in [*farthest(one, other, cycle), *farthest(other, one, cycle)]]  # fmt: skip
-    worst = max(off, key=lambda one: one.largest, default=Differing(0, 0.0, 0.0, 0.0))
+    off = [(min((distance(x, y, cycle) for y in others), default=math.inf), x)
+           for one, other in zip(here, there, strict=True)
+           for places, others in ((one, other), (other, one)) for x in places]  # fmt: skip
+    largest, x = max(off, key=lambda one: one[0], default=(0.0, 0.0))
     marks = np.unique([0.0, cycle, *(x for each in (*here, *there) for x in each)])
     middles = 0.5 * (marks[1:] + marks[:-1])
     duration = float(np.sum(np.diff(marks)[meant.at(middles) != found.at(middles)]))
-    return worst._replace(edges=sum(map(len, here)), duration=duration)
+    return Differing(sum(map(len, here)), largest, x, duration)
 
 
 def edges(of: Switch) -> tuple[list[float], list[float]]:
@@ -58,16 +59,3 @@ def distance(one: float, other: float, cycle: float) -> float:
     """Return the distance of two places of a cycle."""
     way = abs(one - other) % cycle
     return min(way, cycle - way)
-
-
-def farthest(of: list[float], to: list[float], cycle: float) -> list[tuple[float, float]]:
-    """Return by how much each place is off from the nearest of others, and the place."""
-    return [(min((distance(x, other, cycle) for other in to), default=math.inf), x) for x in of]
-
-
-def together(on: list[tuple[float, float]], cycle: float) -> list[tuple[float, float]]:
-    """Return times in rising order, of which one that ends with the cycle goes on with the one that begins with it."""
-    times = sorted(on)
-    if len(times) > 1 and times[0][0] == 0.0 and times[-1][1] == cycle:
-        times = [*times[1:-1], (times[-1][0], times[0][1])]
-    return times

@@ -5,8 +5,6 @@ from pathlib import Path
 
 import numpy as np
 
-from engine.cams.profile import CamProfile
-from engine.laws.base import Array
 from workbook.controllers.table import Table
 from workbook.controllers.target import Target
 from workbook.errors import ReadError, TargetError
@@ -55,20 +53,16 @@ def require_usual(table: Table) -> None:
     if steps.min() < least:
         k = int(steps.argmin())
         raise TargetError(f"point {k + 2}: x rises by {steps[k]:.3g}; expected a step of at least {least:.3g}")
-    if table.profile is not None:
-        terms = largest_terms(table.profile)
+    if table.profile is not None:  # a stretch's largest term: of its polynomial, or a sine's amplitude, angle or phase
+        of = table.profile
+        far = np.maximum(np.abs(of.edges[:-1] - of.origins), np.abs(of.edges[1:] - of.origins))[:, None]
+        with np.errstate(over="ignore", invalid="ignore", under="ignore"):
+            powers = np.abs(of.c) * far ** np.arange(of.c.shape[1])
+            amplitude, rate, phase = np.moveaxis(np.abs(of.sines), 2, 0)
+            terms = np.hstack([powers, amplitude, rate * far, phase]).max(axis=1)
         if not np.all(terms <= LARGEST):
             k = int(np.argmin(terms <= LARGEST))
             raise TargetError(f"segment {k + 1}: a term reaches {terms[k]:.3g}; expected at most {LARGEST:.0e}")
-
-
-def largest_terms(profile: CamProfile) -> Array:
-    """Return a stretch's largest term up to its end: of its polynomial, or a sine's amplitude, angle or phase."""
-    far = np.maximum(np.abs(profile.edges[:-1] - profile.origins), np.abs(profile.edges[1:] - profile.origins))
-    with np.errstate(over="ignore", invalid="ignore", under="ignore"):
-        powers = np.abs(profile.c) * far[:, None] ** np.arange(profile.c.shape[1])
-        amplitude, rate, phase = np.moveaxis(np.abs(profile.sines), 2, 0)
-        return np.asarray(np.hstack([powers, amplitude, rate * far[:, None], phase]).max(axis=1))
 
 
 def header(points: int, between: str, equal: bool, units: tuple[str, str]) -> str:

@@ -53,9 +53,9 @@ def whole(values: Array) -> Array:
     return values
 
 
-def literal(text: str) -> str:
+def literal(value: float, number: Number = LREAL) -> str:
     """Return a number's text as Structured Text writes it: with a point, its exponent after E."""
-    mantissa, _, power = text.partition("e")
+    mantissa, _, power = number.text(value).partition("e")
     pointed = mantissa if "." in mantissa else f"{mantissa}.0"
     return f"{pointed}E{int(power)}" if power else pointed
 

@@ -7,7 +7,7 @@ from itertools import islice
 import numpy as np
 
 from engine.laws.base import Array
-from workbook.controllers.number import LREAL, NUMBER, literal
+from workbook.controllers.number import NUMBER, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.errors import TargetError
 
@@ -24,7 +24,7 @@ def comments(lines: Iterable[str]) -> str:
 
 def rows(table: Table, names: Sequence[str]) -> list[dict[str, str]]:
     """Return the fields of each point and the texts of their numbers."""
-    written = [[literal(LREAL.text(float(value))) for value in values] for values in table.columns.values()]
+    written = [[literal(value) for value in values] for values in table.columns.values()]
     return [dict(zip(names, row, strict=True)) for row in zip(*written, strict=True)]
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.profile import CamProfile
-from engine.cams.switched import Differing, differing, together
+from engine.cams.switched import Differing, differing
 from engine.laws.base import Array
 from engine.timing import Switch
 from workbook.axes import CamSwitch
@@ -32,6 +32,17 @@ class Claim(NamedTuple):
     what: str
     certainty: Certainty
     source: str
+
+
+class Claimed:
+    """What claims are made of."""
+
+    claims: tuple[Claim, ...]
+
+    @property
+    def untested(self) -> list[Claim]:
+        """What no document settles."""
+        return [claim for claim in self.claims if claim.certainty == "untested"]
 
 
 @dataclass(frozen=True)
@@ -78,7 +89,7 @@ class HandedTracks:
 
 
 @dataclass(frozen=True)
-class Tappets:
+class Tappets(Claimed):
     """How a target takes switches: who writes and who reads their file, of what numbers, and how certain that is."""
 
     title: str
@@ -89,14 +100,9 @@ class Tappets:
     tracks: int = MOST_TRACKS
     times: int = MOST_TIMES
 
-    @property
-    def untested(self) -> tuple[Claim, ...]:
-        """What no document settles."""
-        return tuple(claim for claim in self.claims if claim.certainty == "untested")
-
 
 @dataclass(frozen=True)
-class Target:
+class Target(Claimed):
     """A controller, or a format of tables."""
 
     name: str
@@ -119,40 +125,35 @@ class Target:
     """makes a table of polynomials of a motion, between places, in steps of x and y"""
     tappets: Tappets | None = None  # how it takes switches; None where its format has none, or no document tells how
 
-    @property
-    def untested(self) -> tuple[Claim, ...]:
-        """What no document settles."""
-        return tuple(claim for claim in self.claims if claim.certainty == "untested")
-
 
 def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
-    """Return switches as tracks in a target's numbers; raise TargetError beyond its limits."""
+    """Return switches as tracks in a target's numbers; raise TargetError beyond its limits.
+
+    A time that begins with the end of the cycle begins at 0.
+    """
     if len(given) > tappets.tracks:
         raise TargetError(f"{len(given)} switches; expected at most {tappets.tracks}")
-    found = [Track(k, one.name, tuple(held(one, tappets.number))) for k, one in enumerate(given, 1)]
+    found = []
+    for k, one in enumerate(given, 1):
+        cycle = one.switch.cycle
+        ends = [(0.0 if begin == cycle else begin, end or cycle) for begin, end in one.switch.on]
+        held = tappets.number.rounded(np.array(ends).reshape(-1, 2)).tolist()
+        for (begin, end), (first, last) in zip(one.switch.on, held, strict=True):
+            if first == last:
+                said = f"{one.name}: on from {begin:.9g} to {end:.9g} is no time in {tappets.number.name}"
+                raise TargetError(said)
+        found.append(Track(k, one.name, tuple((first, last) for first, last in held)))
     count = sum(len(one.on) for one in found)
     if not 1 <= count <= tappets.times:
         raise TargetError(f"{count} times of being on; expected 1 to {tappets.times:,}")
     return found
 
 
-def held(one: CamSwitch, number: Number) -> list[tuple[float, float]]:
-    """Return the times of a switch as a controller holds them; one that begins with the cycle's end at its begin."""
-    cycle, made = one.switch.cycle, []
-    for begin, end in one.switch.on:
-        first = 0.0 if begin == cycle else begin
-        times = number.rounded(np.array([first, cycle if end == 0.0 else end])).tolist()
-        if times[0] == times[1]:
-            raise TargetError(f"{one.name}: on from {begin:.9g} to {end:.9g} is no time in {number.name}")
-        made.append((times[0], times[1]))
-    return made
-
-
-def gathered(text: str, times: Iterable[tuple[float, float, float]], cycle: float = 360.0) -> list[Track]:
+def gathered(text: str, rows: Iterable[tuple[float, float, float]], cycle: float = 360.0) -> list[Track]:
     """Return the tracks of times, with the names that comments of the text tell; raise TargetError, by track."""
     names = {int(number): name.strip() for number, name in CALLED.findall(text)}
     found: dict[int, list[tuple[float, float]]] = {number: [] for number in names}
-    for number, begin, end in times:
+    for number, begin, end in rows:
         if not 1 <= number <= MOST_TRACKS or number != int(number):
             raise TargetError(f"a track has the number {number:g}; expected 1 to {MOST_TRACKS:,}")
         found.setdefault(int(number), []).append((begin, end))
@@ -161,10 +162,13 @@ def gathered(text: str, times: Iterable[tuple[float, float, float]], cycle: floa
     if sum(map(len, found.values())) > MOST_TIMES:
         raise TargetError(f"more than {MOST_TIMES:,} times of being on; expected at most so many")
     made = []
-    for number, on in sorted(found.items()):
+    for number, times in sorted(found.items()):
+        on = sorted(times)
+        if len(on) > 1 and on[0][0] == 0.0 and on[-1][1] == cycle:  # one that goes on past the end of the cycle
+            on = [*on[1:-1], (on[-1][0], on[0][1])]
         name = names.get(number, f"Track {number}").removesuffix(NEVER)
         try:
-            made.append(Track(number, name, Switch(name, tuple(together(on, cycle)), cycle).on))
+            made.append(Track(number, name, Switch(name, tuple(on), cycle).on))
         except ValueError as error:
             raise TargetError(f"track {number}: {error}") from None
     return made

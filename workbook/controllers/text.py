@@ -42,12 +42,14 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool 
             raise TargetError(f"line {kept[0][0]}: it tells of no points; expected two or more")
         kept = kept[1:]
     decimals: set[str] = set()
-    separator = found_separator(line for _, line in kept)
+    separator = found_separator([line for _, line in kept])
     if separator and all(line.endswith(separator.rstrip(" ")) for _, line in kept):
         kept = [(n, line[:-1]) for n, line in kept]
     rows = [row(n, line, separator, decimals) for n, line in kept]
-    if separator == ",":
-        require_one_meaning(kept)
+    for n, line in kept if separator == "," else ():
+        if any(ZEROS.fullmatch(field.strip()) for field in line.split(",")):
+            raise TargetError(f"line {n}: {line[:40]!r}; a comma parts the columns and is the decimal sign, it seems: "
+                              "expected two signs")  # fmt: skip
     if rows and len(rows[0]) not in widths:
         expected = " or ".join(map(str, widths))
         raise TargetError(f"line {kept[0][0]}: {len(rows[0])} columns; expected {expected}")
@@ -57,9 +59,8 @@ def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool 
     return rows
 
 
-def found_separator(lines: Iterable[str]) -> str | None:
+def found_separator(given: Sequence[str]) -> str | None:
     """Return what parts the columns: a semicolon, a tab, a bar, a comma, one with a blank; None for blanks."""
-    given = list(lines)
     for sign in ";\t|":
         if any(sign in line for line in given):
             return sign
@@ -67,14 +68,6 @@ def found_separator(lines: Iterable[str]) -> str | None:
         return ", "
     parts = [re.split(r"\s+", line) for line in given]
     return None if any(len(part) > 1 and all(map(NUMBER.fullmatch, part)) for part in parts) else ","
-
-
-def require_one_meaning(lines: Iterable[tuple[int, str]]) -> None:
-    """Raise TargetError where a comma seems to part the columns and to be the decimal sign as well."""
-    for n, line in lines:
-        if any(ZEROS.fullmatch(field.strip()) for field in line.split(",")):
-            raise TargetError(f"line {n}: {line[:40]!r}; a comma parts the columns and is the decimal sign, it seems: "
-                              "expected two signs")  # fmt: skip
 
 
 def row(n: int, line: str, separator: str | None, decimals: set[str]) -> list[float]:

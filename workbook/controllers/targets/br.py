@@ -55,7 +55,7 @@ def write(handed: Handed) -> str:
         constant = (row[0] - offset) / dy
         values = [constant, *(float(c) * one for c, one in zip(row[1:], scales[1:], strict=True))]
         values += [0.0 for _ in range(len(POWERS) - len(values))]
-        texts = [literal(REAL.text(value)) for value in (*values, round((end - made.edges[0]) / dx))]
+        texts = [literal(value, REAL) for value in (*values, round((end - made.edges[0]) / dx))]
         fields = dict(zip(FIELDS, texts, strict=True)) | {"Reserve": "0"}
         lines.append(assigned(f"{name}.PolynomialData[{k}]", fields))
     told = (stands(offset, handed.units[1]), counts((dx, dy), handed.units), f"{name} : McCamDataType")

@@ -5,7 +5,7 @@ from math import ceil, log2
 import numpy as np
 
 from engine.laws.base import Array
-from workbook.controllers.number import LREAL, literal
+from workbook.controllers.number import literal
 from workbook.controllers.structured import comments, counted, grouped, pairs, points, rows
 from workbook.controllers.table import LOCAL, SPLINES
 from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
@@ -24,7 +24,7 @@ def write(handed: Handed) -> str:
     """Return a list of global variables: the points, and the cam that refers to them."""
     initial = [", ".join(f"{name} := {value}" for name, value in row.items()) for row in rows(handed.table, FIELDS)]
     name, n = f"Cam_{handed.name}", len(initial)
-    start, end = (literal(LREAL.text(float(handed.table.x[k]))) for k in (0, -1))
+    start, end = (literal(handed.table.x[k]) for k in (0, -1))
     body = ",\n".join(f"    ({point})" for point in initial)
     return (
         f"{comments(handed.header)}{{attribute 'linkalways'}}\nVAR_GLOBAL\n"
@@ -41,7 +41,7 @@ def write_table(handed: Handed) -> str:
     body = ",\n".join(f"    [{row['x']}, {row['y']}]" for row in rows(table, ("x", "y")))
     ends = dict(zip(EDGES, (span(table.x), span(table.y)) * 2, strict=True))
     limits = ", ".join(f"{edge}Min := {low}, {edge}Max := {high}" for edge, (low, high) in ends.items())
-    start, end = (literal(LREAL.text(float(table.x[k]))) for k in (0, -1))
+    start, end = (literal(table.x[k]) for k in (0, -1))
     declared = ", ".join(f"{edge}{which}" for edge in EDGES for which in ("Min", "Max"))
     return (
         f"{comments(handed.header)}TYPE {kind} : STRUCT\n  Table : ARRAY[0..{n - 1}] OF ARRAY[0..1] OF LREAL;\n"
@@ -55,13 +55,12 @@ def write_table(handed: Handed) -> str:
 def span(values: Array) -> tuple[str, str]:
     """Return ends that REAL holds exactly, alike for editor and table: nothing is scaled."""
     reach = 2.0 ** ceil(log2(max(1.0, float(np.abs(values).max()))))
-    low = -reach if float(values.min()) < 0.0 else 0.0
-    return literal(LREAL.text(low)), literal(LREAL.text(reach))
+    return literal(-reach if values.min() < 0.0 else 0.0), literal(reach)
 
 
 def write_switches(handed: HandedTracks) -> str:
     """Return a list of global variables: the times, and the reference that leads to them."""
-    texts = [(str(number), *(literal(LREAL.text(x)) for x in ends)) for number, *ends in handed.times]
+    texts = [(str(number), *(literal(x) for x in ends)) for number, *ends in handed.times]
     told = [", ".join(f"{name} := {value}" for name, value in zip(SWITCHED, row, strict=True)) for row in texts]
     body = ",\n".join(f"    ({one}, AxisDirection := 0, CamSwitchMode := 0)" for one in told)
     name, n = handed.name, len(told)

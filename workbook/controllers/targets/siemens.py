@@ -5,7 +5,7 @@ import numpy as np
 from engine.cams.interpolation import HIGHEST, segmented, simple
 from engine.cams.profile import CamProfile, ProfilePiece, profile
 from engine.laws.base import Array
-from workbook.controllers.number import LREAL, literal
+from workbook.controllers.number import literal
 from workbook.controllers.structured import assigned, comments, indexed, points, rows
 from workbook.controllers.table import SPLINES, Table, given
 from workbook.controllers.target import Claim, Handed, Target
@@ -47,7 +47,7 @@ def write_segments(handed: Handed) -> str:
     """Return the assignments, a line a segment; ``sinePeriod`` is taken for the angular frequency by x."""
     made, name, lines = given(handed.table.profile, "segments"), f"Cam_{handed.name}", []
     for k, (low, high, c, sines) in enumerate(zip(made.edges, made.edges[1:], made.c, made.sines, strict=False), 1):
-        texts = (literal(LREAL.text(float(value))) for value in (low, high, *c, *sines[0]))
+        texts = (literal(value) for value in (low, high, *c, *sines[0]))
         fields = dict(zip(SEGMENT, texts, strict=True))
         lines.append(f"{assigned(f'{name}.Segment[{k}]', fields)} {name}.ValidSegment[{k}] := TRUE;")
     declared = f"{name} : TO_Cam; MC_InterpolateCam comes before its use; segments beyond these stay invalid"

@@ -2,7 +2,7 @@
 
 import re
 
-from workbook.controllers.number import LREAL, literal
+from workbook.controllers.number import literal
 from workbook.controllers.structured import assigned, columns, comments, flat_pairs, indexed, points, rows, stripped
 from workbook.controllers.table import SPLINES, equidistant
 from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
@@ -53,7 +53,7 @@ def write_switches(handed: HandedTracks) -> str:
         name, n = f"{handed.name}_{one.number}", len(one.on)
         declared += f"  {name}_S : ARRAY[1..{n}] OF MC_CamSwitch;\n  {name} : CAMSWITCH_REF;\n"
         for k, ends in enumerate(one.on, 1):
-            fields = dict(zip(SWITCHED, (literal(LREAL.text(x)) for x in ends), strict=True))
+            fields = dict(zip(SWITCHED, (literal(x) for x in ends), strict=True))
             kind = {"AxisDirection": "CAMSWITCHDIRECTION_BOTH", "CamSwitchMode": "CAMSWITCHMODE_POSITION"}
             lines += f"{assigned(f'{name}_S[{k}]', fields | kind)}\n"
         lines += (f"{name}.NumberOfSwitches := {n}; {name}.pSwitches := ADR({name}_S); "
