@@ -16,17 +16,11 @@ from xml.etree.ElementTree import Element, SubElement
 from workbook import __version__
 from workbook.errors import WriteError
 from workbook.functions.addin.motion_functions.laws import Text
-from workbook.functions.declared import CATEGORY, FUNCTIONS, NAMESPACE, Function
+from workbook.functions.declared import FUNCTIONS, NAMESPACE, TEXTS, Function
 from workbook.writing.archive import zipped
 from workbook.writing.place import refuse_existing, replace
 
-TITLE = Text("Machine motion functions", "Funzioni del moto delle macchine", "Funktionen der Maschinenbewegung")
-ABOUT = Text(
-    "Motion laws, motions of phases, reflected inertia and RMS as functions MOTION.* in Calc.",
-    "Leggi di moto, moti composti da fasi, inerzia ridotta e valore efficace come funzioni MOTION.* in Calc.",
-    "Bewegungsgesetze, Bewegungen aus Phasen, reduziertes Trägheitsmoment und Effektivwert als Funktionen MOTION.* "
-    "in Calc.",
-)
+TITLE, ABOUT, CATEGORY = (Text(*TEXTS["extension"][name]) for name in ("title", "about", "category"))
 IDENTIFIER = "motionbook.motion"
 OLDEST = "7.1"  # the first LibreOffice that brings Python 3.8 along
 TYPES = {"code": "string", "number": "double", "cells": "any", "table": "any"}

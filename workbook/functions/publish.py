@@ -2,7 +2,8 @@
 
 import re
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
+from filecmp import cmp
 from pathlib import Path
 
 from openpyxl.workbook.defined_name import DefinedName
@@ -34,14 +35,11 @@ def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
 
     The cell that says whether the functions compute has no saved value: a program shows what is saved and does not ask.
     """
-    made = parts(declare(shown), Shown, names(), f"{NAMESPACE}.")
+    names = [DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored) for one in definitions()]
+    made = parts(
+        declare(shown), Shown, names, f"{NAMESPACE}."
+    )  # no other names: a copied sheet brings along these alone
     pack(archive.dynamic(made | {SHEET: WHETHER.sub(rb"\1\2", made[SHEET])}), path, overwrite=True)
-
-
-def names() -> Iterator[DefinedName]:
-    """Yield the functions as the only names of a workbook: a copied sheet then brings along nothing else."""
-    for one in definitions():
-        yield DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored)
 
 
 def write_text(path: Path) -> None:
@@ -62,14 +60,13 @@ def write_files() -> list[Path]:
 
 
 def stale_files() -> list[Path]:
-    """Return the committed files that today's code would generate differently."""
+    """Return the committed files that today's code would generate differently, and those that are not there."""
+    found = []
     with tempfile.TemporaryDirectory() as folder:
-        return [FOLDER / name for name in COMMITTED if stale(FOLDER / name, Path(folder) / name)]
-
-
-def stale(kept: Path, fresh: Path) -> bool:
-    """Whether a committed file differs from a fresh one, or is not there."""
-    COMMITTED[kept.name](fresh)
-    if kept.exists() and kept.suffix == ".xlsx":
-        return not same_book(fresh, kept)
-    return not kept.exists() or kept.read_bytes() != fresh.read_bytes()
+        for name, write in COMMITTED.items():
+            kept, fresh = FOLDER / name, Path(folder) / name
+            write(fresh)
+            same = kept.exists() and (same_book(fresh, kept) if kept.suffix == ".xlsx" else cmp(fresh, kept, False))
+            if not same:
+                found.append(kept)
+    return found
