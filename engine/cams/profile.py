@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,15 +16,6 @@ from engine.motion.pieces import MotionPiece, motion_pieces
 V = TypeVar("V", float, Array)
 SAME = 1e-12
 """of the cycle: breaks so near to each other are one"""
-
-
-class ProfilePiece(NamedTuple):
-    """y = Σ c_k u^k + Σ A sin(ωu + φ) from ``begin`` on, u from ``origin``."""
-
-    begin: float
-    origin: float
-    c: tuple[float, ...]
-    sines: tuple[tuple[float, float, float], ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,35 +68,23 @@ class CamProfile:
         return found
 
 
-def profile(pieces: Sequence[ProfilePiece], end: float) -> CamProfile:
-    """Return pieces one after the other as a profile that ends at ``end``; raise ValueError for none."""
-    if not pieces:
-        raise ValueError("a profile has no pieces; expected at least one")
-    c = np.zeros((len(pieces), max(len(one.c) for one in pieces)))
-    sines = np.zeros((len(pieces), max(len(one.sines) for one in pieces), 3))
-    for k, one in enumerate(pieces):
-        c[k, : len(one.c)] = one.c
-        for i, sine in enumerate(one.sines):
-            sines[k, i] = sine
-    edges = np.array([*(one.begin for one in pieces), end])
-    return CamProfile(edges, np.array([one.origin for one in pieces]), c, sines)
-
-
 def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
     """Return a motion's pieces up to ``end`` as a profile in other units: ``x`` and ``y`` of them make one of its own.
 
     Pieces that do not last are left out.
     """
     lasting = [one for one in pieces if one.duration > 0.0]
-    begins = [lasting[0].begin * x] if lasting else []
-    kept: list[MotionPiece] = lasting[:1]
-    for one in lasting[1:]:
-        if one.begin * x - begins[-1] > SAME * abs(end * x - begins[0]):
-            kept.append(one)
-            begins.append(one.begin * x)
-        else:
-            kept[-1] = one
-    return profile([_profile_piece(one, x, y) for one in kept], end * x)
+    ends = [*(one.begin for one in lasting[1:]), np.inf]
+    kept = [one for one, after in zip(lasting, ends, strict=True)
+            if after - one.begin > SAME * abs(end - lasting[0].begin)]  # fmt: skip
+    c = np.array([one.c for one in kept])
+    c = c * y / x ** np.arange(c.shape[1])
+    sines = np.array([one.sines for one in kept])
+    sines[sines[:, :, 0] == 0.0] = 0.0
+    sines = sines[:, sines.any(axis=(0, 2))] * [y, 1.0, 1.0] / [1.0, x, 1.0]
+    edges = np.array([*(one.begin for one in kept), end])
+    last = int(np.flatnonzero(c.any(axis=0)).max(initial=0))
+    return CamProfile(edges * x, np.array([one.origin for one in kept]) * x, c[:, : last + 1], sines)
 
 
 def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProfile:
@@ -116,14 +95,6 @@ def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProf
 def in_units(values: MotionValues[V], x: float, y: float) -> MotionValues[V]:
     """Return a motion's values in other units, of which a unit of x and of y has so many."""
     return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
-
-
-def _profile_piece(piece: MotionPiece, x: float, y: float) -> ProfilePiece:
-    c = tuple(value * y / x**k for k, value in enumerate(piece.c))
-    while len(c) > 1 and not c[-1]:
-        c = c[:-1]
-    sines = tuple((a * y, w / x, phi) for a, w, phi in piece.sines if a)
-    return ProfilePiece(piece.begin * x, piece.origin * x, c, sines)
 
 
 def turned(of: CamProfile, by: float) -> CamProfile:

@@ -6,7 +6,7 @@ import pytest
 from xlsxwriter import Workbook
 
 from workbook.functions.declared import FUNCTIONS
-from workbook.functions.names import FUTURE, declared_variables, definitions, tokens
+from workbook.functions.names import FUTURE, definitions, tokens
 
 EXCEL_2007 = {
     "ABS", "AND", "COLUMNS", "COUNT", "COS", "IF", "INDEX", "INT", "ISERROR", "ISTEXT", "MAX", "MIN", "OR", "PI",
@@ -16,6 +16,28 @@ LENGTH, NESTING, ARGUMENTS, NOTE = 8192, 64, 254, 255
 LOOKS_LIKE_A_CELL = re.compile(r"[A-Za-z]{1,3}\d+|[rR]\d*([cC]\d*)?|[cC]\d*")
 by_name = {d.name: d for d in definitions()}
 names = pytest.mark.parametrize("name", by_name)
+
+
+def declared_variables(formula):
+    """The parameters of every LAMBDA and the variables of every LET, in the order of the formula."""
+    parts = [("", ""), *(token for token in tokens(formula) if token[0] != "space"), ("", "")]
+    found = []
+    around = []  # the calls that a part stands in, and in which argument
+    for (_, before), (kind, part), (_, after) in zip(parts, parts[1:], parts[2:], strict=False):
+        if part in ("(", "{"):
+            around.append((before, 0))
+        elif part in (")", "}"):
+            around.pop()
+        elif part == ",":
+            call, argument = around.pop()
+            around.append((call, argument + 1))
+        elif kind == "word" and (before, after) == ("[", "]"):
+            found.append(part)
+        elif kind == "word" and before in ("(", ",") and after == ",":
+            call, argument = around[-1]
+            if call == "LAMBDA" or (call == "LET" and argument % 2 == 0):
+                found.append(part)
+    return found
 
 
 def plain(name):

@@ -49,9 +49,11 @@ class Definition:
     @property
     def stored(self) -> str:
         """The formula as a file stores it."""
-        variables = set(declared_variables(self.formula))
-        parts = "".join(_stored(kind, part, variables) for kind, part in tokens(self.formula))
-        return parts.replace("[_xlpm.", "[_xlop.").replace("[", "").replace("]", "")
+        parts = []
+        for kind, part in tokens(self.formula):
+            variable = kind == "word" and part not in ("TRUE", "FALSE")
+            parts.append(FUTURE.get(part, part) if kind == "call" else f"_xlpm.{part}" if variable else part.strip())
+        return "".join(parts).replace("[_xlpm.", "[_xlop.").replace("[", "").replace("]", "")
 
 
 @cache
@@ -97,33 +99,3 @@ def meaning(stored: str) -> list[tuple[str, object]] | str:
     except ValueError:
         return stored
     return [(kind, float(part) if kind == "number" else part.upper()) for kind, part in parts if kind != "space"]
-
-
-def declared_variables(formula: str) -> list[str]:
-    """Return the parameters of every LAMBDA and the variables of every LET, in the order of the formula."""
-    parts = [("", ""), *(token for token in tokens(formula) if token[0] != "space"), ("", "")]
-    found = []
-    around: list[tuple[str, int]] = []  # the calls that a part stands in, and in which argument
-    for (_, before), (kind, part), (_, after) in zip(parts, parts[1:], parts[2:], strict=False):
-        if part in ("(", "{"):
-            around.append((before, 0))
-        elif part in (")", "}"):
-            around.pop()
-        elif part == ",":
-            call, argument = around.pop()
-            around.append((call, argument + 1))
-        elif kind == "word" and (before, after) == ("[", "]"):
-            found.append(part)
-        elif kind == "word" and before in ("(", ",") and after == ",":
-            call, argument = around[-1]
-            if call == "LAMBDA" or (call == "LET" and argument % 2 == 0):
-                found.append(part)
-    return found
-
-
-def _stored(kind: str, part: str, variables: set[str]) -> str:
-    if kind == "space":
-        return ""
-    if kind == "call":
-        return FUTURE.get(part, part)
-    return f"_xlpm.{part}" if kind == "word" and part in variables else part

@@ -3,7 +3,7 @@
 import numpy as np
 
 from engine.cams.interpolation import quintics_between
-from engine.cams.profile import CamProfile, ProfilePiece, profile
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, counts, literal, read_counts, read_stand, stands
 from workbook.controllers.structured import assigned, comments, indexed, scalar
@@ -32,12 +32,10 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
 def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -> Table:
     """Return the polynomials, in steps from each place, as a table in the units of x and y."""
     dx, dy = steps
-    stretches = [ProfilePiece(float(one) * dx, float(one) * dx, tuple(float(k) * dy / dx**i for i, k in enumerate(row)))
-                 for one, row in zip(x[:-1], c, strict=True)]  # fmt: skip
     places = np.round(x * dx, 12)
     Table(places, places)  # says which x does not rise
-    made = profile(stretches, float(places[-1]))
-    made = CamProfile(places, places[:-1], made.c, made.sines)
+    powers = c * dy / dx ** np.arange(c.shape[1])
+    made = CamProfile(places, places[:-1], powers, np.zeros((len(powers), 0, 3)))
     made.c[:, 0] += offset
     return Table(places, made.at(places).y, profile=made, steps=steps)
 

@@ -3,13 +3,12 @@
 import re
 import struct
 from collections.abc import Sequence
-from itertools import pairwise
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
 import numpy as np
 
 from engine.cams.interpolation import straight
-from engine.cams.profile import ProfilePiece, profile
+from engine.cams.profile import CamProfile
 from workbook.controllers.number import REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
@@ -143,11 +142,11 @@ def profile_table(rows: list[list[str]]) -> Table:
         points.append([float64(*map(int, row[i : i + 2])) for i in (1, 3, 6, 8, 10, 12)])
     if len(points) < 2:
         raise TargetError(f"{len(points)} calculated elements of a CAM_PROFILE; expected two or more")
-    stretches = [ProfilePiece(x, x, (y + c0, c1, c2, c3)) for x, y, c0, c1, c2, c3 in points[:-1]]
-    if any(other[0] <= one[0] for one, other in pairwise(points)):
+    x, y, *c = np.array(points).T
+    if np.any(np.diff(x) <= 0.0):
         raise TargetError("the masters of the CAM_PROFILE do not rise from element to element")
-    x, y = (np.array([point[i] for point in points]) for i in (0, 1))
-    return Table(x, y, profile=profile(stretches, points[-1][0]))
+    powers = np.column_stack([y + c[0], *c[1:]])[:-1]
+    return Table(x, y, profile=CamProfile(x, x[:-1], powers, np.zeros((len(powers), 0, 3))))
 
 
 def float64(high: int, low: int) -> float:

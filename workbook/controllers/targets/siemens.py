@@ -3,7 +3,7 @@
 import numpy as np
 
 from engine.cams.interpolation import HIGHEST, segmented, simple
-from engine.cams.profile import CamProfile, ProfilePiece, profile
+from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from workbook.controllers.number import literal
 from workbook.controllers.structured import assigned, comments, indexed, points, rows
@@ -63,11 +63,8 @@ def read_segments(text: str) -> Table:
         raise TargetError(f"segment {int(gaps.argmax()) + 2} does not begin where the one before it ends")
     x = np.append(low, high[-1])
     Table(x, np.append(c[0], c[0][-1]))  # says which x does not rise
-    made = profile(
-        [ProfilePiece(float(low[k]), float(low[k]), tuple(float(one[k]) for one in c),
-                      ((amplitude[k], omega[k], phase[k]),))
-         for k in range(len(low))], float(high[-1]),
-    )  # fmt: skip
+    powers, sine = np.column_stack(c), np.column_stack([amplitude, omega, phase])
+    made = CamProfile(x, low, powers, sine[:, None, :])
     return Table(x, made.at(x).y, profile=made)
 
 
