@@ -152,36 +152,23 @@ def composed(of: CamProfile, outer: Outer) -> CamProfile:
 
     With (f∘y)' = f' y' and (f∘y)'' = f'' y'² + f' y'' at both ends of each interval; one whose middle is off is halved.
     """
+
+    def values(x: Array, k: NDArray[np.intp]) -> tuple[Array, Array, Array]:
+        y, v, half = of.taylor(x, k, 3)
+        value, first, second = outer(y)
+        return value, first * v, second * v**2 + first * 2.0 * half
+
     samples = np.linspace(of.edges[0], of.edges[-1], 257)
-    value, _, curvature = composed_values(of, outer, samples, of.index(samples))
-    most = NEAR * float(np.ptp(value)), NEAR_ACCELERATION * float(np.abs(curvature).max())
-    made = [composed_piece(of, outer, k, most) for k in range(len(of.origins))]
-    return CamProfile(
-        np.append(np.concatenate([one.edges[:-1] for one in made]), of.edges[-1]),
-        np.concatenate([one.origins for one in made]),
-        np.concatenate([one.c for one in made]),
-        np.concatenate([one.sines for one in made]),
-    )
-
-
-def composed_piece(of: CamProfile, outer: Outer, k: int, most: tuple[float, float]) -> CamProfile:
-    """Return the polynomials of one piece of y."""
-    x = np.linspace(of.edges[k], of.edges[k + 1], FIRST + 1)
-    least = NARROWEST * of.total
+    value, _, curvature = values(samples, of.index(samples))
+    near, near_curvature = NEAR * float(np.ptp(value)), NEAR_ACCELERATION * float(np.abs(curvature).max())
+    x = np.append(np.linspace(of.edges[:-1], of.edges[1:], FIRST, endpoint=False, axis=1).ravel(), of.edges[-1])
     while True:
-        made = quintics(x, *composed_values(of, outer, x, np.full(len(x), k)))
         middle = 0.5 * (x[:-1] + x[1:])
-        value, _, curvature = composed_values(of, outer, middle, np.full(len(middle), k))
-        at = made.at(middle)
-        off = (np.abs(at.y - value) > most[0]) | (np.abs(at.y2 - curvature) > most[1])
-        halved = middle[off & (np.diff(x) > least)]
+        k = of.index(middle)
+        made = _profile(x, *quintics_between(x, values(x[:-1], k), values(x[1:], k)).T)
+        at, (value, _, curvature) = made.at(middle), values(middle, k)
+        off = (np.abs(at.y - value) > near) | (np.abs(at.y2 - curvature) > near_curvature)
+        halved = middle[off & (np.diff(x) > NARROWEST * of.total)]
         if not len(halved):
             return made
-        x = np.sort(np.concatenate([x, halved]))
-
-
-def composed_values(of: CamProfile, outer: Outer, x: Array, k: NDArray[np.intp]) -> tuple[Array, Array, Array]:
-    """Return f(y(x)) and its first two derivatives, of y in pieces k."""
-    y, v, half = of.taylor(x, k, 3)
-    value, first, second = outer(y)
-    return value, first * v, second * v**2 + first * 2.0 * half
+        x = np.sort(np.append(x, halved))

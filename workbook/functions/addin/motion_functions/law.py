@@ -8,10 +8,9 @@ from typing import NamedTuple, Sequence
 
 VALUE, NUM = 519, 503  # LibreOffice's own numbers of the errors #VALUE! and #NUM!
 SERIES = 0.7  # rad, below which h − sin h has lost digits
-GRID = 256  # parts of a piece of two sines: where its derivatives change sign is looked for in each
+GRID = 128  # parts of a piece, and more by its sine: where its derivatives change sign is looked for in each
 TOLERANCE = 2e-9  # a ξ this near to a break counts as on it
 OUTSIDE = 1e-12  # by so much of its range an argument may lie outside it
-ROUNDING = 4e-16
 ENDING = 1e-14  # of the lift: so near to its end a law has reached it
 
 
@@ -90,33 +89,17 @@ class Piece(NamedTuple):
         return found
 
     def zeros(self, order: int) -> list[float]:
-        """Return where within the piece a, or its derivative of an order, changes its sign, rising.
-
-        Between two zeros of the next derivative a function is monotone, and has one zero or none; those of the
-        sixth derivative, −P ω⁶ sin(ωu + φ), are known.
-        """
-        if len(self.sines) > 1:
-            return self._crossings(order, [k * self.duration / GRID for k in range(1, GRID)])
-        found: list[float] = []
-        for _, omega, phase in self.sines:
-            turns = (phase, phase + omega * self.duration)
-            first, last = math.ceil(min(turns) / math.pi), math.floor(max(turns) / math.pi)
-            found = sorted((k * math.pi - phase) / omega for k in range(first, last + 1)) if omega else []
-        for derivative in range(5, order - 1, -1):
-            found = self._crossings(derivative, found)
-        return found
-
-    def _crossings(self, order: int, inner: list[float]) -> list[float]:
-        """Return where a derivative changes its sign, at most once between two neighbours of these, by halving."""
-        found = []
-        for low, high in zip([0.0, *inner], [*inner, self.duration]):
-            above = self.derivative(order, low) > 0.0
-            if (self.derivative(order, high) > 0.0) == above:
-                continue
-            for _ in range(60):
-                middle = (low + high) / 2
-                low, high = (middle, high) if (self.derivative(order, middle) > 0.0) == above else (low, middle)
-            found.append((low + high) / 2)
+        """Return where within the piece a, or its derivative of an order, changes its sign, once in a cell of many."""
+        cells, found = GRID + int(16 * self.turned), []
+        edges = [k * self.duration / cells for k in range(cells + 1)]
+        above = [self.derivative(order, u) > 0.0 for u in edges]
+        for k in range(cells):
+            low, high = edges[k : k + 2]
+            if above[k] != above[k + 1]:
+                for _ in range(60):
+                    middle = (low + high) / 2
+                    low, high = (middle, high) if (self.derivative(order, middle) > 0.0) == above[k] else (low, middle)
+                found.append((low + high) / 2)
         return found
 
 
@@ -145,19 +128,11 @@ class Stage(NamedTuple):
         return self.s0 + self.v0 * u + s, self.v0 + v
 
     def xi_at(self, s: float) -> float:
-        """Return the ξ in the stage that has the position s, by Newton's method between bounds that close in."""
+        """Return the ξ in the stage that has the position s, by halving."""
         low, high = 0.0, self.piece.duration
-        u = high / 2
-        for _ in range(200):
-            reached, speed = self.state(u)
-            low, high = (low, u) if reached >= s else (u, high)
-            newton = u - (reached - s) / speed if speed > 0.0 else -1.0
-            following = newton if low <= newton <= high else (low + high) / 2
-            done = abs(following - u) <= ROUNDING * u
-            u = following
-            if done:
-                break
-        return self.x0 + u
+        while low < (middle := (low + high) / 2) < high:
+            low, high = (low, middle) if self.state(middle)[0] >= s else (middle, high)
+        return self.x0 + high
 
 
 class Law:
