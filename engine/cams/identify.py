@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.given import AT_SPEED, LONGER, Points, fastest, may_be, moves_at, part, seam
-from engine.cams.joined import RATES, grown, joined, rates_agree
+from engine.cams.joined import RATES, grown, joined, nearest, rates_agree
 from engine.cams.profile import CamProfile, turned
 from engine.cams.splined import Found, splined
 from engine.laws import Law, PieceLaw, law
@@ -18,9 +18,6 @@ from engine.laws.registry import CATALOGUE
 
 ROUNDED = 1e-9
 """of the reach: what a fit may miss by whatever the data's precision is"""
-TURNS = 12  # of Gauss and Newton
-SETTLED, SLOW = 3, 0.5
-"""after so many turns the residual must have fallen to so much of itself, or it is another law"""
 MOST_WAYS = 24
 """from turn to turn of a movement: more phases has no composed motion"""
 FEWEST = 6  # points of positions alone, of which a law has four figures of its own
@@ -136,44 +133,31 @@ def _near(of: Points) -> float:
 
 def _fitted(law: Law, of: Points, near: float) -> Found | None:
     """Return a law's begin, end, y and lift by least squares, in round numbers where these do; None if it misses."""
-    fit = np.array([*of.x[[0, -1]], of.y[0], of.y[-1] - of.y[0]])
     step = float(np.diff(of.x).max())
-    missed = [_residual(law, of, fit)]
-    while missed[-1] > near and len(missed) <= TURNS:
-        if len(missed) > SETTLED and missed[-1] > SLOW * missed[-SETTLED]:
-            return None
-        fit = fit + _improvement(law, of, fit, step)
-        if fit[1] - fit[0] < step:
-            return None
-        missed.append(_residual(law, of, fit))
+
+    def off(fit: Array) -> Array:
+        return _off(law, of, fit) if fit[1] - fit[0] >= step else np.full(len(of.x), np.inf)
+
+    start = np.array([*of.x[[0, -1]], of.y[0], of.y[-1] - of.y[0]])
+    fit = nearest(off, start, np.array([step, step, np.inf, np.inf]), near)
+    if fit is None:
+        return None
     beyond = ROUNDED * (fit[1] - fit[0])
     outside = (of.begins and fit[0] < of.x[0] - beyond) or (of.ends and fit[1] > of.x[-1] + beyond)
-    if missed[-1] > near or outside or not rates_agree(_found(law, of, fit), of, np.median):
+    if outside or not rates_agree(_found(law, of, fit), of, np.median):
         return None
     tidied = (np.array([round(value, digits) + 0.0 for value in fit.tolist()]) for digits in DIGITS)
-    tidy = next((one for one in tidied if one[1] > one[0] and _residual(law, of, one) <= near), fit)
-    return _found(law, of, tidy)
-
-
-def _improvement(law: Law, of: Points, fit: Array, step: float) -> Array:
-    """Return by how much begin, end, y and lift are to be moved: the first two by no more than a step."""
-    begin, end, y, lift = fit
-    xi = np.clip((of.x - begin) / (end - begin), 0.0, 1.0)
-    at = law.evaluate(xi)
-    slopes = np.where((xi > 0.0) & (xi < 1.0), lift * at.v / (end - begin), 0.0)
-    columns = np.column_stack([slopes * (xi - 1.0), -slopes * xi, np.ones_like(xi), at.s])
-    moved = np.linalg.lstsq(columns, of.y - (y + lift * at.s), rcond=1e-12)[0]
-    return np.append(np.clip(moved[:2], -step, step), moved[2:])
+    fits = (one for one in tidied if one[1] > one[0] and np.abs(_off(law, of, one)).max() <= near)
+    return _found(law, of, next(fits, fit))
 
 
 def _found(law: Law, of: Points, fit: Array) -> Found:
     """Return the phase of a law with a begin, an end, a y and a lift."""
     begin, end, y, lift = fit.tolist()
-    return Found(law, begin, end, y, lift, _residual(law, of, fit))
+    return Found(law, begin, end, y, lift, float(np.abs(_off(law, of, fit)).max()))
 
 
-def _residual(law: Law, of: Points, fit: Array) -> float:
-    """Return how far the points are at most from a law with a begin, an end, a y and a lift."""
+def _off(law: Law, of: Points, fit: Array) -> Array:
+    """Return by how much a law with a begin, an end, a y and a lift is off the points."""
     begin, end, y, lift = fit
-    xi = np.clip((of.x - begin) / (end - begin), 0.0, 1.0)
-    return float(np.abs(y + lift * law.s(xi) - of.y).max())
+    return np.asarray(y + lift * law.s(np.clip((of.x - begin) / (end - begin), 0.0, 1.0)) - of.y)

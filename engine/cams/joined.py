@@ -18,6 +18,8 @@ from engine.laws.registry import CATALOGUE
 
 SHORTEST = 3  # ways from point to point of a straight line, where y' is not known
 TURNS = 12  # of Gauss and Newton
+SETTLED, SLOW = 3, 0.5
+"""after so many turns the residual must have fallen to so much of itself, or it is another law"""
 RATES = 1e-5  # of the peak: so far a law's velocity and acceleration may be from a table's
 STEP = 1e-4  # of the interval between points, to see how a break's place matters
 MOST = 8
@@ -162,25 +164,43 @@ def _off(one: Found | None, of: Points) -> Array:
 
 def _fitted(one: EndedLaw, of: Points, sides: tuple[Side, Side], near: float) -> Found | None:
     """Return a law with its begin and its end where the points want them, by least squares; None if it misses."""
-    places = of.x[[0, -1]]
     step = np.diff(of.x)[[0, -1]]
-    free = [k for k in (0, 1) if not sides[k].fixed]
-    for _ in range(TURNS):
-        found = _made(one, places.tolist(), sides)
-        missed = _off(found, of)
-        if not np.all(np.isfinite(missed)):
+    free = np.array([not side.fixed for side in sides])
+    free &= len(of.x) >= free.sum() + 2
+
+    def made(moved: Array) -> Found | None:
+        """Return the law with its free ends moved by so much; None where it cannot have these, or moves too far."""
+        by = np.zeros(2)
+        by[free] = moved
+        return _made(one, (of.x[[0, -1]] + by).tolist(), sides) if np.all(np.abs(by) <= 2.0 * step) else None
+
+    moved = nearest(lambda moved: _off(made(moved), of), np.zeros(int(free.sum())), step[free], near)
+    found = None if moved is None else made(moved)
+    if found is None or not rates_agree(found, of):
+        return None
+    return replace(found, residual=float(np.abs(_off(found, of)).max()))
+
+
+def nearest(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
+    """Return figures of which nothing is off by more than ``near``, by Gauss and Newton; None if they miss.
+
+    In a turn none moves by more than its step.
+    """
+    missed: list[float] = []
+    moves = np.diag(np.where(np.isfinite(steps), STEP * steps, 1.0))
+    for _ in range(TURNS + 1):
+        here = off(fit)
+        missed.append(float(np.abs(here).max()))
+        if missed[-1] <= near:
+            return fit
+        slow = len(missed) > SETTLED and missed[-1] > SLOW * missed[-SETTLED]
+        if slow or not fit.size or not np.isfinite(missed[-1]):
             return None
-        if found and np.abs(missed).max() <= near:
-            return replace(found, residual=float(np.abs(missed).max())) if rates_agree(found, of) else None
-        if not free or len(of.x) < len(free) + 2:
+        slopes = np.column_stack([(off(fit + move) - here) / move.sum() for move in moves])
+        if not np.all(np.isfinite(slopes)):
             return None
-        moves = STEP * np.diag(step)[free]
-        slopes = [(_off(_made(one, (places + by).tolist(), sides), of) - missed) / by.sum() for by in moves]
-        by = np.linalg.lstsq(np.column_stack(slopes), -missed, rcond=1e-12)[0]
-        places = places.copy()
-        places[free] += np.clip(by, -step[free], step[free])
-        if np.any(np.abs(places - of.x[[0, -1]]) > 2.0 * step):
-            return None
+        by = np.linalg.lstsq(slopes, -here, rcond=1e-12)[0]
+        fit = fit + np.clip(by, -steps, steps)
     return None
 
 
