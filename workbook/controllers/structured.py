@@ -106,23 +106,13 @@ def counted(text: str, name: str, points: int) -> None:
 
 
 PAIR = re.compile(rf"\[\s{{0,9}}({NUMBER})\s{{0,9}},\s{{0,9}}({NUMBER})\s{{0,9}}\]")
-ARRAY = re.compile(r":=\s{0,9}\[([^\[\]]*)\]")
 
 
-def pairs(text: str, name: str) -> list[Array]:
-    """Return x and y of ``NAME := [[x, y], …]``; raise TargetError where there is none, or what is no pair in it."""
-    _, found, rest = stripped(text).partition(f"{name} := [")
-    body, closed, _ = rest.partition("]]")
-    each = PAIR.findall(f"{body}]")[: MOST_POINTS + 1] if found else []
-    if not each or not closed or PAIR.sub("", f"{body}]").strip(" ,\r\n\t"):
-        raise TargetError(f"expected {name} := [[x, y], …], of numbers alone (is the file cut off?)")
-    return [np.array([float(row[k]) for row in each]) for k in (0, 1)]
-
-
-def flat_pairs(text: str) -> list[Array]:
-    """Return x and y of ``:= [x, y, x, y, …]``; raise TargetError where that is not so."""
-    found = ARRAY.search(stripped(text))
-    values = [value.strip() for value in found[1].split(",")] if found else []
+def pairs(text: str, begin: str, end: str) -> list[Array]:
+    """Return x and y of ``:= [x, y, …]`` or ``:= [[x, y], …]``; raise TargetError where that is not so."""
+    _, found, rest = stripped(text).partition(begin)
+    body, closed, _ = rest.partition(end)
+    values = [value.strip() for value in PAIR.sub(r"\1, \2", body + end[1:]).split(",")] if found and closed else []
     if len(values) < 4 or len(values) % 2 or not all(map(PLAIN.fullmatch, values)):
-        raise TargetError("expected one array of numbers, x and y of each point (is the file cut off?)")
+        raise TargetError(f"expected {begin} x and y of each point {end}, of numbers alone (is the file cut off?)")
     return [np.array([float(value) for value in values[k::2]]) for k in (0, 1)]

@@ -103,7 +103,7 @@ TARGETS = (
     ),
     Target(
         "codesys-table", "CODESYS SoftMotion, table of pairs, cubic, in Structured Text", ".st", ("x", "y"),
-        (*SPLINES, LOCAL), write_table, lambda text: points(text, pairs(text, "Table"), "nElements"), (
+        (*SPLINES, LOCAL), write_table, lambda text: points(text, pairs(text, "Table := [", "]]"), "nElements"), (
             Claim("members of MC_CAM_REF, byType 2 for pairs, byInterpolationQuality 3 for cubic", "documented",
                   HELP_TABLE),
             Claim("the eight limits, which must not be 0, scale the table", "documented", HELP_TABLE),

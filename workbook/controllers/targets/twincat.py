@@ -3,7 +3,7 @@
 import re
 
 from workbook.controllers.number import literal
-from workbook.controllers.structured import assigned, columns, comments, flat_pairs, indexed, points, rows, stripped
+from workbook.controllers.structured import assigned, columns, comments, indexed, pairs, points, rows, stripped
 from workbook.controllers.table import SPLINES, equidistant
 from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
 from workbook.errors import TargetError
@@ -105,7 +105,7 @@ TARGETS = (
     ),
     Target(
         "twincat-table", "Beckhoff TwinCAT, position table in Structured Text", ".st", ("x", "y"), SPLINES,
-        write_table, lambda text: points(text, flat_pairs(text), "NoOfRows"), (
+        write_table, lambda text: points(text, pairs(text, ":= [", "]"), "NoOfRows"), (
             Claim("rows of master and slave, LREAL, the master in every row", "documented", f"{INFOSYS}, 1003586955"),
             Claim("TableType: EQUIDISTANT (10) at equal steps, else NONEQUIDISTANT (11)", "documented",
                   f"{INFOSYS}, 1003586955"),
