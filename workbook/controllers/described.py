@@ -82,32 +82,28 @@ def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> di
     laws: dict[str, Any] = {}
     if any(not one.rests for one in found):
         laws["LIN"] = {"family": "LIN"}
-    phases, reached = [], float(table.x[0])
-    near = NEXT * float(table.x[-1] - table.x[0])
+    phases: list[dict[str, Any]] = []
+    begin, end = float(table.x[0]), float(table.x[-1])
+    near, reached = NEXT * (end - begin), begin
     for k, one in enumerate(found):
-        if one.begin - reached > near:
-            phases.append({"law": "DWL", "lift": 0.0, "start": reached, "stop": one.begin})
-            reached = one.begin
         name, law = named(one, k)
         laws |= law
-        phases.append({"law": name, "lift": one.lift, "start": reached, "stop": one.end, **passing(found, k, near)})
+        start = one.begin if one.begin - reached > near else reached
         reached = one.end
-    if table.x[-1] - reached > near:
-        phases.append({"law": "DWL", "lift": 0.0, "start": reached, "stop": float(table.x[-1])})
-    moving = [phase for phase in phases if phase["law"] != "DWL"] or phases
+        places = {"start": rounded(start - begin), "stop": rounded(reached - begin)}
+        phases.append({"law": name, "lift": one.lift, **places, **passing(found, k, near, units)})
+    phases = phases or [{"law": "DWL", "lift": 0.0, "start": 0.0, "stop": rounded(end - begin)}]
     travel = sum(one.lift for one in found)
     closes = abs(travel) <= NEXT * max((abs(one.lift) for one in found), default=1.0)
-    if found and table.x[-1] - found[-1].end <= near:
-        require_end(found, closes, near + float(table.x[0]))
-    begin, end = float(table.x[0]), float(table.x[-1])
+    if found and end - reached <= near:
+        require_end(found, closes, near + begin)
     jumps = any(one.law.code == Spline.code for one in found)  # the acceleration of a spline begins and ends with one
     axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": "velocity" if jumps else "acceleration",
             "closes": "position" if closes else "feed" if read.late else "open", "shift": rounded(read.late),
-            "position": float(found[0].y if found else table.y[0]),
-            "phases": [in_units(phase, begin, units) for phase in moving]}  # fmt: skip
+            "position": float(found[0].y if found else table.y[0]), "phases": phases}  # fmt: skip
     master = {"cycle": rounded(end - begin), "unit": units[0]}
     points = max((len(one.law.points) for one in found if isinstance(one.law, Spline)), default=0)
-    rows = {"points": points, "phases": len(moving)}
+    rows = {"points": points, "phases": len(phases)}
     sizes = {name: count for name, count in rows.items() if count > getattr(Sizes(), name)}  # usually there is room
     return {"template": "machine", "title": title, "laws": laws, "sizes": sizes, "master": master, "axes": [axis]}
 
@@ -128,31 +124,24 @@ def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
                           "an axis ends at rest, or as it begins")  # fmt: skip
 
 
-def passing(found: Sequence[Found], k: int, near: float) -> dict[str, float]:
-    """Return what a phase passes its begin with where another curved one ends there, or nothing does."""
+def passing(found: Sequence[Found], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
+    """Return what a phase passes its begin with where another curved one ends there, or nothing does.
+
+    It is as a machine over that abscissa is told it: over s in m or rad.
+    """
     before = found[k - 1]
     meets = k == 0 or found[k].begin - before.end <= near
     if not meets or {"LIN", Spline.code} & {found[k].law.code, before.law.code if k else ""}:
         return {}
-    rates = dict(zip(RATES, found[k].rates(0), strict=True))
-    return {name: value for name, value in rates.items() if value}
+    x, y = units
+    size = measured(x, 1.0).lift(y).size
+    rates = zip(RATES, found[k].rates(0), strict=True)
+    return {name: shown(si(value, ENTERED[y].size), size) for name, value in rates if value}
 
 
 def rounded(x: float) -> float:
     """Return a place as it was meant, without what rounding leaves behind the twelfth digit."""
     return float(f"{x:.12g}")
-
-
-def in_units(phase: dict[str, Any], begin: float, units: tuple[str, str]) -> dict[str, Any]:
-    """Return a phase with places as they were meant, from the begin of the cycle.
-
-    What it passes its begin with is as a machine over that abscissa is told it: over s in m or rad.
-    """
-    x, y = units
-    places = {name: rounded(phase[name] - begin) for name in ("start", "stop")}
-    size = measured(x, 1.0).lift(y).size
-    rates = {name: shown(si(phase[name], ENTERED[y].size), size) for name in RATES if name in phase}
-    return phase | places | rates
 
 
 def named(one: Found, k: int) -> tuple[str, dict[str, Any]]:

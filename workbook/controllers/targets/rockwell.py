@@ -1,7 +1,6 @@
 """Rockwell Logix: a CAM array, and switches as an OUTPUT_CAM array, as Tags of L5X; reads CAM_PROFILE too."""
 
 import re
-import struct
 from collections.abc import Sequence
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
@@ -9,7 +8,7 @@ import numpy as np
 
 from engine.cams.interpolation import straight
 from engine.cams.profile import CamProfile
-from workbook.controllers.number import REAL, literal
+from workbook.controllers.number import DINT, REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
 from workbook.errors import TargetError
@@ -132,30 +131,26 @@ def slopes_of(tags: list[Element], name: str) -> tuple[float, float] | None:
 
 
 def profile_table(rows: list[list[str]]) -> Table:
-    """Return the polynomials of a CAM_PROFILE: y = Slave + C0 + C1 d + C2 d² + C3 d³, d from an element's master."""
-    points = []
+    """Return the polynomials of a CAM_PROFILE: y = Slave + C0 + C1 d + C2 d² + C3 d³, d from an element's master.
+
+    Each is a number of 64 bits in two integers, high then low.
+    """
+    words = []
     for k, row in enumerate(rows):
         if len(row) != PROFILE_ROW or not all(re.fullmatch(r"-?[0-9]{1,10}", field) for field in row):
             raise TargetError(f"element {k}: expected {PROFILE_ROW} integers of a CAM_PROFILE")
         if int(row[0]) < CALCULATED:
             break
-        points.append([float64(*map(int, row[i : i + 2])) for i in (1, 3, 6, 8, 10, 12)])
-    if len(points) < 2:
-        raise TargetError(f"{len(points)} calculated elements of a CAM_PROFILE; expected two or more")
-    x, y, *c = np.array(points).T
+        words.append([int(row[i]) for i in (1, 2, 3, 4, *range(6, PROFILE_ROW))])
+    if len(words) < 2:
+        raise TargetError(f"{len(words)} calculated elements of a CAM_PROFILE; expected two or more")
+    if np.abs(words).max() > DINT.largest + 1:
+        raise TargetError(f"{np.abs(words).max()}: expected integers of 32 bits")
+    x, y, *c = np.array(words).astype(">i4").view(">f8").astype(np.float64).T
     if np.any(np.diff(x) <= 0.0):
         raise TargetError("the masters of the CAM_PROFILE do not rise from element to element")
     powers = np.column_stack([y + c[0], *c[1:]])[:-1]
     return Table(x, y, profile=CamProfile(x, x[:-1], powers, np.zeros((len(powers), 0, 3))))
-
-
-def float64(high: int, low: int) -> float:
-    """Return the number of 64 bits that two integers hold, high then low."""
-    try:
-        (value,) = struct.unpack(">d", struct.pack(">ii", high, low))
-    except struct.error:
-        raise TargetError(f"{high}, {low}: expected integers of 32 bits") from None
-    return float(value)
 
 
 def write_switches(handed: HandedTracks) -> str:
