@@ -1,9 +1,7 @@
 """The LibreOffice add-in ``motion.oxt``: the component, its types, and the texts of the function wizard in an archive.
 
-``motion.rdb`` holds the component's types in LibreOffice's own form. It is made from ``motion.idl``, which a test
-compares with :func:`idl`, by LibreOffice's SDK::
-
-    unoidl-write program/types.rdb program/types/offapi.rdb motion.idl motion.rdb
+``motion.rdb`` holds the component's types in LibreOffice's own form, made by its SDK of ``motion.idl``, which a test
+compares with the functions: unoidl-write program/types.rdb program/types/offapi.rdb motion.idl motion.rdb
 """
 
 from importlib import resources
@@ -16,16 +14,13 @@ from xml.etree.ElementTree import Element, SubElement
 from workbook import __version__
 from workbook.errors import WriteError
 from workbook.functions.addin.motion_functions.laws import Text
-from workbook.functions.declared import FUNCTIONS, NAMESPACE, TEXTS, Function
+from workbook.functions.declared import FUNCTIONS, NAMESPACE, TEXTS
 from workbook.writing.archive import zipped
 from workbook.writing.place import refuse_existing, replace
 
 TITLE, ABOUT, CATEGORY = (Text(*TEXTS["extension"][name]) for name in ("title", "about", "category"))
 IDENTIFIER = "motionbook.motion"
 OLDEST = "7.1"  # the first LibreOffice that brings Python 3.8 along
-TYPES = {"code": "string", "number": "double", "cells": "any", "table": "any"}
-"""UNO types: Calc converts, iterates and intersects the plain ones as for its own functions; ``any`` takes a range."""
-
 PACKAGE = resources.files("workbook.functions") / "addin"
 COMPONENT, RDB, FUNCTIONS_FOLDER = "motion.py", "motion.rdb", "motion_functions"
 KINDS = {
@@ -78,18 +73,6 @@ def parts() -> dict[str, bytes]:
 def source(file: Traversable) -> bytes:
     """Return a source file with plain line ends, on every system the same bytes."""
     return file.read_text(encoding="utf-8").encode()
-
-
-def idl() -> str:
-    """Return the interface of the component in UNOIDL."""
-    methods = "".join(f"    {signature(function)}\n" for function in FUNCTIONS)
-    return f"module motionbook {{\n  interface XMotionFunctions {{\n{methods}  }};\n}};\n"
-
-
-def signature(function: Function) -> str:
-    """Return the method of a function."""
-    arguments = ", ".join(f"[in] {TYPES[argument.kind]} {argument.name.en}" for argument in function.arguments)
-    return f"double {function.key}({arguments});"
 
 
 def manifest() -> bytes:

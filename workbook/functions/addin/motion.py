@@ -9,12 +9,12 @@ from typing import Callable
 import unohelper
 from com.sun.star.lang import XServiceInfo
 from motion_functions.cells import Cells, motion, named, pairs
-from motion_functions.coefficients import coefficients, monotone
 from motion_functions.composed import reflected, root_mean_square
 from motion_functions.law import NUM, Refused
 from motionbook import XMotionFunctions
 
 IMPLEMENTATION = "MOTION"  # the first part of the functions' names, also in the files
+BACKWARDS = 1e-9  # of the mean velocity: a smaller velocity backwards is rounding
 SERVICES = ("com.sun.star.sheet.AddIn", "motionbook.MotionFunctions")
 
 
@@ -35,13 +35,13 @@ def of_motion(n: int, x: float, phases: Cells) -> float:
 
 def coefficient(n: int, law: str, parameters: Cells) -> float:
     """Return a coefficient of a law; C_j is infinite, which is #NUM!, where the acceleration jumps."""
-    return coefficients(named(law, parameters))[n]
+    return named(law, parameters).coefficients[n]
 
 
 def inverse(law: str, s: float, parameters: Cells) -> float:
     """Return the ξ at which a law first reaches s."""
     found = named(law, parameters)
-    if not monotone(found):
+    if found.coefficients.v_min < -BACKWARDS:
         raise Refused(NUM)
     return found.xi_at(s)
 
@@ -91,7 +91,7 @@ def method(function: Callable[..., float]) -> Callable[..., float]:
         try:
             return function(*arguments)
         except Refused as refused:
-            return failure(refused.number)
+            return failure(refused.args[0])
         except (ArithmeticError, ValueError):
             return failure(NUM)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left, bisect_right
+from functools import cached_property
 from typing import NamedTuple, Sequence
 
 VALUE, NUM = 519, 503  # LibreOffice's own numbers of the errors #VALUE! and #NUM!
@@ -12,14 +13,17 @@ GRID = 128  # parts of a piece, and more by its sine: where its derivatives chan
 TOLERANCE = 2e-9  # a ξ this near to a break counts as on it
 OUTSIDE = 1e-12  # by so much of its range an argument may lie outside it
 ENDING = 1e-14  # of the lift: so near to its end a law has reached it
+MOST = 1e3  # rad of a sine within a piece: beyond, a cell would keep Calc waiting
+JUMP = 1e-9  # of the largest acceleration: a smaller one is rounding
+
+# Gauss-Legendre with five nodes (Abramowitz & Stegun, 25.4.29), as (node, weight) on −1 … 1
+NEAR, FAR = math.sqrt(5 - 2 * math.sqrt(10 / 7)) / 3, math.sqrt(5 + 2 * math.sqrt(10 / 7)) / 3
+HEAVY, LIGHT = (322 + 13 * math.sqrt(70)) / 900, (322 - 13 * math.sqrt(70)) / 900
+GAUSS = ((0.0, 128 / 225), (NEAR, HEAVY), (-NEAR, HEAVY), (FAR, LIGHT), (-FAR, LIGHT))
 
 
 class Refused(Exception):  # noqa: N818 - an answer, not a fault
-    """The arguments have no value; ``number`` is that of the spreadsheet's error."""
-
-    def __init__(self, number: int) -> None:
-        super().__init__(number)
-        self.number = number
+    """The arguments have no value; it holds the number of the spreadsheet's error."""
 
 
 class Piece(NamedTuple):
@@ -88,9 +92,9 @@ class Piece(NamedTuple):
             found += amplitude * omega**order * math.sin(omega * u + phase + order * math.pi / 2)
         return found
 
-    def zeros(self, order: int) -> list[float]:
-        """Return where within the piece a, or its derivative of an order, changes its sign, once in a cell of many."""
-        cells, found = GRID + int(16 * self.turned), []
+    def around(self, order: int) -> list[float]:
+        """Return the ends, and where between them a, or its derivative of an order, changes its sign."""
+        cells, found = GRID + int(16 * self.turned), [0.0, self.duration]
         edges = [k * self.duration / cells for k in range(cells + 1)]
         above = [self.derivative(order, u) > 0.0 for u in edges]
         for k in range(cells):
@@ -101,6 +105,15 @@ class Piece(NamedTuple):
                     low, high = (middle, high) if (self.derivative(order, middle) > 0.0) == above[k] else (low, middle)
                 found.append((low + high) / 2)
         return found
+
+    @property
+    def squared(self) -> float:
+        """∫a²: to rounding for eight steps, and of a quarter rad."""
+        parts = 8 + int(4 * self.turned)
+        half = self.duration / parts / 2
+        return half * math.fsum(
+            weight * self.derivative(0, half * (2 * k + 1 + node)) ** 2 for k in range(parts) for node, weight in GAUSS
+        )
 
 
 def _lag(h: float) -> float:
@@ -135,6 +148,16 @@ class Stage(NamedTuple):
         return self.x0 + high
 
 
+class Coefficients(NamedTuple):
+    """C_v, C_a, C_a,rms, C_j (infinite where a jumps), and the lowest velocity."""
+
+    cv: float
+    ca: float
+    ca_rms: float
+    cj: float
+    v_min: float
+
+
 class Law:
     """A law over ξ in [0, 1] from s = 0, of pieces one after the other; ``begin`` is the velocity at its begin."""
 
@@ -165,3 +188,18 @@ class Law:
         if s <= 0.0 or s >= self.end * (1.0 - ENDING):
             return 0.0 if s <= 0.0 else 1.0
         return self.stages[max(bisect_left([one.s0 for one in self.stages], s) - 1, 0)].xi_at(s)
+
+    @cached_property
+    def coefficients(self) -> Coefficients:
+        """The coefficients for unit rise and time; refused are sines of more than 1,000 rad in a piece."""
+        pieces = [stage.piece for stage in self.stages]
+        if any(piece.turned > MOST for piece in pieces):
+            raise Refused(NUM)
+        v = [stage.state(u)[1] for stage in self.stages for u in stage.piece.around(0)]
+        a = [abs(piece.derivative(0, u)) for piece in pieces for u in piece.around(1)]
+        j = [abs(piece.derivative(1, u)) for piece in pieces for u in piece.around(2)]
+        begins = [*(piece.derivative(0, 0.0) for piece in pieces), 0.0]
+        ends = [0.0, *(piece.derivative(0, piece.duration) for piece in pieces)]
+        jumps = any(abs(begin - end) > JUMP * max(a) for begin, end in zip(begins, ends))
+        square = math.fsum(piece.squared for piece in pieces)
+        return Coefficients(max(map(abs, v)), max(a), math.sqrt(square), math.inf if jumps else max(j), min(v))
