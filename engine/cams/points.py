@@ -13,8 +13,6 @@ STEPS = 60  # of halving
 CUBIC = 4
 """the order of a rule through polynomials of the third degree"""
 JUMP = 1e-9  # of the largest y' or y'': a smaller jump is none
-BEFORE = 1e-5
-"""of the cycle: so far before a jump of y' or y'' stands a point of its own"""
 
 
 def equal(of: CamProfile, n: int) -> Array:
@@ -74,11 +72,6 @@ def weights(of: CamProfile, order: int) -> Array:
     # a spline goes on swinging beside a jump of y'', the less the shorter its steps, also in a parabola that it has
     at = np.isin(of.edges, jumps(of))
     return np.maximum(sizes, np.where(at[:-1] | at[1:], spans / spans.max(), 0.0))
-
-
-def doubled(of: CamProfile, x: Array) -> Array:
-    """Return points with one more just before each jump: a point has one y' and one y'', which serve both sides."""
-    return np.unique(np.concatenate([x, jumps(of) - BEFORE * of.total]))
 
 
 def jumps(of: CamProfile) -> Array:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from engine.cams.certificate import Certificate, certify
 from engine.cams.interpolation import straight
-from engine.cams.points import doubled, equal, jumps, spread
+from engine.cams.points import equal, jumps, spread
 from engine.cams.profile import SAME, CamProfile
 from engine.laws.base import Array
 from workbook.axes import CamAxis
@@ -30,6 +30,7 @@ WORK = 80_000  # points times rules that are certified for one axis: a second or
 ORDERS = ("y", "v", "a", "j")  # position, velocity, acceleration and jerk, as tolerances name them
 DIGITS = 13  # of the cycle: so many digits of x are kept, which the breaks of a motion have
 ROUNDED = 1e-14  # of the largest of a column: what is smaller is none
+BEFORE = 1e-5  # of the cycle: so far before a jump of y' or y'' stands a point of its own
 WITHIN = 1e-3
 """of a way from point to point: so near to its ends a break may lie, which numbers of 32 bits have rounded"""
 
@@ -91,14 +92,14 @@ def placed(target: Target, of: CamProfile, n: int) -> Array:
     if n < (needed := fewest(target, of)):
         raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
     exact = target.exact(of) if target.exact else None
-    extra = of_jumps(target, of)
-    x = spread(of, n - extra, RULES[target.rules[0]].order, steps(target, of), exact)
-    return doubled(of, x) if extra else x
+    before = before_jumps(target, of)
+    x = spread(of, n - len(before), RULES[target.rules[0]].order, steps(target, of), exact)
+    return np.union1d(x, before)
 
 
-def of_jumps(target: Target, of: CamProfile) -> int:
-    """Return how many points of their own jumps of y'' need: those of a target whose points have one y''."""
-    return len(jumps(of)) if "y''" in target.columns else 0
+def before_jumps(target: Target, of: CamProfile) -> Array:
+    """Return points just before each jump: of a target whose points have one y' and one y'', which serve both sides."""
+    return jumps(of) - BEFORE * of.total if "y''" in target.columns else np.empty(0)
 
 
 def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
@@ -136,7 +137,11 @@ def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> 
 def fewest(target: Target, of: CamProfile) -> int:
     """Return the fewest points that do for a motion."""
     least = target.points[0]
-    return least if target.spacing == "equal" else max(least, int(steps(target, of).sum()) + 1 + of_jumps(target, of))
+    return (
+        least
+        if target.spacing == "equal"
+        else max(least, int(steps(target, of).sum()) + 1 + len(before_jumps(target, of)))
+    )
 
 
 def reread(target: Target, text: str, made: Table) -> Table:

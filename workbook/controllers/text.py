@@ -4,6 +4,8 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
+from engine.laws.base import Array
+from workbook.controllers.number import LREAL, Number
 from workbook.controllers.table import MOST_POINTS
 from workbook.errors import TargetError
 
@@ -17,9 +19,15 @@ WHOLE = re.compile(r"[0-9]+")
 LONGEST = 2000  # characters of a line
 
 
-def joined(rows: Iterable[Sequence[str]], separator: str = ";", decimal: str = ".") -> str:
-    """Return rows of numbers' texts as lines that end as Windows ends them."""
+def written(columns: Iterable[Array], separator: str = ";", decimal: str = ".", number: Number = LREAL) -> str:
+    """Return columns of numbers as lines that end as Windows ends them."""
+    rows = ([number.text(value) for value in row] for row in zip(*columns, strict=True))
     return "".join(f"{separator.join(row).replace('.', decimal)}\r\n" for row in rows)
+
+
+def remarks(*lines: str) -> str:
+    """Return lines as comments above such columns."""
+    return "".join(f"# {line}\r\n" for line in lines)
 
 
 def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool = False) -> list[list[float]]:

@@ -2,10 +2,9 @@
 
 import numpy as np
 
-from workbook.controllers.number import LREAL
 from workbook.controllers.table import SPLINES, Table
 from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
-from workbook.controllers.text import joined, numbers
+from workbook.controllers.text import numbers, remarks, written
 from workbook.errors import TargetError
 
 DENSE = 100  # points: so many tell by their differences what y' is
@@ -15,10 +14,8 @@ FAR = 0.5
 def write(handed: Handed) -> str:
     """Return comments, a line of titles, and a line a point."""
     columns = handed.table.columns
-    titles = handed.separator.join(columns)
-    head = "".join(f"# {line}\r\n" for line in (*handed.header, titles))
-    rows = [[LREAL.text(value) for value in row] for row in zip(*columns.values(), strict=True)]
-    return head + joined(rows, handed.separator, handed.decimal)
+    head = remarks(*handed.header, handed.separator.join(columns))
+    return head + written(columns.values(), handed.separator, handed.decimal)
 
 
 def read(text: str) -> Table:
@@ -34,10 +31,10 @@ def read(text: str) -> Table:
 
 def write_switches(handed: HandedTracks) -> str:
     """Return comments, a line of titles, and a line a time."""
-    titles = handed.separator.join(("track", "on from", "to"))
-    head = "".join(f"# {line}\r\n" for line in (*handed.header, *handed.called, titles))
-    rows = [[str(number), LREAL.text(begin), LREAL.text(end)] for number, begin, end in handed.times]
-    return head + joined(rows, handed.separator, handed.decimal)
+    head = remarks(*handed.header, *handed.called, handed.separator.join(("track", "on from", "to")))
+    tracks, *ends = np.array(handed.times).reshape(-1, 3).T
+    lines = written(ends, handed.separator, handed.decimal).splitlines(keepends=True)
+    return head + "".join(f"{number:.0f}{handed.separator}{line}" for number, line in zip(tracks, lines, strict=True))
 
 
 def read_switches(text: str) -> list[Track]:

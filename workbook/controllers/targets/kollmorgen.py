@@ -4,10 +4,9 @@ import re
 
 import numpy as np
 
-from workbook.controllers.number import LREAL
 from workbook.controllers.table import SPLINES, Table
 from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.text import numbers
+from workbook.controllers.text import numbers, written
 from workbook.errors import TargetError
 
 HELP = "Kollmorgen KAS help, Import Cam Profile"
@@ -19,8 +18,7 @@ def write(handed: Handed) -> str:
     table = handed.table
     if table.y.max() <= 0.0:
         raise TargetError("no y is above 0; expected one, as an import divides by the largest")
-    rows = zip(table.x, table.y, strict=True)
-    lines = "".join(f"{LREAL.text(float(x))};{LREAL.text(float(y))};SPLINE\r\n" for x, y in rows)
+    lines = written((table.x, table.y)).replace("\r\n", ";SPLINE\r\n")
     return f"CYCLIC;{'YES' if handed.repeats else 'NO'};\r\nTABLE_BEGIN;;\r\n{lines}TABLE_END;;\r\n"
 
 

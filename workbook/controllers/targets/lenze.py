@@ -4,10 +4,9 @@ import re
 
 import numpy as np
 
-from workbook.controllers.number import LREAL
 from workbook.controllers.table import LOCAL, SPLINES, Table
 from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.text import numbers
+from workbook.controllers.text import numbers, written
 
 MANUAL = "Lenze Global Drive Cam Loader, manual 1.1 EN, p. 14"
 COMMENT = re.compile(r"\s//[^\n]*")
@@ -15,10 +14,8 @@ COMMENT = re.compile(r"\s//[^\n]*")
 
 def write(handed: Handed) -> str:
     """Return x and y of each point, the header behind the first as comments on blank lines."""
-    rows = zip(handed.table.x, handed.table.y, strict=True)
-    lines = [f"{LREAL.text(float(x))} {LREAL.text(float(y))}" for x, y in rows]
-    told = (f" // {line}" for line in handed.header)
-    return "".join(f"{line}\r\n".replace(".", handed.decimal) for line in lines) + "".join(f"{one}\r\n" for one in told)
+    lines = written((handed.table.x, handed.table.y), " ", handed.decimal)
+    return lines + "".join(f" // {line}\r\n" for line in handed.header)
 
 
 def read(text: str) -> Table:

@@ -8,7 +8,7 @@ from engine.laws.base import Array
 from workbook.controllers.number import DINT, Number, counts, read_counts, read_stand, stands, whole
 from workbook.controllers.table import Table
 from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.text import joined, numbers
+from workbook.controllers.text import numbers, remarks, written
 from workbook.errors import TargetError
 
 MANUAL = "Mitsubishi RD77MS advanced synchronous control manual, p. 51"
@@ -20,10 +20,9 @@ IMPORTED = Claim("the file that the engineering tool imports: these are the numb
 def write(handed: Handed) -> str:
     """Return comments, and X and Y of each coordinate."""
     steps = handed.table.steps
-    head = "".join(f"# {line}\r\n" for line in (*handed.header, counts(steps, handed.units)))
-    columns = (np.round(values / step) for values, step in zip((handed.table.x, handed.table.y), steps, strict=True))
-    rows = [[DINT.text(float(value)) for value in row] for row in zip(*columns, strict=True)]
-    return f"{head}# X{handed.separator}Y\r\n" + joined(rows, handed.separator, handed.decimal)
+    head = remarks(*handed.header, counts(steps, handed.units), f"X{handed.separator}Y")
+    columns = (values / step for values, step in zip((handed.table.x, handed.table.y), steps, strict=True))
+    return head + written(columns, handed.separator, handed.decimal, DINT)
 
 
 def read(text: str) -> Table:
@@ -51,10 +50,9 @@ def table(ratios: Array, steps: tuple[float, float], offset: float) -> Table:
 def write_ratios(handed: Handed) -> str:
     """Return comments, the resolution, and a ratio a line; that at the begin is 0 and is not written."""
     made = handed.table
-    told = (stands(float(made.y[0]), handed.units[1]), counts(made.steps, handed.units))
-    ratios = np.round((made.y[1:] - made.y[0]) / made.steps[1])
-    head = "".join(f"# {line}\r\n" for line in (*handed.header, *told))
-    return f"{head}{len(ratios)}\r\n" + joined([[DINT.text(float(one))] for one in ratios])
+    head = remarks(*handed.header, stands(float(made.y[0]), handed.units[1]), counts(made.steps, handed.units))
+    ratios = (made.y[1:] - made.y[0]) / made.steps[1]
+    return f"{head}{len(ratios)}\r\n" + written([ratios], number=DINT)
 
 
 def read_ratios(text: str) -> Table:

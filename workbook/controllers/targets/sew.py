@@ -2,19 +2,17 @@
 
 import numpy as np
 
-from workbook.controllers.number import LREAL
 from workbook.controllers.table import CENTRAL, LOCAL, Table
 from workbook.controllers.target import Claim, Handed, Target
-from workbook.controllers.text import joined, numbers
+from workbook.controllers.text import numbers, written
 
 MANUAL = "SEW help 27800520, page 31491133835"
 
 
 def write(handed: Handed) -> str:
     """Return the count, and x and y of each point; the format has no comment."""
-    columns = handed.table.x, handed.table.y
-    rows = [[LREAL.text(float(value)) for value in row] for row in zip(*columns, strict=True)]
-    return f"{len(rows)}\r\n" + joined(rows, handed.separator, handed.decimal)
+    table = handed.table
+    return f"{len(table.x)}\r\n" + written((table.x, table.y), handed.separator, handed.decimal)
 
 
 TARGETS = (
