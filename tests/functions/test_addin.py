@@ -81,7 +81,7 @@ def test_once_the_add_in_is_removed_no_function_is_known(add_in, tmp_path):
     calc = Calc()
     try:
         calc.install(add_in)
-        calc.remove(oxt.IDENTIFIER)
+        calc.remove("motionbook.motion")
         assert set(read(calc.computed(tmp_path / "cases.xlsx"))) == {"#NAME?"}
     finally:
         calc.close()
