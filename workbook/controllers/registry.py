@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import tomllib
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from workbook.errors import TargetError
@@ -10,10 +12,8 @@ from workbook.errors import TargetError
 if TYPE_CHECKING:
     from workbook.controllers.target import Target
 
-TARGETS = (
-    "csv", "codesys", "codesys-table", "twincat", "twincat-table", "siemens", "siemens-points", "siemens-segments",
-    "rockwell", "br", "kollmorgen", "sew", "lenze", "mitsubishi", "mitsubishi-ratio",
-)  # fmt: skip
+CLAIMS = tomllib.loads(Path(__file__).with_name("claims.toml").read_text(encoding="utf-8"))
+TARGETS = tuple(name for name in CLAIMS if not name.endswith(" switches"))
 """each declared in the file in ``targets`` that is called as its name begins, up to the -"""
 
 

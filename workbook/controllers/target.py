@@ -14,13 +14,13 @@ from engine.laws.base import Array
 from engine.timing import Switch
 from workbook.axes import CamSwitch
 from workbook.controllers.number import LREAL, Number
+from workbook.controllers.registry import CLAIMS
 from workbook.controllers.table import Table
 from workbook.errors import TargetError
 from workbook.visible import visible
 
 CALLED = re.compile(r"^(?:// |# )?track (\d{1,4}): ([^\r\n]{1,80})", re.MULTILINE)
 MOST_OFF = 1e-2  # of an edge, in degrees: numbers of 32 bits hold it to 1e-5
-Certainty = Literal["documented", "probable", "untested"]
 Spacing = Literal["free", "equal", "breaks"]  # of points: anywhere, at equal steps alone, or on the breaks at least
 NEVER = " (never on)"
 MOST_TRACKS, MOST_TIMES = 1000, 10_000
@@ -30,14 +30,20 @@ class Claim(NamedTuple):
     """One thing about a target's format: what is held for true, how certain that is, and by which document."""
 
     what: str
-    certainty: Certainty
+    certainty: str
     source: str
 
 
 class Claimed:
-    """What claims are made of."""
+    """A format, of which ``claims.toml`` tells by its name what is held for true."""
 
-    claims: tuple[Claim, ...]
+    name: str
+
+    @property
+    def claims(self) -> list[Claim]:
+        """What is held for true, and how certain that is: documented, probable or untested."""
+        told = CLAIMS[self.name].items()
+        return [Claim(what, certainty, source) for certainty, rows in told for what, source in rows]
 
     @property
     def untested(self) -> list[Claim]:
@@ -92,10 +98,10 @@ class HandedTracks:
 class Tappets(Claimed):
     """How a target takes switches: who writes and who reads their file, of what numbers, and how certain that is."""
 
+    name: str
     title: str
     write: Callable[[HandedTracks], str]
     read: Callable[[str], list[Track]]
-    claims: tuple[Claim, ...]
     number: Number = LREAL
     tracks: int = MOST_TRACKS
     times: int = MOST_TIMES
@@ -112,7 +118,6 @@ class Target(Claimed):
     rules: tuple[str, ...]  # what may be between points; of several, where no document tells, the worst is a bound
     write: Callable[[Handed], str]
     read: Callable[[str], Table]
-    claims: tuple[Claim, ...]
     number: Number = LREAL
     points: tuple[int, int] = (2, 10_000)  # the fewest and the most
     counts: tuple[int, ...] = ()  # all that there may be where these are few

@@ -10,6 +10,8 @@ def test_the_page_is_what_the_targets_declare() -> None:
 
 def test_every_target_names_its_documents_and_what_none_settles() -> None:
     for one in targets():
+        claims = [*one.claims, *(one.tappets.claims if one.tappets else ())]
         assert one.claims
-        assert all(claim.what and claim.source for claim in one.claims)
+        assert all(claim.what and claim.source for claim in claims)
+        assert {claim.certainty for claim in claims} <= {"documented", "probable", "untested"}
         assert one.untested or one.name in ("codesys",)

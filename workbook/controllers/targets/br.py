@@ -8,13 +8,11 @@ from engine.laws.base import Array
 from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, counts, literal, read_counts, read_stand, stands
 from workbook.controllers.structured import assigned, comments, indexed, scalar
 from workbook.controllers.table import Table, given
-from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.target import Handed, Target
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")
 FIELDS = (*POWERS, "X")
-LIBRARY = "B&R library McAxis, McAxis.typ"
-ERRORS = "B&R ACOPOS error pages 5304, 37111"
 
 
 def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
@@ -73,13 +71,6 @@ def read(text: str) -> Table:
 TARGETS = (
     Target(
         "br", "B&R, polynomials of McCamDataType in Structured Text", ".st", ("polynomials",), ("quintics",),
-        write, read, (
-            Claim("fields, REAL coefficients, DINT periods, at most 128 polynomials", "documented", LIBRARY),
-            Claim("y begins at 0, the last X is MasterPeriod, the end meets SlavePeriod to 0.1", "documented", ERRORS),
-            Claim("X is cumulative; A is the constant", "probable", ERRORS),
-            Claim("x counts from the begin of each polynomial", "untested", "no document says it"),
-            Claim("SlavePeriod 0 of a cam that comes back", "untested", "no document says it"),
-        ),
-        number=DINT_IN_REAL, points=(2, 129), built=built,
+        write, read, number=DINT_IN_REAL, points=(2, 129), built=built,
     ),
 )  # fmt: skip

@@ -8,16 +8,11 @@ from engine.laws.base import Array
 from workbook.controllers.number import literal
 from workbook.controllers.structured import comments, counted, grouped, pairs, points, rows
 from workbook.controllers.table import LOCAL, SPLINES
-from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
+from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, Track, gathered
 
 FIELDS = ("dX", "dY", "dV", "dA")
 EDGES = ("fEditorMaster", "fEditorSlave", "fTableMaster", "fTableSlave")
 SWITCHED = ("TrackNumber", "FirstOnPosition", "LastOnPosition")
-HELP = "CODESYS help, SM3_Basic, MC_CAM_REF"
-HELP_TABLE = "CODESYS help, SM3_Basic, SMC_CAMTable_LREAL_128_1 and MC_CAM_REF"
-HELP_SWITCHES = "Machine Expert V1.2 help, SM3_Basic, MC_CAMSWITCH_TR"
-GENERATED = "CODESYS help, Display Generated Code"
-MANUAL = "Lenze SoftMotion manual DMS 5.2, p. 105"
 
 
 def write(handed: Handed) -> str:
@@ -79,38 +74,18 @@ def read_switches(text: str) -> list[Track]:
 
 
 TAPPETS = Tappets(
-    "MC_CAMSWITCH_TR for MC_DigitalCamSwitch", write_switches, read_switches, (
-        Claim("switches: TrackNumber 1 to 32, FirstOnPosition, LastOnPosition LREAL; inverted where the first is above "
-              "the last; AxisDirection 0: both, CamSwitchMode 0: by position", "documented", HELP_SWITCHES),
-        Claim("switches: MC_CAMSWITCH_REF has NoOfSwitches and CamSwitchPtr", "probable", "public code that uses it"),
-        Claim("switches: the output at the very end of a modulo axis that is on from 0 to its end", "untested",
-              "no document says it"),
-    ),
-    tracks=32,
-)  # fmt: skip
+    "codesys switches", "MC_CAMSWITCH_TR for MC_DigitalCamSwitch", write_switches, read_switches, tracks=32
+)
 
 TARGETS = (
     Target(
         "codesys", "CODESYS SoftMotion, SMC_CAMXYVA in Structured Text", ".st", ("x", "y", "y'", "y''"),
-        ("quintics",), write, lambda text: points(text, grouped(text, FIELDS), "nElements"), (
-            Claim("members of MC_CAM_REF, byType 3 for XYVA", "documented", HELP),
-            Claim("members dX, dY, dV, dA in this order, and the form of the initialiser", "documented", GENERATED),
-            Claim("dV and dA are derivatives by the master, both ends are points", "documented", MANUAL),
-            Claim("polynomials of degree 5 between points", "documented", GENERATED),
-            Claim("the members of SMC_CAMXYVA are LREAL", "probable", "no document at hand says it"),
-        ),
+        ("quintics",), write, lambda text: points(text, grouped(text, FIELDS), "nElements"),
         points=(2, 32_767), tappets=TAPPETS,
     ),
     Target(
         "codesys-table", "CODESYS SoftMotion, table of pairs, cubic, in Structured Text", ".st", ("x", "y"),
-        (*SPLINES, LOCAL), write_table, lambda text: points(text, pairs(text, "Table := [", "]]"), "nElements"), (
-            Claim("members of MC_CAM_REF, byType 2 for pairs, byInterpolationQuality 3 for cubic", "documented",
-                  HELP_TABLE),
-            Claim("the eight limits, which must not be 0, scale the table", "documented", HELP_TABLE),
-            Claim("pairs as ARRAY OF ARRAY[0..1]", "probable", MANUAL),
-            Claim("the ends of the cubic interpolation, and whether it is a spline", "untested", "no document says it"),
-            Claim("whether each compiler takes the nested initialiser", "untested", "no document says it"),
-        ),
+        (*SPLINES, LOCAL), write_table, lambda text: points(text, pairs(text, "Table := [", "]]"), "nElements"),
         points=(4, 32_767),
     ),
 )  # fmt: skip

@@ -3,7 +3,7 @@
 import numpy as np
 
 from workbook.controllers.table import SPLINES, Table
-from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
+from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, Track, gathered
 from workbook.controllers.text import numbers, remarks, written
 from workbook.errors import TargetError
 
@@ -42,18 +42,10 @@ def read_switches(text: str) -> list[Track]:
     return gathered(text, ((number, begin, end) for number, begin, end in numbers(text, (3,))))
 
 
-SAID = "on from one angle to another; past the end of the cycle where to is less"
-
 TARGETS = (
     Target(
         "csv", "Columns of text: x, y, y', y'', y'''", ".csv", ("x", "y", "y'", "y''", "y'''"), ("quintics",),
-        write, read, (
-            Claim("both ends are points, x rises, derivatives are by the master", "documented", "this project"),
-            Claim("a controller makes polynomials of degree 5 of y, y' and y''", "untested", "no common standard"),
-        ),
-        plain=SPLINES, signs=("separator", "decimal"),
-        tappets=Tappets(
-            "track, on from, to", write_switches, read_switches, (Claim(SAID, "documented", "this project"),)
-        ),
+        write, read, plain=SPLINES, signs=("separator", "decimal"),
+        tappets=Tappets("csv switches", "track, on from, to", write_switches, read_switches),
     ),
 )  # fmt: skip

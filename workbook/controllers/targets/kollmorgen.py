@@ -5,11 +5,10 @@ import re
 import numpy as np
 
 from workbook.controllers.table import SPLINES, Table
-from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.target import Handed, Target
 from workbook.controllers.text import numbers, written
 from workbook.errors import TargetError
 
-HELP = "Kollmorgen KAS help, Import Cam Profile"
 CYCLIC = re.compile(r"CYCLIC;(YES|NO);?")
 
 
@@ -38,12 +37,7 @@ def read(text: str) -> Table:
 
 TARGETS = (
     Target(
-        "kollmorgen", "Kollmorgen KAS, cam profile as CSV", ".csv", ("x", "y"), SPLINES, write, read, (
-            Claim("CYCLIC, TABLE_BEGIN, x;y;SPLINE, TABLE_END; four segments or more", "documented", HELP),
-            Claim("an import divides x and y by their largest: scale and offset are the profile's", "documented", HELP),
-            Claim("line ends, CYCLIC;NO;", "probable", HELP),
-            Claim("the ends of the spline", "untested", "no document says it"),
-        ),
+        "kollmorgen", "Kollmorgen KAS, cam profile as CSV", ".csv", ("x", "y"), SPLINES, write, read,
         points=(5, 10_000),
     ),
 )  # fmt: skip

@@ -5,10 +5,9 @@ import re
 import numpy as np
 
 from workbook.controllers.table import LOCAL, SPLINES, Table
-from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.target import Handed, Target
 from workbook.controllers.text import numbers, written
 
-MANUAL = "Lenze Global Drive Cam Loader, manual 1.1 EN, p. 14"
 COMMENT = re.compile(r"\s//[^\n]*")
 
 
@@ -26,10 +25,7 @@ def read(text: str) -> Table:
 
 TARGETS = (
     Target(
-        "lenze", "Lenze Global Drive Cam Loader, text", ".txt", ("x", "y"), (*SPLINES, LOCAL), write, read, (
-            Claim("x, y parted by blanks or tabs, point or comma, // comments, x rises", "documented", MANUAL),
-            Claim("what is between the points, limits, the end of a cycle", "untested", "no document says it"),
-        ),
+        "lenze", "Lenze Global Drive Cam Loader, text", ".txt", ("x", "y"), (*SPLINES, LOCAL), write, read,
         points=(4, 10_000), signs=("decimal",),
     ),
 )  # fmt: skip

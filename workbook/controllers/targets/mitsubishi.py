@@ -7,14 +7,12 @@ from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, Number, counts, read_counts, read_stand, stands, whole
 from workbook.controllers.table import Table
-from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.target import Handed, Target
 from workbook.controllers.text import numbers, remarks, written
 from workbook.errors import TargetError
 
-MANUAL = "Mitsubishi RD77MS advanced synchronous control manual, p. 51"
 WHOLE = 1_000_000_000  # a ratio of 100 %, in steps of 1e-7 %
 RESOLUTIONS = tuple(2**k for k in range(8, 16))
-IMPORTED = Claim("the file that the engineering tool imports: these are the numbers alone", "untested", "not found")
 
 
 def write(handed: Handed) -> str:
@@ -65,23 +63,12 @@ def read_ratios(text: str) -> Table:
 
 TARGETS = (
     Target(
-        "mitsubishi", "Mitsubishi, coordinates of cam data", ".csv", ("x", "y"), ("straight lines",), write, read, (
-            Claim("2 to 16,384 coordinates, X and Y whole numbers of 32 bits in the units of the axes", "documented",
-                  MANUAL),
-            Claim("straight lines between coordinates", "documented", MANUAL),
-            IMPORTED,
-        ),
+        "mitsubishi", "Mitsubishi, coordinates of cam data", ".csv", ("x", "y"), ("straight lines",), write, read,
         number=DINT, points=(2, 16_384), signs=("separator",), tolerance=(("y", 1e-4), ("v", 0.01)),
     ),
     Target(
         "mitsubishi-ratio", "Mitsubishi, stroke ratios of cam data", ".csv", ("y",), ("straight lines",),
-        write_ratios, read_ratios, (
-            Claim("256 to 32,768 ratios, powers of 2, of 32 bits, in steps of 1e-7 % of the stroke", "documented",
-                  MANUAL),
-            Claim("straight lines between ratios at equal steps", "documented", MANUAL),
-            Claim("the ratio at the begin is 0 and no number of its own", "probable", MANUAL),
-            IMPORTED,
-        ),
+        write_ratios, read_ratios,
         number=Number("DINT, 1e-7 %", DINT.largest), points=(RESOLUTIONS[0] + 1, RESOLUTIONS[-1] + 1),
         counts=tuple(n + 1 for n in RESOLUTIONS), spacing="equal", tolerance=(("y", 1e-4), ("v", 0.01)), built=built,
     ),

@@ -10,13 +10,12 @@ from engine.cams.interpolation import straight
 from engine.cams.profile import CamProfile
 from workbook.controllers.number import DINT, REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
-from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
+from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, Track, gathered
 from workbook.errors import TargetError
 
 MOST = 400_000  # tags; a CAM of 10,000 points has 70,000
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 ROW = re.compile(r"\[([^\[\]]{1,400})\]")
-MANUAL = "Rockwell MOTION-RM002H-EN-P"
 SLOPES = ("StartSlope", "EndSlope")
 PROFILE_ROW = 14  # integers
 CALCULATED = 2
@@ -202,30 +201,13 @@ def parsed(text: str) -> Element:
 
 
 TAPPETS = Tappets(
-    "OUTPUT_CAM array for MAOC, as a Tag of L5X", write_switches, read_switches, (
-        Claim("switches: OutputBit 0 to 31, LatchType and UnlatchType 1 by position, Left below Right", "documented",
-              f"{MANUAL}, p. 293, 632"),
-        Claim("switches: Duration, EnableType and EnableBit follow, and are not used", "probable", f"{MANUAL}, p. 293"),
-        Claim("switches: of one that is on past the end of the cycle, two elements meet there without a pulse",
-              "untested", "no document says it"),
-    ),
+    "rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X", write_switches, read_switches,
     number=REAL, tracks=32,
 )  # fmt: skip
 
 TARGETS = (
     Target(
         "rockwell", "Rockwell Logix, CAM array as a Tag of L5X", ".xml", ("x", "y", "straight"),
-        ("clamped cubic spline",), write, read, (
-            Claim("Master and Slave REAL, SegmentType DINT: 0 linear, 1 cubic, of the way to the next point",
-                  "documented", f"{MANUAL}, p. 159, 174, 627"),
-            Claim("the slopes are arguments of MCCP, by the master", "documented", f"{MANUAL}, p. 160"),
-            Claim("a run of cubic segments is a clamped cubic spline", "probable", "coefficients of one real project"),
-            Claim("Tag with L5K and Decorated data of the same values", "probable",
-                  "public code that reads such exports"),
-            Claim("CAM_PROFILE: 14 integers an element, as decoded from one project", "probable", "two public sources"),
-            Claim("a spline beside a linear segment takes its slope", "untested", "no document says it"),
-            Claim("limits of points, the wrapper that an import wants", "untested", "not found"),
-        ),
-        number=REAL, points=(2, 10_000), exact=straight, tappets=TAPPETS,
+        ("clamped cubic spline",), write, read, number=REAL, points=(2, 10_000), exact=straight, tappets=TAPPETS,
     ),
 )  # fmt: skip

@@ -8,13 +8,11 @@ from engine.laws.base import Array
 from workbook.controllers.number import literal
 from workbook.controllers.structured import assigned, comments, indexed, points, rows
 from workbook.controllers.table import SPLINES, Table, given
-from workbook.controllers.target import Claim, Handed, Target
+from workbook.controllers.target import Handed, Target
 from workbook.errors import TargetError
 
 BASIC = ("leadingValue", "followingValue", "velocityRatio", "accelerationRatio")
 SEGMENT = ("xmin", "xmax", *(f"a{k}" for k in range(HIGHEST + 1)), "sineAmplitude", "sinePeriod", "sinePhase")
-TYPES = "simatic-ax/lcamhdl, docs/types"
-HELP = "Siemens TIA help, S7-1500/S7-1500T synchronous operation, tags of the cam"
 JOINT = 1e-4  # a gap that the controller pulls together
 
 
@@ -71,32 +69,14 @@ def read_segments(text: str) -> Table:
 TARGETS = (
     Target(
         "siemens", "Siemens S7-1500T, LCamHdl basic points in SCL", ".scl", ("x", "y", "y'", "y''"), ("quintics",),
-        write, lambda text: points(text, indexed(text, BASIC)), (
-            Claim("fields of LCamHdl_typeBasicPoint, LREAL, derivatives by the leading value", "documented", TYPES),
-            Claim("2 to 51 points, leading values rise, polynomials of degree 5 between them", "documented", TYPES),
-            Claim("start and end of the cam are the first and the last point", "documented", TYPES),
-            Claim("the prefix that the tag has in a project, # or a data block", "untested", "not part of the library"),
-        ),
-        points=(2, 51),
+        write, lambda text: points(text, indexed(text, BASIC)), points=(2, 51),
     ),
     Target(
         "siemens-points", "Siemens S7-1500T, points of TO_Cam in SCL", ".scl", ("x", "y"), SPLINES,
-        write_points, lambda text: points(text, indexed(text, ("x", "y"))), (
-            Claim("fields of Point, ValidPoint, InterpolationSettings; 1 to 1000 points, LREAL", "documented", HELP),
-            Claim("InterpolationMode 1 is a cubic spline through the points", "documented", HELP),
-            Claim("ends of the spline: BoundaryConditions 1 (equal first derivatives), 0 (none)", "untested",
-                  "the help does not give the formula"),
-        ),
-        points=(2, 1000),
+        write_points, lambda text: points(text, indexed(text, ("x", "y"))), points=(2, 1000),
     ),
     Target(
         "siemens-segments", "Siemens S7-1500T, segments of TO_Cam in SCL", ".scl", ("segments",), ("polynomials",),
-        write_segments, read_segments, (
-            Claim("fields of Segment, LREAL, at most 50; Y = Σ a_k x^k + b0 sin(b1 x + b2)", "documented", HELP),
-            Claim("x counts from xmin; it may also be absolute or from 0 to 1: read one segment back first", "untested",
-                  "no document says it"),
-            Claim("sinePeriod holds b1, rad by x", "untested", "the help names it a length in rad"),
-        ),
-        points=(2, 51), spacing="breaks", exact=simple, built=built,
+        write_segments, read_segments, points=(2, 51), spacing="breaks", exact=simple, built=built,
     ),
 )  # fmt: skip

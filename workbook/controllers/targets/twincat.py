@@ -5,7 +5,7 @@ import re
 from workbook.controllers.number import literal
 from workbook.controllers.structured import assigned, columns, comments, indexed, pairs, points, rows, stripped
 from workbook.controllers.table import SPLINES, equidistant
-from workbook.controllers.target import Claim, Handed, HandedTracks, Tappets, Target, Track, gathered
+from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, Track, gathered
 from workbook.errors import TargetError
 
 FIELDS = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc")
@@ -14,8 +14,6 @@ INDEXED = re.compile(
     r"_(\d{1,4})_S\[(\d{1,9})\]\s{0,9}\.\s{0,9}([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})"
 )
 COUNTED = re.compile(r"_(\d{1,4})\.NumberOfSwitches\s{0,9}:=\s{0,9}(\d{1,9})")
-INFOSYS = "Beckhoff Infosys, TF5050 TC3 NC Camming"
-INFOSYS_XFC = "Beckhoff Infosys, TF5065 TC3 PLC Motion Control XFC"
 
 
 def write(handed: Handed) -> str:
@@ -78,41 +76,18 @@ def read_switches(text: str) -> list[Track]:
 
 
 TAPPETS = Tappets(
-    "MC_CamSwitch, an array for each MC_DigitalCamSwitch", write_switches, read_switches, (
-        Claim("switches: FirstOnPosition, LastOnPosition; inverted where the last is below the first", "documented",
-              f"{INFOSYS_XFC}, 9826984203"),
-        Claim("switches: CAMSWITCH_REF, at most 1,000 of a track; a track an instance", "documented",
-              f"{INFOSYS_XFC}, 9826994699, 9826014859"),
-        Claim("switches: positions of a modulo axis are taken as angles of its turn", "untested",
-              "no document at hand says it"),
-    ),
+    "twincat switches", "MC_CamSwitch, an array for each MC_DigitalCamSwitch", write_switches, read_switches,
     times=1000,
 )  # fmt: skip
 
 TARGETS = (
     Target(
         "twincat", "Beckhoff TwinCAT NC2, motion function points in Structured Text", ".st", ("x", "y", "y'", "y''"),
-        ("quintics",), write, lambda text: points(text, indexed(text, FIELDS), "NoOfRows"), (
-            Claim("fields of MC_MotionFunctionPoint and MC_CAM_REF", "documented",
-                  f"{INFOSYS}, 1003721995, 1003586955"),
-            Claim("POLYNOM5_MM (15): degree 5 from motion to motion, of the segment that starts here", "documented",
-                  f"{INFOSYS}, 1003744011"),
-            Claim("y' and y'' are derivatives by the master", "probable", "comments Y', Y'' in the declaration"),
-            Claim("PointType of the first point (ACTIVATION), RelIndexNextPoint of the last (0)", "untested",
-                  "as one public generator writes them"),
-        ),
+        ("quintics",), write, lambda text: points(text, indexed(text, FIELDS), "NoOfRows"),
         points=(2, 65_535), tappets=TAPPETS,
     ),
     Target(
         "twincat-table", "Beckhoff TwinCAT, position table in Structured Text", ".st", ("x", "y"), SPLINES,
-        write_table, lambda text: points(text, pairs(text, ":= [", "]"), "NoOfRows"), (
-            Claim("rows of master and slave, LREAL, the master in every row", "documented", f"{INFOSYS}, 1003586955"),
-            Claim("TableType: EQUIDISTANT (10) at equal steps, else NONEQUIDISTANT (11)", "documented",
-                  f"{INFOSYS}, 1003586955"),
-            Claim("a spline needs 4 rows or more, at most 65,535", "documented", "Beckhoff Infosys, Table Errors"),
-            Claim("the spline is chosen at coupling; what tangential and cyclic mean in formulas", "untested",
-                  f"{INFOSYS}, 1003709323 names them only"),
-        ),
-        points=(4, 65_535),
+        write_table, lambda text: points(text, pairs(text, ":= [", "]"), "NoOfRows"), points=(4, 65_535),
     ),
 )  # fmt: skip
