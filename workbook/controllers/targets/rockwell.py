@@ -73,29 +73,30 @@ def slope(name: str, value: float) -> str:
 
 
 def read(text: str) -> Table:
-    """Return the points of the one tag of type CAM or CAM_PROFILE."""
-    tags = list(parsed(text).iter("Tag"))
-    cams = [tag for tag in tags if tag.get("DataType") in ("CAM", "CAM_PROFILE")]
-    if len(cams) != 1:
-        said = ", ".join(str(tag.get("Name"))[:40] for tag in cams[:5]) or "none"
-        raise TargetError(f"{len(cams)} tags of type CAM or CAM_PROFILE ({said}); expected one in a file")
-    (cam,) = cams
-    packed = next((data.text or "" for data in cam.iter("Data") if data.get("Format") == "L5K"), "")
-    rows = [[field.strip() for field in row.split(",")] for row in ROW.findall(packed)[: MOST_POINTS + 1]]
+    """Return the points of the one tag of type CAM or CAM_PROFILE; raise TargetError where its two forms differ."""
+    tags, cam = only_tag(text, "CAM", "CAM_PROFILE")
+    data = next((data.text or "" for data in cam.iter("Data") if data.get("Format") == "L5K"), "")
+    packed = [[field.strip() for field in row.split(",")] for row in ROW.findall(data)[: MOST_POINTS + 1]]
     if cam.get("DataType") == "CAM_PROFILE":
-        return profile_table(rows)
-    return array(cam, rows, slopes_of(tags, str(cam.get("Name"))))
-
-
-def array(cam: Element, packed: list[list[str]], slopes: tuple[float, float] | None) -> Table:
-    """Return the points of a CAM array; raise TargetError where its two forms differ."""
+        return profile_table(packed)
     rows = [[member.get("Value", "") for member in one.iter("DataValueMember")] for one in cam.iter("Element")]
     given = [numbers(k, row) for k, row in enumerate(rows or packed)]
     if rows and packed and given != [numbers(k, row) for k, row in enumerate(packed)]:
         raise TargetError("the two forms of the tag's data, L5K and Decorated, differ; expected the same points")
     require_dimensions(cam, len(given))
     x, y, kinds = np.array(given).reshape(-1, 3).T
+    slopes = slopes_of(tags, str(cam.get("Name")))
     return Table(REAL.rounded(x), REAL.rounded(y), slopes=slopes, straight=kinds[:-1] == 0.0)
+
+
+def only_tag(text: str, *kinds: str) -> tuple[list[Element], Element]:
+    """Return the tags of a text, and the one of these types; raise TargetError where it is not one."""
+    tags = list(parsed(text).iter("Tag"))
+    found = [tag for tag in tags if tag.get("DataType") in kinds]
+    if len(found) != 1:
+        said = ", ".join(str(tag.get("Name"))[:40] for tag in found[:5]) or "none"
+        raise TargetError(f"{len(found)} tags of type {' or '.join(kinds)} ({said}); expected one in a file")
+    return tags, found[0]
 
 
 def require_dimensions(cam: Element, count: int) -> None:
@@ -117,16 +118,15 @@ def numbers(k: int, row: list[str]) -> list[float]:
 
 def slopes_of(tags: list[Element], name: str) -> tuple[float, float] | None:
     """Return the slopes that stand in tags of their own; None where they are not in the file."""
-    found = []
-    for which in SLOPES:
-        tag = next((tag for tag in tags if tag.get("Name") == f"{name}_{which}"), None)
-        value = None if tag is None else next((v.get("Value", "") for v in tag.iter("DataValue")), "")
-        if value is None:
-            return None
-        if not NUMBER.fullmatch(value):
-            raise TargetError(f"{name}_{which} is {value[:40]!r}; expected a number")
-        found.append(float(REAL.rounded(np.array([float(value)]))[0]))
-    return found[0], found[1]
+    held = {tag.get("Name"): next((one.get("Value", "") for one in tag.iter("DataValue")), "") for tag in tags}
+    names = [f"{name}_{which}" for which in SLOPES]
+    if not all(one in held for one in names):
+        return None
+    for one in names:
+        if not NUMBER.fullmatch(held[one]):
+            raise TargetError(f"{one} is {held[one][:40]!r}; expected a number")
+    first, last = REAL.rounded(np.array([float(held[one]) for one in names])).tolist()
+    return first, last
 
 
 def profile_table(rows: list[list[str]]) -> Table:
@@ -165,11 +165,9 @@ def write_switches(handed: HandedTracks) -> str:
 
 def read_switches(text: str) -> list[Track]:
     """Return the tracks of the one tag of type OUTPUT_CAM."""
-    cams = [tag for tag in parsed(text).iter("Tag") if tag.get("DataType") == "OUTPUT_CAM"]
-    if len(cams) != 1:
-        raise TargetError(f"{len(cams)} tags of type OUTPUT_CAM; expected one in a file")
-    rows = [ranged(k, one) for k, one in enumerate(cams[0].iter("Element"))]
-    require_dimensions(cams[0], len(rows))
+    _, cam = only_tag(text, "OUTPUT_CAM")
+    rows = [ranged(k, one) for k, one in enumerate(cam.iter("Element"))]
+    require_dimensions(cam, len(rows))
     return gathered(text, rows)
 
 
