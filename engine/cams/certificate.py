@@ -16,15 +16,13 @@ DEGREE = 15
 NARROW = 1e-9
 """by so much of itself the largest may be larger than what was found"""
 ROUNDS = 40
-
-
-N = range(DEGREE + 1)
+TERMS = range(DEGREE + 1)
 BASIS = np.array([
-    [sum(comb(i, j) * comb(DEGREE - i, k - j) * (-1) ** (k - j) for j in range(k + 1)) / comb(DEGREE, k) for i in N]
-    for k in N
+    [sum(comb(i, j) * comb(DEGREE - i, k - j) * (-1) ** (k - j) for j in range(k + 1)) / comb(DEGREE, k) for i in TERMS]
+    for k in TERMS
 ])  # fmt: skip
 """makes the coefficients of powers of t, from −1 to 1, those of Bernstein: the polar form at i times 1, else −1"""
-LEFT = np.array([[comb(i, j) / 2.0**i for i in N] for j in N])
+LEFT = np.array([[comb(i, j) / 2.0**i for i in TERMS] for j in TERMS])
 RIGHT = LEFT[::-1, ::-1]
 """make a row of coefficients that of its left half, and of its right half (de Casteljau)"""
 
