@@ -8,7 +8,7 @@ from itertools import accumulate
 from typing import NamedTuple, Sequence
 
 from .law import NUM, OUTSIDE, TOLERANCE, VALUE, Refused
-from .library import Ends, Rows, law
+from .library import REST, End, Rows, law
 
 AGREES = 1e-9
 
@@ -34,6 +34,10 @@ class Row(NamedTuple):
         """Whether it is a straight line, or a dwell."""
         return self.code in ("LIN", "DWL")
 
+    def met(self, end: Via) -> End:
+        """Return what it has to meet at an end per unit of its duration; a straight line meets nothing."""
+        return REST if self.straight else (end.v * self.duration, end.a * self.duration**2, end.j * self.duration**3)
+
 
 class Motion:
     """Phases one after the other, from position 0: from x = 0, or from a rest that goes on before and after.
@@ -47,7 +51,7 @@ class Motion:
         if not phases:
             raise Refused(NUM if rows else VALUE)
         self.durations = [row.duration for row, _ in phases]
-        self.laws = [law(row.code, row.parameters, between(row, *ends)) for row, ends in phases]
+        self.laws = [law(row.code, row.parameters, row.lift, *(row.met(end) for end in ends)) for row, ends in phases]
         *self.begins, self.total = accumulate([0.0, *self.durations])
         self.positions = list(accumulate([0.0, *(row.lift for row, _ in phases)]))
         self.rests_from = rests_from
@@ -79,14 +83,6 @@ def beside(rows: Sequence[Row | Via], k: int, side: int) -> Via:
             raise Refused(NUM)
         return Via(own)
     return asked if isinstance(asked, Via) else Via()
-
-
-def between(row: Row, begin: Via, end: Via) -> Ends:
-    """Return the ends of a phase between what it has to meet; a straight line meets nothing."""
-    d = row.duration
-    if row.straight:
-        begin = end = Via()
-    return Ends(row.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2, begin.j * d**3, end.j * d**3)
 
 
 def reflected(inertias: Sequence[float], ratios: Sequence[float]) -> float:

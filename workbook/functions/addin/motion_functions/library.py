@@ -8,37 +8,28 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import NamedTuple, Sequence, Tuple
+from typing import Sequence, Tuple
 
 from .law import NUM, VALUE, Law, Piece, Refused, Stage
-from .laws import LAWS, OWN_WIDTH, SUM_TOLERANCE, Declared, mirrored
+from .laws import LAWS, OWN_WIDTH, SUM_TOLERANCE, mirrored
 
 Rows = Tuple[Tuple[float, ...], ...]
 
 
-class Ends(NamedTuple):
-    """Lift, and velocities, accelerations and jerks at begin and end, per unit of ξ."""
-
-    lift: float = 1.0
-    v0: float = 0.0
-    v1: float = 0.0
-    a0: float = 0.0
-    a1: float = 0.0
-    j0: float = 0.0
-    j1: float = 0.0
-
-
-REST = Ends()
+End = Tuple[float, float, float]
+REST: End = (0.0, 0.0, 0.0)
+"""velocity, acceleration and jerk at an end of a law, per unit of ξ"""
 
 
 @lru_cache(maxsize=512)
-def law(code: str, parameters: Rows, ends: Ends = REST) -> Law:
-    """Return the law of a code in capitals between ends.
+def law(code: str, parameters: Rows, lift: float = 1.0, begin: End = REST, end: End = REST) -> Law:
+    """Return the law of a code in capitals over a lift between ends.
 
     Refuses what is no code, too many or few parameters, impossible ones, and ends that the law cannot have.
     """
     if code == "OWN":
-        return standing(own(parameters), ends)
+        require(begin == end == REST)
+        return Law([piece.scaled(lift) for piece in own(parameters)])
     if code not in LAWS:
         raise Refused(VALUE)
     declared = LAWS[code]
@@ -49,16 +40,12 @@ def law(code: str, parameters: Rows, ends: Ends = REST) -> Law:
         raise Refused(VALUE)
     require(all(domain.has(p[k]) for k, domain in declared.domains.items()))
     if declared.stages:
-        return seven_stages(declared.stages(*p), ends, declared.straight)
-    if declared.pieces:
-        return standing([Piece(**entries) for entries in declared.pieces(*p)], ends, declared.begin)
-    return polynomial(declared, p[0], ends)
-
-
-def standing(pieces: Sequence[Piece], ends: Ends, begin: float = 0.0) -> Law:
-    """Return a law that begins and ends as it does, whatever is beside it; refuses all other ends."""
-    require(not any(ends[1:]))
-    return Law([piece.scaled(ends.lift) for piece in pieces], begin * ends.lift)
+        return seven_stages(declared.stages(*p), lift, begin, end, declared.straight)
+    if declared.half:
+        return polynomial(declared.half, p[0], lift, begin, end)
+    require(begin == end == REST)  # it begins and ends as it does, whatever is beside it
+    pieces = declared.pieces(*p) if declared.pieces else []
+    return Law([Piece(**entries).scaled(lift) for entries in pieces], declared.begin * lift)
 
 
 def require(possible: bool) -> None:
@@ -76,22 +63,22 @@ def own(rows: Rows) -> list[Piece]:
     return [Piece(*row) for row in rows]
 
 
-def seven_stages(d: Sequence[float], ends: Ends, straight: bool) -> Law:
-    """Return the law whose two pulses meet at one velocity V, and which gains the lift.
+def seven_stages(d: Sequence[float], lift: float, begin: End, end: End, straight: bool) -> Law:
+    """Return the law whose two pulses meet at one velocity V, and which gains the lift H.
 
     Refuses durations that do not fill the rise, and pulses of no duration. For unit acceleration the pulses gain m and
     n and travel S_a and S_d from rest, over T₁ and T₂: then A = (V − v0)/m, B = (V − v1)/n and
     V = [H − v0 (T₁ − S_a/m) − v1 S_d/n]/(S_a/m + d4 + T₂ − S_d/n).
     """
     require(min(d) >= 0.0 and abs(sum(d) - 1.0) <= SUM_TOLERANCE and sum(d[:3]) > 0.0 and sum(d[4:]) > 0.0)
-    require(not any(ends[3:]))
+    require(not any(begin[1:] + end[1:]))
+    v0, v1 = begin[0], end[0]
     rise, fall = pulse(d[:3], straight), pulse(d[4:], straight)
     (s_a, m), (s_d, n) = reached(rise), reached(fall)
     first, slid = s_a / m, s_d / n
-    top = ends.lift - ends.v0 * (sum(d[:3]) - first) - ends.v1 * slid
-    top /= first + d[3] + sum(d[4:]) - slid
-    up, down = (top - ends.v0) / m, (ends.v1 - top) / n
-    return Law([*(one.scaled(up) for one in rise), Piece(d[3]), *(one.scaled(down) for one in fall)], ends.v0)
+    top = (lift - v0 * (sum(d[:3]) - first) - v1 * slid) / (first + d[3] + sum(d[4:]) - slid)
+    up, down = (top - v0) / m, (v1 - top) / n
+    return Law([*(one.scaled(up) for one in rise), Piece(d[3]), *(one.scaled(down) for one in fall)], v0)
 
 
 def pulse(d: Sequence[float], straight: bool) -> list[Piece]:
@@ -112,32 +99,30 @@ def reached(pieces: Sequence[Piece]) -> tuple[float, float]:
     return s, v
 
 
-def polynomial(declared: Declared, share: float, ends: Ends) -> Law:
+def polynomial(half: Sequence[float], share: float, lift: float, begin: End, end: End) -> Law:
     """Return a symmetric polynomial of a share, or, of the share ½, the one between ends."""
-    if not any(ends[1:]):
-        halves = (declared.half, share), (mirrored(declared.half), 1.0 - share)
-        c = [{f"c{i}": 2.0 * ends.lift * value / d ** (i + 1) for i, value in enumerate(half)} for half, d in halves]
+    if begin == end == REST:
+        halves = (half, share), (mirrored(half), 1.0 - share)
+        c = [{f"c{i}": 2.0 * lift * value / d ** (i + 1) for i, value in enumerate(half)} for half, d in halves]
         return Law([Piece(share, **c[0]), Piece(1.0 - share, **c[1])])
-    meets = len(declared.half) // 2
-    require(share == 0.5 and not any(ends[1 + 2 * meets :]))
-    return Law([hermite(meets, ends)], ends.v0)
+    n = len(half) // 2 + 1
+    require(share == 0.5 and not any(begin[n - 1 :] + end[n - 1 :]))
+    return Law([hermite(n, lift, begin, end)], begin[0])
 
 
-def hermite(meets: int, ends: Ends) -> Piece:
-    """Return the polynomial that meets one, two or three derivatives at ends.
+def hermite(n: int, lift: float, begin: End, end: End) -> Piece:
+    """Return the polynomial that meets s, v and so on, two, three or four of them, at either end.
 
-    Of s = Σ begin_i ξ^i + ξⁿ Σ b_k (ξ − 1)^k the first powers are those of the begin. With ``left``, Taylor's
+    Of s = Σ s_i ξ^i + ξⁿ Σ b_k (ξ − 1)^k the first powers are those of the begin. With ``left``, Taylor's
     coefficients at 1 of what these leave, and those of ξ⁻ⁿ, (−1)^k C(n + k − 1, k), b is the product of both series.
     """
-    n = meets + 1
-    begin = [0.0, ends.v0, ends.a0 / 2, ends.j0 / 6][:n]
-    end = [ends.lift, ends.v1, ends.a1 / 2, ends.j1 / 6]
-    left = [end[k] - sum(math.comb(i, k) * begin[i] for i in range(k, n)) for k in range(n)]
+    first, last = ([s, v, a / 2, j / 6][:n] for s, (v, a, j) in ((0.0, begin), (lift, end)))
+    left = [last[k] - sum(math.comb(i, k) * first[i] for i in range(k, n)) for k in range(n)]
     inverse = [(-1) ** k * math.comb(n + k - 1, k) for k in range(n)]
     b = [sum(left[i] * inverse[k - i] for i in range(k + 1)) for k in range(n)]
     rest = [0.0] * n
     for value in b[::-1]:  # Horner's scheme in ξ − 1
         rest = [before - here for before, here in zip([0.0, *rest[:-1]], rest)]
         rest[0] += value
-    s = [*begin, *rest]
+    s = [*first, *rest]
     return Piece(1.0, **{f"c{i - 2}": i * (i - 1) * s[i] for i in range(2, 2 * n)})
