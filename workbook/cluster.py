@@ -186,10 +186,6 @@ class Workers(Pool):
             where = f" {self.scheduler}" if self.scheduler else ""
             raise ClusterError(f"the scheduler{where} is gone, or it was told to stop") from error
 
-    def on_each(self, function: Callable[..., Any], *arguments: Any) -> dict[str, Any]:
-        """Return what a function gives on each worker, or the exception that it raises there."""
-        return dict(self.client.run(function, *arguments, on_error="return"))
-
 
 def shallow(function: Callable[..., R], *arguments: Any) -> R:
     """Return what a function gives; too deep a recursion is another error, since Dask waits for ever for its own."""

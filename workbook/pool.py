@@ -29,9 +29,5 @@ class Pool:
         """Give a pool for a task of which a worker died: one that is fresh, where that harms nobody."""
         return nullcontext(self)
 
-    def on_each(self, function: Callable[..., Any], *arguments: Any) -> dict[str, Any]:
-        """Return what a function gives on each worker, or the exception that it raises there."""
-        return {"here": function(*arguments)}
-
 
 HERE = Pool()

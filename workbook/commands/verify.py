@@ -7,12 +7,11 @@ from pathlib import Path
 from workbook.cluster import cores, pool
 from workbook.commands.trusted import keep
 from workbook.judging import many
-from workbook.judging.many import unseen
 from workbook.judging.verify import present
 from workbook.reports import console, page
 from workbook.reports.servers import junit as junit_xml
 from workbook.reports.servers import sarif as as_sarif
-from workbook.reports.terminal import ERR, OUT, say
+from workbook.reports.terminal import ERR, OUT
 from workbook.witnesses.beside import Beside
 from workbook.writing.place import refuse_one_for_two
 
@@ -31,12 +30,8 @@ def verify(
     present(asked)
     targets, failed = many.find(books)
     most = min(jobs or cores(), len(targets))
-    with pool(most, scheduler) as workers:
-        told = unseen(targets, workers) if workers.distant else ""
-        if told:
-            say(ERR, f"Note: {told}")
-        with console.progress(ERR, len(targets)) as done:
-            outcomes = many.verify_many(targets, asked, workers, done, beside, bool(told)) + failed
+    with pool(most, scheduler) as workers, console.progress(ERR, len(targets)) as done:
+        outcomes = many.verify_many(targets, asked, workers, done, beside) + failed
     alone = len(books) == 1 and not many.is_folder(books[0])
     for one in outcomes if alone else ():
         if one.report is not None:

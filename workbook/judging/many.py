@@ -4,6 +4,7 @@ import os
 import stat
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -16,61 +17,35 @@ from workbook.reading.files import SUFFIXES
 from workbook.visible import visible
 from workbook.witnesses.beside import Beside
 
-LOOKED_AT = 20  # files, by which it is seen whether workers see them
 LARGEST = 200_000_000  # bytes of a file that is sent
 
 
 class Sent(NamedTuple):
-    """A workbook for another machine: the target, where it lies, and its bytes where the machine does not see it."""
+    """A workbook for a machine that may not see the file: its bytes, or None where they cannot be had."""
 
     target: Target
     place: str
     data: bytes | None
 
 
-def sent(targets: Iterable[Target], as_bytes: bool) -> Iterator[Sent]:
-    """Yield workbooks as they are handed out; one that cannot be read goes by its path, and the worker says so."""
-    for target in targets:
-        place = target.path.absolute()
-        yield Sent(target, str(place), content(place) if as_bytes else None)
-
-
-def content(path: Path) -> bytes | None:
-    """Return the bytes of a file, None where it is too large or cannot be read."""
-    try:
-        return path.read_bytes() if path.is_file() and path.stat().st_size <= LARGEST else None
-    except OSError:
-        return None
+def sent(target: Target) -> Sent:
+    """Return a workbook as it is handed out; one that cannot be read goes by its path, and the worker says so."""
+    path, data = target.path.absolute(), None
+    with suppress(OSError):
+        data = path.read_bytes() if path.is_file() and path.stat().st_size <= LARGEST else None
+    return Sent(target, str(path), data)
 
 
 def verify_sent(book: Sent, witnesses: Sequence[str]) -> Outcome:
     """Verify a workbook on another machine; its outcome names it as it was named here."""
-    if book.data is None:
-        return named(verify_one(Target(Path(book.place), book.target.named), witnesses), book, book.place)
+    name = book.target.path
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, book.target.path.name)
-        path.write_bytes(book.data)
-        return named(verify_one(Target(path, book.target.named), witnesses), book, str(path))
-
-
-def named(outcome: Outcome, book: Sent, place: str) -> Outcome:
-    """Return an outcome with the path that a workbook has here."""
-    path = book.target.path
-    report = replace(outcome.report, path=path) if outcome.report else None
-    return replace(outcome, path=path, report=report, reason=outcome.reason.replace(place, str(path)))
-
-
-def sizes(places: Sequence[str]) -> list[int]:
-    """Return how large files are where this runs, −1 for what is not there."""
-    return [Path(place).stat().st_size if Path(place).is_file() else -1 for place in places]
-
-
-def unseen(targets: Sequence[Target], pool: Pool) -> str:
-    """Return in a line how many workers do not see the files; nothing where all do."""
-    places = [str(one.path.absolute()) for one in targets[:LOOKED_AT]]
-    here, there = sizes(places), pool.on_each(sizes, places)
-    blind = sum(found != here for found in there.values())
-    return f"{blind} of {len(there)} workers do not see these files: books are sent to them" if blind else ""
+        place = Path(book.place) if book.data is None else Path(folder, name.name)
+        if book.data is not None:
+            place.write_bytes(book.data)
+        outcome = verify_one(Target(place, book.target.named), witnesses)
+    report = replace(outcome.report, path=name) if outcome.report else None
+    return replace(outcome, path=name, report=report, reason=outcome.reason.replace(str(place), str(name)))
 
 
 def exit_code(outcomes: Iterable[Outcome]) -> int:
@@ -147,13 +122,11 @@ def verify_many(
     pool: Pool = HERE,
     done: Callable[[Outcome], object] = lambda outcome: None,
     beside: Beside | None = None,
-    as_bytes: bool = False,
 ) -> list[Outcome]:
     """Verify workbooks by a pool; call ``done`` as each is finished.
 
     The outcomes come in the order of ``targets``. One whose worker dies is tried once more, alone on a fresh worker.
-    ``beside`` may be a process that evaluates meanwhile the book that this process verifies; ``as_bytes`` sends books
-    to workers that do not see the files.
+    ``beside`` may be a process that evaluates meanwhile the book that this process verifies.
     """
     outcomes: dict[Target, Outcome] = {}
 
@@ -165,9 +138,9 @@ def verify_many(
         for target in swept_between(targets):
             keep(target, verify_one(target, witnesses, beside))
         return [outcomes[target] for target in targets]
-    for target in by_pool(targets, witnesses, pool, as_bytes, keep):
+    for target in by_pool(targets, witnesses, pool, keep):
         with pool.alone() as fresh:
-            died = by_pool([target], witnesses, fresh, as_bytes, keep)
+            died = by_pool([target], witnesses, fresh, keep)
         if died:
             reason = f"{target.path}: verifying it ended the process (out of memory?)"
             keep(target, Outcome(target.path, "unreadable", reason=visible(reason)))
@@ -175,11 +148,10 @@ def verify_many(
 
 
 def by_pool(
-    targets: Sequence[Target], witnesses: Sequence[str], pool: Pool, as_bytes: bool,
-    keep: Callable[[Target, Outcome], object],
-) -> list[Target]:  # fmt: skip
+    targets: Sequence[Target], witnesses: Sequence[str], pool: Pool, keep: Callable[[Target, Outcome], object]
+) -> list[Target]:
     """Verify by a pool, and keep what came of each; return those whose worker died."""
-    books = sent(targets, as_bytes)
+    books = map(sent, targets)
     each = pool.each(verify_sent, books, witnesses) if pool.distant else pool.each(verify_one, targets, witnesses)
     died = []
     for book, outcome in each:

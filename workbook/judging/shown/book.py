@@ -12,7 +12,7 @@ from workbook.judging.report import LAYOUT, Report
 from workbook.judging.shown.charts import charts
 from workbook.judging.shown.looks import Looks, Told, seen
 from workbook.judging.shown.rules import Rules, validations
-from workbook.judging.shown.views import Views, links
+from workbook.judging.shown.views import in_view, links, pages
 from workbook.judging.shown.words import words
 from workbook.reading.contents import Cells
 
@@ -31,8 +31,8 @@ def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Rep
     rules.judge(cells)
     for one in cells:
         looks.judge(one, coloured=one.verdict and rules.has_verdicts(one))
-    views = Views(match, computed, report, told)
-    views.judge(cells)
-    charts(match, views, report)
+    seen_pages = pages(match)
+    in_view(match, seen_pages, computed, cells, report, told)
+    charts(match, seen_pages, report)
     validations(match, model, report)
     told.enter(report)

@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from workbook.book.address import Address
@@ -13,7 +13,7 @@ from workbook.judging.report import NOTICE, SHOWN, Report
 from workbook.judging.shown import taste, units
 from workbook.judging.shown.drawn import Axis, Drawn, Line, Name, Reader, drawn, word
 from workbook.judging.shown.formats import judged
-from workbook.judging.shown.views import Views
+from workbook.judging.shown.views import Page
 from workbook.judging.shown.words import reworded, sheet_of
 from workbook.writing.charts import draw
 from workbook.writing.style import NOTHING
@@ -27,14 +27,14 @@ Told = tuple[str, Any, Any, str]
 """kind, what is found, what is expected, of what"""
 
 
-def charts(match: Match, views: Views, report: Report) -> None:
+def charts(match: Match, pages: Mapping[str, Page], report: Report) -> None:
     """Enter declared charts that draw something else, and as notices those that are gone or are called otherwise."""
     for sheet in match.declared.sheets:
         title = sheet_of(match, sheet)
         others = [chart.title for chart, *_ in sheet.charts]
         for (chart, _, *place), fresh, found in paired(match, sheet, list(drawn(match, title))) if title else ():
             if found is not None:
-                told = [*differences(match, fresh, found, others), *in_sight(match, fresh, found, size(*place), views)]
+                told = [*differences(match, fresh, found, others), *in_sight(match, fresh, found, size(*place), pages)]
                 for kind, held, expected, what in told:
                     report.say(found.at, kind, held, expected, f"the chart {chart.title!r}{what}")
             elif match.file.inspected:
@@ -73,7 +73,7 @@ def differences(match: Match, fresh: Drawn, found: Drawn, titles: list[str]) -> 
     if len(found.kinds) > 1 or found.other_axes:
         gone = any("not shown" in axis.said for axis in found.other_axes)
         yield SHOWN if gone else NOTICE, "other axes", "one pair of axes", ""
-    if odd := [*sorted(found.tags - fresh.tags - taste.CHART), *found.odd]:
+    if odd := [said for said in found.odd if said not in fresh.odd]:
         yield NOTICE, ", ".join(odd), "as built", ", what it shows besides"
     if found.title != fresh.title:
         text, ours = (one.title if isinstance(one.title, str) else None for one in (found, fresh))
@@ -106,7 +106,7 @@ def of_lines(match: Match, fresh: list[Line], held: list[Line]) -> Iterator[Told
             exchanged = any(same_name(match, other, same.name) for other in others)
             yield SHOWN if exchanged else NOTICE, word(same.name), word(line.name), ", the name of a line"
         for said in same.said - line.said:
-            yield taste.LINE[said], said, "as built", f", its line {text_of(match, line.name)!r}"
+            yield NOTICE, said, "as built", f", its line {text_of(match, line.name)!r}"
     for line in missing:
         what, named = f", its line {text_of(match, line.name)!r}", [one for one in free if one.name == line.name]
         other = next(iter(named or free), None)
@@ -122,7 +122,12 @@ def of_axis(axis: Axis, ours: Axis, values: list[float], what: str) -> Iterator[
     """Yield what of an axis is read otherwise; along one without figures as built, how they would look is not."""
     bare = ours.code == NOTHING
     for said in (axis.said ^ ours.said) - ({"not shown"} if bare or "not shown" not in axis.said else set()):
-        yield taste.AXIS[said], said if said in axis.said else f"not {said}", "as built", what
+        yield (
+            SHOWN if said in taste.ALTERING else NOTICE,
+            said if said in axis.said else f"not {said}",
+            "as built",
+            what,
+        )
     span = max(values, default=0.0) - min(values, default=0.0)
     for end, limit in axis.ends.items():
         least = ours.ends.get(end)
@@ -164,9 +169,11 @@ def figures(match: Match, area: Area | None) -> list[float]:
     return [float(v) for v in values if isinstance(v, int | float) and math.isfinite(v)]
 
 
-def in_sight(match: Match, fresh: Drawn, found: Drawn, cm: tuple[float, float], views: Views) -> Iterator[Told]:
+def in_sight(
+    match: Match, fresh: Drawn, found: Drawn, cm: tuple[float, float], pages: Mapping[str, Page]
+) -> Iterator[Told]:
     """Yield that a chart can hardly be seen: shrunk, behind another drawing, or by hidden rows; ``cm`` is its size."""
-    areas = views.pages[found.at.sheet].areas
+    areas = pages[found.at.sheet].areas
     own = areas[found.number]
     ends = (own.right - own.left, own.bottom - own.top)
     rooms = [min(1.0, held / ours) for held, ours in zip(found.room, fresh.room, strict=True)]
@@ -178,7 +185,8 @@ def in_sight(match: Match, fresh: Drawn, found: Drawn, cm: tuple[float, float], 
         titles = {one.number: one.title for one in drawn(match, found.at.sheet)}
         alike = any(titles.get(k, found.title) == found.title for k in above)
         yield SHOWN if alike else NOTICE, "behind another drawing", "in sight", ""
-    columns = [a for line in found.lines for a in line[:2] if a is not None and a.sheet in views.pages]
-    hidden = max((views.pages[a.sheet].hidden_rows(a.top, a.bottom) for a in columns), default=0)
+    columns = [a for line in found.lines for a in line[:2] if a is not None and a.sheet in pages]
+    rows = ([r for r in range(a.top, a.bottom + 1) if pages[a.sheet].rows.hidden(r)] for a in columns)
+    hidden = max(map(len, rows), default=0)
     if found.visible_only and hidden:
         yield SHOWN, f"without {hidden:,} hidden rows", "with all rows", ", what it draws"

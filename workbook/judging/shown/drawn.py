@@ -9,7 +9,7 @@ from workbook.book.address import Address
 from workbook.book.formula import Area, FormulaError, reference
 from workbook.judging.matching import Match
 from workbook.judging.shown import taste
-from workbook.judging.shown.colours import WHITE, contrast, parsed
+from workbook.judging.shown.colours import WHITE, Colour, contrast, parsed
 from workbook.reading.package import tag
 
 Name = Area | str
@@ -17,7 +17,7 @@ Name = Area | str
 
 
 class Line(NamedTuple):
-    """One line of a chart: its columns, the lengths of its strokes, its name, and which of ``taste.LINE`` it is."""
+    """One line of a chart: its columns, the lengths of its strokes, its name, and what is said of it."""
 
     x: Area | None
     y: Area | None
@@ -31,7 +31,7 @@ class Line(NamedTuple):
 
 
 class Axis(NamedTuple):
-    """An axis: its title, its limits, how its numbers are shown, and which of ``taste.AXIS`` it is."""
+    """An axis: its title, its limits, how its numbers are shown, and what is said of it."""
 
     title: Name = ""
     ends: Mapping[str, float] = MappingProxyType({})
@@ -53,7 +53,6 @@ class Drawn(NamedTuple):
     codes: list[str]
     room: tuple[float, float]
     visible_only: bool
-    tags: set[str]
     odd: list[str]
     at: Address
     number: int = 0
@@ -81,14 +80,14 @@ class Reader:
         axes = {value(one, "axId"): self._axis(one) for one in plot or () if tag(one).endswith("Ax")}
         ids = [str(one.get("val")) for one in groups[0] if tag(one) == "axId"][:2] if groups else []
         first, second = (*(axes.get(name, Axis()) for name in ids), Axis(), Axis())[:2]
-        grounds = (child(plot, "spPr"), child(root, "spPr"))
+        grounds = (ink(child(plot, "spPr")), ink(child(root, "spPr")))
         others = (child(root, "chart", name) for name in ("title", "legend"))
         over = max(share(one, "w", 0.0) * share(one, "h", 0.0) for one in others)
         odd = [said for said, there in (
             ("labels of their own", any(tag(one) == "dLbl" and child(one, "tx") is not None for one in everything)),
             ("points of their own", any(tag(one) == "dPt" and child(one, "spPr") is not None for one in everything)),
             ("texts that cannot be seen", any(tag(one) in ("defRPr", "rPr") and unreadable(one) for one in everything)),
-            ("a ground of its own", any(one is not None and dark(one) for one in grounds)),
+            ("a ground of its own", any(one and contrast(one, WHITE) > taste.FAINT for one in grounds)),
             ("a title or a legend over it", over > taste.OVER),
             ("zeros where nothing is", value(root, "chart", "dispBlanksAs") == "zero"),
         ) if there]  # fmt: skip
@@ -100,7 +99,7 @@ class Reader:
              for form in one if tag(form) == "numFmt" and form.get("sourceLinked") not in taste.YES],
             (share(plot, "w", 1.0), share(plot, "h", 1.0)),
             value(root, "chart", "plotVisOnly", otherwise="1") in taste.YES,
-            {tag(one) for one in everything} - {tag(group) for group in groups}, odd, self._at, number,
+            [*sorted({*map(tag, everything)} - {*map(tag, groups)} - taste.CHART), *odd], self._at, number,
         )  # fmt: skip
 
     def _axis(self, element: Element) -> Axis:
@@ -169,14 +168,21 @@ def source(data: Element | None) -> str:
     return (found.text or "") if found is not None else ""
 
 
+def ink(paint: Element | None) -> Colour | None:
+    """Return the colour with which a line, a text or a ground is painted, where its digits say it."""
+    colour = child(paint, "solidFill", "srgbClr")
+    return parsed(colour.get("val", "")) if colour is not None else None
+
+
 def clear(paint: Element | None) -> bool:
     """Whether a line or a text is painted with nothing, or in a colour that cannot be seen on white."""
-    colour, themed = (child(paint, "solidFill", name) for name in ("srgbClr", "schemeClr"))
+    themed, colour = child(paint, "solidFill", "schemeClr"), ink(paint)
     if themed is not None:
         return themed.get("val") in ("bg1", "lt1") and not len(themed)
-    ink = parsed(colour.get("val", "")) if colour is not None else None
-    faint = colour is not None and int(value(colour, "alpha") or 100_000) < 10_000
-    return child(paint, "noFill") is not None or faint or (ink is not None and contrast(ink, WHITE) < taste.UNSEEN)
+    faint = int(value(paint, "solidFill", "srgbClr", "alpha") or 100_000) < 10_000
+    return (
+        child(paint, "noFill") is not None or faint or (colour is not None and contrast(colour, WHITE) < taste.UNSEEN)
+    )
 
 
 def unreadable(font: Element) -> bool:
@@ -184,13 +190,6 @@ def unreadable(font: Element) -> bool:
     face, small = child(font, "latin"), 0 < float(font.get("sz") or 0) < 100 * taste.LEAST_SIZE
     signs = face is not None and face.get("typeface", "").casefold().startswith(taste.SIGNS)
     return clear(font) or small or signs or font.get("strike", "noStrike") != "noStrike"
-
-
-def dark(paint: Element) -> bool:
-    """Whether a ground is painted in a colour on which lines and texts are hard to see."""
-    colour = child(paint, "solidFill", "srgbClr")
-    ground = parsed(colour.get("val", "")) if colour is not None else None
-    return ground is not None and contrast(ground, WHITE) > taste.FAINT
 
 
 def word(name: Name) -> str:

@@ -4,7 +4,7 @@ Cells that are judged alike are one run, and what is told of all of a kind is to
 """
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from openpyxl.cell.text import InlineFont
@@ -14,12 +14,13 @@ from workbook.book.address import Address
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import NOTICE, SHOWN, Report
 from workbook.judging.shown import taste
-from workbook.judging.shown.colours import Palette, contrast, looks_passed
+from workbook.judging.shown.colours import Look, Palette, contrast, looks_passed
 from workbook.judging.shown.formats import Judged, judged
 from workbook.judging.shown.words import Found
 from workbook.writing.write import format_of
 
 INKS = UNKNOWN, HIDDEN, FADED = "in colours that cannot be known", "in the colour of its ground", "in a faint colour"
+PASSED = SHOWN, "FAIL coloured as passed"
 
 
 class Seen(NamedTuple):
@@ -37,27 +38,23 @@ class Seen(NamedTuple):
     folded: bool
     verdict: bool = False
 
-    @property
-    def text(self) -> bool:
-        """Whether the cells show texts."""
-        return not self.pairs or any(isinstance(value_of(pair), str) for pair in self.pairs)
+    def format(self, code: str, values: Iterable[Any], declared: str = "General") -> Iterator[Judged]:
+        """Yield what is to be told of a number format for values of the cells, in place of the declared one."""
+        q, held = self.pairs[0].cell.quantity if self.pairs else None, [v for v in values if v not in (None, "")]
+        zeros = any(type(v) in (int, float) and abs(v) < 0.5 for v in held)
+        for text in {isinstance(v, str) for v in held} or {q is None}:
+            yield judged(code, declared, q.unit if q else "", q.symbol if q else "", text, zeros)
 
 
 def seen(match: Match, found: list[Found]) -> Iterator[Seen]:
     """Yield all cells of a file that are declared, with the texts that say what they are."""
     for pairs in match.by_column():
-        cell, at = pairs[0].cell, pairs[0].address
-        what = f"{cell.quantity.label} ({cell.block.name})" if cell.block.is_table else cell.quantity.label
-        folded, verdict = 0 < cell.block.sheet.folded <= cell.column, is_verdict(pairs[0])
-        yield Seen(at, pairs[-1].address.row, pairs, what, True, folded, verdict)
+        (block, q), at = (pairs[0].cell.block, pairs[0].cell.quantity), pairs[0].address
+        verdict = q.role == "check" or (block.name, q.name) == ("checks", "verdict")
+        what, folded = f"{q.label} ({block.name})" if block.is_table else q.label, block.sheet.folded
+        yield Seen(at, pairs[-1].address.row, pairs, what, True, 0 < folded <= pairs[0].cell.column, verdict)
     for at, word in found:
         yield Seen(at, at.row, [], word.what, word.counts, 0 < word.block.sheet.folded <= word.text.column)
-
-
-def is_verdict(pair: Pair) -> bool:
-    """Whether a cell says OK or FAIL."""
-    cell = pair.cell
-    return cell.quantity.role == "check" or (cell.block.name, cell.quantity.name) == ("checks", "verdict")
 
 
 def value_of(pair: Pair) -> Any:
@@ -72,15 +69,15 @@ class Told:
         self._told: dict[tuple[str, str, str, str, str], tuple[Address, str, int]] = {}
 
     def add(
-        self, at: Address, judged: Judged, expected: str, what: str, counts: bool = True, cells: int = 1,
+        self, at: Address, all_said: Iterable[Judged], expected: str, what: str, counts: bool = True, cells: int = 1,
         group: str | None = None,
     ) -> None:  # fmt: skip
         """Enter what is told of some cells, the first of them ``at``; once for all of a ``group``, or of ``what``."""
-        kind, said = judged
-        if kind:
-            key = at.sheet, kind if counts else NOTICE, said, expected, what if group is None else group
-            first, name, count = self._told.get(key, (at, what, 0))
-            self._told[key] = first, name, count + cells
+        for kind, said in all_said:
+            if kind:
+                key = at.sheet, kind if counts else NOTICE, said, expected, what if group is None else group
+                first, name, count = self._told.get(key, (at, what, 0))
+                self._told[key] = first, name, count + cells
 
     def enter(self, report: Report) -> None:
         """Enter all into a report."""
@@ -98,87 +95,73 @@ class Looks:
         self._known: dict[tuple[int, ...], list[Judged]] = {}
         self._fonts = fonts_within(match)
 
-    def judge(self, seen: Seen, coloured: bool) -> None:
+    def judge(self, one: Seen, coloured: bool) -> None:
         """Enter what is to be told of how cells look; ``coloured`` ones have their colours from a rule."""
-        styles: dict[int, list[Any]] = defaultdict(list)
-        addresses = [pair.address for pair in seen.pairs] or [seen.at]
-        base = self.palette.look(self._match.file.cell(seen.at))
-        for n, address in enumerate(addresses):
-            if (cell := self._match.file.cell(address)) is not None:
-                styles[id(cell._style)].append((n, cell))  # type: ignore[union-attr]
-            for font in self._fonts.get(address, ()):
-                for one in of_font(font, self.palette), of_colours(self.palette.colour(font.color, base[0]), base[1]):
-                    for said in one:
-                        self._told.add(address, said, "as built", seen.what, seen.counts)
+        styles: dict[int, list[tuple[int, Address, Any]]] = defaultdict(list)
+        base = self.base(one)
+        for n, at in enumerate([pair.address for pair in one.pairs] or [one.at]):
+            if (cell := self._match.file.cell(at)) is not None:
+                styles[id(cell._style)].append((n, at, cell))  # type: ignore[union-attr]
+            for font in self._fonts.get(at, ()):
+                look = self.palette.colour(font.color, base[0]), base[1]
+                self._told.add(at, of_style(self.palette, look, font=font), "as built", one.what, one.counts)
         for cells in styles.values():
-            n, cell = cells[0]
-            for found, expected in self._formats(seen, cell.number_format, [n for n, _ in cells]):
-                self._told.add(addresses[n], found, expected, seen.what, seen.counts, len(cells))
-            for kind, text in self._of_style(cell):
-                if not (coloured and text in INKS):
-                    sure = SHOWN if seen.verdict and text == UNKNOWN else kind
-                    self._told.add(addresses[n], (sure, text), "as built", seen.what, seen.counts, len(cells))
-            if seen.verdict and not coloured and looks_passed(base):
-                self._told.add(addresses[n], (SHOWN, "FAIL coloured as passed"), "a colour of its own", seen.what)
+            _, at, cell = cells[0]
+            declared = format_of(one.pairs[0].cell.quantity, self._model) if one.pairs else "General"
+            values = [value_of(one.pairs[n]) for n, *_ in cells if one.pairs]
+            if cell.number_format != declared and (not values or any(v not in (None, "") for v in values)):
+                said = one.format(cell.number_format, values, declared)
+                self._told.add(at, said, f"the number format {declared}", one.what, one.counts, len(cells))
+            told = [(SHOWN if one.verdict and said == UNKNOWN else kind, said) for kind, said in self._of_style(cell)
+                    if not (coloured and said in INKS)]  # fmt: skip
+            self._told.add(at, told, "as built", one.what, one.counts, len(cells))
+            if one.verdict and not coloured and looks_passed(base):
+                self._told.add(at, [PASSED], "a colour of its own", one.what)
 
-    def _formats(self, seen: Seen, code: str, rows: list[int]) -> Iterator[tuple[Judged, str]]:
-        """Yield what is to be told of the number format of some of the cells, with that of a fresh build."""
-        if not seen.pairs:
-            yield judged(code, "General", text=True), "General"
-            return
-        q = seen.pairs[0].cell.quantity
-        declared = format_of(q, self._model)
-        if code != declared:
-            values = [value_of(seen.pairs[n]) for n in rows]
-            zeros = any(type(v) in (int, float) and abs(v) < 0.5 for v in values)
-            for text in {isinstance(v, str) for v in values if v is not None and v != ""}:
-                yield judged(code, declared, q.unit, q.symbol, text, zeros), f"the number format {declared}"
+    def base(self, one: Seen) -> Look:
+        """Return ink and ground of the first of some cells."""
+        return self.palette.look(self._match.file.cell(one.at))
 
     def _of_style(self, cell: Any) -> list[Judged]:
         """Return what is to be told of a cell's font, border, fill and alignment."""
         style = cell._style
         key = style.fontId, style.fillId, style.alignmentId, style.borderId
         if key not in self._known:
-            parts = {"border": cell.border, "alignment": cell.alignment}
-            colours = of_colours(*self.palette.look(cell))
-            self._known[key] = [*of_font(cell.font, self.palette), *of_parts(parts), *colours]
+            parts = {"font": cell.font, "border": cell.border, "alignment": cell.alignment}
+            self._known[key] = list(of_style(self.palette, self.palette.look(cell), **parts))
         return self._known[key]
 
 
-def of_parts(parts: dict[str, Any]) -> Iterator[Judged]:
-    """Yield what is to be told of fonts, borders and alignments by the list of what they may be."""
+def of_style(palette: Palette, look: Look, **parts: Any) -> Iterator[Judged]:
+    """Yield what is to be told of a font, a border, an alignment, by what they may be, and of an ink on its ground."""
     for part, attribute, usual, kind, said in taste.LOOKS:
-        if part in parts and getattr(parts[part], attribute) not in usual:
+        if parts.get(part) is not None and getattr(parts[part], attribute) not in usual:
             yield kind, said
+    if (font := parts.get("font")) is not None:  # one of the theme is called as the theme says
+        name = palette.fonts.get(font.scheme) or getattr(font, "rFont", None) or getattr(font, "name", None)
+        name, size = str(name or "calibri").casefold(), font.sz or taste.SMALL
+        if name.startswith(taste.SIGNS):
+            yield SHOWN, f"in the signs of {name}"
+        elif name.split()[0] not in taste.FONTS:
+            yield NOTICE, f"in the font {name}"
+        if not taste.SMALL <= size <= taste.LARGE:
+            yield SHOWN if size < taste.LEAST_SIZE else NOTICE, f"{size:g} points high"
+    yield from of_colours(look)
 
 
-def of_font(font: Any, palette: Palette) -> Iterator[Judged]:
-    """Yield what is to be told of a font but for its colour; one of the theme is called as the theme says."""
-    name = palette.fonts.get(font.scheme) or getattr(font, "rFont", None) or getattr(font, "name", None) or "calibri"
-    name, size = str(name).casefold(), font.sz or taste.SMALL
-    if name.startswith(taste.SIGNS):
-        yield SHOWN, f"in the signs of {name}"
-    elif name.split()[0] not in taste.FONTS:
-        yield NOTICE, f"in the font {name}"
-    if not taste.SMALL <= size <= taste.LARGE:
-        yield SHOWN if size < taste.LEAST_SIZE else NOTICE, f"{size:g} points high"
-    yield from of_parts({"font": font})
-
-
-def of_colours(ink: Any, ground: Any) -> Iterator[Judged]:
+def of_colours(look: Look) -> Iterator[Judged]:
     """Yield what is to be told of an ink on a ground; None is a colour that cannot be known, as of a gradient."""
+    ink, ground = look
     if ink is None or ground is None:
         yield NOTICE, UNKNOWN
     elif contrast(ink, ground) < taste.FAINT:
-        hidden = contrast(ink, ground) < taste.UNSEEN
-        yield (SHOWN, HIDDEN) if hidden else (NOTICE, FADED)
+        yield (SHOWN, HIDDEN) if contrast(ink, ground) < taste.UNSEEN else (NOTICE, FADED)
 
 
 def fonts_within(match: Match) -> dict[Address, list[Any]]:
     """Return the fonts of parts of texts, by the cells that show them."""
     found: dict[Address, list[Any]] = {}
-    inspected = match.file.inspected
-    if inspected is None:
+    if (inspected := match.file.inspected) is None:
         return found
     for title, rows in inspected.sheets.items():
         found |= {Address(title, *at): held for at, held in rows.fonts.items()}

@@ -14,9 +14,9 @@ from workbook.book.address import Address
 from workbook.entries.rules import validation
 from workbook.judging.matching import Match
 from workbook.judging.report import FAIL, NOTICE, SHOWN, Report
-from workbook.judging.shown.colours import Look, looks_passed
-from workbook.judging.shown.formats import Judged, judged, sections
-from workbook.judging.shown.looks import Looks, Seen, Told, of_colours, of_font
+from workbook.judging.shown.colours import BLACK, WHITE, Look, looks_passed
+from workbook.judging.shown.formats import Judged, sections
+from workbook.judging.shown.looks import PASSED, Looks, Seen, Told, of_colours, of_style, value_of
 from workbook.writing.style import Marked, marks
 
 SAID = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTitle", "error", "errorTitle")
@@ -34,13 +34,6 @@ class Placed(NamedTuple):
         first, last = (one.at.row, one.last) if whole else (one.last, one.at.row)
         return any(t <= first and last <= b and left <= one.at.column <= r for t, left, b, r in self.ranges)
 
-    @property
-    def code(self) -> str:
-        """The number format that the rule gives, if it gives any."""
-        form = self.rule.dxf.numFmt if self.rule.dxf is not None else None
-        return str(form.formatCode or "") if form is not None else ""
-
-    @property
     def meets_fail(self) -> bool:
         """Whether the condition of the rule may be met by a cell that says FAIL."""
         rule, first = self.rule, str(self.rule.formula[0]).replace(" ", "").upper() if self.rule.formula else ""
@@ -49,8 +42,14 @@ class Placed(NamedTuple):
         if rule.type in ("containsText", "beginsWith", "endsWith") and rule.text:
             return str(rule.text).upper() in FAIL
         row, column = min(top for top, *_ in self.ranges), min(left for _, left, *_ in self.ranges)
-        own = rf'\(?\$?{get_column_letter(column)}{row}="OK"\)?'
-        return not (rule.type == "expression" and re.fullmatch(own, first))
+        return not (
+            rule.type == "expression" and re.fullmatch(rf'\(?\$?{get_column_letter(column)}{row}="OK"\)?', first)
+        )
+
+
+def code_of(rule: Rule) -> str:
+    """Return the number format that a rule gives, if it gives any."""
+    return str(rule.dxf.numFmt.formatCode or "") if rule.dxf is not None and rule.dxf.numFmt is not None else ""
 
 
 class Rules:
@@ -67,21 +66,25 @@ class Rules:
 
     def judge(self, cells: list[Seen]) -> None:
         """Enter what is to be told of rules that someone has made, and of those that are gone."""
-        by_column: dict[tuple[str, int], list[Seen]] = defaultdict(list)
+        by_column: dict[str, dict[int, list[Seen]]] = defaultdict(lambda: defaultdict(list))
         for one in cells:
-            by_column[one.at.sheet, one.at.column].append(one)
+            by_column[one.at.sheet][one.at.column].append(one)
         for sheet in self._match.file.workbook.worksheets:
-            columns = [column for title, column in by_column if title == sheet.title]
             for group in sheet.conditional_formatting:
                 ranges = [(r.min_row, r.min_col, r.max_row, r.max_col) for r in group.sqref.ranges]
-                wide = [c for c in columns if any(left <= c <= right for _, left, _, right in ranges)]
+                wide = [held for column, held in by_column[sheet.title].items()
+                        if any(left <= column <= right for _, left, _, right in ranges)]  # fmt: skip
                 for placed in (Placed(rule, ranges) for rule in group.rules):
-                    for one in (one for column in wide for one in by_column[sheet.title, column]):
-                        if placed.covers(one) and not self._is_known(placed, one):
-                            for said in self._of_rule(placed, one):
-                                what = f"a conditional format, {one.what}"
-                                self._told.add(one.at, said, "no such rule", what, one.counts)
-        self._gone()
+                    for one in (one for held in wide for one in held if placed.covers(one)):
+                        if not self._is_known(placed, one):
+                            what = f"a conditional format, {one.what}"
+                            self._told.add(one.at, self._of_rule(placed, one), "no such rule", what, one.counts)
+        for name, fresh in self._fresh.items() if not self._torn else ():
+            place = self._match.file.places.get(name)
+            for mark in (one for n, one in enumerate(fresh) if place is not None and (name, n) not in self._met):
+                does = "leaves unused rows blank" if mark.rule.type == "expression" else "colours them"
+                at, what = place.cell(0, 0), f"the cells of {name}"  # type: ignore[union-attr]
+                self._told.add(at, [(NOTICE, "no such rule")], f"a rule that {does}", what, group="")
 
     def has_verdicts(self, one: Seen) -> bool:
         """Whether OK and FAIL have their colours from the rules of a fresh build."""
@@ -98,15 +101,16 @@ class Rules:
                 self._met |= {(block.name, n)} if placed.covers(one, whole=True) else set()
                 self.known.add(id(placed.rule))
                 return True
-        parts = sections(placed.code)
+        parts = sections(code_of(placed.rule))
         hides = len(parts) == 4 and not any(part.form for part in parts)
         return self._torn and name in {q.name for q in block.blanked} and hides
 
     def _same(self, mark: Marked, placed: Placed, one: Seen) -> bool:
         """Whether a rule of a file is one of a fresh build, in condition and look."""
         ours, held, block = mark.rule, placed.rule, one.pairs[0].cell.block
-        looks = [self._look(Placed(rule, [])) for rule in (ours, held)]
-        if (ours.type, ours.operator) != (held.type, held.operator) or looks[0] != looks[1]:
+        does = [(rule.type, rule.operator, self._colours(rule.dxf, (None, None)), sections(code_of(rule)),
+                 bool(rule.dxf and rule.dxf.font and rule.dxf.font.strike)) for rule in (ours, held)]  # fmt: skip
+        if does[0] != does[1]:
             return False
         texts = [str(text).removeprefix("=") for text in held.formula]
         if ours.type != "expression":
@@ -116,13 +120,6 @@ class Rules:
         moved = Translator(f"={texts[0]}", first).translate_formula(f"A{place.row}") if texts else ""
         return moved == declared or self._match.same_formula(declared, block, moved, place.sheet)
 
-    def _look(self, placed: Placed) -> tuple[Any, ...]:
-        """Return what a rule makes of a cell: ink, ground, and the parts of its number format."""
-        look = placed.rule.dxf
-        font = look.font if look is not None else None
-        ink, ground = self._colours(look, (None, None))
-        return ink, ground, sections(placed.code), bool(font and font.strike)
-
     def _colours(self, look: Any, base: Look) -> Look:
         """Return ink and ground of a cell to which a rule gives a look."""
         palette, font, fill = self._looks.palette, getattr(look, "font", None), getattr(look, "fill", None)
@@ -131,39 +128,25 @@ class Rules:
 
     def _of_rule(self, placed: Placed, one: Seen) -> Iterator[Judged]:
         """Yield what is to be told of a rule that no fresh build has."""
-        rule, palette = placed.rule, self._looks.palette
-        base = palette.look(self._match.file.cell(one.at))
-        verdict = one.verdict and placed.meets_fail
+        rule, look, base = placed.rule, placed.rule.dxf, self._looks.base(one)
+        verdict = one.verdict and placed.meets_fail()
         if verdict:
             self._before_fail.add(one.pairs[0].cell.block.name)
-        if placed.code:
-            q = one.pairs[0].cell.quantity if one.pairs else None
-            yield judged(placed.code, "General", q.unit if q else "", q.symbol if q else "", one.text)
+        if code := code_of(rule):
+            yield from one.format(code, map(value_of, one.pairs))
         if any(sign is not None and sign.showValue is False for sign in (rule.dataBar, rule.iconSet)):
             yield SHOWN, "bars or icons instead of what it has"
-        scale = rule.colorScale.color if rule.colorScale is not None else []
-        for colour in [*scale, *([rule.dataBar.color] if rule.dataBar is not None else [])]:
-            yield from of_colours(base[0], palette.colour(colour, None))
-        look = rule.dxf
-        if look is None:
-            return
-        if look.font:
-            yield from of_font(look.font, palette)
-        if (look.font and look.font.color) or look.fill:
-            ink, ground = self._colours(look, base)
-            sure = verdict and (ink != base[0] or ground is None)
-            yield from ((SHOWN if sure else kind, said) for kind, said in of_colours(ink, ground))
-            if verdict and looks_passed((ink, ground)):
-                yield SHOWN, "FAIL coloured as passed"
-
-    def _gone(self) -> None:
-        """Enter the rules of a fresh build that the file has no more."""
-        for name, fresh in self._fresh.items() if not self._torn else ():
-            place = self._match.file.places.get(name)
-            for mark in (one for n, one in enumerate(fresh) if place is not None and (name, n) not in self._met):
-                does = "leaves unused rows blank" if mark.rule.type == "expression" else "colours them"
-                at, what = place.cell(0, 0), f"the cells of {name}"  # type: ignore[union-attr]
-                self._told.add(at, (NOTICE, "no such rule"), f"a rule that {does}", what, group="")
+        scale = [*(rule.colorScale.color if rule.colorScale else ()), *([rule.dataBar.color] if rule.dataBar else ())]
+        for colour in scale:
+            yield from of_colours((base[0], self._looks.palette.colour(colour, None)))
+        if look is not None and look.font:
+            yield from of_style(self._looks.palette, (BLACK, WHITE), font=look.font)
+        if look is not None and ((look.font and look.font.color) or look.fill):
+            colours = self._colours(look, base)
+            sure = verdict and (colours[0] != base[0] or colours[1] is None)
+            yield from ((SHOWN if sure else kind, said) for kind, said in of_colours(colours))
+            if verdict and looks_passed(colours):
+                yield PASSED
 
 
 def validations(match: Match, model: type[BaseModel], report: Report) -> None:

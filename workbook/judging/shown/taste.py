@@ -73,11 +73,10 @@ SETTINGS = (
 )
 """elements and attributes of settings, what they may be, and what is told of all else"""
 PAGE = frozenset([
-    "AlternateContent", "autoFilter", "cellWatches", "colBreaks", "cols", "conditionalFormatting",
-    "dataValidations", "dimension", "drawing", "extLst", "headerFooter", "hyperlinks",
-    "ignoredErrors", "legacyDrawing", "mergeCells", "pageMargins", "pageSetup", "phoneticPr",
-    "printOptions", "protectedRanges", "rowBreaks", "sheetData", "sheetFormatPr", "sheetPr", "sheetProtection",
-    "sheetViews", "sortState",
+    "AlternateContent", "autoFilter", "cellWatches", "colBreaks", "cols", "conditionalFormatting", "dataValidations",
+    "dimension", "drawing", "extLst", "headerFooter", "hyperlinks", "ignoredErrors", "legacyDrawing", "mergeCells",
+    "pageMargins", "pageSetup", "phoneticPr", "printOptions", "protectedRanges", "rowBreaks", "sheetData",
+    "sheetFormatPr", "sheetPr", "sheetProtection", "sheetViews", "sortState",
 ])  # fmt: skip
 """the elements of a worksheet that are judged elsewhere, or change nothing of what is read"""
 NEWER = frozenset(["dataValidations", "ignoredErrors"])  # such elements for newer programs, in an ``extLst``
@@ -87,24 +86,20 @@ CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|.)')  # of headers and footers
 
 LEAST_CHART, SMALL_CHART = 0.12, 0.4  # of the width or the height of a fresh build: hardly to be seen, small
 BEHIND, OVER = 0.5, 0.25  # of a chart that another drawing may cover, and that its title or legend may have
-AXIS = {"backwards": SHOWN, "log": SHOWN, "scaled": SHOWN, "not shown": NOTICE}
-LINE = {"not drawn": NOTICE, "bent between its points": NOTICE}
-"""what is told of an axis and of a line where these are otherwise than in a fresh build"""
+ALTERING = ("backwards", "log", "scaled")  # of what is said of an axis, that which is a finding
 CHART = frozenset([
     "AlternateContent", "Choice", "Fallback", "alpha", "auto", "autoTitleDeleted", "avLst", "axId", "axPos", "bevel",
     "bodyPr", "bubble3D", "c", "c14:style", "cap", "chart", "chartSpace", "clrMapOvr", "crossAx", "crossBetween",
-    "crosses", "crossesAt", "cs", "dLbl", "dLblPos", "dLbls", "dPt", "date1904", "defRPr", "delete",
-    "dispBlanksAs", "ea",
-    "effectLst", "endParaRPr", "ext", "extLst", "f", "formatCode", "h", "hMode", "headEnd", "headerFooter", "idx",
+    "crosses", "crossesAt", "cs", "dLbl", "dLblPos", "dLbls", "dPt", "date1904", "defRPr", "delete", "dispBlanksAs",
+    "ea", "effectLst", "endParaRPr", "ext", "extLst", "f", "formatCode", "h", "hMode", "headEnd", "headerFooter", "idx",
     "invertIfNegative", "lang", "latin", "layout", "layoutTarget", "legend", "legendPos", "ln", "lstStyle", "lumMod",
-    "lumOff", "majorGridlines", "majorTickMark", "majorUnit", "manualLayout", "marker", "max", "min",
-    "minorGridlines", "minorTickMark", "minorUnit", "miter", "noFill", "numCache", "numFmt", "numRef", "order",
-    "orientation", "overlay", "p", "pPr", "pageMargins", "pageSetup", "plotArea", "plotVisOnly", "printSettings",
-    "protection", "prstDash", "prstGeom", "pt", "ptCount", "r", "rPr", "rich", "round", "roundedCorners", "scaling",
-    "scatterChart", "scatterStyle", "schemeClr", "separator", "ser", "shade", "showBubbleSize", "showCatName",
-    "showDLblsOverMax", "showLeaderLines", "showLegendKey", "showPercent", "showSerName", "showVal", "size",
-    "smooth", "solidFill", "spPr", "srgbClr", "strCache", "strRef", "style", "symbol", "sysClr", "t", "tailEnd",
-    "tickLblPos", "tint", "title", "tx", "txPr", "uniqueId", "v", "valAx", "varyColors", "w", "wMode", "x", "xMode",
-    "xVal", "xfrm", "y", "yMode", "yVal",
+    "lumOff", "majorGridlines", "majorTickMark", "majorUnit", "manualLayout", "marker", "max", "min", "minorGridlines",
+    "minorTickMark", "minorUnit", "miter", "noFill", "numCache", "numFmt", "numRef", "order", "orientation", "overlay",
+    "p", "pPr", "pageMargins", "pageSetup", "plotArea", "plotVisOnly", "printSettings", "protection", "prstDash",
+    "prstGeom", "pt", "ptCount", "r", "rPr", "rich", "round", "roundedCorners", "scaling", "scatterChart",
+    "scatterStyle", "schemeClr", "separator", "ser", "shade", "showBubbleSize", "showCatName", "showDLblsOverMax",
+    "showLeaderLines", "showLegendKey", "showPercent", "showSerName", "showVal", "size", "smooth", "solidFill", "spPr",
+    "srgbClr", "strCache", "strRef", "style", "symbol", "sysClr", "t", "tailEnd", "tickLblPos", "tint", "title", "tx",
+    "txPr", "uniqueId", "v", "valAx", "varyColors", "w", "wMode", "x", "xMode", "xVal", "xfrm", "y", "yMode", "yVal",
 ])  # fmt: skip
 """the elements by which programs write an XY chart, besides those of a fresh build"""

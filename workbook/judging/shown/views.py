@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from bisect import bisect_left
+from collections.abc import Iterator, Mapping
 from itertools import accumulate
-from typing import NamedTuple
+from typing import Any, NamedTuple
 from xml.etree.ElementTree import Element
 
 from openpyxl.utils import column_index_from_string
@@ -13,14 +14,14 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
 from workbook.book.declare import Sheet
-from workbook.judging.matching import Match, Pair
+from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, OK, SHOWN, Report
 from workbook.judging.shown import taste
 from workbook.judging.shown.formats import Judged
-from workbook.judging.shown.looks import Seen, Told, is_verdict
+from workbook.judging.shown.looks import Seen, Told
 from workbook.judging.shown.words import sheet_of
 from workbook.reading.contents import Cells
-from workbook.reading.drawings import PIXEL, Anchor, Corner
+from workbook.reading.drawings import PIXEL, Anchor
 from workbook.reading.package import tag
 
 POINT = 12700  # EMU
@@ -45,64 +46,66 @@ class Area(NamedTuple):
         return wide * high / size if size > 0 else 0.0
 
 
+class Lengths:
+    """The heights of a sheet's rows or the widths of its columns, counted from 1; below ``least`` one is hidden."""
+
+    def __init__(self, given: Mapping[int, float], usual: float, least: float) -> None:
+        self._given, self._usual, self._least = given, usual, least
+        self._numbers = sorted(given)
+        self._more = list(accumulate((given[number] - usual for number in self._numbers), initial=0.0))
+
+    def hidden(self, number: int) -> bool:
+        """Whether a row or column cannot be seen."""
+        return self._given.get(number, self._usual) < self._least
+
+    def begin(self, number: float) -> float:
+        """Return where a row or column begins; with a half, its middle."""
+        whole = int(number)
+        before = self._usual * (whole - 1) + self._more[bisect_left(self._numbers, whole)]
+        return before + (number - whole) * self._given.get(whole, self._usual)
+
+
 class Page:
     """A sheet of the file as it is seen."""
 
     def __init__(self, sheet: Worksheet, anchors: list[Anchor]) -> None:
+        form, view, pane = sheet.sheet_format, sheet.sheet_view, sheet.sheet_view.pane
         self.hidden = sheet.sheet_state != "visible"
-        form = sheet.sheet_format
-        self._height = 0.0 if form.zeroHeight else or_else(form.defaultRowHeight, HEIGHT)
-        self._heights = {number: 0.0 if row.hidden else or_else(row.height, self._height)
-                         for number, row in sheet.row_dimensions.items()}  # fmt: skip
-        self._width, self._widths = or_else(form.defaultColWidth, WIDTH), dict[int, float]()
+        height: float = 0.0 if form.zeroHeight else POINT * or_else(form.defaultRowHeight, HEIGHT)
+        heights = {number: 0.0 if row.hidden else height if row.height is None else POINT * row.height
+                   for number, row in sheet.row_dimensions.items()}  # fmt: skip
+        self.rows = Lengths(heights, height, POINT * taste.LEAST_HEIGHT)
+        usual: float = or_else(form.defaultColWidth, WIDTH)
+        widths: dict[int, float] = {}
         for letter, column in sheet.column_dimensions.items():
             first = column.min or column_index_from_string(letter)
-            width = 0.0 if column.hidden else or_else(column.width, self._width)
-            self._widths |= dict.fromkeys(range(first, (column.max or first) + 1), width)
-        view, pane = sheet.sheet_view, sheet.sheet_view.pane
+            width = 0.0 if column.hidden else pixels(or_else(column.width, usual))
+            widths |= dict.fromkeys(range(first, (column.max or first) + 1), width)
+        self._columns = Lengths(widths, pixels(usual), pixels(taste.LEAST_WIDTH))
         self._first = (1, 1)
         """the first row and column that can be scrolled to: nothing leads before those that are frozen"""
         if pane is not None and str(pane.state).startswith("frozen") and view.topLeftCell:
-            row, left = corner(str(view.topLeftCell))
-            self._first = row if pane.ySplit else 1, left if pane.xSplit else 1
-        self._down = begins(lambda row: POINT * self._heights.get(row, self._height))
-        self._right = begins(lambda column: pixels(self._widths.get(column, self._width)))
-
-        def point(at: Corner) -> tuple[float, float]:
-            return self._right(at.column + 1) + at.right, self._down(at.row + 1) + at.down
-
-        ends = [(point(one.first), point(one.last) if one.last else None, one.size) for one in anchors]
-        self.areas = [Area(x, y, *(last or (x + wide, y + high))) for (x, y), last, (wide, high) in ends]
+            row, number = corner(str(view.topLeftCell))
+            self._first = row if pane.ySplit else 1, number if pane.xSplit else 1
+        self.areas = []
+        for one in anchors:
+            (left, top), *last = ((self._columns.begin(at.column + 1) + at.right, self.rows.begin(at.row + 1) + at.down)
+                                  for at in (one.first, one.last) if at is not None)  # fmt: skip
+            self.areas.append(Area(left, top, *(last[0] if last else (left + one.size[0], top + one.size[1]))))
 
     def out_of_sight(self, at: Address) -> str:
         """Return why a cell, or its middle, is not shown; nothing where it is."""
-        if self._heights.get(at.row, self._height) < taste.LEAST_HEIGHT:
+        if self.rows.hidden(at.row):
             return "in a hidden row"
-        if self._widths.get(at.column, self._width) < taste.LEAST_WIDTH:
+        if self._columns.hidden(at.column):
             return "in a hidden column"
         if at.row < self._first[0] or at.column < self._first[1]:
             return "beyond what is frozen"
         if not self.areas:
             return ""
-        x, y = (0.5 * (to(n) + to(n + 1)) for n, to in ((at.column, self._right), (at.row, self._down)))
+        x, y = self._columns.begin(at.column + 0.5), self.rows.begin(at.row + 0.5)
         behind = any(one.left < x < one.right and one.top < y < one.bottom for one in self.areas)
         return "behind a drawing" if behind else ""
-
-    def hidden_rows(self, first: int, last: int) -> int:
-        """Return how many of some rows are hidden."""
-        return sum(self._heights.get(row, self._height) < taste.LEAST_HEIGHT for row in range(first, last + 1))
-
-
-def begins(size: Callable[[int], float]) -> Callable[[int], float]:
-    """Return what gives where a column or row begins, counted from 1, of the sizes of those beside each other."""
-    known = [0.0, 0.0]
-
-    def begin(number: int) -> float:
-        if number >= len(known):
-            known.extend(list(accumulate(map(size, range(len(known) - 1, number)), initial=known.pop())))
-        return known[number]
-
-    return begin
 
 
 def pixels(width: float) -> float:
@@ -121,70 +124,63 @@ def corner(text: str) -> tuple[int, int]:
     return (int(found[2]), column_index_from_string(found[1])) if found else (10**7, 10**5)
 
 
-class Views:
-    """What is out of sight on each sheet of a file."""
-
-    def __init__(self, match: Match, computed: Cells, report: Report, told: Told) -> None:
-        self._match, self._computed, self._report, self._told = match, computed, report, told
-        drawings = match.file.inspected.drawings if match.file.inspected else {}
-        sheets = match.file.workbook.worksheets
-        self.pages = {sheet.title: Page(sheet, drawings.get(sheet.title, [])) for sheet in sheets}
-        self._ours = {title: sheet for sheet in match.declared.sheets if (title := sheet_of(match, sheet))}
-        self._overall = {"overall", *(f"status{n}" for n, _ in enumerate(match.declared.sheets, 1))}
-
-    def judge(self, cells: list[Seen]) -> None:
-        """Enter what is out of sight."""
-        inspected = self._match.file.inspected
-        for said in of_settings(inspected.book) if inspected else ():
-            self._told.add(Address("", 1, 1), said, "as built", "the windows of the book")
-        for title, sheet in self._ours.items():
-            first = Address(title, 1, 1)
-            for said in of_page(inspected.pages[title]) if inspected else ():
-                self._told.add(first, said, "as built", f"the view of {title}")
-            if self.pages[title].hidden:
-                self._told.add(first, (self._replaced(title), "hidden"), "shown", f"the sheet {title}")
-            self._printed(title, sheet)
-        for one in (one for one in cells if not one.folded):
-            if not one.pairs and (reason := self.pages[one.at.sheet].out_of_sight(one.at)):
-                self._told.add(one.at, (NOTICE, reason), "in sight", one.what, group="")
-            for pair in one.pairs:
-                self._judge(pair)
-
-    def _judge(self, pair: Pair) -> None:
-        """Enter that a declared cell is out of sight."""
-        at, verdict, page = pair.address, is_verdict(pair), self.pages[pair.address.sheet]
-        value, said = self._computed.get(at, pair.cell.expected), page.out_of_sight(at)
-        if not said and verdict and page.hidden and value != OK:
-            said = "on a hidden sheet"
-        if said and verdict and (value != OK or pair.cell.block.name in self._overall):
-            self._report.say(at, SHOWN, f"{value}, {said}", "in sight", pair.what)
-        elif said:
-            self._told.add(at, (NOTICE, said), "in sight", pair.what, group="")
-
-    def _replaced(self, title: str) -> str:
-        """Return of which kind a hidden sheet is: one that another, in sight, looks like misleads."""
-        ours = texts_of(self._match.file.workbook[title])
-        others = [one for one in self._match.file.workbook.worksheets
-                  if one.title not in self._ours and not self.pages[one.title].hidden]  # fmt: skip
-        return SHOWN if any(len(ours & texts_of(other)) > taste.ALIKE * len(ours) for other in others) else NOTICE
-
-    def _printed(self, title: str, sheet: Sheet) -> None:
-        """Enter that a verdict is printed no more."""
-        area = self._match.file.workbook[title].print_area
-        ranges = [part.rpartition("!")[2].replace("$", "").split(":") for part in str(area or "").split(",")]
-        printed = [(corner(ends[0]), corner(ends[1])) for ends in ranges if len(ends) == 2]
-        for block in sheet.blocks if area and not sheet.unprinted else ():
-            place = self._match.file.places.get(block.name)
-            due = block.quantities[0].role == "check" and block.row <= (sheet.print_rows or sheet.row)
-            if due and place is not None and place.sheet == title and not any(
-                top <= place.row <= bottom and left <= place.column <= right for (top, left), (bottom, right) in printed
-            ):  # fmt: skip
-                self._told.add(place.cell(0, 0), (NOTICE, "not printed"), "within the print area", block.name)
+def pages(match: Match) -> dict[str, Page]:
+    """Return all sheets of a file as they are seen."""
+    drawings = match.file.inspected.drawings if match.file.inspected else {}
+    return {sheet.title: Page(sheet, drawings.get(sheet.title, [])) for sheet in match.file.workbook.worksheets}
 
 
-def texts_of(sheet: Worksheet) -> set[str]:
+def in_view(
+    match: Match, seen: Mapping[str, Page], computed: Cells, cells: list[Seen], report: Report, told: Told
+) -> None:
+    """Enter what is out of sight: settings, sheets, and cells of the declaration."""
+    inspected, workbook = match.file.inspected, match.file.workbook
+    if inspected:
+        told.add(Address("", 1, 1), of_settings(inspected.book), "as built", "the windows of the book")
+    ours = {title: sheet for sheet in match.declared.sheets if (title := sheet_of(match, sheet))}
+    others = [texts_of(one) for one in workbook.worksheets if one.title not in ours and not seen[one.title].hidden]
+    for title, sheet in ours.items():
+        first = Address(title, 1, 1)
+        if inspected:
+            told.add(first, of_page(inspected.pages[title]), "as built", f"the view of {title}")
+        if seen[title].hidden:  # another that looks like it misleads
+            texts = texts_of(workbook[title])
+            replaced = any(len(texts & other) > taste.ALIKE * len(texts) for other in others)
+            told.add(first, [(SHOWN if replaced else NOTICE, "hidden")], "shown", f"the sheet {title}")
+        printed(match, title, sheet, told)
+    overall = {"overall", *(f"status{n}" for n, _ in enumerate(match.declared.sheets, 1))}
+    for one in (one for one in cells if not one.folded):
+        page = seen[one.at.sheet]
+        cells_held: list[tuple[Address, str, Any]] = [
+            (pair.address, pair.what, computed.get(pair.address, pair.cell.expected)) for pair in one.pairs
+        ]
+        for at, what, value in cells_held or [(one.at, one.what, None)]:
+            said = page.out_of_sight(at)
+            if not said and one.verdict and page.hidden and value != OK:
+                said = "on a hidden sheet"
+            if said and one.verdict and (value != OK or one.pairs[0].cell.block.name in overall):
+                report.say(at, SHOWN, f"{value}, {said}", "in sight", what)
+            elif said:
+                told.add(at, [(NOTICE, said)], "in sight", what, group="")
+
+
+def printed(match: Match, title: str, sheet: Sheet, told: Told) -> None:
+    """Enter that a verdict is printed no more."""
+    area = match.file.workbook[title].print_area
+    ranges = [part.rpartition("!")[2].replace("$", "").split(":") for part in str(area or "").split(",")]
+    within = [(*corner(ends[0]), *corner(ends[1])) for ends in ranges if len(ends) == 2]
+    for block in sheet.blocks if area and not sheet.unprinted else ():
+        place = match.file.places.get(block.name)
+        due = block.quantities[0].role == "check" and block.row <= (sheet.print_rows or sheet.row)
+        if due and place is not None and place.sheet == title and not any(
+            top <= place.row <= bottom and left <= place.column <= right for top, left, bottom, right in within
+        ):  # fmt: skip
+            told.add(place.cell(0, 0), [(NOTICE, "not printed")], "within the print area", block.name)
+
+
+def texts_of(sheet: Worksheet) -> set[Any]:
     """Return the texts of a sheet."""
-    return {cell.value for cell in sheet._cells.values() if cell.data_type == "s" and isinstance(cell.value, str)}
+    return {cell.value for cell in sheet._cells.values() if cell.data_type == "s"}
 
 
 def of_settings(root: Element) -> Iterator[Judged]:
@@ -224,4 +220,4 @@ def links(match: Match, told: Told) -> None:
             said, target = " ".join(cell.value.split()), str(link.location or "").rpartition("!")[0]
             leads = not link.target and target.strip("#'").replace("''", "'") == declared.get(said)
             if at in match.declared_at or (said in declared and not leads):
-                told.add(at, (NOTICE, f"a link to {link.target or link.location}"), "as built", said)
+                told.add(at, [(NOTICE, f"a link to {link.target or link.location}")], "as built", said)
