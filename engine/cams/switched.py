@@ -31,31 +31,15 @@ def differing(meant: Switch, found: Switch) -> Differing:
     """
     if not math.isclose(meant.cycle, found.cycle):
         raise ValueError(f"the cycles are {meant.cycle:g} and {found.cycle:g}; expected the same")
-    cycle, here, there = meant.cycle, edges(meant), edges(found)
-    off = [(min((distance(x, y, cycle) for y in others), default=math.inf), x)
+    cycle = meant.cycle
+    marks = np.unique([0.0, cycle, *(x % cycle for one in (meant, found) for time in one.on for x in time)])
+    marks = marks[np.append(np.diff(marks) > SAME * cycle, True)]
+    middles = 0.5 * (marks[1:] + marks[:-1])
+    states = meant.at(middles), found.at(middles)
+    here, there = ([marks[:-1][np.diff(state, prepend=state[-1]) == way] for way in (1.0, -1.0)] for state in states)
+    off = [(float(np.minimum(way := np.abs(others - x), cycle - way).min(initial=math.inf)), float(x))
            for one, other in zip(here, there, strict=True)
            for places, others in ((one, other), (other, one)) for x in places]  # fmt: skip
     largest, x = max(off, key=lambda one: one[0], default=(0.0, 0.0))
-    marks = np.unique([0.0, cycle, *(x for each in (*here, *there) for x in each)])
-    middles = 0.5 * (marks[1:] + marks[:-1])
-    duration = float(np.sum(np.diff(marks)[meant.at(middles) != found.at(middles)]))
+    duration = float(np.diff(marks)[states[0] != states[1]].sum())
     return Differing(sum(map(len, here)), largest, x, duration)
-
-
-def edges(of: Switch) -> tuple[list[float], list[float]]:
-    """Return where a switch goes on, and where it goes off, each in rising order."""
-    begins = sorted(begin % of.cycle for begin, _ in of.on)
-    ends = sorted((begin + span) % of.cycle for (begin, _), span in zip(of.on, of.spans, strict=True))
-    for begin in list(begins):
-        for end in ends:
-            if distance(begin, end, of.cycle) <= SAME * of.cycle:
-                begins.remove(begin)
-                ends.remove(end)
-                break
-    return begins, ends
-
-
-def distance(one: float, other: float, cycle: float) -> float:
-    """Return the distance of two places of a cycle."""
-    way = abs(one - other) % cycle
-    return min(way, cycle - way)
