@@ -62,7 +62,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     "JRED": lambda inertias, ratios: reflected(*pairs(inertias, ratios)),
     "RMS": lambda values, durations: root_mean_square(*pairs(values, durations)),
 }
-"""the functions by the names of their methods; what they take is declared in ``declared.py``"""
+"""the functions by the names of their methods; what they take is declared in ``functions.toml``"""
 
 
 class MotionFunctions(unohelper.Base, XMotionFunctions, XServiceInfo):
