@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import pkgutil
 import time
 from collections.abc import Callable
-from importlib import import_module
 
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-import engine.laws
-from engine.laws import Entry, Law, ModifiedTrapezoidal, Piece, PieceLaw
+from engine.laws import CATALOGUE, Law, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.laws.double_harmonic import DoubleHarmonic
 from engine.laws.ends import Ends
-from engine.laws.polynomial_4567 import Polynomial4567
-from engine.laws.sine_constant_cosine import SineConstantCosine
+from engine.laws.modified import SineConstantCosine
+from engine.laws.polynomials import Polynomial4567
 from engine.laws.spline import Spline
 
 SAMPLES = 10**6
@@ -40,9 +37,7 @@ BOTH_SINES = Piece(1.0, (1.0, -2.0, 3.0, -4.0, 5.0, -6.0), 6.0, 5.0, 0.1, 3.0, 1
 
 def laws() -> dict[str, Law]:
     """Every law of the engine, and some that have all that can cost time."""
-    modules = (import_module(f"engine.laws.{found.name}") for found in pkgutil.iter_modules(engine.laws.__path__))
-    entries = (getattr(module, "ENTRY", None) for module in modules)
-    cases = {entry.code: entry.example() for entry in entries if isinstance(entry, Entry)}
+    cases = {one.code: one() for one in CATALOGUE}
     cases["MTP, asymmetric"] = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
     cases["SCC, at speed"] = SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6, Ends(1.0, -0.4, 0.9))
     cases["PO7, between ends"] = Polynomial4567().between(Ends(1.0, 0.4, -0.3, 1.0, 2.0, 3.0, 4.0))

@@ -5,12 +5,12 @@ from typing import Any
 from workbook.laws.registry import CODES, FAMILY, RISING
 
 MOVING = RISING
-PAGED = tuple(code for code in CODES if FAMILY[code].page.has_sheet)
+PAGED = tuple(code for code in CODES if FAMILY[code].has_sheet)
 
 
 def blended(code: str, dice: Any) -> dict[str, Any]:
     """Return parameters between two variations of a law's page, or one of the two; none of a law without."""
-    found = FAMILY[code].page.variations
+    found = FAMILY[code].variations
     if not found or code == "OWN":
         return {}
     one, other = dice.sample(found, 2)

@@ -12,7 +12,7 @@ from engine.cams.given import AT_SPEED, LONGER, Points, fastest, may_be, moves_a
 from engine.cams.joined import RATES, grown, joined, nearest, rates_agree
 from engine.cams.profile import CamProfile, turned
 from engine.cams.splined import Found, splined
-from engine.laws import Law, PieceLaw, law
+from engine.laws import Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
 from engine.laws.registry import CATALOGUE
 
@@ -74,7 +74,7 @@ def _rolled(of: Points, k: int) -> Points:
 
 def _phases(of: Points, rebuilt: CamProfile) -> list[Found]:
     """Return the phases of each movement of a table."""
-    laws = [entry.example() for entry in CATALOGUE if entry.rises and entry.law is not PieceLaw]
+    laws = [one() for one in CATALOGUE if one not in (Dwell, PieceLaw)]
     found: list[Found] = []
     for begin, end in grown(~_dwelling(of)):
         if not np.ptp(of.y[begin : end + 1]):

@@ -1,9 +1,10 @@
-"""What every motion law offers: s, v, a, j over ξ in [0, 1], exact coefficients, a catalogue entry."""
+"""What every motion law offers: s, v, a, j over ξ in [0, 1], exact coefficients, names and source."""
 
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -74,44 +75,33 @@ class Coefficients:
         return self.ca_rms**2 / 12.0
 
 
-class Shapes(NamedTuple):
-    """Shares of a law's time on stages of each shape, accelerating (up) and braking (down).
+class Vendors(NamedTuple):
+    """What a law is called where cams are made, with its number there; empty where there is none, or none is sure.
 
-    On each a reaches the law's peak on that side: constant; quarters of a sine that begin or end at 0; straight
-    lines that begin or end at 0. With these shares, however the stages follow one another, the integral of the
-    acceleration beyond any level x of its peak is, for n = 1, 2 and θ = arccos x::
-
-        ∫((a − x peak)+)ⁿ dξ / peakⁿ = flat (1 − x)ⁿ + sine q_n + ramp (1 − x)ⁿ⁺¹/(n + 1)
-        q_1 = 2/π (sin θ − x θ)      q_2 = 2/π (θ (1/2 + x²) − 3/2 x sin θ)
+    Sources: simatic-ax/lcamhdl, LCamHdl_ProfileConstants; Beckhoff Infosys, MC_MotionFunctionType; CODESYS, segment
+    types of SM3_CamBuilder; SEW 27800520, aCamSegment.
     """
 
-    flat_up: float = 0.0
-    flat_down: float = 0.0
-    sine_up: float = 0.0
-    sine_down: float = 0.0
-    ramp_up: float = 0.0
-    ramp_down: float = 0.0
-
-    @property
-    def up(self) -> tuple[float, float, float]:
-        """Shares of constant, sine and straight stages while it accelerates."""
-        return self.flat_up, self.sine_up, self.ramp_up
-
-    @property
-    def down(self) -> tuple[float, float, float]:
-        """Shares of constant, sine and straight stages while it brakes."""
-        return self.flat_down, self.sine_down, self.ramp_down
+    siemens: str = ""
+    twincat: str = ""
+    codesys: str = ""
+    sew: str = ""
 
 
 class Law(ABC):
     """A motion law: position s(ξ) of the abscissa ξ = t/t_a in [0, 1], from s = 0, with derivatives by ξ.
 
-    A law states its closed form and, from its parameters, what else is known of it: one test measures that all
-    of it is true of the closed form (tests/engine/laws/test_claims.py).
+    A law states its names and source, its closed form and, from its parameters, what else is known of it: one test
+    measures that all of it is true of the closed form (tests/engine/laws/test_claims.py).
     """
 
     code: ClassVar[str]
+    """three letters"""
     name: ClassVar[str]
+    aliases: ClassVar[tuple[str, ...]] = ()
+    """other names that documents give it"""
+    source: ClassVar[str]
+    vendors: ClassVar[Vendors] = Vendors()
 
     @abstractmethod
     def _block(self, xi: Array) -> tuple[Array | float, Array | float, Array | float, Array | float]:
@@ -121,10 +111,10 @@ class Law(ABC):
     def _coefficients(self) -> Coefficients:
         """Return the coefficients in closed form."""
 
-    @property
-    @abstractmethod
+    @cached_property
     def breaks(self) -> tuple[float, ...]:
         """Every ξ between 0 and 1 at which the formula changes, in order; a stage of no duration repeats one."""
+        return tuple(accumulate(piece.duration for piece in self.as_pieces()[:-1]))
 
     @abstractmethod
     def as_pieces(self) -> "tuple[Piece, ...]":
@@ -137,10 +127,6 @@ class Law(ABC):
         between prescribed ends, stays as it is.
         """
         return self.as_pieces()
-
-    @abstractmethod
-    def shapes(self) -> Shapes | None:
-        """Return the shares of its time on stages of each shape; None for a law of other stages."""
 
     def evaluate(self, xi: Real) -> Kinematics[Real]:
         """Return s, v, a, j at ξ: floats of a number, arrays of ξ's shape of an array.

@@ -6,8 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from engine.laws.base import Array, Coefficients, Law
-from engine.laws.entry import Claims, Entry, Vendors, formulas
+from engine.laws.base import Array, Coefficients, Law, Vendors
 from engine.laws.piece import Piece, cut, reversed_pieces
 
 HALF_PI = math.pi / 2.0
@@ -34,6 +33,8 @@ class DoubleHarmonic(Law):
 
     code = "DHM"
     name = "Double harmonic"
+    source = "LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC; saltire.com, cam functions"
+    vendors = Vendors(siemens="D_R_DOUBLE_HARMONIC (60)")
 
     reversal: Literal["start", "end"] = "end"
 
@@ -66,11 +67,6 @@ class DoubleHarmonic(Law):
             va_min=-down[1],
         )
 
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """None."""
-        return ()
-
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return one piece of two sines."""
         return (FROM_REST,) if self.reversal == "end" else reversed_pieces((FROM_REST,))
@@ -82,21 +78,3 @@ class DoubleHarmonic(Law):
 
     def shapes(self) -> None:
         """Return None: its stages are of no simple shape."""
-
-
-ENTRY = Entry(
-    law=DoubleHarmonic,
-    aliases=(),
-    source="LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC; saltire.com, cam functions",
-    vendors=Vendors(siemens="D_R_DOUBLE_HARMONIC (60)"),
-    claims=Claims(
-        order_ends=1,
-        order_inside=math.inf,
-        coefficients=formulas(
-            "cv = 3*sqrt(3)*pi/8; ca_max = 9*pi**2/16; ca_min = -pi**2; ca_rms = pi**2/2; cj = inf; "
-            "va_max = pi**3/4; va_min = -675*sqrt(15)*pi**3/8192"
-        ),
-    ),
-    example=DoubleHarmonic,
-    others=(DoubleHarmonic("start"),),
-)

@@ -5,14 +5,14 @@ v·a is stationary where a = ±√(W/3), and is ∓W a/(3j) there. The engine's 
 :mod:`engine.laws.piece_extremes`.
 """
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
+from engine.laws.base import Array
 from engine.laws.sections import velocity_peak
 from engine.laws.spline import Spline, eliminated
 
@@ -24,104 +24,12 @@ SAME = 1e-9
 """of ξ: places no farther apart are one"""
 
 
-class Row(NamedTuple):
-    """What is solved at a point, and the interval that begins there: behind the last point one of no duration."""
-
-    d: float
-    m: float
-    before: float
-    held: int
-    low: float
-    high: float
-    rhs: float
-    share: float
-    pivot: float
-    right: float
-    back: float
-
-
-class Interval(NamedTuple):
-    """An interval: what it begins with and ends with, and by how much a rises."""
-
-    xi: float
-    d: float
-    s: float
-    s1: float
-    v: float
-    v1: float
-    a: float
-    a1: float
-    j: float
-
-    @property
-    def w(self) -> float:
-        """W = a² − 2 j v."""
-        return self.a**2 - 2.0 * self.j * self.v
-
-    @property
-    def speeds(self) -> tuple[float, float]:
-        """The lowest and the largest v."""
-        found = [self.v, self.v1]
-        if self.a * self.a1 < 0.0:
-            found.append(self.v + self.a**2 * self.d / (2.0 * (self.a - self.a1)))
-        return min(found), max(found)
-
-    @property
-    def powers(self) -> tuple[float, float]:
-        """The lowest and the largest v·a."""
-        found = self.v * self.a, self.v1 * self.a1, self.power_at(1.0), self.power_at(-1.0)
-        return min(found), max(found)
-
-    @property
-    def third(self) -> float:
-        """√(W/3): the size of a where v·a is stationary; 0 where it nowhere is."""
-        return math.sqrt(max(0.0, self.w) / 3.0)
-
-    def power_at(self, sign: float) -> float:
-        """Return v·a where a = ±√(W/3); where that is not inside, v·a at the begin."""
-        a = sign * self.third
-        inside = self.j and (self.a - a) * (self.a1 - a) < 0.0
-        return -self.w * a / (3.0 * self.j) if inside else self.v * self.a
-
-    def rises(self, still: float) -> float:
-        """Return u at which v rises through 0; 0 where it does not by more than ``still``."""
-        low, high = self.speeds
-        if not ((self.v < -still and high > still) or (self.v1 > still and low < -still)):
-            return 0.0
-        root = math.sqrt(self.w)
-        return (root - self.a) / self.j if self.a < 0.0 else -2.0 * self.v / (root + self.a)
-
-    def falls(self, still: float) -> float:
-        """Return u at which v falls through 0; 0 where it does not by more than ``still``."""
-        return Interval(self.xi, self.d, -self.s, -self.s1, -self.v, -self.v1, -self.a, -self.a1, -self.j).rises(still)
-
-    def reach(self, still: float) -> tuple[float, float]:
-        """Return the lowest and the highest s."""
-        places = [self.rises(still), self.falls(still)]
-        turns = [self.s + u * (4.0 * self.v + self.a * u) / 6.0 for u in places]
-        return min(self.s, self.s1, turns[0]), max(self.s, self.s1, turns[1])
-
-    @property
-    def square(self) -> float:
-        """∫a² dξ."""
-        return self.d * (self.a**2 + self.a * self.a1 + self.a1**2) / 3.0
-
-    def fastest(self, top: float) -> float:
-        """Return the first ξ at which v is no less than ``top``; 1 where it is nowhere."""
-        if not self.d or self.speeds[1] < top:
-            return 1.0
-        if self.v >= top:
-            return self.xi
-        if self.a > 0.0 > self.a1:
-            return self.xi + self.d * self.a / (self.a - self.a1)
-        return self.xi + self.d
-
-    def wrong_way(self, peak: float) -> float:
-        """Return by how much v falls before ``peak``, or rises after it, at once."""
-        low, high = self.speeds
-        if self.d and self.xi + self.d <= peak + SAME:
-            return max(0.0, self.v - low, high - self.v1)
-        return max(0.0, high - self.v, self.v1 - low) if self.d and self.xi >= peak - SAME else 0.0
+def rising(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Array, still: float) -> Array:
+    """Return u at which v rises through 0 on each interval; 0 where it does not by more than ``still``."""
+    rises = ((v < -still) & (high > still)) | ((v1 > still) & (low < -still))
+    root = np.sqrt(np.maximum(0.0, a**2 - 2.0 * j * v))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(rises, np.where(a < 0.0, (root - a) / j, -2.0 * v / (root + a)), 0.0)
 
 
 @dataclass(frozen=True)
@@ -136,51 +44,69 @@ class Knots:
         """How many points it has."""
         return len(self.law.points)
 
-    @cached_property
-    def solved(self) -> list[Row]:
-        """The rows of the solution: forward from the first point, ``back`` from the last."""
-        n, system = self.used, self.law.system
-        found = eliminated(*system)
-        xi, s = self.law.knots
-        steps = np.diff(xi).tolist()
-        m = [*(np.diff(s) / np.diff(xi)).tolist(), self.slopes[1]]
-        free = self.law.natural
-        rows = [
-            Row(
-                [*steps, 0.0][k], m[k], [0.0, *steps][k], int((free[0] and k == 0) or (free[1] and k == n - 1)),
-                [0.0, *system.below.tolist()][k], [*system.above.tolist(), 0.0][k], float(system.right[k]),
-                found.shares[k], found.pivots[k], found.rights[k], float(self.law.moments[n - 1 - k]),
-            )
-            for k in range(n)
-        ]  # fmt: skip
-        spare = Row(0.0, self.slopes[1], 0.0, 1, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-        return [*rows, *[spare] * (self.rows - n)]
-
     @property
     def slopes(self) -> tuple[float, float]:
         """The slopes entered, 0 where none is."""
         first, last = self.law.slopes
         return first or 0.0, last or 0.0
 
-    @cached_property
-    def intervals(self) -> list[Interval]:
-        """The interval that begins in each row."""
-        (xi, s), a, end = self.law.knots, self.law.moments.tolist(), self.law.end
-        v = [*self.law.table[2].tolist(), end.v]
-        rates = self.law.table[4].tolist()
-        lasting = [
-            Interval(float(xi[k]), float(xi[k + 1] - xi[k]), float(s[k]), float(s[k + 1]), v[k], v[k + 1], a[k],
-                     a[k + 1], rates[k])
-            for k in range(self.used - 1)
-        ]  # fmt: skip
-        last = Interval(1.0, 0.0, end.s, end.s, end.v, end.v, a[-1], a[-1], 0.0)
-        return [*lasting, *[last] * (self.rows - len(lasting))]
+    def filled(self, values: Sequence[Any] | Array, spare: Any) -> list[Any]:
+        """Return a column of the table, with ``spare`` in the rows that are left."""
+        column = np.asarray(values).tolist()
+        return [*column, *[spare] * (self.rows - len(column))]
 
     @cached_property
-    def speeds(self) -> tuple[float, float]:
-        """The lowest and the largest v."""
-        lows, highs = zip(*(one.speeds for one in self.intervals), strict=True)
-        return min(lows), max(highs)
+    def solved(self) -> dict[str, list[Any]]:
+        """What is solved at each point, by column: forward from the first, ``back`` from the last."""
+        system = self.law.system
+        found = eliminated(*system)
+        xi, s = self.law.knots
+        d, (begin, end) = np.diff(xi), self.law.natural
+        return {
+            "d": self.filled(d, 0.0),
+            "m": self.filled(np.diff(s) / d, self.slopes[1]),
+            "before": self.filled([0.0, *d], 0.0),
+            "held": self.filled([int(begin), *[0] * (self.used - 2), int(end)], 1),
+            "low": self.filled([0.0, *system.below], 0.0),
+            "high": self.filled(system.above, 0.0),
+            "rhs": self.filled(system.right, 0.0),
+            "share": self.filled(found.shares, 0.0),
+            "pivot": self.filled(found.pivots, 1.0),
+            "right": self.filled(found.rights, 0.0),
+            "back": self.filled(self.law.moments[::-1], 0.0),
+        }
+
+    @cached_property
+    def intervals(self) -> dict[str, Array]:
+        """The interval that begins in each row, by column; behind the last point one of no duration."""
+        (xi, s), moments, end, rates = self.law.knots, self.law.moments, self.law.end, self.law.table
+        velocities = [*rates[2], end.v]
+        begun = {
+            "xi": (xi[:-1], 1.0), "d": (np.diff(xi), 0.0), "y": (s[:-1], end.s), "y1": (s[1:], end.s),
+            "v": (velocities[:-1], end.v), "v1": (velocities[1:], end.v), "a": (moments[:-1], moments[-1]),
+            "a1": (moments[1:], moments[-1]), "j": (rates[4], 0.0),
+        }  # fmt: skip
+        found = {name: np.array(self.filled(values, spare)) for name, (values, spare) in begun.items()}
+        d, y, y1, v, v1, a, a1, j = (found[name] for name in ("d", "y", "y1", "v", "v1", "a", "a1", "j"))
+        w = a**2 - 2.0 * j * v
+        third = np.sqrt(np.maximum(0.0, w) / 3.0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            crest = np.where(a * a1 < 0.0, v + a**2 * d / (2.0 * (a - a1)), v)
+            plus, minus = (
+                np.where((j != 0.0) & ((a - at) * (a1 - at) < 0.0), -w * at / (3.0 * j), v * a)
+                for at in (third, -third)
+            )
+        low, high = np.min([v, v1, crest], axis=0), np.max([v, v1, crest], axis=0)
+        rises = rising(v, v1, a, j, low, high, self.still)
+        falls = rising(-v, -v1, -a, -j, -high, -low, self.still)
+        turns = [y + u * (4.0 * v + a * u) / 6.0 for u in (rises, falls)]
+        powers = [v * a, v1 * a1, plus, minus]
+        return found | {
+            "w": w, "v_low": low, "v_high": high, "third": third, "va_plus": plus, "va_minus": minus,
+            "va_low": np.min(powers, axis=0), "va_high": np.max(powers, axis=0), "rises": rises, "falls": falls,
+            "s_low": np.min([y, y1, turns[0]], axis=0), "s_high": np.max([y, y1, turns[1]], axis=0),
+            "square": d * (a**2 + a * a1 + a1**2) / 3.0,
+        }  # fmt: skip
 
     @property
     def still(self) -> float:
@@ -188,9 +114,13 @@ class Knots:
         return STILL * self.law.coefficients.cv
 
     @property
-    def top(self) -> float:
-        """A velocity from which it counts as the largest."""
-        return self.speeds[1] - EQUAL * abs(self.speeds[1])
+    def fast(self) -> Array:
+        """The first ξ of each interval at which v is the largest of all; 1 where it is nowhere."""
+        xi, d, v, a, a1, high = (self.intervals[name] for name in ("xi", "d", "v", "a", "a1", "v_high"))
+        top = high.max() - EQUAL * abs(high.max())
+        over = np.where((a > 0.0) & (a1 < 0.0), a - a1, 1.0)
+        place = np.where((a > 0.0) & (a1 < 0.0), xi + d * a / over, xi + d)
+        return np.where((d == 0.0) | (high < top), 1.0, np.where(v >= top, xi, place))
 
     @cached_property
     def peak(self) -> float:
@@ -198,11 +128,9 @@ class Knots:
         return velocity_peak(self.law)
 
     @property
-    def steps_wrong(self) -> list[float]:
-        """By how much v goes the wrong way at once, interval by interval."""
-        return [one.wrong_way(self.peak) for one in self.intervals]
-
-
-def entered_rows(values: Sequence[float], rows: int) -> list[float | None]:
-    """Return what is entered of the points, with the spare rows filled up."""
-    return [*values, *[None] * (rows - len(values))]
+    def wrong(self) -> Array:
+        """By how much v falls before its peak, or rises after it, at once, interval by interval."""
+        xi, d, v, v1, low, high = (self.intervals[name] for name in ("xi", "d", "v", "v1", "v_low", "v_high"))
+        falls, rises = np.maximum(v - low, high - v1), np.maximum(high - v, v1 - low)
+        step = np.where(xi + d <= self.peak + SAME, falls, np.where(xi >= self.peak - SAME, rises, 0.0))
+        return np.where(d > 0.0, np.maximum(0.0, step), 0.0)

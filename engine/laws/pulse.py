@@ -68,23 +68,19 @@ class Pulse:
     peaks: tuple[float, ...] = ()
     """the shares of its time at which a pulse of one piece is at its peak inside; none of a pulse of edges"""
     turned_peaks: tuple[float, ...] = ()
-    shape: tuple[float, float, float] | None = None
-    """shares of constant, sine and straight stages; None of a polynomial"""
     edge: Edge | None = None
     """the edge at the inner end; None where p does not fall to 0 on a sine or a line"""
 
 
 def _edged(
-    shares: tuple[float, float, float], figures: tuple[float, ...], slope: float, shape: tuple[float, float, float],
+    shares: tuple[float, float, float], figures: tuple[float, ...], slope: float,
     pieces: tuple[tuple[Piece, ...], tuple[Piece, ...]], edge: Edge,
 ) -> Pulse:  # fmt: skip
     """Return a pulse of three stages: an edge up, a constant, an edge down."""
     outer, inner = (0.0 if share > 0.0 else 1.0 for share in shares[::2])
     steepest = max((1.0 / d for d in shares[::2] if d > 0.0), default=0.0)
     gain, lead, square, power = figures
-    return Pulse(
-        gain, lead, square, power, slope * steepest, outer, inner, min(outer, inner), *pieces, shape=shape, edge=edge
-    )
+    return Pulse(gain, lead, square, power, slope * steepest, outer, inner, min(outer, inner), *pieces, edge=edge)
 
 
 def _require(*shares: float) -> None:
@@ -108,7 +104,7 @@ def sine_edged(rise: float, flat: float, fall: float) -> Pulse:
     power = math.sqrt(1.0 - sin**2) * (k + g * sin)
     figures = gain, lead, rise / 2.0 + flat + fall / 2.0, power
     pieces = _sines(rise, flat, fall), _sines(fall, flat, rise)
-    return _edged((rise, flat, fall), figures, QUARTER, (flat, rise + fall, 0.0), pieces, Edge(k, g, True, sin))
+    return _edged((rise, flat, fall), figures, QUARTER, pieces, Edge(k, g, True, sin))
 
 
 def _sines(rise: float, flat: float, fall: float) -> tuple[Piece, ...]:
@@ -132,7 +128,7 @@ def linear_edged(rise: float, flat: float, fall: float) -> Pulse:
     y = min(1.0, math.sqrt((2.0 * k + fall) / (3.0 * fall))) if fall > 0.0 else 1.0
     figures = gain, lead, rise / 3.0 + flat + fall / 3.0, (k + fall / 2.0 - fall * y * y / 2.0) * y
     pieces = _lines(rise, flat, fall), _lines(fall, flat, rise)
-    return _edged((rise, flat, fall), figures, 1.0, (flat, 0.0, rise + fall), pieces, Edge(k, fall / 2.0, False, y))
+    return _edged((rise, flat, fall), figures, 1.0, pieces, Edge(k, fall / 2.0, False, y))
 
 
 def _lines(rise: float, flat: float, fall: float) -> tuple[Piece, ...]:
@@ -158,7 +154,6 @@ def polynomial_pulse(*c: float) -> Pulse:
         max(map(power, [*zeros(power.derivative(), 1.0), 1.0])),
         max(abs(jerk(x)) for x in (0.0, *zeros(jerk.derivative(), 1.0), 1.0)),
         c[0], p(1.0), min(c[0], p(1.0)), (piece,), (_polynomial(turned),), _peaks(c), _peaks(turned),
-        {1: (1.0, 0.0, 0.0), 2: (0.0, 0.0, 1.0)}.get(len(c)),
         Edge(0.0, 0.5, False, SLOPED) if c == (1.0, -1.0) else None,
     )  # fmt: skip
 

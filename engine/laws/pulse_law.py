@@ -3,12 +3,10 @@
 import math
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
-from itertools import accumulate
 from typing import ClassVar, NamedTuple, TypeVar
 
-from engine.laws.base import Array, Coefficients, Shapes, require_finite
+from engine.laws.base import Array, Coefficients, require_finite
 from engine.laws.ends import EndedLaw
 from engine.laws.piece import Piece, cut, scaled_piece
 from engine.laws.piece_extremes import power_extremes
@@ -144,14 +142,6 @@ class PulseLaw(EndedLaw):
         stages = range(len(rise.pieces)) if self.STAGES is None else self.STAGES
         return sum(k < len(rise.pieces) for k in stages) + len(rise.peaks)
 
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """The ends of all stages but the last."""
-        c = self.pulses
-        rise, fall = ([piece.duration for piece in pieces] for pieces in (c.rise.pieces, c.fall.turned_pieces))
-        times = (*(d * c.rise_time for d in rise), c.cruise, *(d * c.fall_time for d in fall))
-        return tuple(accumulate(self._taken(times)[:-1]))
-
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
         return tuple(part for piece in self._stages((), ()) for part in piece)
@@ -170,15 +160,6 @@ class PulseLaw(EndedLaw):
 
     def _taken(self, stages: tuple[T, ...]) -> tuple[T, ...]:
         return stages if self.STAGES is None else tuple(stages[k] for k in self.STAGES)
-
-    def shapes(self) -> Shapes | None:
-        """Return the shares of each stage's shape; None between prescribed ends and where a pulse is a polynomial."""
-        c = self.pulses
-        up, down = c.rise.shape, c.fall.shape
-        if up is None or down is None or not self.ends.at_rest:
-            return None
-        ups, downs = ([share * t for share in shape] for shape, t in ((up, c.rise_time), (down, c.fall_time)))
-        return Shapes(ups[0], downs[0], ups[1], downs[1], ups[2], downs[2])
 
     @cached_property
     def _staged(self) -> Staged:
@@ -227,25 +208,6 @@ class PulseLaw(EndedLaw):
             return power_extremes(self.as_pieces(), self.ends.v0)
         rise = self.acceleration**2 * c.rise_time * c.rise.power
         return rise, -(self.deceleration**2) * c.fall_time * c.fall.power
-
-
-@dataclass(frozen=True)
-class HalvedLaw(PulseLaw):
-    """A pulse over the share λ of the time, and the same backwards over the rest.
-
-    Raises ValueError unless λ, the ``share``, is between 0 and 1.
-    """
-
-    STAGES = (0, 2)
-    HALF: ClassVar[Pulse]
-
-    share: float = 0.5
-
-    def __post_init__(self) -> None:
-        require_share("share", self.share)
-
-    def _pulses(self) -> TwoPulses:
-        return TwoPulses(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)
 
 
 def pulses_of(durations: tuple[float, ...], edged: Callable[[float, float, float], Pulse]) -> TwoPulses:

@@ -10,9 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, require_finite
+from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Vendors, require_finite
 from engine.laws.ends import REST, EndedLaw, Ends
-from engine.laws.entry import Claims, Entry, Vendors, formulas
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import coefficients_of
 
@@ -37,6 +36,9 @@ class Spline(EndedLaw):
 
     code = "SPL"
     name = "Cubic spline"
+    aliases = ("points", "spline")
+    source = "the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline"
+    vendors = Vendors(twincat="CubicSpline (MC3: 11)")
 
     points: tuple[Point, ...] = EXAMPLE
     slopes: Slopes = (None, None)
@@ -143,9 +145,6 @@ class Spline(EndedLaw):
             Piece(float(t), (float(a), float(j), 0.0, 0.0)) for t, a, j in zip(d, *self.table[3:], strict=True)
         )
 
-    def shapes(self) -> None:
-        """Return None: the lines of its acceleration begin anywhere."""
-
 
 def _require(points: Sequence[Point]) -> None:
     if not 2 <= len(points) <= MOST:
@@ -198,22 +197,3 @@ def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Ar
 
 
 WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
-
-ENTRY = Entry(
-    law=Spline,
-    aliases=("points", "spline"),
-    source="the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline",
-    vendors=Vendors(twincat="CubicSpline (MC3: 11)"),
-    claims=Claims(
-        order_ends=1,
-        order_inside=2,
-        where={"a": "192/35", "b": "24/7"},  # moments at ξ = 0 and ¼; by symmetry 0 at ½
-        coefficients=formulas(
-            "cv = (a + 2*b)/8; ca_max = a; ca_min = -a; ca_rms = sqrt((a**2 + a*b + 2*b**2)/6); cj = inf; "
-            "va_max = (a + b)/8*b; va_min = -va_max"
-        ),
-    ),
-    example=Spline,
-    others=(Spline(WAVE),),
-    beyond=(Spline(EXAMPLE, (0.5, None), (False, True)), Spline(WAVE, ends=Ends(2.0, 1.0, -3.0))),
-)

@@ -6,9 +6,9 @@ from functools import cached_property
 from math import perm
 
 from engine.laws import Law
-from engine.laws.ended_polynomial import EndedLine, EndedPolynomial, HalvedPolynomial
 from engine.laws.ends import EndedLaw, Ends
 from engine.laws.piece import POWERS
+from engine.laws.polynomials import EndedLine, EndedPolynomial, HalvedPolynomial
 from engine.laws.pulse_law import PulseLaw
 from engine.motion.joining import EndedPhase, Joined, Rates, Side, agrees, slope
 from engine.motion.phase import Phase

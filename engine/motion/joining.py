@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from engine.laws import Dwell, Law
-from engine.laws.ended_polynomial import EndedLine
 from engine.laws.ends import STILL, EndedLaw, EndError, Ends, between, kind, require_ends
-from engine.laws.straight_line import StraightLine
+from engine.laws.polynomials import EndedLine
+from engine.laws.uniform import StraightLine
 from engine.motion.motion import Motion
 from engine.motion.phase import Phase
 

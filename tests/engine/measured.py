@@ -1,4 +1,4 @@
-"""What is said of a law, measured at its closed form: breaks, pieces, shapes, coefficients, the place of its peak.
+"""What is said of a law, measured at its closed form: breaks, pieces, coefficients, the place of its peak.
 
 Each function returns what disagrees, in words; nothing where all is true.
 """
@@ -19,7 +19,6 @@ SMOOTH = 1e-9  # of a column's peak: so near does a polynomial of DEGREE come to
 SAME = 1e-12
 NEAR_ENDS = 2.0 * BREAK_TOLERANCE
 """in units of ξ, by which samples keep off the ends of stages: nearer, they are on them"""
-LEVELS = (0.0, 0.2, 0.5, 0.8, 0.97)
 
 
 def within(law, share):
@@ -64,37 +63,6 @@ def wrong_pieces(law):
     return found
 
 
-def beyond(shares, level, power):
-    """∫((a − level)+)^power of stages of a unit acceleration with these shares of time, in closed form."""
-    flat, sine, ramp = shares
-    angle, rest = math.acos(level), 1.0 - level
-    quarter = (
-        math.sin(angle) - level * angle if power == 1 else angle * (0.5 + level**2) - 1.5 * level * math.sin(angle)
-    )
-    return flat * rest**power + sine * 2.0 / math.pi * quarter + ramp * rest ** (power + 1) / (power + 1)
-
-
-def wrong_shapes(law):
-    """Levels of acceleration beyond which a law spends not what its shapes say."""
-    shapes, k = law.shapes(), law.coefficients
-    if shapes is None:
-        return []
-    found, edges = [], breaks(law)
-    for side, shares, peak in (("up", shapes.up, k.ca_max), ("down", shapes.down, k.ca_min)):
-        for level in LEVELS:
-
-            def above(xi, peak=peak, level=level):
-                return law.a(xi) / peak - level if peak else 0.0 * xi
-
-            parts = np.union1d(edges, roots(above, edges))
-            for power in (1, 2):
-                measured = integral(lambda xi, n=power, f=above: np.maximum(f(xi), 0.0) ** n, parts)
-                stated = beyond(shares, level, power)
-                if abs(measured - stated) > 1e-10:
-                    found.append(f"shapes: {side}, beyond {level:g} of the peak: {stated:.9g}, measured {measured:.9g}")
-    return found
-
-
 def coefficients(law):
     """The coefficients of a law's closed form, from its stages and the zeros of its derivatives within them."""
     edges = breaks(law)
@@ -130,5 +98,5 @@ def wrong_peak(law):
 
 def complaints(entry):
     """All that is said of a law, and is not so, at every set of parameters."""
-    measures = (wrong_breaks, wrong_pieces, wrong_shapes, wrong_coefficients, wrong_peak)
+    measures = (wrong_breaks, wrong_pieces, wrong_coefficients, wrong_peak)
     return [f"{entry.code} {law}: {words}" for law in entry.examples for measure in measures for words in measure(law)]

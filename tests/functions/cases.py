@@ -45,12 +45,12 @@ RANDOM = {"TVP": 5, "MTP": 5, "OWN": 5}
 def engine_law(code, p):
     """The engine's law of a code with its parameters, given as the functions take them."""
     numbers = [v or 0.0 for row in p for v in row] if isinstance(p, tuple) and code in TAKES else []
-    return FAMILY[code].page.law_of(numbers)
+    return FAMILY[code].law_of(numbers)
 
 
 def known(code):
     """Parameters of a law as the functions take them: as delivered, and others; 0 for a law that takes none."""
-    page = FAMILY[code].page
+    page = FAMILY[code]
     if code not in TAKES:
         return [0]
     entered = [page.entries(), *(page.entries.model_validate(one) for one in page.variations)]

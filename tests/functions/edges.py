@@ -66,7 +66,7 @@ def abscissae():
 def left_out():
     """Without its parameters a law is as delivered."""
     for code in CODES:
-        law = FAMILY[code].entry.example()
+        law = FAMILY[code].law()
         k = law.coefficients
         for name, value in zip("SVAJ", law.evaluate(0.3), strict=True):
             yield Case(name, (code, 0.3), value, 1e-10)
@@ -135,7 +135,7 @@ def parameters():
         )
     )
     yield from (
-        Case("CV", (code, (zeros,)), FAMILY[code].entry.example().coefficients.cv, 1e-9)
+        Case("CV", (code, (zeros,)), FAMILY[code].law().coefficients.cv, 1e-9)
         for code, zeros in (("MTP", (None,) * 7), ("MTP", (0.0,) * 7), ("TVP", (0.0,)), ("SCC", (None, 0.0)))
     )
     yield Case("S", ("TVP", 0.5, ((0.25,), (0.75,))), 0.5)

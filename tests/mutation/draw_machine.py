@@ -7,16 +7,14 @@ from typing import Any, get_args
 from engine.selection.pair_matrix import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
-from workbook.laws.registry import FAMILY
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.switches.entries import TIMES
 from workbook.machines.machine.time_based import in_units_of
-from workbook.machines.machine.variations import of_shapes
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within
 
-SHAPED = {name for name in MOVING if of_shapes(FAMILY[name]) or name in ("PO7", "DHM")}
+SHAPED = {name for name in MOVING if name != "OWN"}
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:

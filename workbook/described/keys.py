@@ -172,7 +172,7 @@ class Walk:
 
     def _laws(self, path: str) -> Iterator[Section]:
         for code, model in ENTRIES.items():
-            for section in self.sections((model,), join(path, code), FAMILY[code].page.title):
+            for section in self.sections((model,), join(path, code), FAMILY[code].title):
                 own = tuple(key for key in section.keys if key.name != "family")  # which its name says already
                 yield section._replace(keys=own)
 
@@ -218,7 +218,7 @@ def listed(path: str) -> str:
 
 def parameters(code: str) -> tuple[Parameter, ...]:
     """Return the numbers that a family of laws has."""
-    return tuple(FAMILY[code].page.parameters) if code in FAMILY else ()
+    return tuple(FAMILY[code].parameters) if code in FAMILY else ()
 
 
 def tables_of(field: FieldInfo) -> tuple[type[BaseModel], ...]:

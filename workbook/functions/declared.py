@@ -8,14 +8,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from engine.laws.entry import IncompleteError
 from workbook.functions.addin.motion_functions.laws import LAWS, OWN_TAKES, Text
-from workbook.laws.registry import FAMILIES
+from workbook.laws.registry import FAMILY, IncompleteError
 
 NAMESPACE = "MOTION"
-CODES: tuple[str, ...] = tuple(family.code for family in FAMILIES if family.page.functions)
+CODES: tuple[str, ...] = tuple(code for code, page in FAMILY.items() if page.functions)
 """codes of the laws that the functions know: of every family but points, which are a table of their own"""
-PARAMETERS = {one.code: len(one.page.parameters) for one in FAMILIES if one.code in CODES and one.code != "OWN"}
+PARAMETERS = {code: len(FAMILY[code].parameters) for code in CODES if code != "OWN"}
 """codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of pieces"""
 if wrong := [code for code, count in PARAMETERS.items() if code not in LAWS or bool(LAWS[code].takes) != bool(count)]:
     raise IncompleteError(f"addin/motion_functions/laws.py lacks {', '.join(wrong)}, or words for their parameters")

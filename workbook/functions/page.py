@@ -13,13 +13,13 @@ from workbook.book.rows import filled
 from workbook.functions.declared import FUNCTIONS, TAKES, Argument
 from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
 from workbook.laws.family import value_at
-from workbook.laws.registry import FAMILIES
+from workbook.laws.registry import FAMILY
 
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
 RANGES = {
-    family.code: f"[{family.code}.{names[0]}]:[{family.code}.{names[-1]}]"
-    for family in FAMILIES
-    if family.code in TAKES and (names := [parameter.column for parameter in family.page.parameters])
+    code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]"
+    for code, page in FAMILY.items()
+    if code in TAKES and (names := [parameter.column for parameter in page.parameters])
 }
 """where the parameters of each law stand that takes any, a table a law"""
 RANGES["OWN"] = "[OWN.duration.first]:[OWN.phase.last]"
@@ -89,12 +89,14 @@ def parameters(sheet: Sheet, shown: Shown) -> None:
     laws, pieces = shown.laws, shown.laws["OWN"].pieces
     sheet.heading("Parameters of the laws", "The other laws take none: 0 stands in their place.")
     sheet.note("Where a motion turns round: start, end or, of MTS, none; in a table of phases -1, 1 or 0 too.")
-    for family in (family for family in FAMILIES if family.code in TAKES and family.page.parameters):
-        code, entered = family.code, laws[family.code]
+    for code, page in FAMILY.items():
+        if code not in TAKES or not page.parameters:
+            continue
+        entered = laws[code]
         sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
             given(one.column, one.short, "", "",
                   [value_at(entered, one.key)], f"laws.{code}.{one.key}", format="0.0000")
-            for one in family.page.parameters
+            for one in page.parameters
         ))  # fmt: skip
     rows = len(pieces) + EMPTY_PIECES
     sheet.table("OWN", "OWN: a row a piece of a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *(

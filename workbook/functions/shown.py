@@ -42,7 +42,7 @@ class ShownPhase(Model):
     @property
     def made(self) -> Phase:
         """The engine's phase."""
-        return Phase(FAMILY[self.law].page.law_of(self.p), self.lift, self.duration)
+        return Phase(FAMILY[self.law].law_of(self.p), self.lift, self.duration)
 
 
 class Shaft(Model):
@@ -74,12 +74,12 @@ class Shown(Model):
     @cached_property
     def one(self) -> Law:
         """The law that is chosen."""
-        return FAMILY[self.law].page.law_of(self.parameters)
+        return FAMILY[self.law].law_of(self.parameters)
 
     @property
     def parameters(self) -> list[float]:
         """The numbers that the chosen law takes, piece after piece those of the own law."""
-        return FAMILY[self.law].page.numbers(self.laws[self.law]) if self.law in TAKES else []
+        return FAMILY[self.law].numbers(self.laws[self.law]) if self.law in TAKES else []
 
     @cached_property
     def motion(self) -> Motion:

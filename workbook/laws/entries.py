@@ -19,7 +19,7 @@ from pydantic import (
 
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
 from workbook.entries.types import EntryError, Model
-from workbook.laws.registry import CODES, FAMILIES, FAMILY
+from workbook.laws.registry import CODES, FAMILY
 from workbook.visible import found
 
 LONGEST = 40  # characters of a law's name
@@ -49,13 +49,13 @@ RisingLaw = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw
 
 def entries_of(code: str) -> type[Model]:
     """Return the model of a family's entries, which say of which family they are."""
-    page = FAMILY[code].page
+    page = FAMILY[code]
     base = page.entries or Model
     fields: dict[str, Any] = {"family": (Literal[code], code)}
     return create_model(f"{code}Entries", __base__=base, __module__=__name__, **fields)
 
 
-ENTRIES: dict[str, type[Model]] = {one.code: entries_of(one.code) for one in FAMILIES if one.page.entries}
+ENTRIES: dict[str, type[Model]] = {code: entries_of(code) for code, page in FAMILY.items() if page.entries}
 CELLS: dict[str, type[Model]] = {
     code: create_model(
         f"{code}Cells", __base__=model, __module__=__name__, called=(Annotated[str, NAME, LOOKED_UP], ...)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from engine.laws import Entry, Law, Piece
+from engine.laws import Law, Piece
 from engine.laws.base import Kinematics
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import Said, amount
@@ -142,6 +142,11 @@ class Page:
     """the table of its samples; a law without stands still"""
 
     @property
+    def code(self) -> str:
+        """The code of three letters of its law."""
+        return self.law.code
+
+    @property
     def title(self) -> str:
         """What its sheet is headed by."""
         return self.titled or self.law.name
@@ -198,13 +203,13 @@ class Page:
         """Return the ``k``-th of other parameters, round and round; ``room`` is the rows of the own law's table."""
         return dict(self.variations[k % len(self.variations)]) if self.variations else {}
 
-    def name_formula(self, entry: Entry) -> str:
+    def name_formula(self) -> str:
         """Return the formula of the law's name in words."""
-        return f'="{entry.name}"'
+        return f'="{self.law.name}"'
 
-    def name_entered(self, entry: Entry, entered: Any) -> str:
+    def name_entered(self, entered: Any) -> str:
         """Return the law's name in words."""
-        return entry.name
+        return self.law.name
 
     def coefficient(self, name: str) -> str:
         """Return the formula by which other sheets have a coefficient."""

@@ -5,7 +5,7 @@ Back substitution goes from the last point to the first, so that each row refers
 
 from collections.abc import Callable, Sequence
 
-from engine.laws.knots import EQUAL, Interval, Knots
+from engine.laws.knots import EQUAL, Knots
 from engine.laws.spline import NARROWEST
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
@@ -68,7 +68,7 @@ def solution(at: Knots) -> list[Quantity]:
         calc("@free1", "Its end is natural", "", "", natural.format("last", "end"), int(free[1]), format="0"),
         calc("@v_end", "Velocity at its end", "v(1)", "", end, at.law.end.v, source="m + d(a_k + 2a_{k+1})/6"),
         calc("@still", "A velocity below this is none", "", "", "=check_zero*@cv", at.still, format="0E+00"),
-        calc("@v_most", "Largest velocity", "", "", "=MAX([@intervals.v_high])", at.speeds[1]),
+        calc("@v_most", "Largest velocity", "", "", "=MAX([@intervals.v_high])", float(at.intervals["v_high"].max())),
         calc("@v_at", "Where the velocity is largest", "ξ_v", "", "=MIN([@intervals.fast])", at.peak),
     ]  # fmt: skip
 
@@ -99,8 +99,7 @@ def elimination(at: Knots) -> list[Quantity]:
     before = "IF([k]=1,{1},INDEX([@solved.{0}],MAX([k]-1,1)))"
 
     def column(name: str, label: str, symbol: str, formula: str, source: str = "", scale: float = 0.0) -> Quantity:
-        values = [getattr(row, name) for row in at.solved]
-        return calc(name, label, symbol, "", formula, values, source=source, scale=scale)
+        return calc(name, label, symbol, "", formula, at.solved[name], source=source, scale=scale)
 
     return [
         column("d", "duration", "d", "=IF([k]<@used,INDEX([@points.xi],[k]+1)-[xi],0)", "to the next point"),
@@ -126,44 +125,39 @@ def elimination(at: Knots) -> list[Quantity]:
 
 def intervals(at: Knots) -> list[Quantity]:
     """Return the columns of the intervals: rates at both ends, and extremes."""
-    found, still, moment = at.intervals, at.still, "INDEX([@solved.back],MAX(1,@used{0}-[k]))"
-    place = "INDEX([@points.s],MIN([k]{0},@used))"
+    found = at.intervals | {"fast": at.fast, "wrong": at.wrong}
+    moment, place = "INDEX([@solved.back],MAX(1,@used{0}-[k]))", "INDEX([@points.s],MIN([k]{0},@used))"
 
     def column(
-        name: str, label: str, symbol: str, formula: str, value: Callable[[Interval], float], source: str = "",
-        scale: float = 0.0, role: Callable[..., Quantity] = calc,
+        name: str, label: str, symbol: str, formula: str, source: str = "", scale: float = UNIT,
+        role: Callable[..., Quantity] = calc,
     ) -> Quantity:  # fmt: skip
-        return role(name, label, symbol, "", formula, [value(one) for one in found], source=source, scale=scale)
+        return role(name, label, symbol, "", formula, found[name], source=source, scale=scale)
 
     return [
-        column("xi", "begins at", "ξ_k", "=IF([k]<@used,INDEX([@points.xi],[k]),1)", lambda one: one.xi),
-        column("d", "duration", "d", "=INDEX([@solved.d],[k])", lambda one: one.d),
-        column("a", "acceleration", "a", f"={moment.format('+1')}", lambda one: one.a, "the moment", UNIT, result),
-        column("a1", "and at its end", "", f"={moment.format('')}", lambda one: one.a1, "", UNIT),
-        column("j", "jerk", "j", "=IF([d]>0,([a1]-[a])/[d],0)", lambda one: one.j, "Δa/d", UNIT, result),
-        column("v", "velocity", "v", "=IF([d]>0,INDEX([@solved.m],[k])-[d]*(2*[a]+[a1])/6,@v_end)", lambda one: one.v,
-               "m − d(2a_k + a_{k+1})/6", UNIT, result),
-        column("v1", "and at its end", "", "=[v]+[d]*([a]+[a1])/2", lambda one: one.v1, "", UNIT),
-        column("y", "position", "", f"={place.format('')}", lambda one: one.s),
-        column("y1", "and at its end", "", f"={place.format('+1')}", lambda one: one.s1),
-        column("w", "invariant", "W", "=[a]^2-2*[j]*[v]", lambda one: one.w, "a² − 2jv", UNIT),
-        column("v_low", "lowest v", "", SPEEDS.format("MIN"), lambda one: one.speeds[0], "", UNIT),
-        column("v_high", "largest v", "", SPEEDS.format("MAX"), lambda one: one.speeds[1], "at an end, or where a = 0",
-               UNIT),
-        column("third", "|a| where v·a is stationary", "√(W/3)", "=SQRT(MAX(0,[w])/3)", lambda one: one.third, "",
-               UNIT),
-        column("va_plus", "v·a where a is that", "", POWER_AT.format("-", "0-"), lambda one: one.power_at(1.0),
-               "or at the begin", UNIT),
-        column("va_minus", "and where a is less that", "", POWER_AT.format("+", ""), lambda one: one.power_at(-1.0),
-               "or at the begin", UNIT),
-        column("va_low", "lowest v·a", "", POWERS.format("MIN"), lambda one: one.powers[0], "", UNIT),
-        column("va_high", "largest v·a", "", POWERS.format("MAX"), lambda one: one.powers[1],
-               "at an end, or where a² = W/3", UNIT),
-        column("rises", "v rises through 0 at", "u", RISES, lambda one: one.rises(still), "where a = √W", UNIT),
-        column("falls", "v falls through 0 at", "u", FALLS, lambda one: one.falls(still), "where a = −√W", UNIT),
-        column("s_low", "lowest s", "", REACH.format("MIN", "rises"), lambda one: one.reach(still)[0]),
-        column("s_high", "highest s", "", REACH.format("MAX", "falls"), lambda one: one.reach(still)[1]),
-        column("square", "∫a² dξ", "", "=[d]*([a]^2+[a]*[a1]+[a1]^2)/3", lambda one: one.square, "", UNIT),
-        column("fast", "first place of the largest v", "", FASTEST, lambda one: one.fastest(at.top)),
-        column("wrong", "step of v the wrong way", "", WRONG, lambda one: one.wrong_way(at.peak), "", UNIT),
+        column("xi", "begins at", "ξ_k", "=IF([k]<@used,INDEX([@points.xi],[k]),1)", "", 0.0),
+        column("d", "duration", "d", "=INDEX([@solved.d],[k])", "", 0.0),
+        column("a", "acceleration", "a", f"={moment.format('+1')}", "the moment", role=result),
+        column("a1", "and at its end", "", f"={moment.format('')}"),
+        column("j", "jerk", "j", "=IF([d]>0,([a1]-[a])/[d],0)", "Δa/d", role=result),
+        column("v", "velocity", "v", "=IF([d]>0,INDEX([@solved.m],[k])-[d]*(2*[a]+[a1])/6,@v_end)",
+               "m − d(2a_k + a_{k+1})/6", role=result),
+        column("v1", "and at its end", "", "=[v]+[d]*([a]+[a1])/2"),
+        column("y", "position", "", f"={place.format('')}", "", 0.0),
+        column("y1", "and at its end", "", f"={place.format('+1')}", "", 0.0),
+        column("w", "invariant", "W", "=[a]^2-2*[j]*[v]", "a² − 2jv"),
+        column("v_low", "lowest v", "", SPEEDS.format("MIN")),
+        column("v_high", "largest v", "", SPEEDS.format("MAX"), "at an end, or where a = 0"),
+        column("third", "|a| where v·a is stationary", "√(W/3)", "=SQRT(MAX(0,[w])/3)"),
+        column("va_plus", "v·a where a is that", "", POWER_AT.format("-", "0-"), "or at the begin"),
+        column("va_minus", "and where a is less that", "", POWER_AT.format("+", ""), "or at the begin"),
+        column("va_low", "lowest v·a", "", POWERS.format("MIN")),
+        column("va_high", "largest v·a", "", POWERS.format("MAX"), "at an end, or where a² = W/3"),
+        column("rises", "v rises through 0 at", "u", RISES, "where a = √W"),
+        column("falls", "v falls through 0 at", "u", FALLS, "where a = −√W"),
+        column("s_low", "lowest s", "", REACH.format("MIN", "rises"), "", 0.0),
+        column("s_high", "highest s", "", REACH.format("MAX", "falls"), "", 0.0),
+        column("square", "∫a² dξ", "", "=[d]*([a]^2+[a]*[a1]+[a1]^2)/3"),
+        column("fast", "first place of the largest v", "", FASTEST, "", 0.0),
+        column("wrong", "step of v the wrong way", "", WRONG),
     ]  # fmt: skip

@@ -14,18 +14,18 @@ from workbook.book.chart import in_scope
 from workbook.entries.machine import Machine
 from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.laws.family import Page
-from workbook.laws.registry import CODES, FAMILY, RISING, Family
+from workbook.laws.registry import CODES, FAMILY, RISING
 
 CALLED = re.compile(r"([A-Z][A-Z0-9]{2})(\d{1,4})_called")
 
 
 @dataclass(frozen=True)
 class NamedLaw:
-    """A law of a book: its name and number there, its family, what is entered of it."""
+    """A law of a book: its name and number there, the page of its family, what is entered of it."""
 
     name: str
     number: int
-    family: Family
+    page: Page
     entered: Any
     called: str
     """its name when the book was built: titles and checks keep it"""
@@ -36,11 +36,6 @@ class NamedLaw:
         return self.page.made(self.entered)
 
     @property
-    def page(self) -> Page:
-        """The page of its family."""
-        return self.family.page
-
-    @property
     def basic(self) -> bool:
         """Whether it is one of the laws that every book has."""
         return self.name in CODES
@@ -48,7 +43,7 @@ class NamedLaw:
     @property
     def slug(self) -> str:
         """What the names of its cells begin with: valid whatever the law is called."""
-        return self.family.code if self.basic else f"{self.family.code}{self.number}"
+        return self.page.code if self.basic else f"{self.page.code}{self.number}"
 
     @property
     def key(self) -> str:

@@ -1,54 +1,44 @@
-"""The families of laws that a workbook knows: those of the engine's registry, each with its page."""
+"""The families of laws that a workbook knows: the pages of the engine's catalogue, in its order."""
 
 import re
 from collections.abc import Iterator, Sequence
-from importlib import import_module
-from typing import Any, NamedTuple
+from typing import Any
 
-from engine.laws import Entry
-from engine.laws.entry import IncompleteError
-from engine.laws.registry import MODULES, entry_of
+from engine.laws import CATALOGUE, Law
 from engine.motion.handover import PULSES, early_of, end_mode
 from workbook.laws.family import COEFFICIENTS, Page
+from workbook.laws.pages import double_harmonic, halved, modified, pieces, polynomials, ramps, spline, uniform
+
+PAGES = [
+    page
+    for file in (double_harmonic, halved, modified, pieces, polynomials, ramps, spline, uniform)
+    for page in file.PAGES
+]
 
 
-class Family(NamedTuple):
-    """A family of laws: what the engine knows of it, and its page."""
-
-    entry: Entry
-    page: Page
-
-    @property
-    def code(self) -> str:
-        """The code of three letters."""
-        return self.entry.code
+class IncompleteError(TypeError):
+    """A law has no page, or half of one."""
 
 
-def family_of(module: str) -> Family:
-    """Return the family of a name in the registry; raise IncompleteError where it has no page, or half of one."""
-    entry, place = entry_of(module), f"workbook.laws.pages.{module}"
-    try:
-        page = getattr(import_module(place), "PAGE", None)
-    except ModuleNotFoundError as error:
-        if error.name != place:
-            raise
-        page = None
-    if not isinstance(page, Page):
-        raise IncompleteError(f"workbook/laws/pages/{module}.py has no PAGE for the law {entry.code}")
+def page_of(law: type[Law], pages: Sequence[Page]) -> Page:
+    """Return the page of a law; raise IncompleteError where it has none, or half of one."""
+    page = next((page for page in pages if page.law.code == law.code), None)
+    if page is None:
+        raise IncompleteError(f"no PAGES of workbook/laws/pages has one for the law {law.code}")
     if page.pieces:  # else they are what is entered
-        require_complete(page, entry)
-    return Family(entry, page)
+        require_complete(page)
+    return page
 
 
-def require_complete(page: Page, entry: Entry) -> None:
+def require_complete(page: Page) -> None:
     """Raise IncompleteError, naming the law and what its page leaves out, or has otherwise than the engine."""
-    examples, default = entry.examples, page.entries() if page.entries else None
+    law, default = page.law(), page.entries() if page.entries else None
     wrong = [name for name, *_ in COEFFICIENTS if name not in page.coefficients]
-    if any(len(law.monotone_pieces()) != len(page.pieces) for law in examples):
-        wrong.append(f"pieces as many as the engine's {len(examples[0].monotone_pieces())}")
+    if len(law.monotone_pieces()) != len(page.pieces):
+        wrong.append(f"pieces as many as the engine's {len(law.monotone_pieces())}")
     ways = {int(found) for found in re.findall(r"(?<=[=,])-?[0-9](?=$|[,)])", page.way)}
     early = {way: page.early if way == PULSES else 0 for way in ways}
-    if any(early.get(end_mode(law)) != early_of(law) for law in examples):
+    if early.get(end_mode(law)) != early_of(law):
         wrong.append("how it meets its neighbours, as the engine has it")
     keys = set(numbered(default, page.fields)) ^ {parameter.key for parameter in page.parameters}
     wrong += [f"the parameter {key}" for key in sorted(keys)]
@@ -56,7 +46,7 @@ def require_complete(page: Page, entry: Entry) -> None:
     if page.parameters and len(page.variations) < 2:
         wrong.append("two variations or more")
     if wrong:
-        raise IncompleteError(f"the page of {entry.code} lacks {', '.join(wrong)}")
+        raise IncompleteError(f"the page of {page.code} lacks {', '.join(wrong)}")
 
 
 def numbered(entered: Any, fields: Sequence[str]) -> Iterator[str]:
@@ -66,10 +56,9 @@ def numbered(entered: Any, fields: Sequence[str]) -> Iterator[str]:
         yield from (f"{name}.{i}" for i in range(len(value))) if isinstance(value, list) else (name,)
 
 
-FAMILIES: tuple[Family, ...] = tuple(family_of(module) for module in MODULES)
-FAMILY: dict[str, Family] = {family.code: family for family in FAMILIES}
+FAMILY: dict[str, Page] = {law.code: page_of(law, PAGES) for law in CATALOGUE}
+"""the pages of all families by code, in the order of the catalogue"""
 CODES: tuple[str, ...] = ("DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 """the basic laws, which every book has, in the order of their numbers: each named by the code of its family"""
-BASIC: tuple[Family, ...] = tuple(FAMILY[code] for code in CODES)
-RISING: tuple[str, ...] = tuple(code for code in CODES if FAMILY[code].entry.rises)
+RISING: tuple[str, ...] = CODES[1:]
 """those of them that move"""

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.modified_trapezoidal import CLASSIC
+from engine.laws.modified import CLASSIC
 from workbook.book.sentence import figure
 from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws.family import LawCheck, LawSheet, Parameter

@@ -122,8 +122,8 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
     sheet.table(
         "laws", "The laws by number; a phase takes its law by this name", len(laws),
         calc("name", "law in words", "", "",
-             [one.own(one.page.name_formula(one.family.entry)) for one in laws],
-             [one.page.name_entered(one.family.entry, one.entered) for one in laws]),
+             [one.own(one.page.name_formula()) for one in laws],
+             [one.page.name_entered(one.entered) for one in laws]),
         constant("no", "number", "", "", [one.number for one in laws]),
         calc("code", "name", "", "", [one.listed for one in laws], [one.name for one in laws]),
         *(coefficient(*one) for one in COEFFICIENTS),

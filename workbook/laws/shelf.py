@@ -14,7 +14,7 @@ from workbook.laws.page import law_sheet
 from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sheet import laws_sheet, locator, stacked
 
-PAGED = tuple(code for code in CODES if FAMILY[code].page.has_sheet)
+PAGED = tuple(code for code in CODES if FAMILY[code].has_sheet)
 LAW_SIZES = {
     "law": (f"{PAGED[0]}_samples", 1), "pieces": ("OWN_pieces", 0),
     "points": ("SPL#_points", 0), "export": ("export", 1),

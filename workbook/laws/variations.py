@@ -5,7 +5,8 @@ from itertools import count
 from typing import Any
 
 from workbook.entries.machine import Machine
-from workbook.laws.registry import CODES, FAMILY, Family
+from workbook.laws.family import Page
+from workbook.laws.registry import CODES, FAMILY
 
 SIX = 6
 """variations of a template, unless its laws need more to have their turn"""
@@ -53,20 +54,20 @@ def laws_in(description: Any, names: Container[str]) -> set[str]:
 def vary_laws(laws: dict[str, Any], k: int, scale: Any, room: int) -> None:
     """Give every law other parameters: asymmetric, with zero stages, of several pieces."""
     for name, entry in laws.items():
-        if family_of(name, entry).page.has_sheet:
+        if page_of(name, entry).has_sheet:
             entry["lift"] *= -next(scale) if k % 2 else next(scale)
             entry["time"] *= next(scale)
     for i, (name, entry) in enumerate(laws.items()):
-        entry.update(family_of(name, entry).page.variation(k if name in CODES else k + i, room))
+        entry.update(page_of(name, entry).variation(k if name in CODES else k + i, room))
 
 
 def single_humped(laws: dict[str, Any]) -> list[str]:
     """Return the laws that speed up once, from rest to rest, whatever their parameters."""
-    return [name for name, entry in laws.items() if family_of(name, entry).page.single]
+    return [name for name, entry in laws.items() if page_of(name, entry).single]
 
 
-def family_of(name: str, entry: dict[str, Any]) -> Family:
-    """Return the family of a law in a description, which leaves out that of a basic law."""
+def page_of(name: str, entry: dict[str, Any]) -> Page:
+    """Return the page of a law in a description, which leaves out that of a basic law."""
     return FAMILY[entry.get("family", name)]
 
 

@@ -22,12 +22,11 @@ EXPLAINED = (
 def catalogue() -> list[dict[str, Any]]:
     """Return every law's names, source, coefficients, for its parameters as delivered, continuity, names elsewhere."""
     rows: list[dict[str, Any]] = []
-    for entry in CATALOGUE:
-        law = entry.example()
+    for law in (one() for one in CATALOGUE):
         figures = {name: plain(getattr(law.coefficients, field)) for name, field in (FIGURES | COSTS).items()}
         smooth = dict(zip(SMOOTH, (WORDS[order] for order in continuity(law)), strict=True))
-        told = {"code": entry.code, "name": entry.name, "aliases": list(entry.aliases), "source": entry.source}
-        rows.append(told | figures | smooth | {"names": entry.vendors._asdict()})
+        told = {"code": law.code, "name": law.name, "aliases": list(law.aliases), "source": law.source}
+        rows.append(told | figures | smooth | {"names": law.vendors._asdict()})
     return rows
 
 

@@ -10,17 +10,17 @@ from engine.cams.given import Points, precision
 from engine.cams.identify import identified
 from engine.cams.interpolation import quintics, spline
 from engine.cams.profile import profile_of_motion, turned
-from engine.laws import PieceLaw
+from engine.laws import Dwell, PieceLaw
 from engine.laws.registry import CATALOGUE
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates
 from engine.motion.joining import joined as join
 
-MOVING = [entry for entry in CATALOGUE if entry.rises and entry.law is not PieceLaw]
+MOVING = [entry for entry in CATALOGUE if entry not in (Dwell, PieceLaw)]
 
 
 def motion(entry) -> Motion:
-    rest, rise, back = law("dwell"), entry.example(), law("MTP")
+    rest, rise, back = law("dwell"), entry(), law("MTP")
     return Motion([Phase(rest, 0.0, 33.3), Phase(rise, 50.0, 91.7), Phase(rest, 0.0, 55.0), Phase(back, -50.0, 120.0),
                    Phase(rest, 0.0, 60.0)])  # fmt: skip
 
@@ -37,7 +37,7 @@ def test_a_law_is_found_between_points_at_equal_steps(entry, digits) -> None:
     y = of.at(x).y
     y = y if digits is None else y.astype(np.float32).astype(float) if digits == "REAL" else np.round(y, digits)
     one, other = found_in(x, y)
-    same = one.law.s(np.linspace(0.0, 1.0, 101)) - entry.example().s(np.linspace(0.0, 1.0, 101))
+    same = one.law.s(np.linspace(0.0, 1.0, 101)) - entry().s(np.linspace(0.0, 1.0, 101))
     assert np.abs(same).max() < 1e-7, one.law.name
     assert (one.begin, one.end, one.lift) == pytest.approx((33.3, 125.0, 50.0), abs=2e-3 if digits else 1e-4)
     assert other.law.code == "MTP"
@@ -45,7 +45,7 @@ def test_a_law_is_found_between_points_at_equal_steps(entry, digits) -> None:
 
 
 def test_laws_that_are_one_curve_count_as_one_and_the_first_is_named() -> None:
-    smooth = [entry.example() for entry in MOVING]
+    smooth = [entry() for entry in MOVING]
     at = np.linspace(0.0, 1.0, 51)
     curves = [one.s(at) for one in smooth]
     first = {k: next(i for i, other in enumerate(curves) if np.abs(other - one).max() < 1e-12)

@@ -15,7 +15,7 @@ from tests.engine.profiles import thirds
 from tests.engine.sizing import Sizing, shafts
 
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
-laws = st.sampled_from([e.example() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, thirds(0.1, 0.5, 0.4)])
+laws = st.sampled_from([e() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, thirds(0.1, 0.5, 0.4)])
 STAGES = (Stage("first", 3.0, 0.8), Stage("second", 5.0, 0.7))
 
 

@@ -15,7 +15,9 @@ from engine.motion.pieces import evaluated
 DRUM = rotary_drum(tools=3, radius=0.1, tool_angle=radians(30))
 SAW = flying_saw(tool_length=0.3, metres_per_radian=0.01)
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
-RESTING = [law for law in (e.example() for e in CATALOGUE if e.rises) if max(abs(law.start.v), abs(law.end.v)) < 1e-9]
+RESTING = [
+    law for law in (one() for one in CATALOGUE if one is not Dwell) if max(abs(law.start.v), abs(law.end.v)) < 1e-9
+]
 LAWS = [*RESTING, ASYMMETRIC, TrapezoidalVelocity(0.2, 0.3)]
 laws = st.sampled_from(LAWS)
 lengths = st.floats(0.12, 1.5)

@@ -5,17 +5,18 @@ import math
 import numpy as np
 import pytest
 
-from engine.laws import CATALOGUE, Piece, PieceLaw
+from engine.laws import Piece, PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.continuity import SMOOTH, code, continuity, meetings
+from tests.engine.families import ENTRIES
 
-LAWS = pytest.mark.parametrize("entry", CATALOGUE, ids=lambda entry: entry.code)
+LAWS = pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.code)
 
 
 @LAWS
 def test_a_law_is_as_smooth_as_it_claims(entry):
-    claimed = entry.claims.order_ends, entry.claims.order_inside
-    assert continuity(entry.example()) == tuple(min(order, SMOOTH) for order in claimed)
+    claimed = entry.order_ends, entry.order_inside
+    assert continuity(entry.law()) == tuple(min(order, SMOOTH) for order in claimed)
 
 
 @LAWS

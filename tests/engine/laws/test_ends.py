@@ -9,17 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
-from engine.laws.cubic import Cubic
-from engine.laws.cycloidal import Cycloidal
 from engine.laws.ends import EndedLaw, EndError, Ends, between, kind, kinds
-from engine.laws.harmonic_combination import HarmonicCombination
-from engine.laws.modified_sine import ModifiedSine
+from engine.laws.halved import Cycloidal, SimpleHarmonic
+from engine.laws.modified import HarmonicCombination, ModifiedSine
 from engine.laws.piece_extremes import extremes_of
-from engine.laws.polynomial_345 import Polynomial345
-from engine.laws.polynomial_4567 import Polynomial4567
-from engine.laws.s_curve import Limits, SCurve
-from engine.laws.simple_harmonic import SimpleHarmonic
-from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
+from engine.laws.ramps import Limits, SCurve, TrapezoidalVelocity
 from tests.engine.families import EXAMPLES
 
 EVERY = pytest.mark.parametrize("law", [law for _, law in EXAMPLES], ids=[name for name, _ in EXAMPLES])

@@ -8,7 +8,7 @@ import pytest
 from engine.laws import CATALOGUE, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
 from engine.laws.base import BLOCK, BREAK_TOLERANCE, ROUNDING
 
-LAWS = pytest.mark.parametrize("law", [e.example() for e in CATALOGUE], ids=[e.code for e in CATALOGUE])
+LAWS = pytest.mark.parametrize("law", [e() for e in CATALOGUE], ids=[e.code for e in CATALOGUE])
 
 
 @LAWS

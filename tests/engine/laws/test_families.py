@@ -10,25 +10,21 @@ from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.constant_acceleration import ConstantAcceleration
-from engine.laws.cubic import Cubic
-from engine.laws.cycloidal import Cycloidal
 from engine.laws.ends import Ends
-from engine.laws.harmonic_combination import HarmonicCombination
-from engine.laws.modified_sine import ModifiedSine
-from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
+from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
+from engine.laws.modified import (
+    HarmonicCombination,
+    ModifiedSine,
+    ModifiedTrapezoidal,
+    SineConstantCosine,
+    SineStraightSine,
+    TrapezoidByShare,
+)
 from engine.laws.piece import reversed_pieces
 from engine.laws.piece_extremes import coefficients_of
-from engine.laws.polynomial_345 import Polynomial345
-from engine.laws.polynomial_4567 import Polynomial4567
+from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.pulse_law import PulseLaw
-from engine.laws.s_curve import SCurve
-from engine.laws.simple_harmonic import SimpleHarmonic
-from engine.laws.sine_constant_cosine import SineConstantCosine
-from engine.laws.sine_ramps import SineRamps
-from engine.laws.sine_straight_sine import SineStraightSine
-from engine.laws.trapezoid_by_share import TrapezoidByShare
-from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from tests.engine.families import COEFFICIENTS, EXAMPLES, carried, integrals, largest, stages
 
 XI = np.linspace(0, 1, 501)
@@ -94,17 +90,6 @@ def test_nothing_between_many_samples_exceeds_the_coefficients(law):
         assert (at.v * at.a).max() <= k.va_max + hair * (1 + k.va)
         assert (at.v * at.a).min() >= k.va_min - hair * (1 + k.va)
         assert np.abs(at.j).max() <= k.cj * (1 + hair) + hair
-
-
-@EVERY
-def test_shapes_make_up_the_root_mean_square(law):
-    """∫a² = peak² (flat + sine/2 + ramp/3) on either side."""
-    shapes, k = law.shapes(), law.coefficients
-    if shapes is None:
-        return
-    sides = ((k.ca_max, shapes.up), (k.ca_min, shapes.down))
-    square = sum(peak**2 * (flat + sine / 2 + ramp / 3) for peak, (flat, sine, ramp) in sides)
-    assert math.sqrt(square) == pytest.approx(k.ca_rms, rel=1e-12)
 
 
 @EVERY

@@ -31,8 +31,8 @@ def made(entry):
 
 def names(entry):
     module = entry.law.__module__.rpartition(".")[2]
-    also = ", ".join(entry.aliases)
-    return [entry.code, entry.name, also, f"`{made(entry)}`", f"[{module}](../engine/laws/{module}.py)"]
+    also = ", ".join(entry.law.aliases)
+    return [entry.code, entry.law.name, also, f"`{made(entry)}`", f"[{module}](../engine/laws/{module}.py)"]
 
 
 def figure(value):
@@ -40,7 +40,7 @@ def figure(value):
 
 
 def figures(entry):
-    law = entry.example()
+    law = entry.law()
     k = law.coefficients
     return [entry.code, *kinds(law), *map(figure, (k.cv, k.ca, k.ca_rms, k.cj, k.va))]
 

@@ -22,7 +22,7 @@ from engine.laws.inverse import inverse, is_monotone
 from engine.laws.sections import breaks, roots, velocity_peak
 from tests.engine.integrals import integral
 
-MOVING = [entry.example() for entry in CATALOGUE if entry.code != "DWL"]
+MOVING = [entry() for entry in CATALOGUE if entry.code != "DWL"]
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
 UP, DOWN = Piece(0.2, (12.5, 0.0, 0.0, 0.0)), Piece(0.2, (-12.5, 0.0, 0.0, 0.0))
 WITH_A_HALT = PieceLaw([UP, DOWN, Piece(0.2), UP, DOWN])
@@ -106,7 +106,7 @@ def test_integral_of_a_squared_is_that_of_the_closed_form(law):
     assert math.sqrt(mean_square) == pytest.approx(law.coefficients.ca_rms, rel=1e-13)
 
 
-@pytest.mark.parametrize("law", [e.example() for e in CATALOGUE if e.code != "DWL"], ids=str)
+@pytest.mark.parametrize("law", [e() for e in CATALOGUE if e.code != "DWL"], ids=str)
 def test_a_jump_through_zero_at_a_break_is_no_root_beside_it(law):
     edges = breaks(law)
     found = roots(law.a, edges)

@@ -4,12 +4,12 @@ import math
 
 import pytest
 
-from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
+from engine.laws import ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, PieceLaw, TrapezoidalVelocity
 
 INF = math.inf
 HARMONIC = ModifiedTrapezoidal((0, 0, 1 / 2, 0, 1 / 2, 0, 0))
 MODIFIED_SINE = ModifiedTrapezoidal((1 / 8, 0, 3 / 8, 0, 3 / 8, 0, 1 / 8))
-POLYNOMIAL_345 = next(entry for entry in CATALOGUE if entry.code == "OWN").example()
+POLYNOMIAL_345 = PieceLaw()
 
 
 @pytest.mark.parametrize(

@@ -7,12 +7,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import Piece, PieceLaw
-from engine.laws.cycloidal import Cycloidal
+from engine.laws.halved import Cycloidal
 from engine.laws.mended import Misses, mended, misses
-from engine.laws.modified_sine import ModifiedSine
-from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
+from engine.laws.modified import ModifiedSine, ModifiedTrapezoidal
 from engine.laws.pieces import POLYNOMIAL_345
-from engine.laws.s_curve import SCurve
+from engine.laws.ramps import SCurve
 
 factor = st.floats(0.2, 5.0)
 WHOLE = pytest.mark.parametrize("law", [ModifiedTrapezoidal(), ModifiedSine(0.3), SCurve(), Cycloidal(0.6)])

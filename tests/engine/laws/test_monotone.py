@@ -5,15 +5,16 @@ import itertools
 import numpy as np
 import pytest
 
-from engine.laws import CATALOGUE, PieceLaw
-from engine.laws.ended_polynomial import EndedPolynomial
+from engine.laws import PieceLaw
 from engine.laws.ends import Ends
 from engine.laws.ladder import zeros
 from engine.laws.piece_extremes import acceleration
+from engine.laws.polynomials import EndedPolynomial
 from engine.laws.pulse_law import PulseLaw
 from engine.motion.handover import PULSES, end_mode
+from tests.engine.families import ENTRIES
 
-LAWS = [law for entry in CATALOGUE for law in (*entry.examples, *entry.others, *entry.beyond)]
+LAWS = [law for entry in ENTRIES for law in (*entry.examples, *entry.others, *entry.beyond)]
 REGISTERED = [law for law in LAWS if not isinstance(law, PieceLaw | EndedPolynomial)]
 EDGE = 1e-7
 """of a piece: a peak so near to its end lies at it"""

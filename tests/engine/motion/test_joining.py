@@ -8,22 +8,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.laws import Dwell, Piece, PieceLaw
-from engine.laws.constant_acceleration import ConstantAcceleration
-from engine.laws.cubic import Cubic
-from engine.laws.cycloidal import Cycloidal
 from engine.laws.double_harmonic import DoubleHarmonic
-from engine.laws.harmonic_combination import HarmonicCombination
-from engine.laws.modified_sine import ModifiedSine
-from engine.laws.modified_trapezoidal import ModifiedTrapezoidal
-from engine.laws.polynomial_345 import Polynomial345
-from engine.laws.polynomial_4567 import Polynomial4567
-from engine.laws.s_curve import SCurve
-from engine.laws.simple_harmonic import SimpleHarmonic
-from engine.laws.sine_constant_cosine import SineConstantCosine
-from engine.laws.sine_ramps import SineRamps
+from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
+from engine.laws.modified import HarmonicCombination, ModifiedSine, ModifiedTrapezoidal, SineConstantCosine
+from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
+from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from engine.laws.spline import Spline
-from engine.laws.straight_line import StraightLine
-from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+from engine.laws.uniform import StraightLine
 from engine.motion import Phase
 from engine.motion.joining import Fault, Rates, joined
 from engine.motion.smoothness import phase_extremes, shortfalls

@@ -7,17 +7,16 @@ from hypothesis import strategies as st
 
 from engine.laws import ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.laws.double_harmonic import DoubleHarmonic
-from engine.laws.modified_sine import ModifiedSine
-from engine.laws.polynomial_345 import Polynomial345
-from engine.laws.polynomial_4567 import Polynomial4567
-from engine.laws.registry import MODULES, entry_of
-from engine.laws.s_curve import SCurve
-from engine.laws.straight_line import StraightLine
+from engine.laws.modified import ModifiedSine
+from engine.laws.polynomials import Polynomial345, Polynomial4567
+from engine.laws.ramps import SCurve
+from engine.laws.uniform import StraightLine
 from engine.motion import Motion, Phase
 from engine.motion.joining import joined
 from engine.motion.pieces import Scaled, evaluated, located, motion_pieces, pieces_of
+from tests.engine.families import ENTRIES
 
-LAWS = [law for module in MODULES for law in entry_of(module).examples] + [
+LAWS = [law for entry in ENTRIES for law in entry.examples] + [
     PieceLaw(
         [Piece(0.4, (3.0, 1.5, -2.0, 0.7), 1.2, 7.0, 0.4), Piece(0.0, (5.0, 0, 0, 0)), Piece(0.6, (1, 0, 0, 2.0))]
     ),

@@ -31,9 +31,7 @@ from engine.overlap import (
 
 TURN = np.linspace(0.0, 2 * pi, 1441)
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
-laws = st.sampled_from(
-    [e.example() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, TrapezoidalVelocity(0.2, 0.5)]
-)
+laws = st.sampled_from([e() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, TrapezoidalVelocity(0.2, 0.5)])
 at_rest = laws.filter(lambda law: not (law.start.v or law.end.v))
 """without a jump of the velocity"""
 

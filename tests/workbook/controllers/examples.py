@@ -7,8 +7,9 @@ import numpy as np
 from engine import law
 from engine.cams.interpolation import quintics
 from engine.cams.profile import profile_of_motion
-from engine.laws.registry import CATALOGUE
+from engine.laws import Dwell
 from engine.motion import Motion, Phase
+from tests.engine.laws.claims import CLAIMS
 from workbook.axes import CamAxis
 from workbook.controllers.handing import filled
 from workbook.controllers.target import Handed, Target
@@ -18,7 +19,7 @@ SLOPES = np.array([0.0, 0.25, 0.0, 0.0])
 FOUR = CamAxis("Demo", quintics(X, Y, SLOPES, np.zeros(4)), "°", "mm")
 """rise over 0 to 180 with a slope of 0.25 on the way, back over 180 to 360"""
 FIVE = np.insert(X, 3, 270.0)
-MOVING = [one.example for one in CATALOGUE if one.rises and min(one.claims.order_ends, one.claims.order_inside) >= 2]
+MOVING = [one.law for one in CLAIMS if one.law is not Dwell and min(one.order_ends, one.order_inside) >= 2]
 """laws whose acceleration does not jump"""
 
 

@@ -6,19 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from engine.laws import CATALOGUE
-from engine.laws.entry import IncompleteError
-from engine.laws.registry import MODULES
+from engine.laws import CATALOGUE, Cubic
 from tests.laws import MOVING
 from tests.workbook.cells import disagreeing
 from tests.workbook.composed import MACHINE, composed
 from workbook.entries.types import Model
-from workbook.laws import registry
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import LawSheet, PieceRow
 from workbook.laws.library import with_laws
 from workbook.laws.page import COEFFICIENTS
-from workbook.laws.registry import CODES, FAMILIES, FAMILY, family_of, require_complete
+from workbook.laws.registry import CODES, FAMILY, PAGES, IncompleteError, page_of, require_complete
 from workbook.laws.variations import SIX, law_for, laws_in, variations
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
@@ -37,37 +34,25 @@ def small(template, **sizes):
 
 
 def test_every_list_of_laws_is_the_registry():
-    codes = tuple(entry.code for entry in CATALOGUE)
-    assert len(MODULES) == len(codes) == len(set(codes))
-    assert tuple(family.code for family in FAMILIES) == codes
+    codes = tuple(law.code for law in CATALOGUE)
+    assert len(PAGES) == len(codes) == len(set(codes))
+    assert tuple(FAMILY) == codes
     assert tuple(ENTRIES) == tuple(code for code in codes if code != "DWL")
     assert Laws({}).names == CODES == ("DWL", *MOVING)
     assert set(CODES) <= set(codes)
 
 
-def stating(folder, constant):
-    files = (ROOT / folder).glob("*.py")
-    return {file.stem for file in files if re.search(rf"^{constant} = ", file.read_text("utf-8"), re.MULTILINE)}
-
-
-def test_no_page_lies_beside_the_registry():
-    """A law of the engine that has no page yet is none of a workbook's."""
-    pages, entries = stating("workbook/laws/pages", "PAGE"), stating("engine/laws", "ENTRY")
-    assert pages == set(MODULES), "files with a PAGE that engine/laws/registry.py does not list, or none for one listed"
-    assert set(MODULES) <= entries
-
-
-@pytest.mark.parametrize("code", [family.code for family in FAMILIES if family.page.parameters])
+@pytest.mark.parametrize("code", [code for code, page in FAMILY.items() if page.parameters])
 def test_parameters_in_a_row_are_those_entered(code):
-    page = FAMILY[code].page
+    page = FAMILY[code]
     for one in page.variations:
         entered = page.entries.model_validate(one)
         assert page.entered(page.numbers(entered)) == entered
         assert page.law_of(page.numbers(entered)) == page.made(entered)
-    assert any(page.made(page.entries.model_validate(one)) != FAMILY[code].entry.example() for one in page.variations)
+    assert any(page.made(page.entries.model_validate(one)) != FAMILY[code].law() for one in page.variations)
 
 
-@pytest.mark.parametrize("code", [code for code in CODES if FAMILY[code].page.has_sheet])
+@pytest.mark.parametrize("code", [code for code in CODES if FAMILY[code].has_sheet])
 def test_the_page_of_the_workbooks_names_the_sheet_of_every_law(code):
     text = (ROOT / "docs/workbooks.md").read_text(encoding="utf-8")
     assert re.search(rf"^\|.*\b{code}\b", text, re.MULTILINE), f"docs/workbooks.md has no row that names {code}"
@@ -76,14 +61,10 @@ def test_the_page_of_the_workbooks_names_the_sheet_of_every_law(code):
 # --- What a page leaves out is named at import ----------------------------------------------------
 
 
-def test_a_law_without_a_page_is_named(monkeypatch):
-    def missing(name):
-        raise ModuleNotFoundError(f"No module named {name!r}", name=name)
-
-    assert family_of("cubic").code == "CUB"
-    monkeypatch.setattr(registry, "import_module", missing)
-    with pytest.raises(IncompleteError, match=r"workbook/laws/pages/cubic\.py has no PAGE for the law CUB"):
-        family_of("cubic")
+def test_a_law_without_a_page_is_named():
+    assert page_of(Cubic, PAGES).law is Cubic
+    with pytest.raises(IncompleteError, match=r"no PAGES of workbook/laws/pages has one for the law CUB"):
+        page_of(Cubic, [page for page in PAGES if page.code != "CUB"])
 
 
 class Another(LawSheet):
@@ -95,8 +76,8 @@ class Another(LawSheet):
 TVP, CUB = FAMILY["TVP"], FAMILY["CUB"]
 LACKING = {
     "a coefficient": (CUB, {"coefficients": {}}, "the page of CUB lacks cv, ca_max"),
-    "a piece": (TVP, {"pieces": TVP.page.pieces[:2]}, "TVP lacks pieces as many as the engine's 3"),
-    "a parameter": (TVP, {"parameters": TVP.page.parameters[:1]}, "TVP lacks the parameter fall_start"),
+    "a piece": (TVP, {"pieces": TVP.pieces[:2]}, "TVP lacks pieces as many as the engine's 3"),
+    "a parameter": (TVP, {"parameters": TVP.parameters[:1]}, "TVP lacks the parameter fall_start"),
     "a parameter of its entries": (TVP, {"entries": Another}, "TVP lacks the parameter share, variations of share"),
     "variations": (TVP, {"variations": ()}, "TVP lacks two variations or more"),
     "a varied parameter": (TVP, {"variations": ({"rise_end": 0.3},) * 2}, "TVP lacks variations of fall_start"),
@@ -105,16 +86,16 @@ LACKING = {
 
 @pytest.mark.parametrize("what", LACKING)
 def test_what_a_page_leaves_out_is_named(what):
-    family, changed, words = LACKING[what]
-    require_complete(family.page, family.entry)
+    page, changed, words = LACKING[what]
+    require_complete(page)
     with pytest.raises(IncompleteError, match=words):
-        require_complete(replace(family.page, **changed), family.entry)
+        require_complete(replace(page, **changed))
 
 
 def test_a_page_cannot_be_made_without_the_place_of_its_peak():
-    stated = {name: getattr(CUB.page, name) for name in ("law", "source", "pieces", "coefficients")}
+    stated = {name: getattr(CUB, name) for name in ("law", "source", "pieces", "coefficients")}
     with pytest.raises(TypeError, match="'fastest'"):
-        type(CUB.page)(**stated)
+        type(CUB)(**stated)
 
 
 # --- Cells and engine -----------------------------------------------------------------------------
@@ -164,7 +145,7 @@ CHANGED = {
 @pytest.mark.parametrize("what", WRONG)
 def test_a_page_with_a_wrong_formula_is_found_by_the_cell(what, monkeypatch):
     code, template, cell = WRONG[what]
-    page = FAMILY[code].page
+    page = FAMILY[code]
     monkeypatch.setitem(vars(page), what, CHANGED[what](page))
     wrong, _ = disagreeing(template, composed() if template is MACHINE else small(template))
     assert [found for found in wrong if found.startswith(cell)]
@@ -212,5 +193,5 @@ def test_a_law_that_a_template_never_takes_is_named():
 
 
 def test_coefficients_of_every_page_are_those_of_the_summary():
-    for family in FAMILIES:
-        assert [*family.page.coefficients] == [name for name, *_ in COEFFICIENTS], family.code
+    for code, page in FAMILY.items():
+        assert [*page.coefficients] == [name for name, *_ in COEFFICIENTS], code

@@ -1,1 +1,1 @@
-"""A file for each family of laws, named as in the registry, whose ``PAGE`` is all that a workbook needs of it."""
+"""The pages of the laws, in files named as those of the engine: ``PAGES`` is all that a workbook needs of a file."""

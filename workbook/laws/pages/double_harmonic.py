@@ -4,7 +4,7 @@ from typing import Literal
 
 from engine.laws.double_harmonic import DoubleHarmonic
 from workbook.laws.family import LawSheet, Page, PieceRow
-from workbook.laws.pages.harmonic_combination import REVERSAL
+from workbook.laws.pages.modified import REVERSAL
 
 
 class Reversed(LawSheet):
@@ -47,3 +47,5 @@ PAGE = Page(
     },
     fastest=f"={ENDS.format('2/3', '1/3')}",
 )  # fmt: skip
+
+PAGES = (PAGE,)

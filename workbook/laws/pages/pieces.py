@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import AfterValidator, Field
 
 from engine import laws as engine
-from engine.laws import Entry, Law, PieceLaw
+from engine.laws import Law, PieceLaw
 from engine.laws.points import PointedLaw, Points, ends, points_of
 from engine.laws.table import begins
 from workbook.book.checks import ZERO
@@ -118,11 +118,11 @@ class OwnPage(Page):
         found = super().variation(k, room)
         return found if len(found["pieces"]) <= room else dict(VARIATIONS[0])
 
-    def name_formula(self, entry: Entry) -> str:
+    def name_formula(self) -> str:
         """Return the formula of the name that is entered."""
         return "=@name"
 
-    def name_entered(self, entry: Entry, entered: OwnLaw) -> str:
+    def name_entered(self, entered: OwnLaw) -> str:
         """Return the name that is entered."""
         return entered.name
 
@@ -243,3 +243,6 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         calc("jump", "jump of a", "", "",
              "=IF([d]>0,ABS([a0]-IF([k]=1,0,[reached-1])),0)", [row.jump for row in at]),
     )  # fmt: skip
+
+
+PAGES = (PAGE,)

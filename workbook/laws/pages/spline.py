@@ -8,9 +8,10 @@ from typing import Any, Literal
 from pydantic import Field
 
 from engine.laws import Law, Piece
-from engine.laws.knots import Knots, entered_rows
+from engine.laws.knots import Knots
 from engine.laws.spline import EXAMPLE, MOST, NARROWEST, Spline
 from workbook.book.declare import Quantity, Sheet, check, given
+from workbook.book.rows import filled
 from workbook.book.sentence import Said, figure
 from workbook.entries.types import DesignError, Model, Number, Share
 from workbook.laws.family import ENTRIES, LawSheet, Page, Stacked
@@ -135,9 +136,9 @@ class SplinePage(Page):
         )  # fmt: skip
         at = Knots(one.law, sizes.points)
         rows = (
-            given("xi", "place", "ξ", "", entered_rows([p.at for p in points.points], sizes.points),
+            given("xi", "place", "ξ", "", filled([p.at for p in points.points], sizes.points, None),
                   f"{one.key}.points.*.at", format="0.0####", source="share of the time"),
-            given("s", "position", "s", "", entered_rows([p.s for p in points.points], sizes.points),
+            given("s", "position", "s", "", filled([p.s for p in points.points], sizes.points, None),
                   f"{one.key}.points.*.s", format="0.0####", source="share of the rise"),
         )  # fmt: skip
         points_table(sheet, at, rows)
@@ -153,7 +154,7 @@ class SplinePage(Page):
 
     def stepping(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way, interval by interval."""
-        return max(Knots(law, sizes.points).steps_wrong) if isinstance(law, Spline) else 0.0
+        return float(Knots(law, sizes.points).wrong.max()) if isinstance(law, Spline) else 0.0
 
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the points."""
@@ -203,3 +204,5 @@ PAGE = SplinePage(
     variations=VARIATIONS,
     functions=False,
 )
+
+PAGES = (PAGE,)

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from engine.flying import Beyond
+from engine.laws import Dwell
 from engine.laws.points import fastest
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, check, constant, given, result
@@ -258,7 +259,7 @@ def peaks(sheet: Sheet, laws: Sequence[NamedLaw]) -> None:
         len(laws),
         calc("law", "law", "", "", [f"=INDEX(law_code,{one.number})" for one in laws], [one.name for one in laws]),
         calc("at", "abscissa", "ξ_v", "", [one.own(one.page.fastest) for one in laws],
-             [fastest(one.law) if one.family.entry.rises else 0.0 for one in laws]),
+             [0.0 if isinstance(one.law, Dwell) else fastest(one.law) for one in laws]),
     )  # fmt: skip
 
 

@@ -106,7 +106,7 @@ def costs(sheet: Sheet, view: Compared) -> None:
         calc("law", "law", "", "", "=INDEX(law_code,[no])", [one.name for one in laws]),
         calc("family", "family", "", "",
              "=INDEX(law_name,[no])",
-             [one.page.name_entered(one.family.entry, one.entered) for one in laws], align="left"),
+             [one.page.name_entered(one.entered) for one in laws], align="left"),
         of("cv", "velocity", "C_v"),
         of("ca_max", "acceleration", "C_a+"),
         of("ca_min", "deceleration", "C_a−"),
@@ -144,12 +144,11 @@ def names_sheet(book: Book, view: Compared) -> None:
     sheet.heading(
         "Names, with the number there", f"{NONE} where there is none, or none is sure; with parameters as delivered."
     )
-    entries = [one.family.entry for one in view.moving]
     sheet.table(
-        "elsewhere", "Laws", len(entries),
+        "elsewhere", "Laws", len(view.moving),
         calc("law", "law", "", "",
-             [f"=[costs.law.{i}]" for i, _ in enumerate(entries, 1)], [one.name for one in view.moving]),
-        *(constant(name, label, "", "", [getattr(entry.vendors, name) or NONE for entry in entries], align="left")
+             [f"=[costs.law.{i}]" for i in range(1, len(view.moving) + 1)], [one.name for one in view.moving]),
+        *(constant(name, label, "", "", [getattr(one.law.vendors, name) or NONE for one in view.moving], align="left")
           for name, label in VENDORS.items()),
     )  # fmt: skip
 

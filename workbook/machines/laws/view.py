@@ -3,6 +3,7 @@
 from functools import cached_property
 from typing import NamedTuple
 
+from engine.laws import Dwell
 from engine.laws.continuity import Meeting, code, continuity, meetings
 from engine.laws.sections import abscissae
 from workbook.laws.library import NamedLaw
@@ -32,7 +33,7 @@ class Compared:
         chosen = [*self.entered, *(self.entered[0] for _ in range(len(self.entered), MOST_CURVES))]
         known = {one.name: one for one in laws}
         self.curves = [known[name] for name in chosen]
-        self.moving = [one for one in laws if one.family.entry.rises]
+        self.moving = [one for one in laws if not isinstance(one.law, Dwell)]
         self.xi = abscissae(self.sizes.cycle)
 
     @cached_property

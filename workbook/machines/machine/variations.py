@@ -4,9 +4,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from engine.selection.pair_matrix import RANKS
-from workbook.laws.registry import Family
-from workbook.laws.shared import POLYNOMIAL
-from workbook.laws.variations import SIX, factors, family_of, law_for, passing, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
@@ -16,7 +14,6 @@ from workbook.machines.machine.time_based import in_units_of
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within
 
-SEVENTH = POLYNOMIAL.format(7)
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
 STRAIGHT = "=-1"
 """of a page: how a straight line meets its neighbours"""
@@ -31,24 +28,16 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
 
 
 def shaped(laws: dict[str, Any]) -> list[str]:
-    """Return the laws that drives take whatever their parameters and neighbours: constants, quarter sines, ramps.
+    """Return the laws that drives take whatever their parameters and neighbours.
 
-    The polynomial 4-5-6-7 and two sines too. Beside a straight line a phase may move there and back: not behind every
-    mechanism.
+    Beside a straight line a phase may move there and back: not behind every mechanism.
     """
-    families = {name: family_of(name, entry) for name, entry in laws.items()}
-    return [name for name, one in families.items() if one.page.way != STRAIGHT
-            and (of_shapes(one) or one.page.way == SEVENTH or one.page.second_sine)]  # fmt: skip
-
-
-def of_shapes(family: Family) -> bool:
-    """Whether the laws of a family have stages of such shapes only."""
-    return all(law.shapes() is not None for law in family.entry.examples)
+    return [name for name, entry in laws.items() if page_of(name, entry).code not in ("LIN", "PO5", "OWN", "SPL")]
 
 
 def handing(laws: dict[str, Any]) -> list[str]:
     """Return those with straight lines, for drives of constant ratio."""
-    return [name for name, entry in laws.items() if family_of(name, entry).page.way == STRAIGHT] + shaped(laws)
+    return [name for name, entry in laws.items() if page_of(name, entry).way == STRAIGHT] + shaped(laws)
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from engine.laws.base import Array
-from engine.laws.ended_polynomial import EndedLine, EndedPolynomial
+from engine.laws.polynomials import EndedLine, EndedPolynomial
 from engine.motion import Motion, Phase
 from engine.motion.joining import EndedPhase
 from engine.motion.pieces import MotionPiece, motion_pieces

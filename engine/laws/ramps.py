@@ -1,14 +1,74 @@
-"""Jerk-limited S-curve with seven durations (SCV)."""
+"""Laws whose velocity rises on a ramp, stays, and falls on a ramp: TVP, SRT, SCV."""
 
 import math
 from dataclasses import dataclass
 from typing import NamedTuple, Self
 
-from engine.laws.base import require_finite
+from engine.laws.base import Vendors, require_finite
 from engine.laws.ends import REST, Ends
-from engine.laws.entry import Claims, Entry, formulas
-from engine.laws.pulse import linear_edged
+from engine.laws.pulse import CONSTANT, HALF_SINE, linear_edged
 from engine.laws.pulse_law import PulseLaw, TwoPulses, pulses_of, seven_durations
+
+
+@dataclass(frozen=True)
+class TrapezoidalVelocity(PulseLaw):
+    """Constant acceleration A up to ξ = α_v, uniform velocity A α_v, constant deceleration B from ξ = α_w on.
+
+    A = 2/(α_v (1 − α_v + α_w)), B = 2/((1 − α_w)(1 − α_v + α_w)).
+    ``rise_end`` is α_v and ``fall_start`` α_w, both as shares of the rise (α_s = 1):
+    0 < α_v ≤ α_w < 1, else ValueError.
+    Source: S1, 'Asymmetric trapezoidal speed profile', equations of A and B; S3, function TVP (e_v = 1/3).
+    """
+
+    code = "TVP"
+    name = "Trapezoidal velocity"
+    aliases = ("trapezoidal speed", "asymmetric trapezoidal", "asymmetric trapezoidal speed profile", "s-shape")
+    source = "S1, 'Asymmetric trapezoidal speed profile'; S3, function TVP"
+
+    rise_end: float = 1 / 3
+    fall_start: float = 2 / 3
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        require_breaks(self.rise_end, self.fall_start)
+
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(CONSTANT, self.rise_end, self.fall_start - self.rise_end, CONSTANT, 1.0 - self.fall_start)
+
+
+def require_breaks(rise_end: float, fall_start: float) -> None:
+    """Raise ValueError unless 0 < rise_end ≤ fall_start < 1."""
+    require_finite(rise_end=rise_end, fall_start=fall_start)
+    if not 0.0 < rise_end <= fall_start < 1.0:
+        raise ValueError(
+            f"rise_end is {rise_end:g} and fall_start {fall_start:g}; expected 0 < rise_end <= fall_start < 1"
+        )
+
+
+@dataclass(frozen=True)
+class SineRamps(PulseLaw):
+    """v = V sin²(πξ/2α) up to ξ = α = ``rise_end``, V, and the same mirrored from ``fall_start`` on, over δ.
+
+    a = (πV/2α) sin(πu/α), V = 2/(1 + β) with β the time at V. 0 < rise_end ≤ fall_start < 1, else ValueError.
+    Source: CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'.
+    """
+
+    code = "SRT"
+    name = "Sine-ramp trapezoid"
+    aliases = ("modified trapezoidal velocity", "cycloidal with constant velocity", "sin² ramp")
+    source = "CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'"
+    vendors = Vendors(codesys="SML_RT_Sin2, of ramps")
+
+    rise_end: float = 0.25
+    fall_start: float = 0.75
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        require_breaks(self.rise_end, self.fall_start)
+
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(HALF_SINE, self.rise_end, self.fall_start - self.rise_end, HALF_SINE, 1.0 - self.fall_start)
+
 
 HALVINGS = 200
 
@@ -41,6 +101,8 @@ class SCurve(PulseLaw):
 
     code = "SCV"
     name = "Jerk-limited S-curve"
+    aliases = ("S-curve", "jerk-limited", "seven-segment profile", "ruckbegrenztes Profil")
+    source = "TwinCAT NC, set-point generator with seven phases"
 
     durations: tuple[float, ...] = (1 / 12, 1 / 6, 1 / 12, 1 / 3, 1 / 12, 1 / 6, 1 / 12)
     ends: Ends = REST
@@ -96,22 +158,3 @@ def _ramp(velocity: float, acceleration: float, jerk: float) -> tuple[float, flo
     """Return how long the jerk lasts on each side of a ramp from rest, and the constant acceleration between."""
     edge = min(acceleration / jerk, math.sqrt(velocity / jerk))
     return edge, max(velocity / (jerk * edge) - edge, 0.0)
-
-
-ENTRY = Entry(
-    law=SCurve,
-    aliases=("S-curve", "jerk-limited", "seven-segment profile", "ruckbegrenztes Profil"),
-    source="TwinCAT NC, set-point generator with seven phases",
-    claims=Claims(
-        order_ends=2,
-        order_inside=2,
-        coefficients=formulas("cv = 3/2; ca_max = 6; ca_min = -6; ca_rms = 4; cj = 72; va_max = 15/2; va_min = -15/2"),
-    ),
-    example=SCurve,
-    others=(
-        SCurve((0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2)),
-        SCurve((0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25)),
-        SCurve((0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0)),
-    ),
-    beyond=(SCurve((0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2), Ends(-1.0, 0.5, 1.5)),),
-)

@@ -1,15 +1,16 @@
-"""Trapezoidal velocity with two break points."""
+"""Pages of laws whose velocity rises on a ramp, stays, and falls on a ramp."""
 
 from collections.abc import Iterator
 from typing import Annotated, Any
 
 from pydantic import Field
 
-from engine.laws.trapezoidal_velocity import TrapezoidalVelocity
+from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from workbook.book.sentence import figure
-from workbook.entries.types import DesignError
+from workbook.entries.types import DesignError, Share
+from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, LINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow
-from workbook.laws.shared import BRIEF, too_brief
+from workbook.laws.shared import BRIEF, DURATIONS, LASTING, SevenDurations, too_brief
 
 
 class BreakPoints(LawSheet):
@@ -35,7 +36,7 @@ class BreakPoints(LawSheet):
 BEFORE = '"brakes from "&ROUND(@aw,9)&", before "&ROUND(@av,9)'
 ORDER = LawCheck("@order", "the break points follow each other", "@av<=@aw", "order", BEFORE)
 
-PAGE = Page(
+TRAPEZOIDAL_VELOCITY = Page(
     source="S1, second and third slide of the asymmetric trapezoidal profile; S3, function TVP",
     entries=BreakPoints,
     law=TrapezoidalVelocity,
@@ -72,3 +73,49 @@ PAGE = Page(
     way="=1",
     early=1,
 )  # fmt: skip
+
+
+class SmoothRamps(BreakPoints):
+    """Where the first ramp ends and the second begins, as shares of the rise."""
+
+    rise_end: Annotated[float, Field(gt=0, le=1)] = SineRamps.rise_end
+    fall_start: Annotated[float, Field(ge=0, lt=1)] = SineRamps.fall_start
+
+
+SINE_RAMPS = edged(
+    {
+        2: Stage(HALF_SINE, "=@av"),
+        4: Stage(None, "=@aw-@av"),
+        6: Stage(HALF_SINE, "=1-@aw"),
+    },
+    source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'",
+    entries=SmoothRamps,
+    law=SineRamps,
+    parameters=TRAPEZOIDAL_VELOCITY.parameters,
+    variations=TRAPEZOIDAL_VELOCITY.variations,
+    checks=(ORDER,),
+)
+
+
+class Ramps(SevenDurations):
+    """Seven stage durations as shares of the rise; they sum to 1."""
+
+    durations: Annotated[list[Share], Field(min_length=7, max_length=7)] = Field(default=list(SCurve.durations))
+
+
+S_CURVE = edged(
+    dict(enumerate(map(Stage, (LINE_OUT, FLAT, LINE_IN, None, LINE_IN, FLAT, LINE_OUT)), 1)),
+    source="TwinCAT NC, set-point generator with seven phases",
+    entries=Ramps,
+    law=SCurve,
+    parameters=DURATIONS,
+    variations=(
+        {"durations": [0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2]},
+        {"durations": [0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25]},
+        {"durations": [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0]},
+        {"durations": [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2]},
+    ),
+    checks=LASTING,
+)
+
+PAGES = (TRAPEZOIDAL_VELOCITY, SINE_RAMPS, S_CURVE)

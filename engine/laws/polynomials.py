@@ -1,15 +1,16 @@
-"""Polynomials between prescribed ends: cubic (y, v), quintic (y, v, a) and septic (y, v, a, j)."""
+"""Polynomials between prescribed ends: cubic (y, v), quintic (y, v, a) and septic (y, v, a, j): CUB, PO5, PO7."""
 
 from abc import abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar
 
-from engine.laws.base import Array, Coefficients
+from engine.laws.base import Array, Coefficients, Vendors
 from engine.laws.ends import REST, EndedLaw, EndError, Ends, require_ends
+from engine.laws.halved import HalvedLaw
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import coefficients_of
-from engine.laws.pulse_law import HalvedLaw
+from engine.laws.pulse import HALF_345, HALF_4567, LINE_DOWN
 from engine.laws.stages import Staged, carried
 
 
@@ -29,11 +30,6 @@ class EndedPolynomial(EndedLaw):
         """c0, c1, … of a(ξ)."""
 
     @property
-    def breaks(self) -> tuple[float, ...]:
-        """None."""
-        return ()
-
-    @property
     def own_acceleration(self) -> tuple[bool, bool]:
         """Whether it begins and ends with an acceleration that follows from the other ends."""
         follows = "a" not in self.takes
@@ -42,9 +38,6 @@ class EndedPolynomial(EndedLaw):
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return one piece."""
         return (Piece(1.0, self.polynomial),)
-
-    def shapes(self) -> None:
-        """Return None: its acceleration is a polynomial."""
 
     @cached_property
     def _staged(self) -> Staged:
@@ -167,3 +160,54 @@ class HalvedPolynomial(HalvedLaw):
                 "with the share 0.5 its ends can be prescribed"
             )
         return self.ENDED(ends)
+
+
+@dataclass(frozen=True)
+class Cubic(HalvedPolynomial):
+    """The cubic that starts and ends at rest: s = ξ²(3 − 2ξ); v = 6ξ(1 − ξ); a = 6 − 12ξ; j = −12.
+
+    Source: S1, 'Cubic curve'; S3, 'CUB'. With the share λ, a falls from 3/λ to 0 and on to −3/(1 − λ): LCamHdl,
+    ProfileTypes, POLY_3.
+    """
+
+    code = "CUB"
+    name = "Cubic"
+    aliases = ("cubic curve",)
+    source = "S1, 'Cubic curve'; S3, 'CUB'"
+    vendors = Vendors(siemens="POLY_3 (4)", twincat="POLYNOM3 (3)", sew="POLYNOM_3")
+    HALF = LINE_DOWN
+    ENDED = EndedCubic
+
+
+@dataclass(frozen=True)
+class Polynomial345(HalvedPolynomial):
+    """s = 10ξ³ − 15ξ⁴ + 6ξ⁵; v = 30ξ²(1 − ξ)²; a = 60ξ − 180ξ² + 120ξ³.
+
+    Source: LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'.
+    """
+
+    code = "PO5"
+    name = "Polynomial 3-4-5"
+    aliases = ("3-4-5", "quintic", "polynomial of degree 5", "Polynom 5. Grades")
+    source = "LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'"
+    vendors = Vendors(siemens="POLY_5 (5)", twincat="POLYNOM5 (5)", codesys="Poly5", sew="POLYNOM_5")
+    TAKES = "va"
+    HALF = HALF_345
+    ENDED = EndedQuintic
+
+
+@dataclass(frozen=True)
+class Polynomial4567(HalvedPolynomial):
+    """s = 35ξ⁴ − 84ξ⁵ + 70ξ⁶ − 20ξ⁷; v = 140ξ³(1 − ξ)³; a = 420ξ² − 1680ξ³ + 2100ξ⁴ − 840ξ⁵.
+
+    Source: LCamHdl, ProfileTypes, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'.
+    """
+
+    code = "PO7"
+    name = "Polynomial 4-5-6-7"
+    aliases = ("4-5-6-7", "septic", "polynomial of degree 7", "Polynom 7. Grades")
+    source = "LCamHdl, ProfileTypes, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'"
+    vendors = Vendors(siemens="POLY_7 (6), of two sextics", twincat="POLYNOM7 (7)", codesys="Poly7", sew="POLYNOM_7")
+    TAKES = "vaj"
+    HALF = HALF_4567
+    ENDED = EndedSeptic

@@ -1,0 +1,85 @@
+"""Laws of one pulse over the share λ of the time, and the same backwards: ACS, CIC, SHM."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from engine.laws.base import Vendors
+from engine.laws.ends import REST, Ends
+from engine.laws.pulse import CONSTANT, FALLING_SINE, HALF_SINE, Pulse
+from engine.laws.pulse_law import PulseLaw, TwoPulses, require_share
+
+
+@dataclass(frozen=True)
+class HalvedLaw(PulseLaw):
+    """A pulse over the share λ of the time, and the same backwards over the rest.
+
+    Raises ValueError unless λ, the ``share``, is between 0 and 1.
+    """
+
+    STAGES = (0, 2)
+    HALF: ClassVar[Pulse]
+
+    share: float = 0.5
+
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
+
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)
+
+
+@dataclass(frozen=True)
+class ConstantAcceleration(HalvedLaw):
+    """a = 2/λ over the share λ of the time, −2/(1 − λ) over the rest; with λ = ½, s = 2ξ², then 1 − 2(1 − ξ)².
+
+    ``share`` is λ, between 0 and 1, else ValueError.
+    Source: S3, figure 1 and 'ACS'; S1 quotes its C_a = 4. With λ: LCamHdl, ProfileTypes, D_D_PARABOLA.
+    """
+
+    code = "ACS"
+    name = "Constant acceleration"
+    aliases = ("constant acceleration symmetric", "symmetric constant acceleration", "parabolic")
+    source = "S3, figure 1 and 'ACS'; S1, 'Timing diagram for a cutting machine' (C_a = 4)"
+    vendors = Vendors(siemens="D_D_PARABOLA (7)")
+    HALF = CONSTANT
+
+    ends: Ends = REST
+
+
+@dataclass(frozen=True)
+class Cycloidal(HalvedLaw):
+    """a = (π/λ) sin(πξ/λ) over the share λ of the time, −(π/μ) sin(π(ξ − λ)/μ) over the rest, μ = 1 − λ.
+
+    With λ = ½, a = 2π sin 2πξ; v = 1 − cos 2πξ; s = ξ − sin(2πξ)/2π. ``share`` is λ, between 0 and 1, else
+    ValueError. Source: S3, 'CIC'. With λ: LCamHdl, ProfileTypes, D_D_INCLINED_SINE.
+    """
+
+    code = "CIC"
+    name = "Cycloidal"
+    aliases = ("cycloid",)
+    source = "S1, 'Cycloidal curve'; S3, 'CIC'"
+    vendors = Vendors(
+        siemens="D_D_INCLINED_SINE (10)", twincat="BESTEHORN (12)", codesys="InclinedSine", sew="INCLINED_SINE"
+    )
+    HALF = HALF_SINE
+
+    ends: Ends = REST
+
+
+@dataclass(frozen=True)
+class SimpleHarmonic(HalvedLaw):
+    """s = (1 − cos πξ)/2; with the share λ, a quarter of a cosine over λ and one of a sine over 1 − λ.
+
+    It begins and ends with an acceleration: a law from reversal to reversal. Raises ValueError unless λ, the
+    ``share``, is between 0 and 1. Source: LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE.
+    """
+
+    code = "SHM"
+    name = "Simple harmonic"
+    aliases = ("harmonic", "basic sine", "einfache Sinuslinie")
+    source = "LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE"
+    vendors = Vendors(siemens="D_D_BASIC_SINE (9)", twincat="SINUSLINIE (10)", sew="SINE")
+    STAGES = (2, 4)
+    HALF = FALLING_SINE
+
+    ends: Ends = REST

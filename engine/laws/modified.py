@@ -1,0 +1,285 @@
+"""Laws of pulses with edges of a sine: MTP, MTS, MSN, SCC, HAC, SGS."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from engine.laws.base import Vendors, require_finite
+from engine.laws.ends import REST, EndError, Ends, require_ends
+from engine.laws.pulse import FALLING_SINE, sine_edged
+from engine.laws.pulse_law import (
+    SUM_TOLERANCE,
+    PulseLaw,
+    TwoPulses,
+    pulses_of,
+    require_part,
+    require_share,
+    seven_durations,
+)
+
+CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)
+
+
+@dataclass(frozen=True)
+class ModifiedTrapezoidal(PulseLaw):
+    """Seven stages: a = A sin(πu/2d1), A, A cos(πu/2d3), 0, −B sin(πu/2d5), −B, −B cos(πu/2d7).
+
+    ``durations`` are the seven shares of the rise: not negative, of sum 1 (within 1e-9), neither the first
+    three nor the last three all zero; else ValueError. With k = 2/π, m = k d1 + d2 + k d3 and
+    n = k d5 + d6 + k d7, A m = B n = C_v and A = 1/(S_a + m d4 + S_d m/n), where S_a and S_d are the travels
+    of the two lobes for unit acceleration.
+    Source: S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'.
+    """
+
+    code = "MTP"
+    name = "Modified trapezoidal"
+    aliases = ("ModTVP", "modified trapezoidal acceleration", "modified trapezoid")
+    source = "S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'"
+    vendors = Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)")
+
+    durations: tuple[float, ...] = CLASSIC
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "durations", seven_durations(self.durations))
+
+    def _pulses(self) -> TwoPulses:
+        return pulses_of(self.durations, sine_edged)
+
+
+CLASSIC_PULSE = sine_edged(0.25, 0.5, 0.25)
+
+
+@dataclass(frozen=True)
+class TrapezoidByShare(PulseLaw):
+    """The pulses ¼-½-¼ of the modified trapezoid over λ and over 1 − λ; or one of them cut off at a reversal.
+
+    ``share`` is λ, between 0 and 1. At a ``reversal``, "start" or "end" (else "none"), the pulse stands at its
+    height: ``edge`` of its duration, from 0 to 1, is a quarter of a sine at the inner end, the rest constant.
+    Else ValueError. The vendors do not publish ``edge``; with ½ and λ = ½ both pulses are of one height.
+    Source: LCamHdl, ProfileTypes, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D; SolidWorks, modified trapezoid (⅛, ⅜, ⅝, ⅞).
+    """
+
+    code = "MTS"
+    name = "Modified trapezoid by share"
+    aliases = ("modifiziertes Beschleunigungstrapez",)
+    source = "LCamHdl, ProfileTypes, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D"
+    vendors = Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)")
+    STAGES = (0, 1, 2, 4, 5, 6)
+
+    share: float = 0.5
+    reversal: Literal["none", "start", "end"] = "none"
+    edge: float = 0.5
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
+        require_part("edge", self.edge)
+        if self.reversal not in ("none", "start", "end"):
+            raise ValueError(f"reversal is {self.reversal!r}; expected 'none', 'start' or 'end'")
+
+    def _pulses(self) -> TwoPulses:
+        cut = sine_edged(0.0, 1.0 - self.edge, self.edge)
+        rise, fall = (cut if self.reversal == end else CLASSIC_PULSE for end in ("start", "end"))
+        return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
+
+
+N = 2.0 * math.pi**2 / (4.0 + math.pi)
+LATE = (3.0 * math.pi - 4.0) / (4.0 * math.pi)
+"""κ of the pulse told backwards"""
+
+
+@dataclass(frozen=True)
+class ModifiedSine(PulseLaw):
+    """Quarters of a sine: up over β₁λ, down over (1 − β₁)λ, and the like downwards with β₂ and μ = 1 − λ.
+
+    ``share`` is λ, between 0 and 1; ``rise_edge`` and ``fall_edge`` are β₁ and β₂, the shares of either half that
+    the edge at the dwell takes, from 0 to 1: ¼ in the modified sine, ½ in the cycloidal law, 0 in the simple
+    harmonic one. Else ValueError.
+    Source: Neklutin's modified sine, as in LCamHdl, ProfileTypes, D_D_MOD_SINE and, between velocities,
+    C_C_MOD_SINE, D_C_MOD_SINE, C_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'.
+    """
+
+    code = "MSN"
+    name = "Modified sine"
+    aliases = ("modified sinusoid", "modifizierte Sinuslinie")
+    source = "LCamHdl, ProfileTypes, D_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'"
+    vendors = Vendors(
+        siemens="D_D_MOD_SINE (12)", twincat="MODSINUSLINIE (11)", codesys="ModifiedSine", sew="MODIFIED_SINE"
+    )
+    STAGES = (0, 2, 4, 6)
+
+    share: float = 0.5
+    rise_edge: float = 0.25
+    fall_edge: float = 0.25
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
+        require_part("rise_edge", self.rise_edge)
+        require_part("fall_edge", self.fall_edge)
+
+    def _pulses(self) -> TwoPulses:
+        rise = sine_edged(self.rise_edge, 0.0, 1.0 - self.rise_edge)
+        fall = sine_edged(self.fall_edge, 0.0, 1.0 - self.fall_edge)
+        return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
+
+    @classmethod
+    def with_deceleration(cls, deceleration: float, ends: Ends) -> "ModifiedSine":
+        """Return the classic law whose second pulse has the height B, by its share λ: the option Ca* of a cam editor.
+
+        μ = [N(H − v0) − π(v1 − v0)/2]/[B + Nκ'(v1 − v0)], κ' = (3π − 4)/4π, N = 2π²/(4 + π).
+        Raises EndError where no share between 0 and 1 does.
+        Source: LCamHdl, types, 'Ca*'; CODESYS, SM3_CamBuilder, ModifiedSine.
+        """
+        gained = ends.v1 - ends.v0
+        over = deceleration + N * LATE * gained
+        late = (N * (ends.stroke - ends.v0) - math.pi / 2.0 * gained) / over if over else math.inf
+        if not 0.0 < late < 1.0:
+            raise EndError(f"no share between 0 and 1 gives a modified sine the deceleration {deceleration:g}")
+        return replace(cls(1.0 - late), ends=ends)
+
+
+@dataclass(frozen=True)
+class SineConstantCosine(PulseLaw):
+    """Sine edges at the dwells, constants, cosine edges inside, and a part at constant velocity.
+
+    ``sine``, ``constant``, ``cosine`` and ``straight`` are their shares of the whole time, b, c, d and e: not
+    negative, of sum 1 (within 1e-9), and not all of it straight. ``share`` is λ, the first pulse's share of what is
+    not straight, between 0 and 1. Else ValueError. With λ = ½ and e = 0,
+    C_a = 4π²/[(π² − 8)(b² − d²) − 2π(π − 2)b + π²].
+    It contains constant acceleration (0, 1, 0), the modified trapezoid (¼, ½, ¼), simple harmonic (0, 0, 1),
+    modified sine (¼, 0, ¾) and cycloidal motion (½, 0, ½).
+    Source: Norton's SCCA family, as in PTC Creo, 'SCCA', and mechdesigner.support, 'Sine-Constant-Cosine'.
+    """
+
+    code = "SCC"
+    name = "Sine-constant-cosine"
+    aliases = ("SCCA",)
+    source = "PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'"
+
+    sine: float = 1 / 3
+    constant: float = 1 / 3
+    cosine: float = 1 / 3
+    straight: float = 0.0
+    share: float = 0.5
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        parts = {"sine": self.sine, "constant": self.constant, "cosine": self.cosine, "straight": self.straight}
+        for name, value in parts.items():
+            require_part(name, value)
+        if abs(sum(parts.values()) - 1.0) > SUM_TOLERANCE:
+            raise ValueError(f"the shares {', '.join(parts)} sum to {sum(parts.values()):.12g}; expected 1")
+        if not self._bent > 0.0:
+            raise ValueError("straight is 1; expected time to speed up and slow down")
+        require_share("share", self.share)
+
+    @property
+    def _bent(self) -> float:
+        return self.sine + self.constant + self.cosine
+
+    def _pulses(self) -> TwoPulses:
+        bent = self._bent
+        pulse = sine_edged(self.sine / bent, self.constant / bent, self.cosine / bent)
+        return TwoPulses(pulse, self.share * bent, self.straight, pulse, (1.0 - self.share) * bent)
+
+
+REST_SIDE = sine_edged(0.25, 0.0, 0.75)
+
+
+@dataclass(frozen=True)
+class HarmonicCombination(PulseLaw):
+    """A modified sine at one end, and at the other, where it turns round, a quarter of a sine.
+
+    ``reversal`` says which end, "end" (rest to reversal, velocity to reversal) or "start". ``share`` is λ, between
+    0 and 1; else ValueError. Where an acceleration is asked for at the reversal, λ is what gives it: so two such
+    laws meet without a jump.
+    Source: LCamHdl, ProfileTypes, D_R_, R_D_, C_R_ and R_C_HARMONIC_COMBI; camdoku of i-halbritter.
+    """
+
+    code = "HAC"
+    name = "Harmonic combination"
+    aliases = ("harmonische Kombination",)
+    source = "LCamHdl, ProfileTypes, D_R_, R_D_, C_R_ and R_C_HARMONIC_COMBI"
+    vendors = Vendors(siemens="D_R_HARMONIC_COMBINATION (20)")
+    STAGES = (0, 2, 4, 6)
+
+    share: float = 0.5
+    reversal: Literal["start", "end"] = "end"
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
+        if self.reversal not in ("start", "end"):
+            raise ValueError(f"reversal is {self.reversal!r}; expected 'start' or 'end'")
+
+    @property
+    def _at_end(self) -> bool:
+        return self.reversal == "end"
+
+    def _pulses(self) -> TwoPulses:
+        rise, fall = (REST_SIDE, FALLING_SINE) if self._at_end else (FALLING_SINE, REST_SIDE)
+        return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
+
+    def between(self, ends: Ends) -> "HarmonicCombination":
+        """Return the law between these ends; where an acceleration is asked for at the reversal, with another share.
+
+        Raises EndError where no share between 0 and 1 gives that acceleration.
+        """
+        asked = -ends.a1 if self._at_end else ends.a0
+        plain = replace(ends, a1=0.0) if self._at_end else replace(ends, a0=0.0)
+        require_ends(self, plain, self.takes)
+        law = self._with(plain)
+        return replace(law, share=law._share_for(asked)) if asked else law
+
+    def _share_for(self, height: float) -> float:
+        """Return λ for which the quarter sine has this height.
+
+        With the velocities v at the other end and v_r at the reversal, μ the share of the quarter sine, κ of the
+        pulse at the other end and κ_r, w_r of the quarter sine::
+
+            w_r B (κ_r − κ) μ² + [w_r B κ − (v − v_r)(1 − κ)] μ = H − v (1 − κ) − v_r κ
+        """
+        far, near = (self.ends.v0, self.ends.v1) if self._at_end else (self.ends.v1, self.ends.v0)
+        lead, gain = REST_SIDE.lead, FALLING_SINE.gain * height
+        left = self.ends.stroke - far * (1.0 - lead) - near * lead
+        quadratic = (gain * (FALLING_SINE.lead - lead), gain * lead - (far - near) * (1.0 - lead), -left)
+        found = [float(root.real) for root in np.roots(quadratic) if not root.imag and 0.0 < root.real < 1.0]
+        if not found:
+            raise EndError(f"no share between 0 and 1 gives a harmonic combination {height:g} at its reversal")
+        best = min(found, key=lambda part: abs(part - 0.5))
+        return 1.0 - best if self._at_end else best
+
+
+@dataclass(frozen=True)
+class SineStraightSine(PulseLaw):
+    """A quarter of a cosine over cλ, a straight line over 1 − c, a quarter of a sine over c(1 − λ).
+
+    ``curved`` is c, more than 0 and at most 1 (1 is the simple harmonic law), ``share`` λ, between 0 and 1; else
+    ValueError. V = π/(π − (π − 2)c). It begins and ends with an acceleration: it is meant for reversals.
+    Source: LCamHdl, ProfileTypes, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286 (C, 0.5 by default).
+    """
+
+    code = "SGS"
+    name = "Sine-straight-sine"
+    aliases = ("modified velocity trapezoid", "Sinus-Gerade-Kombination")
+    source = "LCamHdl, ProfileTypes, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286"
+    vendors = Vendors(siemens="R_R_MOD_VELO_TRAPEZOID (14)", twincat="SINUS_GERADE_KOMBI (16)")
+    STAGES = (2, 3, 4)
+
+    curved: float = 0.5
+    share: float = 0.5
+    ends: Ends = REST
+
+    def __post_init__(self) -> None:
+        require_finite(curved=self.curved)
+        if not 0.0 < self.curved <= 1.0:
+            raise ValueError(f"curved is {self.curved:g}; expected a share of more than 0 and at most 1")
+        require_share("share", self.share)
+
+    def _pulses(self) -> TwoPulses:
+        late = self.curved * (1.0 - self.share)
+        return TwoPulses(FALLING_SINE, self.curved * self.share, 1.0 - self.curved, FALLING_SINE, late)

@@ -1,0 +1,244 @@
+"""Pages of laws of pulses with edges of a sine."""
+
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from engine.laws.modified import (
+    HarmonicCombination,
+    ModifiedSine,
+    ModifiedTrapezoidal,
+    SineConstantCosine,
+    SineStraightSine,
+    TrapezoidByShare,
+)
+from workbook.book.sentence import figure
+from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
+from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
+from workbook.laws.family import LawCheck, LawSheet, Parameter
+from workbook.laws.shared import (
+    BRIEF,
+    DURATIONS,
+    EVEN,
+    LASTING,
+    LEAST,
+    SHARE,
+    SUM_SAYS,
+    Between,
+    SevenDurations,
+    Shared,
+    too_brief,
+)
+
+MODIFIED_TRAPEZOIDAL = edged(
+    dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),
+    titled="Modified trapezoidal acceleration",
+    source="S1, seven parameters; S3, figure 2",
+    entries=SevenDurations,
+    law=ModifiedTrapezoidal,
+    parameters=DURATIONS,
+    variations=(
+        {"durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]},
+        {"durations": [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0]},
+        {"durations": [0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2]},
+        {"durations": [0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0]},
+        {"durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]},
+        {"durations": [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25]},
+    ),
+    checks=LASTING,
+)
+
+
+class Cut(Shared):
+    """The share of the time that accelerates, and the end at which the motion turns round."""
+
+    reversal: Literal["none", "start", "end"] = "none"
+    edge: Share = TrapezoidByShare.edge
+
+
+TRAPEZOID_BY_SHARE = edged(
+    {
+        1: Stage(SINE_OUT, '=IF(@reversal="start",0,@share/4)'),
+        2: Stage(FLAT, '=@share*IF(@reversal="start",1-@edge,1/2)'),
+        3: Stage(SINE_IN, '=@share*IF(@reversal="start",@edge,1/4)'),
+        5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",@edge,1/4)'),
+        6: Stage(FLAT, '=(1-@share)*IF(@reversal="end",1-@edge,1/2)'),
+        7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
+    },
+    source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D",
+    entries=Cut,
+    law=TrapezoidByShare,
+    parameters=(
+        SHARE,
+        Parameter("@reversal", "It turns round at", "", "reversal", "reversal",
+                  source="none, start or end: there the acceleration stands"),
+        Parameter("@edge", "Edge of the pulse that is cut off", "ρ", "edge", "edge",
+                  source="share of the pulse; without a reversal of no account"),
+    ),
+    variations=(
+        {"share": 0.4, "reversal": "end", "edge": 0.3},
+        {"share": 0.6, "reversal": "start", "edge": 0.7},
+        {"share": 0.3, "reversal": "none", "edge": 0.4},
+        {"share": 0.55, "reversal": "end", "edge": 1.0},
+    ),
+)  # fmt: skip
+
+
+class Edges(LawSheet):
+    """The share of the time that accelerates, and the edges' shares of either half."""
+
+    share: Between = ModifiedSine.share
+    rise_edge: Share = ModifiedSine.rise_edge
+    fall_edge: Share = ModifiedSine.fall_edge
+
+
+MODIFIED_SINE = edged(
+    {
+        1: Stage(SINE_OUT, "=@rise_edge*@share"),
+        3: Stage(SINE_IN, "=(1-@rise_edge)*@share"),
+        5: Stage(SINE_IN, "=(1-@fall_edge)*(1-@share)"),
+        7: Stage(SINE_OUT, "=@fall_edge*(1-@share)"),
+    },
+    source="LCamHdl, D_D_MOD_SINE",
+    entries=Edges,
+    law=ModifiedSine,
+    parameters=(
+        SHARE,
+        Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",
+                  source="¼; ½: cycloidal, 0: simple harmonic"),
+        Parameter("@fall_edge", "Last edge, as a share of the deceleration", "β_2", "fall_edge", "last edge"),
+    ),
+    variations=(
+        {"share": 0.4, "rise_edge": 0.25, "fall_edge": 0.4},
+        {"share": 0.6, "rise_edge": 0.0, "fall_edge": 1.0},
+        {"share": 0.3, "rise_edge": 0.5, "fall_edge": 0.1},
+    ),
+)  # fmt: skip
+
+PARTS = ("sine", "constant", "cosine", "straight")
+
+
+class Parts(Shared):
+    """The shares of the time of sine edges, constants, cosine edges and a straight line; they sum to 1."""
+
+    sine: Share = SineConstantCosine.sine
+    constant: Share = SineConstantCosine.constant
+    cosine: Share = SineConstantCosine.cosine
+    straight: Share = SineConstantCosine.straight
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield shares that do not fill the rise, and a law that cannot start or stop."""
+        total = sum(getattr(self, part) for part in PARTS)
+        fits = self.model_dump() | {part: getattr(SineConstantCosine, part) for part in PARTS}
+        if abs(total - 1) > SUM_TOLERANCE:
+            yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
+        if not self.sine + self.constant + self.cosine:
+            yield DesignError("", "all of the time is straight", "lasts", fits)
+        if abs(total - 1) <= SUM_TOLERANCE and self.sine + self.constant + self.cosine:
+            law = SineConstantCosine(**{part: getattr(self, part) for part in PARTS}, share=self.share)
+            yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits | {"share": EVEN})
+
+
+SINE_CONSTANT_COSINE = edged(
+    {
+        1: Stage(SINE_OUT, "=@sine*@share"),
+        2: Stage(FLAT, "=@constant*@share"),
+        3: Stage(SINE_IN, "=@cosine*@share"),
+        4: Stage(None, "=@straight"),
+        5: Stage(SINE_IN, "=@cosine*(1-@share)"),
+        6: Stage(FLAT, "=@constant*(1-@share)"),
+        7: Stage(SINE_OUT, "=@sine*(1-@share)"),
+    },
+    titled="Sine-constant-cosine (SCCA)",
+    source="PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'",
+    entries=Parts,
+    law=SineConstantCosine,
+    parameters=(
+        Parameter("@sine", "Sine edges at the dwells", "b", "sine", "sine edges",
+                  source="shares of the whole time; all four sum to 1"),
+        Parameter("@constant", "Constant acceleration", "c", "constant", "constant"),
+        Parameter("@cosine", "Cosine edges inside", "d", "cosine", "cosine edges"),
+        Parameter("@straight", "Constant velocity", "e", "straight", "constant velocity"),
+        SHARE,
+    ),
+    variations=(
+        {"sine": 0.1, "constant": 0.6, "cosine": 0.3, "straight": 0.0, "share": 0.4},
+        {"sine": 0.2, "constant": 0.0, "cosine": 0.6, "straight": 0.2, "share": 0.6},
+        {"sine": 0.0, "constant": 0.5, "cosine": 0.2, "straight": 0.3, "share": 0.3},
+        {"sine": 0.15, "constant": 0.25, "cosine": 0.35, "straight": 0.25, "share": 0.55},
+    ),
+    checks=(
+        LawCheck("@sum", "the four shares sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", SUM_SAYS),
+        LawCheck("@lasts", "the law starts and stops", "@sine+@constant+@cosine>0", "lasts",
+                 '"all of the time is straight"'),
+        BRIEF,
+    ),
+)  # fmt: skip
+
+
+class Turning(Shared):
+    """The share of the time that accelerates, and the end at which the motion turns round."""
+
+    reversal: Literal["start", "end"] = "end"
+
+
+REVERSAL = Parameter("@reversal", "It turns round at", "", "reversal", "reversal", source="start or end")
+
+HARMONIC_COMBINATION = edged(
+    {
+        1: Stage(SINE_OUT, '=IF(@reversal="start",0,@share/4)'),
+        3: Stage(SINE_IN, '=@share*IF(@reversal="start",1,3/4)'),
+        5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",1,3/4)'),
+        7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
+    },
+    source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI",
+    entries=Turning,
+    law=HarmonicCombination,
+    parameters=(SHARE, REVERSAL),
+    variations=(
+        {"share": 0.4, "reversal": "start"},
+        {"share": 0.6, "reversal": "end"},
+        {"share": 0.3, "reversal": "start"},
+    ),
+)
+
+
+class Curved(Shared):
+    """The share of the time that is curved, and the part of that which accelerates."""
+
+    curved: Annotated[float, Field(ge=LEAST, le=1, allow_inf_nan=False)] = SineStraightSine.curved
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a stage that is next to none."""
+        fits = self.model_dump() | {"curved": SineStraightSine.curved, "share": EVEN}
+        law = SineStraightSine(curved=self.curved, share=self.share)
+        yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits)
+
+
+SINE_STRAIGHT_SINE = edged(
+    {
+        3: Stage(SINE_IN, "=@curved*@share"),
+        4: Stage(None, "=1-@curved"),
+        5: Stage(SINE_IN, "=@curved*(1-@share)"),
+    },
+    source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286",
+    entries=Curved,
+    law=SineStraightSine,
+    parameters=(
+        SHARE,
+        Parameter("@curved", "Share of the time that is curved", "c", "curved", "share of the sines",
+                  source="1: simple harmonic"),
+    ),
+    checks=(BRIEF,),
+    variations=({"share": 0.4, "curved": 0.3}, {"share": 0.7, "curved": 1.0}, {"share": 0.55, "curved": 0.8}),
+)  # fmt: skip
+
+PAGES = (
+    MODIFIED_TRAPEZOIDAL,
+    TRAPEZOID_BY_SHARE,
+    MODIFIED_SINE,
+    SINE_CONSTANT_COSINE,
+    HARMONIC_COMBINATION,
+    SINE_STRAIGHT_SINE,
+)
