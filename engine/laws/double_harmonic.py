@@ -75,6 +75,3 @@ class DoubleHarmonic(Law):
         """Return two pieces, which meet where the acceleration at the end at rest is largest: cos πξ = ¼."""
         peak = math.acos(0.25) / math.pi
         return tuple(cut(self.as_pieces()[0], [peak if self.reversal == "end" else 1.0 - peak]))
-
-    def shapes(self) -> None:
-        """Return None: its stages are of no simple shape."""

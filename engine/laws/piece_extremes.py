@@ -1,7 +1,7 @@
 """Where v, a, j and v·a of one piece are stationary, and the extremes of pieces one after the other."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,13 +15,6 @@ CELLS = 512  # at least, in which the power of a mixed piece is searched for cha
 ROUNDS = 4  # of narrowing a cell: a stationary value is then right to the last digit
 JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
-
-
-def stationary_points(piece: Piece) -> list[float]:
-    """Return where v, a or j of a piece is stationary, by the ladder of derivatives, which misses none; in no order."""
-    a = acceleration(piece)
-    j = a.derivative()
-    return [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
 
 
 def acceleration(piece: Piece) -> Curve:
@@ -80,17 +73,42 @@ def _searched_power(piece: Piece, v0: float) -> list[float]:
     return [float(u) for u in narrowed(rises, grid[at], grid[at + 1], ROUNDS)]
 
 
-def power_extremes(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
-    """Return the largest and the lowest v·a of pieces one after the other, entered with velocity ``v0``."""
-    found = []
+def stationary_points(piece: Piece) -> list[float]:
+    """Return where v, a or j of a piece is stationary, by the ladder of derivatives, which misses none; in no order."""
+    a = acceleration(piece)
+    j = a.derivative()
+    return [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
+
+
+def turning_points(piece: Piece, v0: float) -> list[float]:
+    """Return where v, a polynomial with sines as a is, changes its sign."""
+    a = acceleration(piece)
+    still = v0 + sum(p / w * math.cos(phi) for p, w, phi in a.sines)
+    turned = tuple((-p / w, w, phi + math.pi / 2.0) for p, w, phi in a.sines)
+    return zeros(Curve((still, *(c / (i + 1) for i, c in enumerate(a.c))), turned), piece.duration)
+
+
+def along(
+    pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
+) -> list[tuple[Array, Array, Array, Array]]:
+    """Return s, v, a and j of each piece that lasts, at its begin, at places inside it, and at its end.
+
+    The pieces follow each other from 0, with the velocity ``v0``.
+    """
+    found, s0 = [], 0.0
     for piece in pieces:
         if piece.duration > 0.0:
-            u = np.array([0.0, *stationary_power_points(piece, v0), piece.duration])
-            _, v, a, _ = gains(u, np.array(piece.row)[:, None])
-            found.append((v0 + v) * a)
-            v0 += float(v[-1])
-    power = np.concatenate(found)
-    return float(power.max()), float(power.min())
+            u = np.array([0.0, *inside(piece, v0), piece.duration])
+            s, v, a, j = gains(u, np.array(piece.row)[:, None])
+            found.append((s0 + v0 * u + s, v0 + v, a, j))
+            s0, v0 = float(found[-1][0][-1]), float(found[-1][1][-1])
+    return found
+
+
+def power_extremes(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
+    """Return the largest and the lowest v·a of pieces one after the other, entered with velocity ``v0``."""
+    _, v, a, _ = np.concatenate(along(pieces, v0, stationary_power_points), axis=1)
+    return float((v * a).max()), float((v * a).min())
 
 
 def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:
@@ -98,33 +116,16 @@ def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a
 
     C_j is infinite where a jumps between pieces that last, or from ``a0`` at the begin or to ``a1`` at the end.
     """
-    lasting = [piece for piece in pieces if piece.duration > 0.0]
-    found = []
-    for piece in lasting:
-        found.append(_extremes(piece, v0, stationary_points(piece) + stationary_power_points(piece, v0)))
-        v0 = float(found[-1][0][-1])
-    v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
-    accelerations = [values[1] for values in found]
+    found = along(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
+    _, v, a, j = np.concatenate(found, axis=1)
+    before = np.array([a0, *(one[2][-1] for one in found)])
+    after = np.array([*(one[2][0] for one in found), a1])
+    jumps = np.abs(before - after).max() > JUMP * np.abs(a).max()
     return Coefficients(
         cv=float(np.abs(v).max()), ca_max=float(a.max()), ca_min=float(a.min()),
-        ca_rms=math.sqrt(sum(map(square_integral, lasting))),
-        cj=math.inf if _jumps(accelerations, a0, a1) else float(np.abs(j).max()), va_max=float((v * a).max()),
-        va_min=float((v * a).min()),
+        ca_rms=math.sqrt(sum(square_integral(piece) for piece in pieces if piece.duration > 0.0)),
+        cj=math.inf if jumps else float(np.abs(j).max()), va_max=float((v * a).max()), va_min=float((v * a).min()),
     )  # fmt: skip
-
-
-def _extremes(piece: Piece, v0: float, inside: Sequence[float]) -> tuple[Array, Array, Array]:
-    """Return v, a, j at the begin of a piece, at places inside it, and at its end."""
-    u = np.array([0.0, *inside, piece.duration])
-    _, v, a, j = gains(u, np.array(piece.row)[:, None])
-    return v0 + v, a, j
-
-
-def _jumps(accelerations: Sequence[Array], a0: float, a1: float) -> bool:
-    before = [a0, *(float(a[-1]) for a in accelerations)]
-    after = [*(float(a[0]) for a in accelerations), a1]
-    largest = max(float(np.abs(a).max()) for a in accelerations)
-    return max(abs(x - y) for x, y in zip(before, after, strict=True)) > JUMP * largest
 
 
 def square_integral(piece: Piece) -> float:
@@ -146,31 +147,12 @@ class Extremes(NamedTuple):
 
 
 def reach_of(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
-    """Return the lowest and the highest position of pieces one after the other, from 0 with the velocity ``v0``.
-
-    They are at an end of a piece, or where v, a polynomial with sines as a is, changes its sign.
-    """
-    s, low, high = 0.0, 0.0, 0.0
-    for piece in pieces:
-        if piece.duration > 0.0:
-            a = acceleration(piece)
-            still = v0 + sum(p / w * math.cos(phi) for p, w, phi in a.sines)
-            turned = tuple((-p / w, w, phi + math.pi / 2.0) for p, w, phi in a.sines)
-            v = Curve((still, *(c / (i + 1) for i, c in enumerate(a.c))), turned)
-            u = np.array([*zeros(v, piece.duration), piece.duration])
-            ds, dv, _, _ = gains(u, np.array(piece.row)[:, None])
-            places = s + v0 * u + ds
-            low, high = min(low, float(places.min())), max(high, float(places.max()))
-            s, v0 = float(places[-1]), v0 + float(dv[-1])
-    return low, high
+    """Return the lowest and the highest position of pieces one after the other, from 0 with the velocity ``v0``."""
+    s = np.concatenate([one[0] for one in along(pieces, v0, turning_points)])
+    return float(s.min()), float(s.max())
 
 
 def extremes_of(pieces: Sequence[Piece], v0: float) -> Extremes:
     """Return the extremes of pieces one after the other, entered with the velocity ``v0``: exact, of any shape."""
-    found = []
-    for piece in pieces:
-        if piece.duration > 0.0:
-            found.append(_extremes(piece, v0, stationary_points(piece)))
-            v0 = float(found[-1][0][-1])
-    v, a, j = (np.concatenate([values[i] for values in found]) for i in range(3))
-    return Extremes(*((float(x.min()), float(x.max())) for x in (v, a, j)))
+    _, *rates = np.concatenate(along(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
+    return Extremes(*((float(x.min()), float(x.max())) for x in rates))

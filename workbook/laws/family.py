@@ -138,8 +138,13 @@ class Page:
     """whether its formulas stand in cells of its own, which other sheets refer to"""
     functions: bool = True
     """whether the functions MOTION.* take it"""
-    samples: str = "@samples"
-    """the table of its samples; a law without stands still"""
+    named: str = ""
+    """the formula of its name in words, where one is entered"""
+    low: str = "=MIN(0,[s1])"
+    high: str = "=MAX(0,[s1])"
+    """the formulas of its lowest and its highest s: a law that turns has others"""
+    of_pieces: Sequence[str] = ()
+    """the entries that its pieces may have, where it has no table of them"""
 
     @property
     def code(self) -> str:
@@ -203,26 +208,6 @@ class Page:
         """Return the ``k``-th of other parameters, round and round; ``room`` is the rows of the own law's table."""
         return dict(self.variations[k % len(self.variations)]) if self.variations else {}
 
-    def name_formula(self) -> str:
-        """Return the formula of the law's name in words."""
-        return f'="{self.law.name}"'
-
-    def name_entered(self, entered: Any) -> str:
-        """Return the law's name in words."""
-        return self.law.name
-
-    def coefficient(self, name: str) -> str:
-        """Return the formula by which other sheets have a coefficient."""
-        return f"=@{name}" if self.has_sheet else self.coefficients[name][0]
-
-    def reached(self, end: str) -> str:
-        """Return the formula of the lowest or the highest s, ``MIN`` or ``MAX``; a law that turns has others."""
-        return f"={end}(0,[s1])"
-
-    def end(self, derivative: str, at: str) -> str:
-        """Return the formula of s, v or a at an end of the law: at its ``first`` or ``last`` sample."""
-        return f"=[{self.samples}.{derivative}.{at}]" if self.samples else "=0"
-
     def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
         """Return the rows of the stack for a law of the family."""
         shown = dict.fromkeys(self.columns, "=[@pieces.{}.{}]") if self.has_sheet else {}
@@ -237,16 +222,6 @@ class Page:
         had = {name for name in ENTRIES if any(row.formulas[name] != "=0" for row in self.pieces)} | {"d"}
         whole = {name for sine in (SINE, SECOND) if had & set(sine) for name in sine}
         return tuple(name for name in ENTRIES if name in had | whole)
-
-    @property
-    def of_pieces(self) -> Sequence[str]:
-        """The entries that its pieces may have: what its curves are made of."""
-        return self.columns
-
-    @property
-    def second_sine(self) -> bool:
-        """Whether a piece of the family has two sines."""
-        return any(row.formulas["P2"] != "=0" for row in self.pieces)
 
     @property
     def fields(self) -> list[str]:

@@ -36,6 +36,11 @@ class NamedLaw:
         return self.page.made(self.entered)
 
     @property
+    def words(self) -> str:
+        """Its name in words."""
+        return str(getattr(self.entered, "name", self.page.law.name))
+
+    @property
     def basic(self) -> bool:
         """Whether it is one of the laws that every book has."""
         return self.name in CODES

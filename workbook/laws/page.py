@@ -53,7 +53,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         sheet.print_columns = BEHIND - 1
         sheet.one_page = True
         sheet.heading("Table")
-        samples(sheet, rise, entered.lift, sizes.law, stack, page.of_pieces)
+        samples(sheet, rise, entered.lift, sizes.law, stack, page.of_pieces or page.columns)
         page.detail(sheet, one, stack, sizes)
     return sheet
 

@@ -13,7 +13,7 @@ from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST
 from workbook.entries.machine import Sizes
-from workbook.laws.family import LABELS, POWERS, SECOND, SINE, entries_of
+from workbook.laws.family import COEFFICIENTS, LABELS, POWERS, SECOND, SINE, entries_of
 from workbook.laws.library import NamedLaw
 from workbook.laws.page import finite
 from workbook.laws.sampling import Pieces
@@ -61,7 +61,7 @@ def locator(laws: Sequence[NamedLaw], rows: list[Row]) -> Pieces:
     """Return the stack as the sampled tables search it."""
     found = groupby(rows, key=lambda row: row.number)
     numbers = {id(one.law): one.number for one in laws}
-    second_sine = any(one.page.second_sine for one in laws)
+    second_sine = any("P2" in one.page.columns for one in laws)
     return Pieces({number: [row.piece for row in group] for number, group in found}, numbers, second_sine)
 
 
@@ -88,16 +88,6 @@ def laws_sheet(
     stack(sheet, rows, stacked)
 
 
-COEFFICIENTS = (
-    ("cv", "velocity coefficient", "C_v"),
-    ("ca_max", "acceleration coefficient", "C_a+"),
-    ("ca_min", "deceleration coefficient", "C_a−"),
-    ("ca_rms", "rms acceleration coefficient", "C_a,rms"),
-    ("cj", "jerk coefficient", "C_j"),
-    ("va_max", "largest v·a", "max(v·a)"),
-    ("va_min", "lowest v·a", "min(v·a)"),
-)
-"""of a law: name, label and symbol of each"""
 LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), "start", "v_low", "wrong", "low", "high",
              "s0", "s1", "v0", "v1", "a0", "a1")  # fmt: skip
 """columns of the table of laws that have names"""
@@ -109,24 +99,23 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
     ends, reaches = meeting(laws) if hands_over else [], [reach(one.law) for one in laws]
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
-        formulas = [one.own(one.page.coefficient(name)) for one in laws]
+        formulas = [one.own(f"=@{name}" if one.page.has_sheet else one.page.coefficients[name][0]) for one in laws]
         values = [finite(getattr(one.law.coefficients, name)) for one in laws]
         return result(name, label, symbol, "", formulas, values, format="0.0000")
 
     def end(d: str, label: str, at: str) -> Quantity:
         xi = 0 if at == "first" else 1
-        formulas = [one.own(one.page.end(d, at)) for one in laws]
+        formulas = [one.own(f"=[@samples.{d}.{at}]" if one.page.has_sheet else "=0") for one in laws]
         values = [getattr(one.law.start if at == "first" else one.law.end, d) for one in laws]
         return calc(f"{d}{xi}", f"{label} at ξ = {xi}", f"{d}({xi})", "", formulas, values, scale=RISE)
 
     sheet.table(
         "laws", "The laws by number; a phase takes its law by this name", len(laws),
         calc("name", "law in words", "", "",
-             [one.own(one.page.name_formula()) for one in laws],
-             [one.page.name_entered(one.entered) for one in laws]),
+             [one.own(one.page.named or f'="{one.words}"') for one in laws], [one.words for one in laws]),
         constant("no", "number", "", "", [one.number for one in laws]),
         calc("code", "name", "", "", [one.listed for one in laws], [one.name for one in laws]),
-        *(coefficient(*one) for one in COEFFICIENTS),
+        *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
         calc("start", "velocity it begins with", "", "",
              [one.own(one.page.start) for one in laws], [one.law.start.v for one in laws]),
         calc("v_low", "lowest velocity", "", "",
@@ -135,10 +124,10 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         calc("wrong", "step of v the wrong way", "", "",
              [one.own(one.page.wrong) for one in laws], [one.page.stepping(one.law, sizes) for one in laws]),
         *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
-        *(calc(name, f"{word} position", f"s_{end.lower()}", "",
-               [one.own(one.page.reached(end)) for one in laws],
-               [one[i] for one in reaches], scale=1.0)
-          for i, (name, word, end) in enumerate((("low", "lowest", "MIN"), ("high", "highest", "MAX")))),
+        calc("low", "lowest position", "s_min", "",
+             [one.own(one.page.low) for one in laws], [low for low, _ in reaches], scale=1.0),
+        calc("high", "highest position", "s_max", "",
+             [one.own(one.page.high) for one in laws], [high for _, high in reaches], scale=1.0),
         *ends,
     )  # fmt: skip
     names = [*LAW_NAMES, *("way", "early")[: len(ends)]]

@@ -187,7 +187,7 @@ class AHigherPiece(Cycloidal):
         return replace(first, amplitude=first.amplitude * (1 + 1e-10)), second
 
 
-class APieceTooShort(ModifiedTrapezoidal):
+class APieceTooShort(TrapezoidalVelocity):
     def as_pieces(self):
         first, second, *others = super().as_pieces()
         moved = first.duration * 1e-9

@@ -118,23 +118,6 @@ class OwnPage(Page):
         found = super().variation(k, room)
         return found if len(found["pieces"]) <= room else dict(VARIATIONS[0])
 
-    def name_formula(self) -> str:
-        """Return the formula of the name that is entered."""
-        return "=@name"
-
-    def name_entered(self, entered: OwnLaw) -> str:
-        """Return the name that is entered."""
-        return entered.name
-
-    @property
-    def of_pieces(self) -> Sequence[str]:
-        """The entries of its pieces."""
-        return OWN_ENTRIES
-
-    def reached(self, end: str) -> str:
-        """Return the formula of the lowest or the highest s: of its extremes."""
-        return {"MIN": "=@s_least", "MAX": "=@s_most"}[end]
-
     def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
         """Return the rows of the stack: the table of the own law, spare rows and all."""
         pieces = filled(law.as_pieces(), sizes.pieces, engine.Piece(0.0))
@@ -209,6 +192,10 @@ PAGE = OwnPage(
     },
     fastest="=@v_at",
     lowest="=@v_least",
+    low="=@s_least",
+    high="=@s_most",
+    named="=@name",
+    of_pieces=OWN_ENTRIES,
     wrong="=@back",
     variations=VARIATIONS,
 )

@@ -1,6 +1,6 @@
 """Points joined by a cubic spline: entered point by point, solved in the rows of one table."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Literal
@@ -101,15 +101,6 @@ class SplinePage(Page):
         """Return the engine's law."""
         return entered.exact
 
-    @property
-    def of_pieces(self) -> Sequence[str]:
-        """The entries of its pieces: of a straight acceleration."""
-        return ("c0", "c1")
-
-    def reached(self, end: str) -> str:
-        """Return the formula of the lowest or the highest s: of its extremes."""
-        return {"MIN": "=MIN([@intervals.s_low])", "MAX": "=MAX([@intervals.s_high])"}[end]
-
     def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
         """Return the rows of the stack: an interval each, spare ones and all."""
         pieces = law.as_pieces()
@@ -196,6 +187,9 @@ PAGE = SplinePage(
     coefficients=worked_out(),
     fastest="=@v_at",
     lowest="=MIN([@intervals.v_low])",
+    low="=MIN([@intervals.s_low])",
+    high="=MAX([@intervals.s_high])",
+    of_pieces=("c0", "c1"),
     start="=[@intervals.v.1]",
     wrong="=MAX([@intervals.wrong])",
     way="=2",

@@ -9,7 +9,6 @@ DWELL = Page(
     entries=None,
     law=Dwell,
     has_sheet=False,
-    samples="",
     pieces=(PieceRow("rest", "s = 0", "=1"),),
     coefficients={name: ("=0", "at rest") for name, *_ in COEFFICIENTS},
     fastest="=0",

@@ -106,7 +106,7 @@ def costs(sheet: Sheet, view: Compared) -> None:
         calc("law", "law", "", "", "=INDEX(law_code,[no])", [one.name for one in laws]),
         calc("family", "family", "", "",
              "=INDEX(law_name,[no])",
-             [one.page.name_entered(one.entered) for one in laws], align="left"),
+             [one.words for one in laws], align="left"),
         of("cv", "velocity", "C_v"),
         of("ca_max", "acceleration", "C_a+"),
         of("ca_min", "deceleration", "C_a−"),
