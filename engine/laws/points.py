@@ -6,7 +6,6 @@ sign; the RMS is by the points' weights. What is true is in :mod:`engine.laws.pi
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -63,64 +62,29 @@ SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}
 """what has extremes, with its slope"""
 
 
-@dataclass(frozen=True)
 class Points:
-    """The points on pieces one after the other, in arrays; ``entered`` are s and v at the begin of each piece."""
+    """The points on pieces one after the other, in arrays; ``entered`` are s and v at the begin of each piece.
 
-    pieces: tuple[Piece, ...]
-    entered: tuple[tuple[float, float], ...]
+    Of each point ``piece`` is its piece (from 0), ``share`` the share of it, ``weight`` its weight in it, ``part`` the
+    share of the rise that it stands for, ``u`` its place in the piece and ``xi`` in the law; ``angles`` are ωu + φ of
+    either sine (rad). ``rates`` are s, v, a, j, the slope b of j, v·a and its slope g.
+    """
 
-    @property
-    def piece(self) -> NDArray[np.intp]:
-        """The piece of each point, from 0."""
-        return np.repeat(np.arange(len(self.pieces)), POINTS)
-
-    @property
-    def share(self) -> Array:
-        """The share of its piece at which each point is."""
-        return np.tile(SHARES, len(self.pieces))
-
-    @property
-    def weight(self) -> Array:
-        """The weight of each point in its piece."""
-        return np.tile(WEIGHTS, len(self.pieces))
-
-    @property
-    def part(self) -> Array:
-        """The share of the rise that each point stands for."""
-        return np.asarray(self.weight * np.array([one.duration for one in self.pieces])[self.piece])
-
-    @cached_property
-    def u(self) -> Array:
-        """The local abscissa of each point."""
-        return np.asarray(self.share * np.array([one.duration for one in self.pieces])[self.piece])
-
-    @property
-    def xi(self) -> Array:
-        """ξ of each point."""
-        return np.array(begins(self.pieces))[self.piece] + self.u
-
-    @property
-    def angles(self) -> list[Array]:
-        """ωu + φ of either sine at the points (rad)."""
-        rates = np.array([(p.omega, p.phase, p.omega2, p.phase2) for p in self.pieces]).T
-        omega, phi, omega2, phi2 = rates[:, self.piece]
-        return [omega * self.u + phi, omega2 * self.u + phi2]
-
-    @property
-    def sine_angles(self) -> list[float]:
-        """By how much the sine of each piece turns, ω d (rad)."""
-        return [one.omega * one.duration for one in self.pieces]
-
-    @cached_property
-    def rates(self) -> dict[str, Array]:
-        """s, v, a, j, the slope b of j, v·a and its slope g at the points."""
-        row = np.array([one.row for one in self.pieces]).T[:, self.piece]
-        s0, v0 = np.array(self.entered).T[:, self.piece]
+    def __init__(self, pieces: Sequence[Piece], entered: Sequence[tuple[float, float]]) -> None:
+        self.pieces = tuple(pieces)
+        self.piece: NDArray[np.intp] = np.repeat(np.arange(len(pieces)), POINTS)
+        self.share, self.weight = np.tile(SHARES, len(pieces)), np.tile(WEIGHTS, len(pieces))
+        figures = np.array([(p.duration, p.omega, p.phase, p.omega2, p.phase2) for p in pieces]).T
+        duration, omega, phi, omega2, phi2 = figures[:, self.piece]
+        self.part, self.u = self.weight * duration, self.share * duration
+        self.xi = np.array(begins(pieces))[self.piece] + self.u
+        self.angles = [omega * self.u + phi, omega2 * self.u + phi2]
+        row = np.array([one.row for one in pieces]).T[:, self.piece]
+        s0, v0 = np.array(entered).T[:, self.piece]
         s, gained, a, j = gains(self.u, row)
         v = v0 + gained
         b = bends(self.u, row)[0]
-        return {"s": s0 + v0 * self.u + s, "v": v, "a": a, "j": j, "b": b, "va": v * a, "g": a * a + v * j}
+        self.rates = {"s": s0 + v0 * self.u + s, "v": v, "a": a, "j": j, "b": b, "va": v * a, "g": a * a + v * j}
 
     def crosses(self, what: str) -> NDArray[np.bool_]:
         """Return of each point whether the slope changes its sign between the point before it, on its piece, and it."""
@@ -184,7 +148,7 @@ class Points:
 
 def points_of(law: Law, pieces: Sequence[Piece]) -> Points:
     """Return the points of a law on its pieces, spare ones and all."""
-    return Points(tuple(pieces), tuple((row.s, row.v) for row in carried(law, pieces)))
+    return Points(pieces, [(row.s, row.v) for row in carried(law, pieces)])
 
 
 class PointedLaw(PieceLaw):

@@ -56,11 +56,9 @@ class Pulse:
     jerk: float
     """largest |dp/dx| between the ends"""
     outer: float
-    """p(0), where the law begins or ends"""
+    """p(0), where the law begins or ends; nowhere is p less than at one of its ends"""
     inner: float
     """p(1), where the law is at its greatest velocity"""
-    least: float
-    """the smallest p"""
     pieces: tuple[Piece, ...]
     """from the outer end; a stage without length is among them"""
     turned_pieces: tuple[Piece, ...]
@@ -80,7 +78,7 @@ def _edged(
     outer, inner = (0.0 if share > 0.0 else 1.0 for share in shares[::2])
     steepest = max((1.0 / d for d in shares[::2] if d > 0.0), default=0.0)
     gain, lead, square, power = figures
-    return Pulse(gain, lead, square, power, slope * steepest, outer, inner, min(outer, inner), *pieces, edge=edge)
+    return Pulse(gain, lead, square, power, slope * steepest, outer, inner, *pieces, edge=edge)
 
 
 def _require(*shares: float) -> None:
@@ -153,7 +151,7 @@ def polynomial_pulse(*c: float) -> Pulse:
         gain, velocity.integral(0.0)(1.0) / gain, p.times(p).integral(0.0)(1.0),
         max(map(power, [*zeros(power.derivative(), 1.0), 1.0])),
         max(abs(jerk(x)) for x in (0.0, *zeros(jerk.derivative(), 1.0), 1.0)),
-        c[0], p(1.0), min(c[0], p(1.0)), (piece,), (_polynomial(turned),), _peaks(c), _peaks(turned),
+        c[0], p(1.0), (piece,), (_polynomial(turned),), _peaks(c), _peaks(turned),
         Edge(0.0, 0.5, False, SLOPED) if c == (1.0, -1.0) else None,
     )  # fmt: skip
 

@@ -176,38 +176,27 @@ class PulseLaw(EndedLaw):
         return self._staged(xi)
 
     def _coefficients(self) -> Coefficients:
+        """Return them of the pulses alone between rests, v·a piece by piece between other ends.
+
+        a jumps at an end, where it should be 0, or between the pulses and the cruise.
+        """
         c, e, up, down = self.pulses, self.ends, self.acceleration, self.deceleration
-        a = [0.0] if c.cruise > 0.0 else []
-        a += [up, up * c.rise.least, -down, -down * c.fall.least]
-        va_max, va_min = self._power()
+        a = [up, up * min(c.rise.outer, c.rise.inner), -down, -down * min(c.fall.outer, c.fall.inner)]
+        inner = [up * c.rise.inner + down * c.fall.inner]
+        if c.cruise > 0.0:
+            a, inner = [*a, 0.0], [up * c.rise.inner, down * c.fall.inner]
+        jump = max(map(abs, (up * c.rise.outer, down * c.fall.outer, *inner)))
+        jerk = max(abs(up) * c.rise.jerk / c.rise_time, abs(down) * c.fall.jerk / c.fall_time)
+        if e.v0 or e.v1:
+            va_max, va_min = power_extremes(self.as_pieces(), e.v0)
+        else:
+            va_max = up**2 * c.rise_time * c.rise.power
+            va_min = -(down**2) * c.fall_time * c.fall.power
         return Coefficients(
             cv=max(abs(e.v0), abs(self.top), abs(e.v1)), ca_max=max(a), ca_min=min(a),
             ca_rms=math.sqrt(up**2 * c.rise.square * c.rise_time + down**2 * c.fall.square * c.fall_time),
-            cj=math.inf if self._jumps() else self.jerk_between_jumps, va_max=va_max, va_min=va_min,
+            cj=math.inf if jump > JUMP * max(abs(up), abs(down)) else jerk, va_max=va_max, va_min=va_min,
         )  # fmt: skip
-
-    @property
-    def jerk_between_jumps(self) -> float:
-        """Largest |j| where a does not jump."""
-        c = self.pulses
-        rise = abs(self.acceleration) * c.rise.jerk / c.rise_time
-        return max(rise, abs(self.deceleration) * c.fall.jerk / c.fall_time)
-
-    def _jumps(self) -> bool:
-        """Whether a jumps: at an end, where it should be 0, or between the pulses and the cruise."""
-        c, up, down = self.pulses, self.acceleration, self.deceleration
-        inner = [up * c.rise.inner, down * c.fall.inner]
-        if not c.cruise > 0.0:
-            inner = [inner[0] + inner[1]]
-        return max(map(abs, (up * c.rise.outer, down * c.fall.outer, *inner))) > JUMP * max(abs(up), abs(down))
-
-    def _power(self) -> tuple[float, float]:
-        """Return the largest and the lowest v·a: of the pulses alone between rests, else piece by piece."""
-        c = self.pulses
-        if self.ends.v0 or self.ends.v1:
-            return power_extremes(self.as_pieces(), self.ends.v0)
-        rise = self.acceleration**2 * c.rise_time * c.rise.power
-        return rise, -(self.deceleration**2) * c.fall_time * c.fall.power
 
 
 def pulses_of(durations: tuple[float, ...], edged: Callable[[float, float, float], Pulse]) -> TwoPulses:

@@ -8,16 +8,14 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Coefficients, Vendors, require_finite
+from engine.laws.base import Array, Coefficients, Vendors, require_finite, stage_of
 from engine.laws.ends import REST, EndedLaw, Ends
 from engine.laws.piece import Piece
 from engine.laws.piece_extremes import coefficients_of
 
 MOST = 100
 NARROWEST = 1e-6  # of the time, between two points
-CELLS = 16  # an interval on average, of which each knows the points within it
 
 Point = tuple[float, float]
 Slopes = tuple[float | None, float | None]
@@ -110,21 +108,8 @@ class Spline(EndedLaw):
         v = np.diff(s) / d - d * (2.0 * a[:-1] + a[1:]) / 6.0
         return np.array([xi[:-1], s[:-1], v, a[:-1], np.diff(a) / d])
 
-    @cached_property
-    def _cells(self) -> tuple[NDArray[np.intp], float, int]:
-        """The interval in which each of many equal cells begins, cells in all, and points in one cell at most."""
-        xi = self.knots[0][:-1] - BREAK_TOLERANCE
-        cells = CELLS * xi.size
-        at = np.arange(cells + 1) / cells
-        first = np.searchsorted(xi, at, side="right") - 1
-        return first, float(cells), int(np.diff(first, append=xi.size - 1).max())
-
     def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        first, cells, most = self._cells
-        k = first.take((xi * cells).astype(np.intp))
-        starts = np.append(self.table[0] - BREAK_TOLERANCE, np.inf)
-        for _ in range(most):
-            k += xi >= starts.take(k + 1)
+        k = stage_of(xi, self.table[0])
         start, s, v, a, j = self.table.take(k, axis=1)
         u = xi - start
         bend = u * j

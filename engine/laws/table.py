@@ -6,7 +6,6 @@ P/ω cos(ωu + φ), of two sines less both: one formula each for every piece of 
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import accumulate
 from typing import NamedTuple
 
@@ -17,8 +16,7 @@ from engine.laws.base import Array, Law, stage_of
 from engine.laws.piece import Piece
 
 
-@dataclass(frozen=True)
-class Carried:
+class Carried(NamedTuple):
     """A piece at its place in a law: its begin ξ_k, s_k and v_k there, and what s and v gain over it."""
 
     piece: Piece
@@ -29,37 +27,24 @@ class Carried:
     dv: float
 
     @property
-    def position_sines(self) -> tuple[float, float]:
-        """P/ω² of either sine, the amplitudes of the position's; 0 without a frequency."""
+    def amplitudes(self) -> list[tuple[float, float, float]]:
+        """P/ω², P/ω and P ω of either sine, the amplitudes in position, velocity and jerk; 0 without a frequency."""
         p = self.piece
-        return _over(p.amplitude, p.omega**2), _over(p.amplitude2, p.omega2**2)
+        return [
+            (amplitude / omega**2, amplitude / omega, amplitude * omega)
+            if omega > 0.0
+            else (0.0, 0.0, amplitude * omega)
+            for amplitude, omega in ((p.amplitude, p.omega), (p.amplitude2, p.omega2))
+        ]
 
     @property
-    def velocity_cosines(self) -> tuple[float, float]:
-        """P/ω of either sine, the amplitudes of the velocity's cosines; 0 without a frequency."""
-        p = self.piece
-        return _over(p.amplitude, p.omega), _over(p.amplitude2, p.omega2)
-
-    @property
-    def jerk_cosines(self) -> tuple[float, float]:
-        """P ω of either sine, the amplitudes of the jerk's cosines."""
-        return self.piece.amplitude * self.piece.omega, self.piece.amplitude2 * self.piece.omega2
-
-    @property
-    def position_constant(self) -> float:
-        """S0 = s_k + P/ω² sin φ, with that of both sines."""
-        one, other = self.position_sines
-        return self.s + one * math.sin(self.piece.phase) + other * math.sin(self.piece.phase2)
-
-    @property
-    def position_slope(self) -> float:
-        """S1 = v_k + P/ω cos φ, with that of both sines."""
-        one, other = self.velocity_cosines
-        return self.v + one * math.cos(self.piece.phase) + other * math.cos(self.piece.phase2)
-
-
-def _over(amplitude: float, divisor: float) -> float:
-    return amplitude / divisor if divisor > 0.0 else 0.0
+    def constants(self) -> tuple[float, float]:
+        """S0 = s_k + P/ω² sin φ and S1 = v_k + P/ω cos φ, with those of both sines."""
+        p, ((one, v, _), (other, w, _)) = self.piece, self.amplitudes
+        return (
+            self.s + one * math.sin(p.phase) + other * math.sin(p.phase2),
+            self.v + v * math.cos(p.phase) + w * math.cos(p.phase2),
+        )
 
 
 def begins(pieces: Sequence[Piece]) -> list[float]:

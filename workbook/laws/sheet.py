@@ -49,11 +49,11 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
 
 def worked_out(number: int, place: Carried) -> dict[str, float]:
     """Return the engine's figures of a piece of the law of a number, by column."""
-    (ps, ps2), (pv, pv2), (pj, pj2) = place.position_sines, place.velocity_cosines, place.jerk_cosines
+    ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
     return entries_of(place.piece) | {
         "xi": place.begin, "s": place.s, "v": place.v, "ds": place.ds, "dv": place.dv,
         "ps": ps, "pv": pv, "pj": pj, "ps2": ps2, "pv2": pv2, "pj2": pj2,
-        "s0": place.position_constant, "s1": place.position_slope, "key": key(number, place.begin),
+        "s0": s0, "s1": s1, "key": key(number, place.begin),
     }  # fmt: skip
 
 

@@ -24,9 +24,9 @@ def test_the_table_of_pieces_evaluates_the_law_by_one_formula_each(law):
     for x, k, u, angle, angle2 in zip(xi, *place, strict=True):
         row = rows[k]
         c = row.piece.row[:6]
-        (ps, ps2), (pv, pv2) = row.position_sines, row.velocity_cosines
-        s = row.position_constant + row.position_slope * u - ps * math.sin(angle) - ps2 * math.sin(angle2)
-        v = row.position_slope - pv * math.cos(angle) - pv2 * math.cos(angle2)
+        ((ps, pv, _), (ps2, pv2, _)), (s0, s1) = row.amplitudes, row.constants
+        s = s0 + s1 * u - ps * math.sin(angle) - ps2 * math.sin(angle2)
+        v = s1 - pv * math.cos(angle) - pv2 * math.cos(angle2)
         s += sum(c[i] * u ** (i + 2) / ((i + 1) * (i + 2)) for i in range(6))
         v += sum(c[i] * u ** (i + 1) / (i + 1) for i in range(6))
         at = law.evaluate(float(x))

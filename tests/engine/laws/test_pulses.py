@@ -68,7 +68,7 @@ def test_peak_ends_and_jerk_are_those_of_the_pieces(pulse):
     lasting = [piece for piece in pulse.pieces if piece.duration]
     found = extremes_of(lasting, 0.0)
     assert found.a[1] == pytest.approx(1.0, abs=1e-13)
-    assert found.a[0] == pytest.approx(pulse.least, abs=1e-13)
+    assert found.a[0] == pytest.approx(min(pulse.outer, pulse.inner), abs=1e-13)
     assert max(map(abs, found.j)) == pytest.approx(pulse.jerk, rel=1e-12, abs=1e-12)
     inner = gains(np.array([lasting[-1].duration]), np.array(lasting[-1].row)[:, None])[2]
     outer = gains(np.array([0.0]), np.array(lasting[0].row)[:, None])[2]

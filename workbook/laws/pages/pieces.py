@@ -153,7 +153,7 @@ class OwnPage(Page):
 
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the own law."""
-        turn, end, name = max(spread_of(one.law, sizes.pieces).sine_angles), one.law.end, one.called
+        turn, end, name = max(p.omega * p.duration for p in one.law.as_pieces()), one.law.end, one.called
         return [
             check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
                   rule=f"{one.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
@@ -221,7 +221,7 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         entered, "@worked", "Workings: the pieces", BEHIND,
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
         calc("turn", "angle of the sine", "ω d", "rad",
-             "=[omega]*[d]", Points(tuple(pieces), ()).sine_angles),
+             "=[omega]*[d]", [one.omega * one.duration for one in pieces]),
         calc("a0", "a at its start", "", "", "=[c0]+[P]*SIN([phi])", [row.begin for row in at]),
         calc("a1", "a at its end", "", "",
              "=[c0]+[d]*([c1]+[d]*([c2]+[d]*[c3]))+[P]*SIN([omega]*[d]+[phi])", [row.end for row in at]),
