@@ -37,48 +37,37 @@ class Groups(NamedTuple):
     v1: float
     s2: float
     v2: float
-
-    @property
-    def least(self) -> float:
-        """A velocity below which none is gained."""
-        return NONE * max(self.sizes, default=0.0)
-
-    @property
-    def under(self) -> float:
-        """S⁺ V⁻ − S⁻ V⁺."""
-        return self.s1 * self.v2 - self.s2 * self.v1
-
-    @property
-    def least_under(self) -> float:
-        """A determinant below which there is none."""
-        return ALIKE * max(self.sizes, default=0.0) ** 2
-
-    @property
-    def factors(self) -> tuple[float, float]:
-        """α and β; 0 where none do."""
-        if any(self.slows) or self.v1 > self.least:
-            told = abs(self.under) > self.least_under
-            return (self.v2 / self.under, -self.v1 / self.under) if told else (0.0, 0.0)
-        one = 1.0 / self.s1 if self.s1 > ALIKE * max(self.sizes, default=0.0) else 0.0
-        return one, one
-
-    @property
-    def mends(self) -> bool:
-        """Whether both factors are positive, one beside the other."""
-        return min(self.factors) > ALIKE * max(self.factors)
+    least: float
+    """a velocity below which none is gained"""
+    under: float
+    """S⁺ V⁻ − S⁻ V⁺"""
+    least_under: float
+    """a determinant below which there is none"""
+    factors: tuple[float, float]
+    """α and β; 0 where none do"""
+    mends: bool
+    """whether both factors are positive, one beside the other"""
 
 
 def groups(pieces: Sequence[Piece]) -> Groups:
     """Return the pieces in two groups, those that lose velocity apart."""
     found, sizes = _gained(pieces), [_size(piece) for piece in pieces]
-    least = NONE * max(sizes, default=0.0)
+    largest = max(sizes, default=0.0)
+    least, least_under = NONE * largest, ALIKE * largest**2
     slows = [v < -least for _, v in found]
-    sums = [
+    s1, v1, s2, v2 = (
         math.fsum(one[i] for one, slow in zip(found, slows, strict=True) if slow == side)
         for side in (False, True)
         for i in (0, 1)
-    ]
-    return Groups(found, sizes, slows, *sums)
+    )
+    under = s1 * v2 - s2 * v1
+    if any(slows) or v1 > least:
+        factors = (v2 / under, -v1 / under) if abs(under) > least_under else (0.0, 0.0)
+    else:
+        one = 1.0 / s1 if s1 > ALIKE * largest else 0.0
+        factors = one, one
+    mends = min(factors) > ALIKE * max(factors)
+    return Groups(found, sizes, slows, s1, v1, s2, v2, least, under, least_under, factors, mends)
 
 
 def mended(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
@@ -92,12 +81,11 @@ def mended(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     if not found.mends:
         raise ValueError("no factors bring the own law to rest at its rise; expected it to speed up, then slow down")
     up, down = found.factors
-    return tuple(_times(piece, down if slow else up) for piece, slow in zip(pieces, found.slows, strict=True))
-
-
-def scaled_by(factors: Sequence[float], values: Sequence[float]) -> list[float]:
-    """Return each value times its factor."""
-    return [factor * value for factor, value in zip(factors, values, strict=True)]
+    factors = [down if slow else up for slow in found.slows]
+    return tuple(
+        replace(p, c=tuple(f * c for c in p.c), amplitude=f * p.amplitude, amplitude2=f * p.amplitude2)
+        for p, f in zip(pieces, factors, strict=True)
+    )
 
 
 def _gained(pieces: Sequence[Piece]) -> list[tuple[float, float]]:
@@ -109,11 +97,6 @@ def _gained(pieces: Sequence[Piece]) -> list[tuple[float, float]]:
         s, v = gains_at(piece, piece.duration)
         found.append((s + v * rest, v))
     return found
-
-
-def _times(piece: Piece, factor: float) -> Piece:
-    c = tuple(factor * c for c in piece.c)
-    return replace(piece, c=c, amplitude=factor * piece.amplitude, amplitude2=factor * piece.amplitude2)
 
 
 def _size(piece: Piece) -> float:

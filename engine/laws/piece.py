@@ -77,18 +77,14 @@ def gains(u: Array, row: Array) -> tuple[Array, Array, Array, Array]:
     return gains_of(u, row[:POWERS], [row[k : k + 4] for k in SINES if row[k].any()])
 
 
-def bends(u: Array, row: Array) -> tuple[Array, Array]:
-    """Return d²a/du² and d³a/du³ of pieces at u; ``row`` is :attr:`Piece.row`, in columns."""
-    b, e = np.zeros_like(u), np.zeros_like(u)
+def bends(u: Array, row: Array) -> Array:
+    """Return d²a/du² of pieces at u; ``row`` is :attr:`Piece.row`, in columns."""
+    b = np.zeros_like(u)
     for i in range(POWERS - 1, 1, -1):
         b = b * u + i * (i - 1) * row[i]
-    for i in range(POWERS - 1, 2, -1):
-        e = e * u + i * (i - 1) * (i - 2) * row[i]
     for p, w, sin_phi, cos_phi in (row[k : k + 4] for k in SINES if row[k].any()):
-        sin, cos = np.sin(w * u), np.cos(w * u)
-        b = b - p * w**2 * (sin_phi * cos + cos_phi * sin)
-        e = e - p * w**3 * (cos_phi * cos - sin_phi * sin)
-    return b, e
+        b = b - p * w**2 * (sin_phi * np.cos(w * u) + cos_phi * np.sin(w * u))
+    return b
 
 
 def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Array, Array, Array]:

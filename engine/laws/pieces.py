@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -13,13 +12,6 @@ from engine.laws.piece_extremes import coefficients_of
 
 SUM_TOLERANCE = 1e-9
 POLYNOMIAL_345 = (Piece(1.0, (0.0, 60.0, -180.0, 120.0)),)
-
-
-class Carried(NamedTuple):
-    """Columns of the pieces: begin, s and v there, the powers in use, and P, ω, sin φ, cos φ of the sines in use."""
-
-    table: Array
-    powers: int
 
 
 @dataclass(frozen=True)
@@ -53,14 +45,15 @@ class PieceLaw(Law):
             raise ValueError(f"the durations of the {len(self.pieces)} pieces sum to {total:.12g}; expected 1")
 
     @cached_property
-    def _carried(self) -> Carried:
+    def _carried(self) -> tuple[Array, int]:
+        """Columns of begin, s, v, the powers in use, and P, ω, sin φ, cos φ of the sines in use; how many powers."""
         rows = np.array([p.row for p in self.pieces]).T
         durations = np.array([p.duration for p in self.pieces])
         ds, dv, _, _ = gains(durations, rows)
         starts, v = _before(durations), _before(dv)
         powers = max((i + 1 for i in range(POWERS) if rows[i].any()), default=0)
         sines = [rows[k : k + 4] for k in SINES if rows[k].any()]
-        return Carried(np.vstack([starts, _before(ds + v * durations), v, rows[:powers], *sines]), powers)
+        return np.vstack([starts, _before(ds + v * durations), v, rows[:powers], *sines]), powers
 
     def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
         table, powers = self._carried

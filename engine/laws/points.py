@@ -83,7 +83,7 @@ class Points:
         s0, v0 = np.array(entered).T[:, self.piece]
         s, gained, a, j = gains(self.u, row)
         v = v0 + gained
-        b = bends(self.u, row)[0]
+        b = bends(self.u, row)
         self.rates = {"s": s0 + v0 * self.u + s, "v": v, "a": a, "j": j, "b": b, "va": v * a, "g": a * a + v * j}
 
     def crosses(self, what: str) -> NDArray[np.bool_]:

@@ -16,11 +16,11 @@ from engine.laws.stages import Staged, carried
 SUM_TOLERANCE = 1e-9
 
 
-def require_share(name: str, value: float, low: float = 0.0, high: float = 1.0) -> None:
-    """Raise ValueError unless a share is a number strictly between two others."""
+def require_share(name: str, value: float) -> None:
+    """Raise ValueError unless a share is a number strictly between 0 and 1."""
     require_finite(**{name: value})
-    if not low < value < high:
-        raise ValueError(f"{name} is {value:g}; expected a share between {low:g} and {high:g}")
+    if not 0.0 < value < 1.0:
+        raise ValueError(f"{name} is {value:g}; expected a share between 0 and 1")
 
 
 def require_part(name: str, value: float) -> None:
@@ -65,13 +65,6 @@ class TwoPulses(NamedTuple):
     fall_time: float
 
 
-class Lobe(NamedTuple):
-    """Velocity gained, and travel from rest, of a pulse of unit height over its time: w T and κ w T²."""
-
-    velocity: float
-    travel: float
-
-
 class PulseLaw(EndedLaw):
     """From v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H.
 
@@ -98,11 +91,11 @@ class PulseLaw(EndedLaw):
         return self._pulses()
 
     @property
-    def lobes(self) -> tuple[Lobe, Lobe]:
-        """Both pulses for unit height."""
+    def lobes(self) -> tuple[tuple[float, float], ...]:
+        """Velocity gained, and travel from rest, of each pulse of unit height over its time: w T and κ w T²."""
         c = self.pulses
-        up, down = c.rise.gain * c.rise_time, c.fall.gain * c.fall_time
-        return Lobe(up, c.rise.lead * up * c.rise_time), Lobe(down, c.fall.lead * down * c.fall_time)
+        sides = (c.rise, c.rise_time), (c.fall, c.fall_time)
+        return tuple((p.gain * time, p.lead * (p.gain * time) * time) for p, time in sides)
 
     @cached_property
     def top(self) -> float:

@@ -158,17 +158,17 @@ class Stages:
 
     def workings(self, law: PulseLaw) -> list[Quantity]:
         """Return the rows of what the coefficients are worked out from."""
-        rise, fall = law.lobes
+        (gained, rise), (lost, fall) = law.lobes
         forms = [form for _, form in self.forms((*RISE, *FALL))]
         mean = [calc("@k", "Mean of a half, or a quarter, sine", "k", "", "=2/PI()", K, source="2/π")]
         return [
             *self.lasting(law),
             *(mean if any("@k" in form.gain for form in forms) else []),
-            calc("@m", "Velocity gained for A = 1", "m", "", f"={self.total(RISE, 'gain')}", rise.velocity),
-            calc("@n", "Velocity lost for B = 1", "n", "", f"={self.total(FALL, 'gain')}", fall.velocity),
-            calc("@sa", "Stroke of the first pulse for A = 1", "S_a", "", f"={self.travel(RISE)}", rise.travel,
+            calc("@m", "Velocity gained for A = 1", "m", "", f"={self.total(RISE, 'gain')}", gained),
+            calc("@n", "Velocity lost for B = 1", "n", "", f"={self.total(FALL, 'gain')}", lost),
+            calc("@sa", "Stroke of the first pulse for A = 1", "S_a", "", f"={self.travel(RISE)}", rise,
                  source="∬p from rest"),
-            calc("@sd", "Stroke of the second for B = 1", "S_d", "", f"={self.travel(FALL)}", fall.travel,
+            calc("@sd", "Stroke of the second for B = 1", "S_d", "", f"={self.travel(FALL)}", fall,
                  source="the same from the end"),
             *self.searched(law),
         ]  # fmt: skip

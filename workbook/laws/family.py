@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from engine.laws import Law, Piece
-from engine.laws.base import Kinematics
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import Said, amount
 from workbook.entries.types import Model, Number, Positive
@@ -196,12 +195,15 @@ class Page:
 
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of one of the book's laws."""
-        name = one.called
+        name, end = one.called, one.law.end
         ends = f"{name} ends at s = 1{', at rest' if self.rests else ''}"
+        s = amount("[@samples.s.last]", end.s, "s(1) = ", ", ")
+        v = amount("[@samples.v.last]", end.v, "v(1) = ", "")
         return [
             *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
               for each in self.checks),
-            check("@ends", ends, RESTS if self.rests else REACHES, True, says=ended(one.law.end)),
+            check("@ends", ends, RESTS if self.rests else REACHES, True,
+                  says=Said(f"{s.says}&{v.says}", f"{s.said}{v.said}")),
         ]  # fmt: skip
 
     def variation(self, k: int, room: int) -> dict[str, Any]:
@@ -234,10 +236,3 @@ def value_at(entered: Any, key: str) -> Any:
     field, _, index = key.partition(".")
     value = getattr(entered, field)
     return value[int(index)] if index else value
-
-
-def ended(end: Kinematics[float]) -> Said:
-    """Return the sentence on where a law ends, by the last of its samples."""
-    s = amount("[@samples.s.last]", end.s, "s(1) = ", ", ")
-    v = amount("[@samples.v.last]", end.v, "v(1) = ", "")
-    return Said(f"{s.says}&{v.says}", f"{s.said}{v.said}")

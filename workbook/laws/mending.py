@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from engine import laws as engine
 from engine.laws import Law
-from engine.laws.mended import ALIKE, Groups, groups, misses, scaled_by
+from engine.laws.mended import ALIKE, Groups, groups, misses
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 
@@ -37,7 +37,15 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
 
     def scaled(name: str, label: str, symbol: str, values: Sequence[float]) -> Quantity:
         formula = f"=[factor]*INDEX([@pieces.{name}],[k])"
-        return result(name, label, symbol, "", formula, scaled_by(factors, values), format="General")
+        return result(
+            name,
+            label,
+            symbol,
+            "",
+            formula,
+            [f * value for f, value in zip(factors, values, strict=True)],
+            format="General",
+        )
 
     sheet.table(
         "@mend", "The entries scaled: durations, frequencies and phases stay", n,

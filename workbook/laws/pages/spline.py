@@ -14,7 +14,7 @@ from workbook.book.declare import Quantity, Sheet, check, given
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, figure
 from workbook.entries.types import DesignError, Model, Number, Share
-from workbook.laws.family import ENTRIES, LawSheet, Page, Stacked
+from workbook.laws.family import ENTRIES, LawCheck, LawSheet, Page, Stacked
 from workbook.laws.knots import intervals_table, points_table, solution, worked_out
 
 ENDS = ("begin", "end")
@@ -108,7 +108,7 @@ class SplinePage(Page):
         shown = {"d": "=[@intervals.d.{}]", "c0": "=[@intervals.a.{}]", "c1": "=[@intervals.j.{}]"}
         return [
             Stacked(
-                pieces[k - 1] if k <= len(pieces) else Piece(0.0, _after(law)),
+                pieces[k - 1] if k <= len(pieces) else Piece(0.0, (law.end.a, 0.0, 0.0, 0.0)),
                 {name: shown.get(name, "=0").format(k) for name in ENTRIES},
             )
             for k in rows
@@ -148,25 +148,10 @@ class SplinePage(Page):
         return float(Knots(law, sizes.points).wrong.max()) if isinstance(law, Spline) else 0.0
 
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
-        """Return the checks of the points."""
-        name, narrow = one.called, "MATCH(1,[@solved.narrow],0)"
-        ends = ("[@points.xi.1]", "[@points.s.1]", "INDEX([@points.xi],@used)", "INDEX([@points.s],@used)")
-        lead = "AND(" + ",".join(f"{cell}={value}" for cell, value in zip(ends, "0011", strict=True)) + ")"
-        return [
-            check("@enough", f"{name}: there are points", "@used>1", True, "", f"{one.key}:enough",
-                  spelled(FEW, "@used")),
-            check("@lead", f"{name}: the points lead from 0 to 1", lead, True, "", f"{one.key}:lead",
-                  spelled(LEAD, *ends)),
-            check("@rise", f"{name}: the points follow each other", "SUM([@solved.narrow])=0", True, "",
-                  f"{one.key}:rise", spelled(RISE, f"{narrow}+1", f"INDEX([@points.xi],{narrow}+1)",
-                                            f"INDEX([@points.xi],{narrow})")),
-            check("@ends", f"{name} ends at s = 1", "ABS([@samples.s.last]-1)<check_zero", True,
-                  says=Said('"s(1) = "&ROUND([@samples.s.last],9)', "s(1) = 1")),
-        ]  # fmt: skip
-
-
-def _after(law: Law) -> tuple[float, ...]:
-    return (law.end.a, 0.0, 0.0, 0.0)
+        """Return the checks of the points, and that of the law's end."""
+        says = Said('"s(1) = "&ROUND([@samples.s.last],9)', "s(1) = 1")
+        end = check("@ends", f"{one.called} ends at s = 1", "ABS([@samples.s.last]-1)<check_zero", True, says=says)
+        return [*super().verdicts(one, sizes)[:-1], end]
 
 
 def spelled(text: str, *cells: str) -> str:
@@ -177,6 +162,11 @@ def spelled(text: str, *cells: str) -> str:
         parts += [cell, *([f'"{words}"'] if words else [])]
     return "&".join(parts)
 
+
+NARROW = "MATCH(1,[@solved.narrow],0)"
+OUTER = ("[@points.xi.1]", "[@points.s.1]", "INDEX([@points.xi],@used)", "INDEX([@points.s],@used)")
+LEADS = "AND(" + ",".join(f"{cell}={value}" for cell, value in zip(OUTER, "0011", strict=True)) + ")"
+PLACES = (f"{NARROW}+1", f"INDEX([@points.xi],{NARROW}+1)", f"INDEX([@points.xi],{NARROW})")
 
 PAGE = SplinePage(
     titled="Cubic spline through points",
@@ -195,6 +185,11 @@ PAGE = SplinePage(
     way="=2",
     rests=False,
     single=False,
+    checks=(
+        LawCheck("@enough", "there are points", "@used>1", "enough", spelled(FEW, "@used")),
+        LawCheck("@lead", "the points lead from 0 to 1", LEADS, "lead", spelled(LEAD, *OUTER)),
+        LawCheck("@rise", "the points follow each other", "SUM([@solved.narrow])=0", "rise", spelled(RISE, *PLACES)),
+    ),
     variations=VARIATIONS,
     functions=False,
 )
