@@ -1,12 +1,10 @@
 """What jumps where the pieces of a law meet: from the stack of pieces, so from no samples."""
 
-from collections.abc import Callable
-from typing import Any
-
+from engine.laws.continuity import code
 from engine.laws.piece import POWERS
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
-from workbook.machines.laws.view import Compared, Joined
+from workbook.machines.laws.view import Compared
 
 RATES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
 ORDER = (
@@ -31,46 +29,43 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
     """Declare the table of joints: rates at both ends of each piece, what jumps before it, and what stays smooth."""
     rows = view.joints
 
-    def of(figure: Callable[[Joined], Any]) -> list[Any]:
-        return [figure(row) for row in rows]
-
     def rate(name: str, i: int, at_end: bool) -> Quantity:
         words = f"{RATES[name]} at its {'end' if at_end else 'begin'}"
-        values = of(lambda row: (row.at.end if at_end else row.at.begin)[i])
+        values = [(row.at.end if at_end else row.at.begin)[i] for row in rows]
         formula = at_place(name, at_end, view.stack.second_sine)
         return calc(f"{name}{int(at_end)}", words, f"{name}_{int(at_end)}", "", formula, values,
                     scale=max(map(abs, values)))  # fmt: skip
 
     sheet.table(
         "joints", "Pieces of each law, and the rest behind it", len(rows),
-        calc("law", "law", "", "", "=INDEX(law_code,[no])", of(lambda row: row.one.name)),
-        constant("no", "number", "", "", of(lambda row: row.one.number), format="0"),
-        constant("k", "piece", "k", "", of(lambda row: row.k), format="0"),
-        calc("q", "piece row", "q", "", PIECE, of(view.row_of), format="0", source="on the sheet Laws"),
-        calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", of(lambda row: row.at.duration)),
-        calc("u", "its end", "u", "", f"=[d]{NOT_ZERO}", of(lambda row: row.at.duration + LEAST),
+        calc("law", "law", "", "", "=INDEX(law_code,[no])", [row.one.name for row in rows]),
+        constant("no", "number", "", "", [row.one.number for row in rows], format="0"),
+        constant("k", "piece", "k", "", [row.k for row in rows], format="0"),
+        calc("q", "piece row", "q", "", PIECE, [row.row for row in rows], format="0", source="on the sheet Laws"),
+        calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", [row.at.duration for row in rows]),
+        calc("u", "its end", "u", "", f"=[d]{NOT_ZERO}", [row.at.duration + LEAST for row in rows],
              source="never 0, so that u⁰ is 1"),
         *(calc(f"x{n}", f"argument of sine{words} at its end", "", "rad",
                f"=INDEX(piece_omega{n},[q])*[u]+INDEX(piece_phi{n},[q])", [row.at.angles[i] for row in rows])
           for i, (n, words) in enumerate((("", ""), ("2", " 2"))[: 1 + view.stack.second_sine])),
         *(rate(name, i, at_end) for at_end in (False, True) for i, name in enumerate(RATES)),
         calc("p", "last before it that lasts", "", "",
-             "=IF([k]=1,0,IF([d-1]>0,[k-1],[p-1]))", of(lambda row: row.at.before), format="0", source="0: rest"),
+             "=IF([k]=1,0,IF([d-1]>0,[k-1],[p-1]))", [row.at.before for row in rows], format="0", source="0: rest"),
         *(calc(f"d{name}", f"jump of {words}", f"Δ{name}", "",
                f"=IF([d]>0,[{name}0]-IF([p]=0,0,INDEX([joints.{name}1],[first]+[p]-1)),0)",
                [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
           for i, (name, words) in enumerate(RATES.items())),
         calc("ca", "largest |a| of its law", "C_a", "",
-             "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", of(lambda row: row.one.law.coefficients.ca)),
+             "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [row.one.law.coefficients.ca for row in rows]),
         calc("order", "highest continuous derivative", "", "",
-             ORDERED, of(lambda row: row.at.order), format="0", source="0 s, 1 v, 2 a, 3 j"),
+             ORDERED, [row.at.order for row in rows], format="0", source="0 s, 1 v, 2 a, 3 j"),
         calc("outer", "is an end of the law", "", "",
-             "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)", of(lambda row: int(row.at.outer)),
+             "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)", [int(row.at.outer) for row in rows],
              format="0"),
         calc("code", "law, end and order", "", "",
-             "=8*[no]+4*[outer]+[order]", of(lambda row: row.code), format="0",
+             "=8*[no]+4*[outer]+[order]", [code(row.one.number, row.at) for row in rows], format="0",
              source="8 · number + 4 at an end + order"),
-        calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", of(view.first_of),
+        calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", [row.first for row in rows],
              format="0"),
     )  # fmt: skip
 

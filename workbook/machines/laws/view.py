@@ -4,7 +4,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from engine.laws import Dwell
-from engine.laws.continuity import Meeting, code, continuity, meetings
+from engine.laws.continuity import Meeting, continuity, meetings
 from engine.laws.sections import abscissae
 from workbook.laws.library import NamedLaw
 from workbook.laws.sampling import Pieces
@@ -12,16 +12,15 @@ from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 
 
 class Joined(NamedTuple):
-    """A row of the table of joints: a law, the number of its piece, and where that begins."""
+    """A row of the table of joints: a law, the number of its piece, where that begins, and its row in the stack."""
 
     one: NamedLaw
     k: int
     at: Meeting
-
-    @property
-    def code(self) -> int:
-        """What tells law, end and order in one number."""
-        return code(self.one.number, self.at)
+    row: int
+    """counted from 1: behind the last piece of a law the dwell's"""
+    first: int
+    """the row of the law's first piece in the table of joints, counted from 1"""
 
 
 class Compared:
@@ -44,19 +43,13 @@ class Compared:
     @cached_property
     def joints(self) -> list[Joined]:
         """The begin of each piece of each law, and of the rest behind it."""
-        pieces = self.stack.pieces
-        return [
-            Joined(one, k, at) for one in self.moving for k, at in enumerate(meetings(one.law, pieces[one.number]), 1)
-        ]
-
-    def row_of(self, joined: Joined) -> int:
-        """Return the row in the stack of a piece, counted from 1: behind the last piece of a law the dwell's."""
-        number, k = joined.one.number, joined.k
-        return self.stack.first[number] + k - 1 if k <= len(self.stack.pieces[number]) else self.stack.first[1]
-
-    def first_of(self, joined: Joined) -> int:
-        """Return the row of the first piece of a law in the table of joints, counted from 1."""
-        return 1 + next(i for i, row in enumerate(self.joints) if row.one is joined.one)
+        found: list[Joined] = []
+        for one in self.moving:
+            pieces, begun, first = self.stack.pieces[one.number], self.stack.first[one.number], len(found) + 1
+            for k, at in enumerate(meetings(one.law, pieces), 1):
+                row = begun + k - 1 if k <= len(pieces) else self.stack.first[1]
+                found.append(Joined(one, k, at, row, first))
+        return found
 
     def least(self, figure: str) -> float:
         """Return the least of a coefficient among the laws whose acceleration does not jump; 0 where there is none."""
