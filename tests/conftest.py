@@ -4,6 +4,7 @@ import gc
 import os
 import sys
 import tempfile
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,12 @@ from workbook.build import build
 from workbook.cli import main
 
 HERE = Path(__file__).parent
-QUICK = (HERE / "engine", HERE / "printed")  # folders; other quick tests carry the mark themselves
+QUICK = [
+    HERE / "engine", HERE / "printed", HERE / "workbook/test_titles.py",
+    HERE / "workbook/machines/test_cutting_machine.py",
+    *(HERE / f"test_{rules}.py" for rules in ("called", "glossary", "project", "start", "structure")),
+]  # fmt: skip
+"""Folders and files of the quick tests."""
 
 # A test's verdict must not hang on the speed of the machine, nor, by day, on luck: the same examples each time.
 settings.register_profile("day", settings.default, deadline=None, derandomize=True)
@@ -38,12 +44,26 @@ def pytest_report_header(config):
     return "the examples of every day" if given is None else f"a night's examples; again: --hypothesis-seed={given}"
 
 
+def pytest_ignore_collect(collection_path, config):
+    """Leave unread what has no quick test, where only those are asked for."""
+    if config.option.markexpr.startswith("quick"):
+        near = any(collection_path.is_relative_to(place) or place.is_relative_to(collection_path) for place in QUICK)
+        return None if near else True
+    return None
+
+
 @pytest.hookimpl(tryfirst=True)  # before the cases of a night are left out
 def pytest_collection_modifyitems(items):
     tiers.sampled(items)
     for item in items:
-        if item.path.parent == HERE or any(item.path.is_relative_to(folder) for folder in QUICK):
+        if is_quick(item.path):
             item.add_marker("quick")
+
+
+@cache
+def is_quick(path):
+    """Whether all tests of a file are quick."""
+    return any(path.is_relative_to(place) for place in QUICK)
 
 
 def pytest_collection_finish():

@@ -23,13 +23,11 @@ TITLES = {
 }
 
 
-@pytest.mark.quick
 @pytest.mark.parametrize("name", TITLES)
 def test_a_sheet_has_a_title_that_excel_takes_and_no_other_has(name):
     assert sheet_title(name, ["About", "Timing", "STRASSE"]) == TITLES[name]
 
 
-@pytest.mark.quick
 @given(st.lists(st.text(st.characters(blacklist_categories=["Cs", "Cc"]), max_size=50), max_size=6))
 def test_whatever_the_names_titles_are_such_as_excel_takes(names):
     """At most 31 units of UTF-16, no : \\ / ? * [ ], no apostrophe at an end, unique but for case (ECMA-376, Excel)."""

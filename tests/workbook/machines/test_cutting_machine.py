@@ -16,7 +16,6 @@ from tests.workbook.cells import computed, disagreeing, entered
 from workbook.build import build
 from workbook.judging.verify import verify
 
-pytestmark = pytest.mark.quick
 MOVEMENTS, DRIVE = 200.0, 100.0
 """pieces/min that S1 prints its movements at, and its drive"""
 BARE = {
