@@ -87,6 +87,7 @@ hours = 3800.0
 [sizes]
 cycle = 180
 law = 20
+phases = 4
 """
 STUDY = """
 title = "Movement of the pusher"

@@ -14,7 +14,7 @@ from workbook.machines.machine.mechanism import MECHANISMS, some_mechanism
 KINDS = list(MECHANISMS)
 ALL = 200
 """machines by night"""
-DAY, FIRST, LEAST = 40.0, KINDS.index("press crank"), 3
+DAY, FIRST, LEAST = 20.0, KINDS.index("press crank"), 3
 """seconds by day, the first machine then, and how many there are at least"""
 
 

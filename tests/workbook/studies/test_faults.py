@@ -16,7 +16,7 @@ import pytest
 from tests.workbook.composed import small
 from tests.workbook.studies.studied import laws, planned, stops, written
 from workbook.build import build
-from workbook.cluster import ClusterError, pool
+from workbook.cluster import FEWER, ClusterError, pool
 from workbook.errors import WriteError
 from workbook.pool import HERE
 from workbook.studies.folder import Parts, progress
@@ -118,7 +118,8 @@ def test_a_scheduler_that_is_none_leaves_nothing_behind(tmp_path):
     assert sorted(tmp_path.iterdir()) == before
 
 
-@pytest.mark.parametrize("count", [1, 2])
+@pytest.mark.sample(1)
+@pytest.mark.parametrize("count", [2, 1])
 def test_a_port_that_takes_a_connection_and_says_nothing_is_told_in_its_time(count, tmp_path):
     books = [tmp_path / f"{k}.xlsx" for k in range(count)]
     for book in books:
@@ -282,7 +283,8 @@ def test_a_worker_that_is_killed_in_the_middle_costs_no_design(tmp_path):
     assert found == whole
 
 
-def test_a_scheduler_that_does_not_answer_is_a_line():
+def test_a_scheduler_that_does_not_answer_is_a_line(monkeypatch):
+    monkeypatch.setitem(FEWER, "distributed.comm.timeouts.connect", "1s")
     with pytest.raises(ClusterError, match="no scheduler answers there"), pool(None, "tcp://127.0.0.1:1"):
         pass
 
