@@ -1,7 +1,5 @@
 """The server: addresses, and what each page does by the commands of motionbook."""
 
-from __future__ import annotations
-
 import asyncio
 import re
 import secrets

@@ -1,7 +1,5 @@
 """The page Controller: an axis of a workbook as a controller's file with its certificate, and such a file read back."""
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 from xml.etree.ElementTree import Element

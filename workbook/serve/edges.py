@@ -1,7 +1,5 @@
 """Edges of phases and shifts of axes in a description's text, and their handles in the timing diagram."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple

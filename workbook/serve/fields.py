@@ -1,7 +1,5 @@
 """The form beside a description's text: each of its tables as rows of fields, made from what its keys say."""
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

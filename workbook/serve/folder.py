@@ -1,7 +1,5 @@
 """The folder that is served: its descriptions and workbooks by name, and nothing outside it."""
 
-from __future__ import annotations
-
 import hashlib
 import re
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Who may ask the server: the browser of this computer's user, and no page from elsewhere."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import hmac

@@ -1,7 +1,5 @@
 """What all pages that work on the folder have in common."""
 
-from __future__ import annotations
-
 import tempfile
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Long work: a study in a process of its own, which can be interrupted and goes on."""
 
-from __future__ import annotations
-
 import asyncio
 import os
 import signal

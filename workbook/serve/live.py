@@ -1,7 +1,5 @@
 """What a description comes to while it is edited: its results, the checks that fail, the charts of its book."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from pathlib import Path

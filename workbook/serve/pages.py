@@ -1,7 +1,5 @@
 """The pages: what is in the folder, a description to edit, what a command printed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from datetime import datetime
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A design on one page to print: what it is, its figures, a table of its axes, its pictures, the checks that fail."""
 
-from __future__ import annotations
-
 from xml.etree.ElementTree import Element, tostring
 
 from workbook.entries.machine import Machine

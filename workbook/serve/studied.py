@@ -1,7 +1,5 @@
 """What the page Study shows: entries that can vary, results to ask for, the front with links to its designs."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Iterator, Mapping

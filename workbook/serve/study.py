@@ -1,7 +1,5 @@
 """The page Study: choose what varies, follow the work, open the designs of the front."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from xml.etree.ElementTree import Element
 

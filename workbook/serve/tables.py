@@ -1,7 +1,5 @@
 """The tables and entries of a description's text by their places, and what a form changes in them."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Sequence
 from functools import lru_cache

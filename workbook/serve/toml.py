@@ -1,7 +1,5 @@
 """The text of a description, changed entry by entry; its comments stay."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any

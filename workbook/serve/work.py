@@ -1,7 +1,5 @@
 """What the pages do: the commands of motionbook, each in a process of its own with a limit of time and memory."""
 
-from __future__ import annotations
-
 import asyncio
 import gc
 import os
