@@ -6,8 +6,9 @@ from typing import Any
 from engine.selection.pair_matrix import RANKS
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
 from workbook.machines.machine.chain import WINDOWS
+from workbook.machines.machine.drive.mechanisms.registry import LINKAGES
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
+from workbook.machines.machine.mechanism import BELTED, MECHANISMS, SLIDING
 from workbook.machines.machine.selection.entries import falling
 from workbook.machines.machine.switches.entries import TIMES
 from workbook.machines.machine.time_based import in_units_of
@@ -53,7 +54,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         axis |= {"closes": "feed" if (i + k) % 2 else "position", "smoothness": smoothness_for(turn + i),
                  "shift": SHIFTS[(i + k) % SIX]}  # fmt: skip
         driven = axis["motor"] is not None
-        constant = driven and axis["mechanism"]["kind"] not in LINKED
+        constant = driven and axis["mechanism"]["kind"] not in LINKAGES
         axis["position"] = 0.0 if driven and not constant else (k - 2) * (7.5 + i)
         suited = handing(data["laws"]) if constant else shaped(data["laws"]) if driven else data["laws"]
         made = phases(i, turn, sizes["phases"], suited)
@@ -117,34 +118,6 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
     return found
 
 
-def linked(axis: dict[str, Any], i: int, k: int, room: int) -> None:
-    """Give an axis another mechanism of a changing ratio, of its kind, and lifts that it reaches."""
-    if axis["mechanism"]["kind"] == "table":
-        count = (room, room - 1, 2)[k % 3]
-        steps = [9.0 + 0.7 * ((j + i + k) % 3) for j in range(count)]
-        places = [sum(steps[:j]) - 6.0 for j in range(count)]
-        axis["mechanism"]["points"] = [{"angle": (22.0 + k) * j - 40.0, "position": y} for j, y in enumerate(places)]
-        to_and_fro(axis["phases"], -5.0, 0.9 * places[-1], k)
-        return
-    if axis["mechanism"]["kind"] == "rocker":
-        lever = 60.0 + 9 * k + i
-        axis["mechanism"] |= {
-            "lever_length": lever, "link_length": lever * (2.1 + 0.3 * k),
-            "offset": lever * (0.9, 1.05, 0.7, 1.2, 0.95, 1.0)[k], "start_angle": 70.0 + 7 * k,
-            "slide": ("behind", "ahead", None)[(i + k) % 3],
-            "direction": ("forward", "backward", None)[k % 3],
-        }  # fmt: skip
-        to_and_fro(axis["phases"], -0.15 * lever, 0.35 * lever, k)
-        return
-    crank, offset = 31.0 + 7 * k + i, (0.0, 9.0, -14.0, None, 5.5, 0.0)[(i + k) % SIX]
-    rod = crank * (2.6 + 0.4 * k)
-    axis["mechanism"] |= {
-        "crank_radius": crank, "rod_length": rod, "offset": offset, "zero": ("inner", "outer", None)[k % 3],
-        "branch": ("behind", "ahead", None)[(i + k) % 3], "start": 0.3 * crank,
-    }  # fmt: skip
-    to_and_fro(axis["phases"], 0.0, 1.3 * crank, k)
-
-
 def to_and_fro(phases: list[dict[str, Any]], low: float, high: float, k: int) -> None:
     """Give phases lifts between two positions, from 0 and, but once, back to it."""
     moving = [phase for phase in phases if phase["lift"]]
@@ -168,8 +141,10 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     }  # fmt: skip
     if kind in BELTED:
         axis["mechanism"]["belt_mass"] = 4.0 * k or None
-    if kind in LINKED:
-        linked(axis, i, k, sizes["positions"])
+    if kind in LINKAGES:
+        other, low, high = LINKAGES[kind].varied(i, k, sizes["positions"])
+        axis["mechanism"] |= other
+        to_and_fro(axis["phases"], low, high, k)
     if kind in SLIDING:
         crank = 20.0 + 9 * k + i
         axis["mechanism"] |= {"crank_radius": crank, "rod_length": crank * (5.0 - 0.5 * k), "start_angle": 50.0 * k,

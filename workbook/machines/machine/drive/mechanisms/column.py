@@ -1,7 +1,7 @@
 """What a mechanism's page gives to the table of points, and to that of samples."""
 
 from collections.abc import Callable
-from typing import Protocol
+from typing import Any, Protocol
 
 from engine.laws.base import Array
 from workbook.book.declare import Quantity
@@ -37,6 +37,12 @@ class LinkagePage(MechanismPage, Protocol):
     """the formula of what is said where they do not"""
     ENDS: dict[str, str]
     """the formulas of the names of both ends of the reach, ``low`` and ``high``"""
+
+    def varied(self, i: int, k: int, room: int) -> tuple[dict[str, Any], float, float]:
+        """Return other entries for the i-th axis in the k-th variation, and two positions it then reaches (mm or °).
+
+        ``room`` is how many points a table of positions has room for.
+        """
 
     def ratios(self, driven: Driven, position: Array, of: Column) -> list[Quantity]:
         """Return the columns of φ' (``g``), φ'' (``h``) and the shaft's angle at the position in the column ``y``."""

@@ -1,5 +1,7 @@
 """A crank-slider in cells: what is entered, its sizes and its reach."""
 
+from typing import Any
+
 from engine.drive.mechanisms.slide import SlideLinkage
 from workbook.book.declare import Quantity, calc, given
 from workbook.book.sentence import quoted
@@ -54,3 +56,14 @@ def sizes(driven: Driven) -> list[Quantity]:
         calc("@high", "Highest position", "", "m", f"={OUTER}-{INNER}-@start/1000", high, source="the other one"),
         *slides.begun(one),
     ]  # fmt: skip
+
+
+def varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, float]:
+    """Return other sizes for the i-th axis in the k-th variation, and how far its slide then moves (mm)."""
+    crank = 31.0 + 7 * k + i
+    made = {
+        "crank_radius": crank, "rod_length": crank * (2.6 + 0.4 * k), "start": 0.3 * crank,
+        "offset": (0.0, 9.0, -14.0, None, 5.5, 0.0)[(i + k) % 6], "zero": ("inner", "outer", None)[k % 3],
+        "branch": ("behind", "ahead", None)[(i + k) % 3],
+    }  # fmt: skip
+    return made, 0.0, 1.3 * crank

@@ -1,6 +1,7 @@
 """A rocker in cells: what is entered, its sizes and its reach, which ends where lever, link and slide lock."""
 
 from math import atan2, sin
+from typing import Any
 
 import numpy as np
 
@@ -109,3 +110,14 @@ def table(sheet: Sheet, driven: Driven, rows: int) -> None:
         calc("below", "below the begin", "", "m", "=IF([x]<@x0,[x],0-@none)", of("below"), scale=one.link),
         calc("above", "above it", "", "m", "=IF([x]>@x0,[x],@none)", of("above"), scale=one.link),
     )  # fmt: skip
+
+
+def varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, float]:
+    """Return other sizes for the i-th axis in the k-th variation, and how far its slide then moves (mm)."""
+    lever = 60.0 + 9 * k + i
+    made = {
+        "lever_length": lever, "link_length": lever * (2.1 + 0.3 * k),
+        "offset": lever * (0.9, 1.05, 0.7, 1.2, 0.95, 1.0)[k], "start_angle": 70.0 + 7 * k,
+        "slide": ("behind", "ahead", None)[(i + k) % 3], "direction": ("forward", "backward", None)[k % 3],
+    }  # fmt: skip
+    return made, -0.15 * lever, 0.35 * lever

@@ -205,3 +205,11 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
 def change(values: Array, ratios: Array, widths: Array) -> float:
     """Return how large changes of ratios grow over parts of these widths."""
     return max(float(np.abs(values).max()), LEVEL * float(np.abs(ratios).max()) / float(widths.min()))
+
+
+def varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, float]:
+    """Return other points for the i-th axis in the k-th variation, and how far its load then moves (mm or °)."""
+    steps = [9.0 + 0.7 * ((j + i + k) % 3) for j in range((room, room - 1, 2)[k % 3])]
+    places = [sum(steps[:j]) - 6.0 for j in range(len(steps))]
+    points = [{"angle": (22.0 + k) * j - 40.0, "position": y} for j, y in enumerate(places)]
+    return {"points": points}, -5.0, 0.9 * places[-1]
