@@ -58,8 +58,8 @@ class Knots:
     @cached_property
     def solved(self) -> dict[str, list[Any]]:
         """What is solved at each point, by column: forward from the first, ``back`` from the last."""
-        system = self.law.system
-        found = eliminated(*system)
+        below, _, above, right = self.law.system
+        shares, pivots, rights = eliminated(*self.law.system)
         xi, s = self.law.knots
         d, (begin, end) = np.diff(xi), self.law.natural
         return {
@@ -67,12 +67,12 @@ class Knots:
             "m": self.filled(np.diff(s) / d, self.slopes[1]),
             "before": self.filled([0.0, *d], 0.0),
             "held": self.filled([int(begin), *[0] * (self.used - 2), int(end)], 1),
-            "low": self.filled([0.0, *system.below], 0.0),
-            "high": self.filled(system.above, 0.0),
-            "rhs": self.filled(system.right, 0.0),
-            "share": self.filled(found.shares, 0.0),
-            "pivot": self.filled(found.pivots, 1.0),
-            "right": self.filled(found.rights, 0.0),
+            "low": self.filled([0.0, *below], 0.0),
+            "high": self.filled(above, 0.0),
+            "rhs": self.filled(right, 0.0),
+            "share": self.filled(shares, 0.0),
+            "pivot": self.filled(pivots, 1.0),
+            "right": self.filled(rights, 0.0),
             "back": self.filled(self.law.moments[::-1], 0.0),
         }
 

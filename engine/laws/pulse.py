@@ -166,10 +166,6 @@ def _peaks(c: tuple[float, ...]) -> tuple[float, ...]:
     return (max(flat, key=Curve(c)),) if flat else ()
 
 
-def _of_peak(peak: float, *c: float) -> Pulse:
-    return polynomial_pulse(*(x / peak for x in c))
-
-
 HALF_SINE = replace(
     sine_edged(0.5, 0.0, 0.5), pieces=(ONE := (Piece(1.0, amplitude=1.0, omega=math.pi),)), turned_pieces=ONE,
     peaks=(0.5,), turned_peaks=(0.5,),
@@ -179,7 +175,7 @@ FALLING_SINE = sine_edged(0.0, 0.0, 1.0)
 CONSTANT = polynomial_pulse(1.0)
 LINE_DOWN = polynomial_pulse(1.0, -1.0)
 """the half of a cubic"""
-HALF_345 = _of_peak(5.0 / math.sqrt(3.0), 0.0, 15.0, -22.5, 7.5)
+HALF_345 = polynomial_pulse(*(c / (5.0 / math.sqrt(3.0)) for c in (0.0, 15.0, -22.5, 7.5)))
 """the half of the polynomial 3-4-5, s = 10ξ³ − 15ξ⁴ + 6ξ⁵"""
-HALF_4567 = _of_peak(42.0 / (5.0 * math.sqrt(5.0)), 0.0, 0.0, 52.5, -105.0, 65.625, -13.125)
+HALF_4567 = polynomial_pulse(*(c / (42.0 / (5.0 * math.sqrt(5.0))) for c in (0.0, 0.0, 52.5, -105.0, 65.625, -13.125)))
 """the half of the polynomial 4-5-6-7, s = 35ξ⁴ − 84ξ⁵ + 70ξ⁶ − 20ξ⁷"""

@@ -53,8 +53,3 @@ def velocity_peak(law: Law) -> float:
     xi = velocity_extremes(law)
     v = law.v(xi)
     return float(xi[np.argmax(v >= v.max() - 1e-12 * abs(v.max()))])
-
-
-def abscissae(intervals: int) -> Array:
-    """Return ξ = k/N for k = 0 … N."""
-    return np.arange(intervals + 1) / intervals

@@ -5,7 +5,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -72,9 +71,10 @@ class Spline(EndedLaw):
         return tridiagonal(*self.system)
 
     @cached_property
-    def system(self) -> "System":
-        """The equations of the moments, with the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points.
+    def system(self) -> tuple[Array, Array, Array, Array]:
+        """The equations of the moments: below, on and above the diagonal, and their right sides.
 
+        With the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points,
         d_{k−1} a_{k−1} + 2(d_{k−1} + d_k) a_k + d_k a_{k+1} = 6(m_k − m_{k−1}),
         and at an end with the slope v, 2 d_0 a_0 + d_0 a_1 = 6(m_0 − v).
         """
@@ -88,7 +88,7 @@ class Spline(EndedLaw):
             if free:
                 diagonal[end], right[end] = 1.0, 0.0
                 (above if end == 0 else below)[end] = 0.0
-        return System(below, diagonal, above, right)
+        return below, diagonal, above, right
 
     def _slope(self, end: int) -> float:
         entered = self.slopes[end]
@@ -144,36 +144,22 @@ def _require(points: Sequence[Point]) -> None:
             raise ValueError(f"point {k} is at {after:g}, the one before at {before:g}; expected them to rise")
 
 
-class System(NamedTuple):
-    """A tridiagonal system whose diagonal dominates; ``below`` and ``above`` have one number less than the others."""
+def eliminated(below: Array, diagonal: Array, above: Array, right: Array) -> tuple[list[float], ...]:
+    """Return what forward elimination leaves of a tridiagonal system: shares of the row before, pivots, right sides.
 
-    below: Array
-    diagonal: Array
-    above: Array
-    right: Array
-
-
-class Eliminated(NamedTuple):
-    """What forward elimination leaves of a tridiagonal system: shares of the row before, pivots, right sides."""
-
-    shares: list[float]
-    pivots: list[float]
-    rights: list[float]
-
-
-def eliminated(below: Array, diagonal: Array, above: Array, right: Array) -> Eliminated:
-    """Return what forward elimination leaves of a :class:`System`."""
+    The diagonal dominates; ``below`` and ``above`` have one number less than the others.
+    """
     d, x, shares = diagonal.tolist(), right.tolist(), [0.0]
     for k, (low, high) in enumerate(zip(below.tolist(), above.tolist(), strict=True)):
         share = low / d[k]
         d[k + 1] -= share * high
         x[k + 1] -= share * x[k]
         shares.append(share)
-    return Eliminated(shares, d, x)
+    return shares, d, x
 
 
 def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Array:
-    """Return x of a :class:`System`: forward elimination, then back substitution."""
+    """Return x of a tridiagonal system: forward elimination, then back substitution."""
     _, d, x = eliminated(below, diagonal, above, right)
     x[-1] /= d[-1]
     for k in range(len(d) - 2, -1, -1):

@@ -78,8 +78,3 @@ def located(pieces: Sequence[Piece], xi: Array) -> Located:
     rates = np.array([(piece.omega, piece.phase, piece.omega2, piece.phase2) for piece in pieces]).T
     omega, phi, omega2, phi2 = rates[:, k]
     return Located(k, u, omega * u + phi, omega2 * u + phi2)
-
-
-def key(number: int, xi: float) -> float:
-    """Return 2 · number + ξ, by which the pieces of all laws, numbered from 1, stand in one rising order."""
-    return 2.0 * number + xi

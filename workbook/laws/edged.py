@@ -92,10 +92,6 @@ class Stages:
             before.append(times(form.gain, f"@d{k}"))
         return added(terms)
 
-    def rows(self) -> tuple[PieceRow, ...]:
-        """Return the pieces, in the order of time."""
-        return tuple(row for k in sorted(self.stages) for row in self.pieces(k, self.stages[k].form))
-
     def pieces(self, k: int, form: Form | None) -> list[PieceRow]:
         """Return the pieces of a stage: two of a half sine, else one."""
         if form is None:
@@ -151,18 +147,18 @@ class Stages:
             return f"={height}*SQRT(1-{name}_x^2)*({name}_v+{name}_g*{name}_x)", "A cos x (v₂ + G sin x)"
         return f"={height}*{name}_x*({name}_v+{name}_g*(1-{name}_x^2))", "A y (v₂ + G(1 − y²))"
 
-    @property
-    def fastest(self) -> str:
-        """The formula of the first ξ at which v is largest: the end of the first pulse."""
-        return f"={added([f'@d{k}' for k, _ in self.forms(RISE)])}"
-
     def workings(self, law: PulseLaw) -> list[Quantity]:
         """Return the rows of what the coefficients are worked out from."""
         (gained, rise), (lost, fall) = law.lobes
         forms = [form for _, form in self.forms((*RISE, *FALL))]
         mean = [calc("@k", "Mean of a half, or a quarter, sine", "k", "", "=2/PI()", K, source="2/π")]
+        durations = [
+            calc(f"@d{k}", f"Duration of stage {k}", f"d{k}", "", self.stages[k].duration, piece.duration)
+            for k, piece in zip(sorted(self.stages), law.as_pieces(), strict=True)
+            if self.stages[k].duration
+        ]
         return [
-            *self.lasting(law),
+            *durations,
             *(mean if any("@k" in form.gain for form in forms) else []),
             calc("@m", "Velocity gained for A = 1", "m", "", f"={self.total(RISE, 'gain')}", gained),
             calc("@n", "Velocity lost for B = 1", "n", "", f"={self.total(FALL, 'gain')}", lost),
@@ -172,15 +168,6 @@ class Stages:
                  source="the same from the end"),
             *self.searched(law),
         ]  # fmt: skip
-
-    def lasting(self, law: PulseLaw) -> list[Quantity]:
-        """Return the rows of the durations."""
-        lasts = zip(sorted(self.stages), law.as_pieces(), strict=True)
-        return [
-            calc(f"@d{k}", f"Duration of stage {k}", f"d{k}", "", self.stages[k].duration, piece.duration)
-            for k, piece in lasts
-            if self.stages[k].duration
-        ]
 
     def searched(self, law: PulseLaw) -> list[Quantity]:
         """Return the rows that find the greatest v·a of either side on an edge that ends without acceleration."""
@@ -217,7 +204,10 @@ def times(factor: str, of: str) -> str:
 def edged(forms: Mapping[int, Stage], **stated: Any) -> Page:
     """Return the page of a family by its stages; ``stated`` is what else a page states."""
     stages = Stages(forms)
+    rise = [k for k, _ in stages.forms(RISE)]
+    rows = {k: stages.pieces(k, forms[k].form) for k in sorted(forms)}
     return Page(
-        pieces=stages.rows(), workings=stages.workings, coefficients=stages.coefficients(), fastest=stages.fastest,
-        early=len([row for k, form in stages.forms(RISE) for row in stages.pieces(k, form)]), **{"way": "=1", **stated},
+        pieces=tuple(row for found in rows.values() for row in found), workings=stages.workings,
+        coefficients=stages.coefficients(), fastest=f"={added([f'@d{k}' for k in rise])}",
+        early=sum(len(rows[k]) for k in rise), **{"way": "=1", **stated},
     )  # fmt: skip

@@ -3,8 +3,9 @@
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from engine.laws import Law
-from engine.laws.sections import abscissae
 from engine.laws.table import begins
 from engine.motion import Phase
 from workbook.book.chart import Chart, Series
@@ -123,7 +124,7 @@ def samples(
     sheet: Sheet, rise: Phase, lift: float, n: int, stack: sampling.Pieces, entries: Sequence[str]
 ) -> None:  # fmt: skip
     """Declare the sampled table: ξ, s, v, a, j and the dimensional y, ẏ, ÿ, by the ``entries`` that pieces may have."""
-    xi = abscissae(n)
+    xi = np.arange(n + 1) / n
     at, h, t = rise.law.evaluate(xi), rise.lift, rise.duration
     sheet.table(
         "@samples", "The law over ξ = t / t_a, and the rise h in the time t_a", n + 1,

@@ -1,11 +1,9 @@
 """Phases in cells: what a row of phases computes from its law's coefficients."""
 
-from collections.abc import Iterable, Sequence
-from math import isfinite
+from collections.abc import Sequence
 
 from engine.motion import Phase
 from workbook.book.rows import filled
-from workbook.laws.entries import Laws
 
 LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'
 CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
@@ -34,13 +32,3 @@ def kinds(phases: Sequence[Phase], rows: int) -> list[str]:
         ("rise" if one.lift > 0 else "return" if one.lift < 0 else "turn") if one.moves else "dwell" for one in phases
     ]
     return filled(used, rows, "spare")
-
-
-def law_numbers(names: Sequence[str], laws: Laws, rows: int) -> list[int]:
-    """Return the number of each phase's law, with the spare rows filled up."""
-    return filled([laws.number(name) for name in names], rows, 1)
-
-
-def jerks(values: Iterable[float]) -> list[float | str]:
-    """Return the largest jerks of phases as cells hold them: the sign ∞ where the acceleration jumps."""
-    return [value if isfinite(value) else "∞" for value in values]

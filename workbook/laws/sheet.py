@@ -8,7 +8,7 @@ from typing import Any
 from engine.laws import Piece
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.points import reach, slowest
-from engine.laws.table import Carried, carried, key
+from engine.laws.table import Carried, carried
 from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST
@@ -48,12 +48,15 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
 
 
 def worked_out(number: int, place: Carried) -> dict[str, float]:
-    """Return the engine's figures of a piece of the law of a number, by column."""
+    """Return the engine's figures of a piece of the law of a number, by column.
+
+    By 2 · number + ξ the pieces of all laws, numbered from 1, stand in one rising order.
+    """
     ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
     return entries_of(place.piece) | {
         "xi": place.begin, "s": place.s, "v": place.v, "ds": place.ds, "dv": place.dv,
         "ps": ps, "pv": pv, "pj": pj, "ps2": ps2, "pv2": pv2, "pj2": pj2,
-        "s0": s0, "s1": s1, "key": key(number, place.begin),
+        "s0": s0, "s1": s1, "key": 2.0 * number + place.begin,
     }  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from engine.laws import Piece
 from engine.laws.piece import gains
 from engine.laws.points import ends
 from engine.laws.pulse_law import PulseLaw
-from engine.laws.table import begins, carried, key, located
+from engine.laws.table import carried, located
 from tests.engine.families import ENTRIES
 
 EXAMPLES = [law for entry in ENTRIES for law in entry.examples]
@@ -47,11 +47,6 @@ def test_a_sample_near_a_break_is_on_it_and_the_last_in_the_last_piece_that_last
     assert place.piece.tolist() == [0, 2, 0, 2, 2]
     assert place.u[3:] == pytest.approx([0.25, 0.75])
     assert place.angle[3:] == pytest.approx([1.5, 3.5])
-
-
-def test_keys_of_all_laws_rise_in_one_order():
-    keys = [key(number, xi) for number in (1, 2, 3) for xi in begins([Piece(0.5), Piece(0.5), Piece(0.0)])]
-    assert keys == [2.0, 2.5, 3.0, 4.0, 4.5, 5.0, 6.0, 6.5, 7.0]
 
 
 def test_accelerations_at_the_ends_of_pieces_pass_over_those_of_no_duration():

@@ -3,9 +3,10 @@
 from functools import cached_property
 from typing import NamedTuple
 
+import numpy as np
+
 from engine.laws import Dwell
 from engine.laws.continuity import Meeting, continuity, meetings
-from engine.laws.sections import abscissae
 from workbook.laws.library import NamedLaw
 from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
@@ -33,7 +34,7 @@ class Compared:
         known = {one.name: one for one in laws}
         self.curves = [known[name] for name in chosen]
         self.moving = [one for one in laws if not isinstance(one.law, Dwell)]
-        self.xi = abscissae(self.sizes.cycle)
+        self.xi = np.arange(self.sizes.cycle + 1) / self.sizes.cycle
 
     @cached_property
     def smooth(self) -> list[tuple[int, int]]:

@@ -11,7 +11,8 @@ from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import AT_REST
 from workbook.entries.units import shown
 from workbook.laws import phases as joined
-from workbook.laws.phases import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY, jerks
+from workbook.laws.page import finite
+from workbook.laws.phases import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
 from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.motion.asked import entries
@@ -35,7 +36,7 @@ def entry(one: AxisRows, name: str) -> list[Any]:
     return filled([getattr(p, name) for p in one.axis.typed.phases], one.rows, None)
 
 
-def moving(one: AxisRows, figure: Callable[[Movement], float]) -> list[float]:
+def moving(one: AxisRows, figure: Callable[[Movement], float | str]) -> list[float | str]:
     """Return a figure of each phase that moves, 0 of the others."""
     moves = one.axis.moves
     return [figure(moves[k]) if k in moves else 0.0 for k in range(one.rows)]
@@ -104,7 +105,7 @@ def geometric_extremes(one: AxisRows) -> list[Quantity]:
         shown_as("y2", "geometric acceleration", "y''", f"{base}/rad²",
                  own(one, "amax", ACCELERATION), moving(one, lambda m: m.of.y2_max), source="C_a h/δ²"),
         shown_as("y3", "geometric jerk", "y'''", f"{base}/rad³",
-                 own(one, "jmax", JERK), jerks(moving(one, lambda m: m.of.y3_max)), source="C_j h/δ³"),
+                 own(one, "jmax", JERK), moving(one, lambda m: finite(m.of.y3_max)), source="C_j h/δ³"),
     ]  # fmt: skip
 
 
@@ -124,7 +125,7 @@ def extremes(one: AxisRows) -> list[Quantity]:
         result("a", "acceleration", symbols[1], units[1], f"=[y2]*omega^2{lift}",
                moving(one, lambda m: axis.rate(m.a_max)), source=source[1]),
         result("j", "jerk", symbols[2], units[2],
-               f'=IF(ISNUMBER([y3]),[y3]*omega^3{lift},"∞")', jerks(moving(one, lambda m: axis.rate(m.j_max))),
+               f'=IF(ISNUMBER([y3]),[y3]*omega^3{lift},"∞")', moving(one, lambda m: finite(axis.rate(m.j_max))),
                source=source[2]),
         result("rms", "RMS acceleration", symbols[3], units[1], f"{mean}*omega^2{lift}",
                moving(one, lambda m: axis.rate(m.a_rms)), source=source[3]),
@@ -141,7 +142,7 @@ def used(one: AxisRows) -> list[Quantity]:
     """Return law, lift and angles of each phase as the cells compute with them."""
     n, phases, over, turned = one.rows, one.axis.phases, one.machine.over, one.axis.given.phases
     start, stop = over.in_degrees("[start]"), over.in_degrees("[stop]")
-    laws = joined.law_numbers([p.law for p in turned], one.machine.machine.laws, n)
+    laws = filled([one.machine.machine.laws.number(p.law) for p in turned], n, 1)
     return [
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", LAW_NUMBER, laws, format="0"),
