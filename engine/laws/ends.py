@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from dataclasses import astuple, dataclass, replace
-from typing import ClassVar, NamedTuple, Self
+from typing import ClassVar, NamedTuple
 
 from engine.laws.base import Law, require_finite
 
@@ -87,15 +87,12 @@ class EndedLaw(Law):
     def between(self, ends: Ends) -> "EndedLaw":
         """Return the law between these ends, with their stroke; raise EndError, with the reason, if it has none."""
         require_ends(self, ends, self.takes)
-        return self._with(ends)
+        return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
 
     def opened(self, begin: bool, end: bool) -> "EndedLaw":
         """Return the law where nothing precedes it (``begin``) or follows it (``end``): most laws rest there."""
         del begin, end
         return self
-
-    def _with(self, ends: Ends) -> Self:
-        return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
 
 
 class Scaled(NamedTuple):

@@ -71,7 +71,7 @@ class SimpleHarmonic(HalvedLaw):
     """s = (1 − cos πξ)/2; with the share λ, a quarter of a cosine over λ and one of a sine over 1 − λ.
 
     It begins and ends with an acceleration: a law from reversal to reversal. Raises ValueError unless λ, the
-    ``share``, is between 0 and 1. Source: LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE.
+    ``share``, is between 0 and 1.
     """
 
     code = "SHM"

@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from engine.laws.base import ROUNDING, Array, Law, Real, unwrap
+from engine.laws.base import ROUNDING, Array, Law, Real, require_within, unwrap
 from engine.laws.sections import breaks, velocity_extremes
 
 KNOTS = 65  # a stage, between which a height is first located
@@ -31,21 +31,14 @@ def inverse(law: Law, s: Real) -> Real:
     wanted = np.asarray(s, dtype=np.float64)
     flat = wanted.reshape(-1)
     end = law.end.s
-    _require(law, flat, end)
+    if end <= 0.0 or not is_monotone(law):
+        raise ValueError(f"{law.name} does not rise throughout; expected a law that never moves backwards")
+    require_within("s", flat, 0.0, end, ROUNDING)
     xi = np.where(flat <= 0.0, 0.0, 1.0)
     inside = (flat > 0.0) & (flat < end)
     if inside.any():
         xi[inside] = _solve(law, flat[inside])
     return unwrap(s, [xi.reshape(wanted.shape)])[0]  # type: ignore[no-any-return]
-
-
-def _require(law: Law, s: Array, end: float) -> None:
-    if end <= 0.0 or not is_monotone(law):
-        raise ValueError(f"{law.name} does not rise throughout; expected a law that never moves backwards")
-    if s.size:
-        low, high = s.min(), s.max()
-        if not (low >= -ROUNDING and high <= end + ROUNDING):
-            raise ValueError(f"s reaches from {low:.15g} to {high:.15g}; expected numbers from 0 to {end:.15g}")
 
 
 def _solve(law: Law, s: Array) -> Array:

@@ -8,9 +8,8 @@ import numpy as np
 
 from engine.laws.base import Vendors, require_finite
 from engine.laws.ends import REST, EndError, Ends, require_ends
-from engine.laws.pulse import FALLING_SINE, sine_edged
+from engine.laws.pulse import FALLING_SINE, SUM_TOLERANCE, sine_edged
 from engine.laws.pulse_law import (
-    SUM_TOLERANCE,
     PulseLaw,
     TwoPulses,
     pulses_of,
@@ -30,7 +29,6 @@ class ModifiedTrapezoidal(PulseLaw):
     three nor the last three all zero; else ValueError. With k = 2/π, m = k d1 + d2 + k d3 and
     n = k d5 + d6 + k d7, A m = B n = C_v and A = 1/(S_a + m d4 + S_d m/n), where S_a and S_d are the travels
     of the two lobes for unit acceleration.
-    Source: S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'.
     """
 
     code = "MTP"
@@ -232,7 +230,7 @@ class HarmonicCombination(PulseLaw):
         asked = -ends.a1 if self._at_end else ends.a0
         plain = replace(ends, a1=0.0) if self._at_end else replace(ends, a0=0.0)
         require_ends(self, plain, self.takes)
-        law = self._with(plain)
+        law = replace(self, ends=plain)
         return replace(law, share=law._share_for(asked)) if asked else law
 
     def _share_for(self, height: float) -> float:

@@ -149,11 +149,11 @@ class HalvedPolynomial(HalvedLaw):
     @property
     def takes(self) -> str:
         """What the polynomial takes; nothing where a share shifts it."""
-        return self.TAKES if self.share == 0.5 else ""
+        return self.ENDED.TAKES if self.share == 0.5 else ""
 
     def between(self, ends: Ends) -> EndedPolynomial:
         """Return the polynomial of this degree between these ends; EndError where a share shifts the law."""
-        require_ends(self, ends, self.TAKES)
+        require_ends(self, ends, self.ENDED.TAKES)
         if self.share != 0.5:
             raise EndError(
                 f"{self.name} with the share {self.share:g} is made of two halves that begin and end at rest; "
@@ -181,33 +181,25 @@ class Cubic(HalvedPolynomial):
 
 @dataclass(frozen=True)
 class Polynomial345(HalvedPolynomial):
-    """s = 10ξ³ − 15ξ⁴ + 6ξ⁵; v = 30ξ²(1 − ξ)²; a = 60ξ − 180ξ² + 120ξ³.
-
-    Source: LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'.
-    """
+    """s = 10ξ³ − 15ξ⁴ + 6ξ⁵; v = 30ξ²(1 − ξ)²; a = 60ξ − 180ξ² + 120ξ³."""
 
     code = "PO5"
     name = "Polynomial 3-4-5"
     aliases = ("3-4-5", "quintic", "polynomial of degree 5", "Polynom 5. Grades")
     source = "LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'"
     vendors = Vendors(siemens="POLY_5 (5)", twincat="POLYNOM5 (5)", codesys="Poly5", sew="POLYNOM_5")
-    TAKES = "va"
     HALF = HALF_345
     ENDED = EndedQuintic
 
 
 @dataclass(frozen=True)
 class Polynomial4567(HalvedPolynomial):
-    """s = 35ξ⁴ − 84ξ⁵ + 70ξ⁶ − 20ξ⁷; v = 140ξ³(1 − ξ)³; a = 420ξ² − 1680ξ³ + 2100ξ⁴ − 840ξ⁵.
-
-    Source: LCamHdl, ProfileTypes, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'.
-    """
+    """s = 35ξ⁴ − 84ξ⁵ + 70ξ⁶ − 20ξ⁷; v = 140ξ³(1 − ξ)³; a = 420ξ² − 1680ξ³ + 2100ξ⁴ − 840ξ⁵."""
 
     code = "PO7"
     name = "Polynomial 4-5-6-7"
     aliases = ("4-5-6-7", "septic", "polynomial of degree 7", "Polynom 7. Grades")
     source = "LCamHdl, ProfileTypes, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'"
     vendors = Vendors(siemens="POLY_7 (6), of two sextics", twincat="POLYNOM7 (7)", codesys="Poly7", sew="POLYNOM_7")
-    TAKES = "vaj"
     HALF = HALF_4567
     ENDED = EndedSeptic

@@ -4,16 +4,14 @@ import math
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import ClassVar, NamedTuple, TypeVar
+from typing import ClassVar, NamedTuple
 
 from engine.laws.base import Array, Coefficients, require_finite
 from engine.laws.ends import EndedLaw
 from engine.laws.piece import Piece, cut, scaled_piece
-from engine.laws.piece_extremes import power_extremes
-from engine.laws.pulse import Edge, Pulse
+from engine.laws.piece_extremes import JUMP, power_extremes
+from engine.laws.pulse import SUM_TOLERANCE, Edge, Pulse
 from engine.laws.stages import Staged, carried
-
-SUM_TOLERANCE = 1e-9
 
 
 def require_share(name: str, value: float) -> None:
@@ -48,11 +46,6 @@ def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
         if not sum(part) > 0.0:
             raise ValueError(f"the durations of stages {stages} are all zero; expected one that lasts")
     return durations
-
-
-JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
-
-T = TypeVar("T")
 
 
 class TwoPulses(NamedTuple):
@@ -137,22 +130,19 @@ class PulseLaw(EndedLaw):
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
-        return tuple(part for piece in self._stages((), ()) for part in piece)
+        return self._cut((), ())
 
     def monotone_pieces(self) -> tuple[Piece, ...]:
         """Return the same, each pulse cut at its peak: at shares of its time, so between prescribed ends too."""
-        c = self.pulses
-        return tuple(part for piece in self._stages(c.rise.peaks, c.fall.turned_peaks) for part in piece)
+        return self._cut(self.pulses.rise.peaks, self.pulses.fall.turned_peaks)
 
-    def _stages(self, rising: Sequence[float], falling: Sequence[float]) -> tuple[list[Piece], ...]:
-        """Return the pieces of each stage, cut at these shares of the pulses."""
+    def _cut(self, rising: Sequence[float], falling: Sequence[float]) -> tuple[Piece, ...]:
+        """Return the pieces of the stages that the family has, cut at these shares of the pulses."""
         c = self.pulses
         rise = [cut(scaled_piece(piece, self.acceleration, c.rise_time), rising) for piece in c.rise.pieces]
         fall = [cut(scaled_piece(piece, -self.deceleration, c.fall_time), falling) for piece in c.fall.turned_pieces]
-        return self._taken((*rise, [Piece(c.cruise)], *fall))
-
-    def _taken(self, stages: tuple[T, ...]) -> tuple[T, ...]:
-        return stages if self.STAGES is None else tuple(stages[k] for k in self.STAGES)
+        stages = [*rise, [Piece(c.cruise)], *fall]
+        return tuple(part for k in self.STAGES or range(len(stages)) for part in stages[k])
 
     @cached_property
     def _staged(self) -> Staged:

@@ -50,7 +50,6 @@ class SineRamps(PulseLaw):
     """v = V sin²(πξ/2α) up to ξ = α = ``rise_end``, V, and the same mirrored from ``fall_start`` on, over δ.
 
     a = (πV/2α) sin(πu/α), V = 2/(1 + β) with β the time at V. 0 < rise_end ≤ fall_start < 1, else ValueError.
-    Source: CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'.
     """
 
     code = "SRT"

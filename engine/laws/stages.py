@@ -6,9 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array, stage_of
-from engine.laws.piece import Piece, gains_at
-
-DEGREES = 6  # coefficients of a piece's polynomial
+from engine.laws.piece import POWERS, Piece, gains_at
 
 
 class Stage(NamedTuple):
@@ -52,10 +50,10 @@ class Staged:
 
     def __init__(self, stages: Sequence[Stage]) -> None:
         self.starts = np.array([stage.begin for stage in stages])
-        c = np.zeros((DEGREES, len(stages)))
+        c = np.zeros((POWERS, len(stages)))
         for k, stage in enumerate(stages):
             c[: len(stage.c), k] = stage.c
-        self.powers = max((i + 1 for i in range(DEGREES) if c[i].any()), default=0)
+        self.powers = max((i + 1 for i in range(POWERS) if c[i].any()), default=0)
         self.sines = any(stage.amplitude for stage in stages)
         where = [(stage.sign, stage.origin, stage.s0, stage.v0) for stage in stages]
         rate = [(s.amplitude, s.r, 1.0 / s.r if s.r else 0.0, s.phase) for s in stages] if self.sines else []

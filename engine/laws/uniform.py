@@ -28,10 +28,7 @@ class Dwell(Law):
 
 @dataclass(frozen=True)
 class StraightLine(Law):
-    """s = ξ; v = 1: constant velocity. Against rest the velocity jumps, which its coefficients do not count.
-
-    Source: LCamHdl, ProfileTypes, CONST_VELO.
-    """
+    """s = ξ; v = 1: constant velocity. Against rest the velocity jumps, which its coefficients do not count."""
 
     code = "LIN"
     name = "Straight line"

@@ -21,7 +21,7 @@ from workbook.functions.addin.motion_functions import library
 from workbook.functions.addin.motion_functions.cells import parameters
 from workbook.functions.addin.motion_functions.laws import LAWS, OWN_WIDTH
 from workbook.functions.declared import CODES, FUNCTIONS, PARAMETERS
-from workbook.laws.tops import OWN_ENTRIES
+from workbook.laws.own import OWN_ENTRIES
 from workbook.template import FOLDER
 
 OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-in has

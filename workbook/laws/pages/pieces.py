@@ -20,8 +20,7 @@ from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
 from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page, Stacked
-from workbook.laws.mending import missing
-from workbook.laws.tops import OWN_ENTRIES, extremes, points_table
+from workbook.laws.own import OWN_ENTRIES, extremes, missing, points_table
 
 
 def not_slow(omega: float) -> float:
@@ -70,11 +69,6 @@ class OwnLaw(LawSheet):
         if abs(total - 1) > SUM_TOLERANCE:
             yield DesignError("pieces", f"they sum to {figure(total)}; expected 1", "sum", [POLYNOMIAL_345])
 
-    @property
-    def made(self) -> list[engine.Piece]:
-        """The engine's pieces."""
-        return [piece.made for piece in self.pieces]
-
 
 POLYNOMIAL_345 = {"duration": 1.0, "c1": 60.0, "c2": -180.0, "c3": 120.0}
 VARIATIONS = (
@@ -102,7 +96,7 @@ class OwnPage(Page):
 
     def made(self, entered: OwnLaw) -> PointedLaw:
         """Return the engine's law, with its coefficients by points."""
-        return PointedLaw(entered.made)
+        return PointedLaw([piece.made for piece in entered.pieces])
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the law of pieces in a row, eight numbers each: duration, c0, c1, c2, c3, P, ω, φ."""
@@ -209,7 +203,7 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         digits = "0.0000" if name == "d" else "General"
         return given(name, *LABELS[name], "", values, f"{key}.pieces.*.{field}", format=digits)
 
-    pieces = filled(own.made, n, engine.Piece(0.0))
+    pieces = filled([piece.made for piece in own.pieces], n, engine.Piece(0.0))
     at = ends(pieces)
     entered = sheet.table(
         "@pieces", "Fill one row each, in order; the durations sum to 1; leave spare rows empty", n,
