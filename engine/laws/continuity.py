@@ -44,13 +44,16 @@ def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:
     v, before = law.start.v, 0
     ended: Rates = (0.0, 0.0, 0.0)
     for k, piece in enumerate((*pieces, Piece(1.0)), 1):
-        behind = k > len(pieces)
-        begin, end = _rates(piece, 0.0 if behind else v)
-        lasts = piece.duration > 0.0
+        behind, lasts = k > len(pieces), piece.duration > 0.0
+        v = 0.0 if behind else v
+        _, dv, a, j = (x.tolist() for x in gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None]))
+        begin, end = (v, a[0], j[0]), (v + dv[1], a[1], j[1])
         jump = tuple(y - x for x, y in zip(ended, begin, strict=True)) if lasts else (0.0, 0.0, 0.0)
-        outer = lasts and (behind or before == 0)
+        jumps = (abs(size) > JUMP * scale for size, scale in zip(jump, scales, strict=True))
+        order = next((n for n, jumped in enumerate(jumps) if jumped), SMOOTH)
         angles = piece.omega * piece.duration + piece.phase, piece.omega2 * piece.duration + piece.phase2
-        found.append(Meeting(piece.duration, angles, begin, end, before, jump, _order(jump, scales), outer))
+        outer = lasts and (behind or before == 0)
+        found.append(Meeting(piece.duration, angles, begin, end, before, jump, order, outer))
         v = end[0]
         if lasts:
             before, ended = k, end
@@ -67,14 +70,3 @@ def continuity(law: Law) -> tuple[int, int]:
 def code(number: int, one: Meeting) -> int:
     """Return what tells law, end and order of a meeting in one number: 8 · number + 4 at an end + order."""
     return 8 * number + 4 * one.outer + one.order
-
-
-def _rates(piece: Piece, v: float) -> tuple[Rates, Rates]:
-    """Return v, a, j of a piece, entered with the velocity ``v``, at its begin and at its end."""
-    _, dv, a, j = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])
-    return (v, float(a[0]), float(j[0])), (v + float(dv[1]), float(a[1]), float(j[1]))
-
-
-def _order(jump: tuple[float, ...], scales: tuple[float, ...]) -> int:
-    jumps = (abs(size) > JUMP * scale for size, scale in zip(jump, scales, strict=True))
-    return next((n for n, jumped in enumerate(jumps) if jumped), SMOOTH)

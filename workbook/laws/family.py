@@ -90,13 +90,6 @@ def entries_of(piece: Piece) -> dict[str, float]:
     return dict(zip(ENTRIES, (piece.duration, *piece.row[: len(POWERS)], *sines), strict=True))
 
 
-class Stacked(NamedTuple):
-    """A row of the stack of all laws' pieces: the engine's piece, and the cells' formula of each of :data:`ENTRIES`."""
-
-    piece: Piece
-    formulas: dict[str, str]
-
-
 @dataclass(frozen=True, kw_only=True)
 class Page:
     """A family of laws with a sheet of its own; the families without derive from it and say what differs.
@@ -210,11 +203,11 @@ class Page:
         """Return the ``k``-th of other parameters, round and round; ``room`` is the rows of the own law's table."""
         return dict(self.variations[k % len(self.variations)]) if self.variations else {}
 
-    def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
-        """Return the rows of the stack for a law of the family."""
+    def stacked(self, law: Law, sizes: Any) -> list[tuple[Piece, dict[str, str]]]:
+        """Return the rows of the stack of all laws' pieces: each piece, and the formula of each of :data:`ENTRIES`."""
         shown = dict.fromkeys(self.columns, "=[@pieces.{}.{}]") if self.has_sheet else {}
         return [
-            Stacked(piece, row.formulas | {name: cell.format(name, k) for name, cell in shown.items()})
+            (piece, row.formulas | {name: cell.format(name, k) for name, cell in shown.items()})
             for k, (piece, row) in enumerate(zip(law.monotone_pieces(), self.pieces, strict=True), 1)
         ]
 

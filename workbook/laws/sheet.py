@@ -40,10 +40,10 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     rows = []
     for one in laws:
         found = one.page.stacked(one.law, sizes)
-        places = carried(one.law, [each.piece for each in found])
-        for k, (each, place) in enumerate(zip(found, places, strict=True), 1):
-            formulas = {name: one.own(text) for name, text in each.formulas.items()}
-            rows.append(Row(one.name, one.number, k, each.piece, formulas, worked_out(one.number, place)))
+        places = carried(one.law, [piece for piece, _ in found])
+        for k, ((piece, entered), place) in enumerate(zip(found, places, strict=True), 1):
+            formulas = {name: one.own(text) for name, text in entered.items()}
+            rows.append(Row(one.name, one.number, k, piece, formulas, worked_out(one.number, place)))
     return rows
 
 

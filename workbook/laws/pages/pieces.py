@@ -19,7 +19,7 @@ from workbook.book.sentence import amount, figure
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page, Stacked
+from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page
 from workbook.laws.own import OWN_ENTRIES, extremes, missing, points_table
 
 
@@ -112,11 +112,11 @@ class OwnPage(Page):
         found = super().variation(k, room)
         return found if len(found["pieces"]) <= room else dict(VARIATIONS[0])
 
-    def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
+    def stacked(self, law: Law, sizes: Any) -> list[tuple[engine.Piece, dict[str, str]]]:
         """Return the rows of the stack: the table of the own law, spare rows and all."""
         pieces = filled(law.as_pieces(), sizes.pieces, engine.Piece(0.0))
         return [
-            Stacked(piece, {name: f"=[@pieces.{name}.{k}]" if name in OWN_ENTRIES else "=0" for name in ENTRIES})
+            (piece, {name: f"=[@pieces.{name}.{k}]" if name in OWN_ENTRIES else "=0" for name in ENTRIES})
             for k, piece in enumerate(pieces, 1)
         ]
 

@@ -14,7 +14,7 @@ from workbook.book.declare import Quantity, Sheet, check, given
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, figure
 from workbook.entries.types import DesignError, Model, Number, Share
-from workbook.laws.family import ENTRIES, LawCheck, LawSheet, Page, Stacked
+from workbook.laws.family import ENTRIES, LawCheck, LawSheet, Page
 from workbook.laws.knots import intervals_table, points_table, solution, worked_out
 
 ENDS = ("begin", "end")
@@ -101,13 +101,13 @@ class SplinePage(Page):
         """Return the engine's law."""
         return entered.exact
 
-    def stacked(self, law: Law, sizes: Any) -> list[Stacked]:
+    def stacked(self, law: Law, sizes: Any) -> list[tuple[Piece, dict[str, str]]]:
         """Return the rows of the stack: an interval each, spare ones and all."""
         pieces = law.as_pieces()
         rows = range(1, sizes.points)
         shown = {"d": "=[@intervals.d.{}]", "c0": "=[@intervals.a.{}]", "c1": "=[@intervals.j.{}]"}
         return [
-            Stacked(
+            (
                 pieces[k - 1] if k <= len(pieces) else Piece(0.0, (law.end.a, 0.0, 0.0, 0.0)),
                 {name: shown.get(name, "=0").format(k) for name in ENTRIES},
             )
