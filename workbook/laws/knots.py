@@ -83,16 +83,6 @@ def points_table(sheet: Sheet, at: Knots, entered: Sequence[Quantity]) -> None:
     sheet.workings(points, "@solved", "Workings: the spline's moments", BEHIND, *elimination(at))
 
 
-def intervals_table(sheet: Sheet, at: Knots) -> None:
-    """Declare the table of the intervals: rates at both ends, and extremes."""
-    sheet.heading("Table of the intervals, each from a point to the next")
-    sheet.table(
-        "@intervals", "On each a is linear, and W = a² − 2jv the same everywhere", at.rows,
-        constant("k", "interval", "k", "", list(range(1, at.rows + 1))),
-        *intervals(at),
-    )  # fmt: skip
-
-
 def elimination(at: Knots) -> list[Quantity]:
     """Return the columns of the tridiagonal system, of its forward elimination, and of its back substitution."""
     last = "@used+1-[k]"
@@ -123,8 +113,8 @@ def elimination(at: Knots) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def intervals(at: Knots) -> list[Quantity]:
-    """Return the columns of the intervals: rates at both ends, and extremes."""
+def intervals_table(sheet: Sheet, at: Knots) -> None:
+    """Declare the table of the intervals: rates at both ends, and extremes."""
     found = at.intervals | {"fast": at.fast, "wrong": at.wrong}
     moment, place = "INDEX([@solved.back],MAX(1,@used{0}-[k]))", "INDEX([@points.s],MIN([k]{0},@used))"
 
@@ -134,7 +124,10 @@ def intervals(at: Knots) -> list[Quantity]:
     ) -> Quantity:  # fmt: skip
         return role(name, label, symbol, "", formula, found[name], source=source, scale=scale)
 
-    return [
+    sheet.heading("Table of the intervals, each from a point to the next")
+    sheet.table(
+        "@intervals", "On each a is linear, and W = a² − 2jv the same everywhere", at.rows,
+        constant("k", "interval", "k", "", list(range(1, at.rows + 1))),
         column("xi", "begins at", "ξ_k", "=IF([k]<@used,INDEX([@points.xi],[k]),1)", "", 0.0),
         column("d", "duration", "d", "=INDEX([@solved.d],[k])", "", 0.0),
         column("a", "acceleration", "a", f"={moment.format('+1')}", "the moment", role=result),
@@ -160,4 +153,4 @@ def intervals(at: Knots) -> list[Quantity]:
         column("square", "∫a² dξ", "", "=[d]*([a]^2+[a]*[a1]+[a1]^2)/3"),
         column("fast", "first place of the largest v", "", FASTEST, "", 0.0),
         column("wrong", "step of v the wrong way", "", WRONG),
-    ]  # fmt: skip
+    )  # fmt: skip

@@ -10,6 +10,7 @@ from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.composed import MACHINE, composed
 from workbook.errors import InputError
 from workbook.laws.pages.spline import VARIATIONS
+from workbook.laws.registry import FAMILY
 
 REST = ("DWL", 0.0, 5.0)
 
@@ -152,5 +153,5 @@ def test_an_acceleration_that_is_entered_beside_points_is_told():
 
 
 def test_the_engines_spline_is_that_of_the_description():
-    law = machine({"Points": VARIATIONS[1]}).laws["Points"].exact
+    law = FAMILY["SPL"].made(machine({"Points": VARIATIONS[1]}).laws["Points"])
     assert law == Spline(((0, 0), (0.4, 0.1), (0.55, 0.8), (1, 1)), (0.25, None), (False, True))

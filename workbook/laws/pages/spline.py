@@ -59,15 +59,6 @@ class Points(LawSheet):
                 yield DesignError("points", RISE.format(k, figure(other.at), figure(one.at)), "rise", fits)
                 return
 
-    @property
-    def exact(self) -> Spline:
-        """The engine's law: its ends are settled here, whatever is beside it."""
-        entered = (self.first_slope, self.last_slope)
-        natural = [slope is None and self.natural in (end, "both") for end, slope in zip(ENDS, entered, strict=True)]
-        slopes = [None if free else slope or 0.0 for free, slope in zip(natural, entered, strict=True)]
-        points = tuple((point.at, point.s) for point in self.points)
-        return Spline(points, (slopes[0], slopes[1]), (natural[0], natural[1]))
-
 
 FEW = "{} points are given; expected 2 or more"
 LEAD = "they lead from ({}, {}) to ({}, {}); expected from (0, 0) to (1, 1)"
@@ -98,8 +89,12 @@ class SplinePage(Page):
     """The page of a spline: any number of points, entered one by one."""
 
     def made(self, entered: Points) -> Spline:
-        """Return the engine's law."""
-        return entered.exact
+        """Return the engine's law: its ends are settled here, whatever is beside it."""
+        given = (entered.first_slope, entered.last_slope)
+        natural = [slope is None and entered.natural in (end, "both") for end, slope in zip(ENDS, given, strict=True)]
+        slopes = [None if free else slope or 0.0 for free, slope in zip(natural, given, strict=True)]
+        points = tuple((point.at, point.s) for point in entered.points)
+        return Spline(points, (slopes[0], slopes[1]), (natural[0], natural[1]))
 
     def stacked(self, law: Law, sizes: Any) -> list[tuple[Piece, dict[str, str]]]:
         """Return the rows of the stack: an interval each, spare ones and all."""
