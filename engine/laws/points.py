@@ -63,14 +63,14 @@ SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}
 
 
 class Points:
-    """The points on pieces one after the other, in arrays; ``entered`` are s and v at the begin of each piece.
+    """The points of a law on its pieces, spare ones and all, in arrays.
 
     Of each point ``piece`` is its piece (from 0), ``share`` the share of it, ``weight`` its weight in it, ``part`` the
     share of the rise that it stands for, ``u`` its place in the piece and ``xi`` in the law; ``angles`` are ωu + φ of
     either sine (rad). ``rates`` are s, v, a, j, the slope b of j, v·a and its slope g.
     """
 
-    def __init__(self, pieces: Sequence[Piece], entered: Sequence[tuple[float, float]]) -> None:
+    def __init__(self, law: Law, pieces: Sequence[Piece]) -> None:
         self.pieces = tuple(pieces)
         self.piece: NDArray[np.intp] = np.repeat(np.arange(len(pieces)), POINTS)
         self.share, self.weight = np.tile(SHARES, len(pieces)), np.tile(WEIGHTS, len(pieces))
@@ -80,7 +80,7 @@ class Points:
         self.xi = np.array(begins(pieces))[self.piece] + self.u
         self.angles = [omega * self.u + phi, omega2 * self.u + phi2]
         row = np.array([one.row for one in pieces]).T[:, self.piece]
-        s0, v0 = np.array(entered).T[:, self.piece]
+        s0, v0 = np.array([(place.s, place.v) for place in carried(law, pieces)]).T[:, self.piece]
         s, gained, a, j = gains(self.u, row)
         v = v0 + gained
         b = bends(self.u, row)
@@ -146,18 +146,13 @@ class Points:
         )  # fmt: skip
 
 
-def points_of(law: Law, pieces: Sequence[Piece]) -> Points:
-    """Return the points of a law on its pieces, spare ones and all."""
-    return Points(pieces, [(row.s, row.v) for row in carried(law, pieces)])
-
-
 class PointedLaw(PieceLaw):
     """An own law whose coefficients are those by its points, as a workbook has them; :class:`PieceLaw` has the true."""
 
     @cached_property
     def points(self) -> Points:
         """The points on its pieces."""
-        return points_of(self, self.pieces)
+        return Points(self, self.pieces)
 
     def _coefficients(self) -> Coefficients:
         return self.points.coefficients

@@ -9,7 +9,7 @@ import pytest
 from engine.laws import Piece, PieceLaw
 from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.laws.pieces import POLYNOMIAL_345
-from engine.laws.points import POINTS, SHARES, WEIGHTS, PointedLaw, fastest, points_of, reach, slowest
+from engine.laws.points import POINTS, SHARES, WEIGHTS, PointedLaw, Points, fastest, reach, slowest
 from engine.laws.sections import velocity_peak
 
 PEAKS, POWER, RMS = 1e-2, 4e-2, 1e-6
@@ -73,7 +73,7 @@ def test_a_step_the_wrong_way_is_found():
         Piece(0.3, (-10, 0, 0, 0)),
     ]
     law = PieceLaw(pieces)
-    at = points_of(law, pieces)
+    at = Points(law, pieces)
     assert at.peak == pytest.approx(0.7)
     assert at.wrong_way.max() > 0.1
     assert float(np.sum(at.wrong_way)) == pytest.approx(0.8)

@@ -10,7 +10,7 @@ from pydantic import AfterValidator, Field
 
 from engine import laws as engine
 from engine.laws import Law, PieceLaw
-from engine.laws.points import PointedLaw, Points, ends, points_of
+from engine.laws.points import PointedLaw, Points, ends
 from engine.laws.table import begins
 from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given
@@ -164,7 +164,7 @@ class OwnPage(Page):
 
 def spread_of(law: Law, room: int) -> Points:
     """Return the points on the pieces of a law in a table of ``room`` rows."""
-    return points_of(law, filled(law.as_pieces(), room, engine.Piece(0.0)))
+    return Points(law, filled(law.as_pieces(), room, engine.Piece(0.0)))
 
 
 PAGE = OwnPage(
