@@ -175,5 +175,5 @@ def chart(sheet: Sheet) -> None:
               "RMS torque / continuous torque", series,
               "RMS torque over continuous torque against speed over largest speed, of the best pairs and the drive's",
               (0, None, None), (0, None, None)),
-        column=13, row=5, width=8, height=24,
+        column=11, row=5, width=6, height=24,
     )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, given, result
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
 from workbook.selection.best import best_table, chart, order_table, uses
 from workbook.selection.choosing import Choosing
@@ -29,9 +29,7 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Q
         outcome(sheet, view, axis)
         best_table(sheet, view)
         chart(sheet)
-        grids(sheet, view)
-        products(sheet, view)
-        order_table(sheet, view)
+        sheet.not_printed_below()
         sheet.heading("Workings: the axes")
         chosen(sheet, view)
         drives_table(sheet, view)
@@ -39,8 +37,19 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Q
         uses(sheet, view)
     if axis:
         book.column_names["sel_axes"] = ("sel_drives", "axis")
-    sheet.print_columns = max(20, sheet.print_columns)
+    sheet.print_columns = 16
+    pairs_sheet(book, view)
     return sheet
+
+
+def pairs_sheet(book: Book, view: Choosing) -> None:
+    """Declare the sheet of every motor with every reducer, in columns so narrow that a page can be read."""
+    sheet = book.sheet("Pairs", "Every motor of the catalogue with every reducer: which can do it, what others fail.")
+    sheet.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}
+    with sheet.scoped("sel_"):
+        grids(sheet, view)
+        products(sheet, view)
+        order_table(sheet, view)
 
 
 def entries(sheet: Sheet, view: Choosing, first: Sequence[Quantity]) -> None:
