@@ -253,7 +253,7 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
              "=IF(AND([on]=1,OR([nmax]=0,[n]<=[nmax]),OR([held]=0,@tmax<=[held]),OR([tmean]=0,@smean<=[tmean])),1,0)",
              filled(g.fits.astype(int), n, 0), format="0"),
         calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
-             filled(g.balance, n), source="S_rms/(ω̇_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
+             filled(g.balance, n), source="S_rms / (ω̇_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
         calc("unit", "its reciprocal", "", "1/(kg m²)", "=IF([balance]>0,1/[balance],0)",
              filled(np.divide(1.0, g.balance, out=np.zeros(g.balance.shape), where=g.balance > 0.0), n)),
         calc("mixed", "mean of ω̇ S, with losses", "", "W/s",
