@@ -3,17 +3,18 @@
 import math
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from workbook.book.declare import Block, Book
-from workbook.book.quantity import SAYS, Quantity
+from workbook.book.quantity import SAYS
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
 from workbook.judging.carried import own_things
+from workbook.judging.compare import is_number
 from workbook.judging.layout import laid_out, layout
 from workbook.judging.order import in_order
 from workbook.judging.report import FAIL, OK, Report
@@ -85,29 +86,24 @@ class Design:
     def _figures(self, role: str) -> dict[Key, Figure]:
         blocks = [one for one in self.book.blocks.values() if role == "input" or one.size <= LONG]
         columns = ((block, q) for block in blocks for q in block.quantities if q.role == role)
-        return dict(pair for block, q in columns for pair in self._column(block, q))
-
-    def _column(self, block: Block, q: Quantity) -> Iterator[tuple[Key, Figure]]:
-        """Yield a figure for each row of a column of a block."""
-        axis, rest = self._axis(block.name)
-        values = as_rows(q.value, block.size, q.name)
-        if not block.is_table:
-            yield (axis, rest, "", ""), Figure(block.sheet.title, q.label, q.unit, values[0])
-            return
-        for row, value in zip(rows_of(block, axis), values, strict=True):
-            yield (axis, rest, q.name, row), Figure(f"{block.sheet.title}: {row}", q.label, q.unit, value)
+        found: dict[Key, Figure] = {}
+        for block, q in columns:
+            axis, rest = self._axis(block.name)
+            rows = rows_of(block, axis) if block.is_table else [""]
+            for row, value in zip(rows, as_rows(q.value, block.size, q.name), strict=True):
+                place = f"{block.sheet.title}: {row}" if row else block.sheet.title
+                found[axis, rest, q.name if row else "", row] = Figure(place, q.label, q.unit, value)
+        return found
 
     def _axis(self, name: str) -> tuple[str, str]:
         """Return the name of the axis that a block belongs to, and the rest of the block's name."""
         found = NUMBERED.match(name)
         if found is None:
             return "", name
-        number = int(found[2])
+        number, rest = int(found[2]), f"{found[1]}{name[found.end() :]}"
         if found[1] == "drive" and (held := self.book.blocks.get(f"drive{number}_axis")):
-            return str(held.quantities[0].value), f"{found[1]}{name[found.end() :]}"
-        if number > len(self.axes):
-            return str(number), f"{found[1]}{name[found.end() :]}"
-        return self.axes[number - 1], f"{found[1]}{name[found.end() :]}"
+            return str(held.quantities[0].value), rest
+        return str(number) if number > len(self.axes) else self.axes[number - 1], rest
 
 
 def rows_of(block: Block, axis: str) -> list[str]:
@@ -208,18 +204,13 @@ def changed(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[C
     for key in [*after, *(key for key in before if key not in after)]:
         was, now = before.get(key), after.get(key)
         shown = now or before[key]
-        old, new = was and was.value, now and now.value
+        old, new = (one.value if one else None for one in (was, now))
         if not same(old, new):
+            less = is_number(old) and is_number(new) and new < old
+            worse = new == FAIL if old == OK else less and shown.label.startswith("Reserve")
             says = now.says if now else ""
-            found.append(Change(shown.place, shown.label, shown.unit, old, new, worse(shown.label, old, new), says))
+            found.append(Change(shown.place, shown.label, shown.unit, old, new, worse, says))
     return found
-
-
-def worse(label: str, old: Any, new: Any) -> bool:
-    """Whether a check fails that passed, or a reserve to a limit became smaller."""
-    if old == OK:
-        return bool(new == FAIL)
-    return label.startswith("Reserve") and is_number(old) and is_number(new) and new < old
 
 
 def same(one: Any, other: Any) -> bool:
@@ -229,8 +220,3 @@ def same(one: Any, other: Any) -> bool:
     if is_number(one) and is_number(other):
         return math.isclose(one, other, rel_tol=CLOSE, abs_tol=1e-12)
     return bool(one == other)
-
-
-def is_number(value: Any) -> bool:
-    """Whether a value is a number, and not a truth value."""
-    return isinstance(value, int | float) and not isinstance(value, bool)

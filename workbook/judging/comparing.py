@@ -1,6 +1,7 @@
 """What each witness computes against what the engine says: at the values entered, and at variations of them."""
 
 import math
+from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -77,12 +78,6 @@ class Right:
 
 def greatest(values: list[Any]) -> float:
     """Return the greatest size of the finite numbers among ``values``, or 0."""
-    try:
-        size = max(map(abs, values), default=0.0)
-    except TypeError:  # texts or empty cells among them
-        size = math.inf
-    if size < math.inf:
-        return float(size)
     return max((abs(v) for v in values if isinstance(v, int | float) and abs(v) < math.inf), default=0.0)
 
 
@@ -107,16 +102,15 @@ class Comparison:
         self._first_wrong: set[Address] = set()  # by that one
         self._turns: list[list[Address]] = []  # the cells that are looked at, at each of the other inputs
         self._answers: Callable[[], Answers] = lambda: iter(())
-        for pair in match.pairs:
-            if pair.declared_formula:
-                report.cells[pair.address.sheet] = report.cells.get(pair.address.sheet, 0) + 1
+        report.cells |= Counter(pair.address.sheet for pair in match.pairs if pair.declared_formula)
 
     def ask(self, witness: Witness) -> None:
         """Compare what a witness says, or enter why it says nothing."""
         ran = Ran(witness.name, witness.version())
         self.report.witnesses.append(ran)
         try:
-            values = self.model.evaluate() if witness is self.single else self._said(witness)
+            file = self.match.file if witness.kept else self.bare
+            values = self.model.evaluate() if witness is self.single else witness.values(file)
         except WitnessError as error:
             ran.why, ran.too_large = str(error), isinstance(error, TooLargeError)
             return
@@ -133,9 +127,6 @@ class Comparison:
         for ran in self.report.witnesses:
             if ran.why and (not self.values or (ran.name in named and not ran.too_large)):
                 self.report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
-
-    def _said(self, witness: Witness) -> Cells:
-        return witness.values(self.match.file if witness.kept else self.bare)
 
     def _computed(self, ran: Ran, values: Cells) -> None:
         """Tell the cells at fault from those that only follow them, or follow what is known to be at fault."""
@@ -170,10 +161,8 @@ class Comparison:
             if expected is None:  # unfinished
                 continue
             value = values.get(address)
-            if value == expected and type(value) is type(expected):
-                deviation = 0.0
-            else:
-                deviation = difference(value, expected, self.right.peak(address))
+            alike = value == expected and type(value) is type(expected)
+            deviation = 0.0 if alike else difference(value, expected, self.right.peak(address))
             if first and math.isfinite(deviation):
                 self.report.deviations[address.sheet] = max(self.report.deviations.get(address.sheet, 0.0), deviation)
             if not deviation <= TOLERANCE:
@@ -182,10 +171,8 @@ class Comparison:
 
     def _faults(self, wrong: list[Address]) -> set[Address]:
         """Return the cells that are wrong even when all that they refer to is right."""
-        if not wrong:
-            return set()
         numbers = [self.match.numbers[a] for a in wrong]
-        values = self.model.each(numbers, self.match.strips, self.right.values)
+        values = self.model.each(numbers, self.match.strips, self.right.values) if wrong else []
         return {a for a, value in zip(wrong, values, strict=True) if differs(self.right, a, value)}
 
     def ask_elsewhere(self, variations: Sequence[Variation], suspects: set[Address]) -> None:

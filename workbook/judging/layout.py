@@ -45,9 +45,8 @@ def amiss(match: Match) -> int:
 
     One that stands in the rows of another is as that is.
     """
-    apart = (one for one in match.misfits if one.place is not None and one.block.lead is None)
-    sizes = ((block.size, match.size_of(block)) for block, _ in apart)
-    return sum(1 if held < size else 2 for size, held in sizes)
+    apart = (block for block, place in match.misfits if place is not None and block.lead is None)
+    return sum(1 if match.size_of(block) < block.size else 2 for block in apart)
 
 
 def resized(machine: Machine, size: str, more: int) -> Machine | None:

@@ -9,7 +9,7 @@ from workbook.book.address import Address, Place, Strip
 from workbook.book.declare import Block, Book, Cell
 from workbook.book.formula import Area, FormulaError, area_of, read
 from workbook.book.rows import as_rows
-from workbook.reading.files import BookFile, Words, find_places
+from workbook.reading.files import BookFile, find_places, is_formula
 
 Index = tuple[str, int, int]  # block, row and column of a cell
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
@@ -32,24 +32,12 @@ class Pair(NamedTuple):
         return f"{q.label} ({block.name}, row {self.cell.i + 1})" if block.is_table else q.label
 
 
-def is_formula(content: Any) -> bool:
-    """Whether what a cell holds is a formula; a text that looks like one is none."""
-    return isinstance(content, str) and content.startswith("=") and not isinstance(content, Words)
-
-
 class Column(NamedTuple):
     """A column of a block, by the name of that and its number there, and how many of its rows the file has."""
 
     block: str
     number: int
     rows: int
-
-
-class Misfit(NamedTuple):
-    """A block that the file lacks, or has in another size."""
-
-    block: Block
-    place: Place | None
 
 
 @dataclass
@@ -59,7 +47,8 @@ class Match:
     file: BookFile
     declared: Book
     pairs: list[Pair] = field(default_factory=list)
-    misfits: list[Misfit] = field(default_factory=list)
+    misfits: list[tuple[Block, Place | None]] = field(default_factory=list)
+    """the blocks that the file lacks, or has in another size, there"""
     columns: list[Column] = field(default_factory=list)
     strips: list[Strip] = field(default_factory=list)
     """where the cells of ``pairs`` are, one of ``columns`` after the other"""
@@ -68,7 +57,7 @@ class Match:
         for block in self.declared.blocks.values():
             place = self.file.places.get(block.name)
             if place is None or (self.size_of(block), place.columns) != (block.size, len(block.quantities)):
-                self.misfits.append(Misfit(block, place))
+                self.misfits.append((block, place))
             if place is not None:
                 self._pair(block, place)
 
@@ -229,12 +218,11 @@ class Match:
     @cached_property
     def headless(self) -> set[str]:
         """The tables that have lost their headings: there is no text just above, and none of their own further up."""
-        return {block.name for block in self.declared.blocks.values() if block.is_table and self._is_headless(block)}
+        return {block.name for block in self.declared.blocks.values()
+                if block.is_table and block.name in self.file.places and self._is_headless(block)}  # fmt: skip
 
     def _is_headless(self, block: Block) -> bool:
-        place = self.file.places.get(block.name)
-        if place is None:
-            return False
+        place = self.file.places[block.name]
         names = {text for line in self._heading(block) for text in line if text}
         held = {up: {one for one in self._line_held(place, up) if isinstance(one, str)}
                 for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))}  # fmt: skip

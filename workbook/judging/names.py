@@ -3,32 +3,29 @@
 from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import NamedTuple
 
 from workbook.book.address import Place
 from workbook.book.declare import FIRST, Block
-from workbook.judging.matching import Match, is_formula
+from workbook.judging.matching import Match
+from workbook.judging.report import Finding
+from workbook.reading.files import is_formula
 
 
-class Misled(NamedTuple):
-    """A name that leads elsewhere: where it leads, what is found there, what was expected."""
-
-    place: Place
-    name: str
-    found: str
-    expected: str
+def finding(place: Place, name: str, found: str, expected: str) -> Finding:
+    """Return what is told of a name that leads elsewhere: where it leads, what is found there, what was expected."""
+    return Finding(place.sheet, place.cell(0, 0).a1, "name", f"{name}: {found}", expected)
 
 
-def misled(match: Match) -> Iterator[Misled]:
+def misled(match: Match) -> Iterator[Finding]:
     """Yield names that lead elsewhere than when the book was generated, rows and columns inserted or not."""
     for name, fit in match.file.fits.items():
         if fit.named is not None:  # of a single cell, that leads to more than one
-            yield Misled(fit.place, name, said(fit.named), said(fit.place))
+            yield finding(fit.place, name, said(fit.named), said(fit.place))
     for found in (columns, strays, mislabelled, wordy, disordered):
         yield from found(match)
 
 
-def columns(match: Match) -> Iterator[Misled]:
+def columns(match: Match) -> Iterator[Finding]:
     """Yield names of a table's column, or of several side by side, that are not those."""
     places = match.file.places
     for name, (table, column) in match.declared.column_names.items():
@@ -38,12 +35,12 @@ def columns(match: Match) -> Iterator[Misled]:
         first, last = (place.part(one - block.column) for one in block.ends(column))
         right, found = (first.corners[0], last.corners[1]), places.get(name)
         if first.column and last.column and (found is None or found.corners != right):
-            yield Misled(
+            yield finding(
                 found or first, name, said(found), said(first._replace(columns=last.column - first.column + 1))
             )
 
 
-def strays(match: Match) -> Iterator[Misled]:
+def strays(match: Match) -> Iterator[Finding]:
     """Yield the first of the blocks that lie on another sheet than the rest of theirs, and how many there are."""
     for sheet in match.declared.sheets:
         placed = [(b, match.file.places[b.name]) for b in sheet.blocks if b.name in match.file.places]
@@ -54,10 +51,10 @@ def strays(match: Match) -> Iterator[Misled]:
                 away.setdefault(place.sheet, []).append((block, place))
         for title, ((first, place), *more) in away.items():
             found = f"the sheet {title}" + (f", and so do {len(more)} more" if more else "")
-            yield Misled(place, first.name, found, f"the sheet {counted[0][0]}, with the others: move it back")
+            yield finding(place, first.name, found, f"the sheet {counted[0][0]}, with the others: move it back")
 
 
-def mislabelled(match: Match) -> Iterator[Misled]:
+def mislabelled(match: Match) -> Iterator[Finding]:
     """Yield single cells that stand beside another label or heading; words of the engineer's own are none of these."""
     for sheet in match.declared.sheets:
         single = [b for b in sheet.blocks if not b.is_table]
@@ -67,7 +64,7 @@ def mislabelled(match: Match) -> Iterator[Misled]:
             beside = texts_beside(match, place) & labels if place else set()
             label = block.quantities[0].beside
             if place and beside and label not in beside and not itself(match, block, place):
-                yield Misled(place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {label!r}")
+                yield finding(place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {label!r}")
 
 
 def itself(match: Match, block: Block, place: Place) -> bool:
@@ -80,7 +77,7 @@ def itself(match: Match, block: Block, place: Place) -> bool:
     return bool(q.symbol) and {text for text in (q.symbol, q.unit) if text} <= around
 
 
-def wordy(match: Match) -> Iterator[Misled]:
+def wordy(match: Match) -> Iterator[Finding]:
     """Yield inputs that hold a text or nothing, as any cell may, in another column than the others or by no label."""
     for sheet in match.declared.sheets:
         single = [b for b in sheet.blocks if not b.is_table and b.name in match.file.places]
@@ -93,7 +90,7 @@ def wordy(match: Match) -> Iterator[Misled]:
                 continue
             column = usual[block.column].most_common(1)[0][0]
             if place.column != column or not texts_beside(match, place):
-                yield Misled(
+                yield finding(
                     place, block.name, said(place), f"the cell of {quantity.label!r}, below or above the others"
                 )
 
@@ -104,7 +101,7 @@ def texts_beside(match: Match, place: Place) -> set[str]:
     return {text for text in cells if isinstance(text, str)}
 
 
-def disordered(match: Match) -> Iterator[Misled]:
+def disordered(match: Match) -> Iterator[Finding]:
     """Yield tables of the same columns, and cells of the same label, that have changed places with one another."""
     alike: dict[tuple[str, ...], list[tuple[Block, Place]]] = {}
     for sheet in match.declared.sheets:
@@ -116,7 +113,7 @@ def disordered(match: Match) -> Iterator[Misled]:
         for (before, first), (after, second) in pairwise(blocks):
             in_order = first.sheet != second.sheet or first[:3] < second[:3]  # another sheet is what strays() tells
             if not in_order and not (headed(match, before, first) and headed(match, after, second)):
-                yield Misled(second, after.name, f"above or left of {before.name}", f"below {before.name}")
+                yield finding(second, after.name, f"above or left of {before.name}", f"below {before.name}")
 
 
 def headed(match: Match, block: Block, place: Place) -> bool:

@@ -50,43 +50,42 @@ def foreign(path: Path) -> bool:
     try:
         with zipfile.ZipFile(path) as archive:
             parts = [name for name in archive.namelist() if fnmatch(name, "xl/workbook*.xml")]
-            return bool(parts) and not any(holds_our_name(archive, part) for part in parts)
+            lists = (archive.open(part).read(MOST_READ) for part in parts)
+            return bool(parts) and not any(b"book_template" in names for names in lists)
     except (OSError, zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, ValueError, EOFError):
         return False
-
-
-def holds_our_name(archive: zipfile.ZipFile, part: str) -> bool:
-    """Whether a part of a workbook speaks of the name by which motionbook knows its own."""
-    with archive.open(part) as data:
-        return b"book_template" in data.read(MOST_READ)
 
 
 def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None = None) -> Outcome:
     """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
+
+    def without(verdict: Verdict, reason: object) -> Outcome:
+        return Outcome(path, verdict, reason=visible(f"{path}: {reason}"))
+
     try:
         if not target.named and (kind := odd(path)):
-            return Outcome(path, "no machine", reason=visible(f"{path}: {kind}"))
+            return without("no machine", kind)
         if not target.named and foreign(path):
-            return Outcome(path, "no machine", reason=visible(f"{path}: holds no machine of motionbook"))
+            return without("no machine", "holds no machine of motionbook")
         before = state(path)
         with collector_paused():
             report = verify(path, witnesses, beside)
         sha256 = digest(path)
         if before and state(path) != before:
-            raise OSError("it changed while it was read; try again")
+            return without("unreadable", "cannot be read: it changed while it was read; try again")
     except MotionbookError as error:
         return Outcome(path, "unreadable", reason=str(error))
     except FileNotFoundError:
-        return Outcome(path, "unreadable", reason=visible(f"{path}: there is no such file"))
+        return without("unreadable", "there is no such file")
     except OSError as error:
-        return Outcome(path, "unreadable", reason=visible(f"{path}: cannot be read: {error.strerror or error}"))
+        return without("unreadable", f"cannot be read: {error.strerror or error}")
     except Exception as error:  # one strange file must not take the others' verdicts with it
-        reason = f"{path}: verifying it failed inside motionbook ({type(error).__name__}: {error}); please report this"
-        return Outcome(path, "unreadable", reason=visible(reason))
+        said = f"verifying it failed inside motionbook ({type(error).__name__}: {error}); please report this"
+        return without("unreadable", said)
     if report.findings and all(one.kind == "witness" for one in report.findings):  # no cell is known to be wrong
-        said = f"{path}: {report.findings[0].cell} gave no values to compare: {report.findings[0].computed}"
-        return Outcome(path, "unreadable", reason=visible(said))
+        found = report.findings[0]
+        return without("unreadable", f"{found.cell} gave no values to compare: {found.computed}")
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
 

@@ -15,11 +15,11 @@ from workbook.book.declare import Block, Book
 from workbook.entries import rules
 from workbook.entries.texts import LOOKED_UP, NO_NAME, PATTERN
 from workbook.judging.comparing import Right, differs
-from workbook.judging.matching import Match, is_formula
+from workbook.judging.matching import Match
 from workbook.judging.moved import put_back
 from workbook.judging.report import LAYOUT, NOTICE, Finding, Report
 from workbook.reading.contents import Cells
-from workbook.reading.files import BookFile
+from workbook.reading.files import BookFile, is_formula
 
 EMPTY = ", but below it"
 """how the line on a row that was left empty ends"""

@@ -11,10 +11,10 @@ from workbook.book.address import Address
 from workbook.entries.rules import field_at
 from workbook.functions.declared import NAMESPACE
 from workbook.functions.names import definitions, meaning
-from workbook.judging.matching import Match, is_formula
+from workbook.judging.matching import Match
 from workbook.judging.names import misled
 from workbook.judging.report import Finding, Report
-from workbook.reading.files import Words
+from workbook.reading.files import Words, is_formula
 
 LAST_DIGITS = 1e-14  # LibreOffice keeps 15 digits of a number when it saves
 
@@ -83,9 +83,7 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     """Yield what is wrong with formulas, names, inputs and settings of a matched workbook."""
     yield from functions(match)
     yield from own_names(match)
-    for one in misled(match):
-        found, what = f"{one.name}: {one.found}", one.place.cell(0, 0).a1
-        yield Finding(one.place.sheet, what, "name", found, one.expected)
+    yield from misled(match)
     yield from unread_inputs(match, template)
     yield from settings(match.file.workbook)
 

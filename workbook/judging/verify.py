@@ -122,7 +122,8 @@ def judge(
             comparison.ask(witness)
         comparison.require_answers(named)
         if any(map(is_empty_row, report.notices)):
-            unlike(values_as_they_stand(file.path), match, comparison.values, report)
+            as_it_stands = by_cell().model(open_book(file.path)).evaluate()
+            unlike(as_it_stands, match, comparison.values, report)
         computed = len(report.findings)
         report.checks = checks(match, comparison.values)
         displayed(match, type(machine), comparison.values, report)
@@ -130,11 +131,6 @@ def judge(
     follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)
-
-
-def values_as_they_stand(path: Path) -> Cells:
-    """Return the values of the formula cells of a file whose entries are not put in order."""
-    return by_cell().model(open_book(path)).evaluate()
 
 
 def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:

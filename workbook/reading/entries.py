@@ -15,7 +15,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError
 from workbook.laws.library import numbered, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
-from workbook.reading.files import BookFile, Words, require_narrow
+from workbook.reading.files import BookFile, is_formula, require_narrow
 from workbook.reading.fitting import ends_lost, fitted
 from workbook.template import MOST
 from workbook.templates import AnyTemplate
@@ -239,11 +239,6 @@ class Entries:
             key = key.rpartition(".")[0]
             best = self.cells.get(key) or next((c for k, c in self.cells.items() if k.startswith(f"{key}.")), None)
         return f"{self.file.path.name}: {best or key}"
-
-
-def is_formula(value: Any) -> bool:
-    """Whether a cell's content is computed, not entered."""
-    return isinstance(value, str) and value.startswith("=") and not isinstance(value, Words)
 
 
 def within(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:

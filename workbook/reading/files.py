@@ -43,6 +43,11 @@ class Words(str):
     __slots__ = ()
 
 
+def is_formula(content: Any) -> bool:
+    """Whether what a cell holds is computed, not entered; a text that looks like a formula is none."""
+    return isinstance(content, str) and content.startswith("=") and not isinstance(content, Words)
+
+
 @dataclass
 class BookFile:
     """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside.

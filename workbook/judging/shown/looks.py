@@ -16,7 +16,7 @@ from workbook.judging.report import NOTICE, SHOWN, Report
 from workbook.judging.shown import taste
 from workbook.judging.shown.colours import Look, Palette, contrast, looks_passed
 from workbook.judging.shown.formats import Judged, judged
-from workbook.judging.shown.words import Found
+from workbook.judging.shown.words import HEADINGS, Found
 from workbook.writing.write import format_of
 
 INKS = UNKNOWN, HIDDEN, FADED = "in colours that cannot be known", "in the colour of its ground", "in a faint colour"
@@ -54,7 +54,8 @@ def seen(match: Match, found: list[Found]) -> Iterator[Seen]:
         what, folded = f"{q.label} ({block.name})" if block.is_table else q.label, block.sheet.folded
         yield Seen(at, pairs[-1].address.row, pairs, what, True, 0 < folded <= pairs[0].cell.column, verdict)
     for at, word in found:
-        yield Seen(at, at.row, [], word.what, word.counts, 0 < word.block.sheet.folded <= word.text.column)
+        counts, folded = word.text.style not in (*taste.QUIET, *HEADINGS), word.block.sheet.folded
+        yield Seen(at, at.row, [], word.what, counts, 0 < folded <= word.text.column)
 
 
 def value_of(pair: Pair) -> Any:

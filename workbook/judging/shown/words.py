@@ -28,17 +28,9 @@ class Word(NamedTuple):
         """Whether it stands above its cells."""
         return self.text.style in ABOVE
 
-    @property
-    def counts(self) -> bool:
-        """Whether it is a label, a symbol or a unit."""
-        return self.text.style not in (*taste.QUIET, *HEADINGS)
 
-
-class Found(NamedTuple):
-    """A declared text, and where it stands in the file, or something else in its place."""
-
-    at: Address
-    word: Word
+Found = tuple[Address, Word]
+"""a declared text, and where it stands in the file, or something else in its place"""
 
 
 def words(match: Match, report: Report) -> list[Found]:
@@ -57,10 +49,10 @@ def words(match: Match, report: Report) -> list[Found]:
         found, others = list(standing(match, known)), defaultdict[str, set[str]](set)
         for word in known:
             others[word.text.style].add(word.text.text)
-        for one in found:
-            first = match.file.places[one.word.block.name].cell(0, 0)
+        for at, word in found:
+            first = match.file.places[word.block.name].cell(0, 0)
             if not first.column or (first.sheet, first.a1) not in misled:  # column 0: the first one is gone
-                judge(match, one, others[one.word.text.style], report)
+                judge(match, at, word, others[word.text.style], report)
         unnamed(match, sheet, report)
         everything += found
     return everything
@@ -111,7 +103,7 @@ def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
             if 2 * sum(there) > len(line):
                 best = found
                 break
-        yield from (Found(at, word) for at, word in zip(best, line, strict=True) if at.column > 0 and at.row > 0)
+        yield from ((at, word) for at, word in zip(best, line, strict=True) if at.column > 0 and at.row > 0)
 
 
 def place(match: Match, word: Word, offset: int) -> Address:
@@ -125,16 +117,16 @@ def place(match: Match, word: Word, offset: int) -> Address:
     return moved if moved and word.text.style in HEADINGS else Address(held.sheet, held.row + offset, column)
 
 
-def judge(match: Match, found: Found, others: set[str], report: Report) -> None:
+def judge(match: Match, at: Address, word: Word, others: set[str], report: Report) -> None:
     """Enter what is wrong with one text."""
-    style, expected, held = found.word.text.style, found.word.text.text, match.file.value(found.at)
+    style, expected, held = word.text.style, word.text.text, match.file.value(at)
     text = "" if held is None else str(held)
     if same(held, expected):
         kind = NOTICE if taste.GAP.search(text) else ""
     else:
         kind = unit_kind(text, expected, others) if style in ("unit", "units") else reworded(text, expected, others)
     if kind == SHOWN or (kind == NOTICE and style not in taste.QUIET):
-        report.say(found.at, kind, text or None, expected, found.word.what)
+        report.say(at, kind, text or None, expected, word.what)
 
 
 def reworded(held: str, expected: str, others: Iterable[str]) -> str:
