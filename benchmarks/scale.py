@@ -18,8 +18,7 @@ from workbook.build import build
 from workbook.cluster import cores, pool
 from workbook.entries.machine import Machine
 from workbook.exits import AGREES, FAILS
-from workbook.judging.many import verify_many
-from workbook.judging.one import Target, verify_one
+from workbook.judging.many import Target, verify_many, verify_one
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES, Template

@@ -17,8 +17,7 @@ from rich.table import Table
 
 from workbook.build import build, write_inputs
 from workbook.cluster import cores, pool
-from workbook.judging.many import verify_many
-from workbook.judging.one import Target
+from workbook.judging.many import Target, verify_many
 from workbook.reading.descriptions import read_machine
 from workbook.studies.folder import Parts
 from workbook.studies.model import Study

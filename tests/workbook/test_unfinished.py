@@ -11,8 +11,7 @@ from workbook.build import build, described, inputs
 from workbook.entries.design import designed
 from workbook.errors import InputError
 from workbook.exits import FAILS
-from workbook.judging.many import exit_code
-from workbook.judging.one import Target, verify_one
+from workbook.judging.many import Target, exit_code, verify_one
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.reading.files import open_book

@@ -9,7 +9,7 @@ from workbook import build as making
 from workbook.entries.machine import Machine
 from workbook.errors import TargetError
 from workbook.intake import odd
-from workbook.judging.one import digest, state
+from workbook.judging.many import digest, state
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.remembered import recall, remember

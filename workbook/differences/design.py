@@ -204,7 +204,8 @@ def changed(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[C
     for key in [*after, *(key for key in before if key not in after)]:
         was, now = before.get(key), after.get(key)
         shown = now or before[key]
-        old, new = (one.value if one else None for one in (was, now))
+        old: Any = was.value if was else None
+        new: Any = now.value if now else None
         if not same(old, new):
             less = is_number(old) and is_number(new) and new < old
             worse = new == FAIL if old == OK else less and shown.label.startswith("Reserve")

@@ -13,7 +13,7 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Column, Table
 
-from workbook.judging.one import Outcome
+from workbook.judging.many import Outcome
 from workbook.judging.report import FOLLOWS, Finding, Report
 from workbook.reports.page import VERDICTS, figure, own_verdict, where
 from workbook.reports.servers import line

@@ -12,7 +12,7 @@ import workbook
 from workbook.build import write_text
 from workbook.errors import WriteError
 from workbook.judging.compare import TOLERANCE
-from workbook.judging.one import Outcome
+from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Ran, Report
 from workbook.reports.html import Content, document, e, table
 from workbook.writing.place import refuse_existing, replace

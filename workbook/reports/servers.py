@@ -10,7 +10,7 @@ from typing import Any
 from xml.etree.ElementTree import Element, indent, tostring
 
 import workbook
-from workbook.judging.one import Outcome
+from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Report
 from workbook.reports.html import e
 from workbook.reports.page import KINDS, by_sheet, exact, own_verdict, told, where, witness

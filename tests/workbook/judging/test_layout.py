@@ -12,7 +12,7 @@ from tests.workbook import excel, office
 from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, inputs
 from workbook.errors import InputError
-from workbook.judging.one import Outcome
+from workbook.judging.many import Outcome
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.reading.fitting import counting

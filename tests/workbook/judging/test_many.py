@@ -22,8 +22,7 @@ from workbook.build import build
 from workbook.cluster import pool
 from workbook.commands import verify as command
 from workbook.judging import many, one
-from workbook.judging.many import exit_code, find, verify_many
-from workbook.judging.one import Outcome, Target
+from workbook.judging.many import Outcome, Target, exit_code, find, verify_many
 from workbook.judging.verify import Report
 from workbook.pool import HERE, Died
 

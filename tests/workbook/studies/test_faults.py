@@ -355,7 +355,7 @@ def test_a_worker_of_another_version_is_told_in_a_line(tmp_path):
 
 BLIND = """
 import workbook.judging.many as sent
-from workbook.judging.one import verify_one as seen  # a worker begins with this twice
+from workbook.judging.many import verify_one as seen  # a worker begins with this twice
 def blind(target, witnesses):
     assert {folder!r} not in str(target.path), "it sees the files"
     return seen(target, witnesses)
