@@ -122,8 +122,7 @@ def judge(
             comparison.ask(witness)
         comparison.require_answers(named)
         if any(map(is_empty_row, report.notices)):
-            as_it_stands = by_cell().model(open_book(file.path)).evaluate()
-            unlike(as_it_stands, match, comparison.values, report)
+            unlike(values_as_they_stand(file.path), match, comparison.values, report)
         computed = len(report.findings)
         report.checks = checks(match, comparison.values)
         displayed(match, type(machine), comparison.values, report)
@@ -131,6 +130,11 @@ def judge(
     follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)
+
+
+def values_as_they_stand(path: Path) -> Cells:
+    """Return the values of the formula cells of a file whose entries are not put in order."""
+    return by_cell().model(open_book(path)).evaluate()
 
 
 def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:

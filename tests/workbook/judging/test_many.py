@@ -21,8 +21,8 @@ from tests.workbook.press import registered
 from workbook.build import build
 from workbook.cluster import pool
 from workbook.commands import verify as command
-from workbook.judging import many, one
-from workbook.judging.many import Outcome, Target, exit_code, find, verify_many
+from workbook.judging import many
+from workbook.judging.many import Outcome, Target, exit_code, find, verify_many, verify_one
 from workbook.judging.verify import Report
 from workbook.pool import HERE, Died
 
@@ -105,7 +105,7 @@ def workers():
 def verify_press(target, *asked):
     """Verify a press in a process that does not know its template yet."""
     with registered():
-        return one.verify_one(target, *asked)
+        return verify_one(target, *asked)
 
 
 def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(folder, workers, monkeypatch):
@@ -147,7 +147,7 @@ def test_a_file_that_cannot_be_opened_is_one_line(tmp_path, good, monkeypatch):
     def locked(*_):
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(one, "verify", locked)
+    monkeypatch.setattr(many, "verify", locked)
     outcome = verify_many([Target(good, named=True)])[0]
     assert (outcome.verdict, outcome.reason) == ("unreadable", f"{good}: cannot be read: Permission denied")
 
@@ -160,14 +160,14 @@ def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monk
         os.utime(path, ns=(1, 1))
         return Report(path, "machine")
 
-    monkeypatch.setattr(one, "verify", verify)
+    monkeypatch.setattr(many, "verify", verify)
     outcome = verify_many([Target(path, named=True)])[0]
     assert outcome.verdict == "unreadable"
     assert "changed while it was read" in outcome.reason
 
 
 def test_a_fault_of_ours_in_one_file_leaves_the_others_their_verdicts(folder, monkeypatch):
-    monkeypatch.setattr(one, "verify", lambda path, *_: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
+    monkeypatch.setattr(many, "verify", lambda path, *_: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
     outcomes = {o.path.name: o for o in verify_many(find([folder])[0])}
     assert outcomes["b.xlsx"].verdict == "unreadable"
     assert "ZeroDivisionError" in outcomes["b.xlsx"].reason
