@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from engine.laws.base import Array
 from engine.selection import Motors, Reducers
 from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Used, Wanted, gears, reserve
-from engine.selection.point_load import shares_of
+from engine.selection.point_load import Gears, shares_of
 from workbook.book.rows import filled
 from workbook.entries.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
@@ -70,7 +70,7 @@ class Choosing:
     """
 
     def __init__(self, given: Ranked, sizes: SelectionSizes, shafts: Sequence[Shaft], number: int = 0) -> None:
-        self.given, self.shafts, self.number = given, shafts, number
+        self.given, self.sizes, self.shafts, self.number = given, sizes, shafts, number
         self.shaft = shafts[number]
         self.load = self.shaft.load
         self.rooms, self.pairs = (sizes.motors, sizes.reducers), sizes.motors * sizes.reducers
@@ -83,13 +83,40 @@ class Choosing:
         return self.shaft.values[f"held_{name}"]
 
     @cached_property
+    def wanted(self) -> Wanted:
+        """What is wanted of a pair."""
+        g = self.given
+        return Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor,
+                      g.least_peak_margin, g.least_speed_margin)  # fmt: skip
+
+    @cached_property
     def grid(self) -> PairMatrix:
         """All pairs."""
-        g = self.given
-        wanted = Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor,
-                        g.least_peak_margin, g.least_speed_margin)  # fmt: skip
-        return PairMatrix(self.load, self.motors, self.reducers, self.shaft.values["beside"], wanted,
+        return PairMatrix(self.load, self.motors, self.reducers, self.shaft.values["beside"], self.wanted,
                           si(self.shaft.values["cycles"], PER_HOUR))  # fmt: skip
+
+    @cached_property
+    def own_gears(self) -> Gears:
+        """The reducer that the drive has."""
+        return gears(0.0, *(np.array([self.held(name)]) for name in ("i", "eta", "no_load")))
+
+    @cached_property
+    def behind_own(self) -> PairMatrix:
+        """All motors behind the reducer that the drive has, whose own limits are checked on the drive's sheet."""
+        none, own = np.array([np.inf]), self.own_gears
+        reducer = Reducers(("own",), own.ratio, own.efficiency, own.inertia, none, none, no_load=own.no_load)
+        return PairMatrix(self.load, self.motors, reducer, self.held("j") - self.held("jm"), self.wanted)
+
+    @cached_property
+    def usable_behind_own(self) -> list[int]:
+        """The motors that can do it behind the reducer that the drive has, the smallest first."""
+        yes = np.flatnonzero(self.behind_own.verdicts[:, 0] == "yes").tolist()
+        return sorted(yes, key=lambda k: (self.grid.smaller[k], k))
+
+    @cached_property
+    def every_drive(self) -> list["Choosing"]:
+        """The choice for each shaft."""
+        return [Choosing(self.given, self.sizes, self.shafts, n) for n in range(len(self.shafts))]
 
     @cached_property
     def mixed(self) -> Array:

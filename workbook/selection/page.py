@@ -8,6 +8,7 @@ from workbook.selection.best import best_table, chart, order_table, uses
 from workbook.selection.choosing import Choosing
 from workbook.selection.drives import chosen, drives_table, known, points_table
 from workbook.selection.entries import UNCHOSEN
+from workbook.selection.every_drive import every_drive, motors_by_drives
 from workbook.selection.grids import grids, products
 from workbook.selection.shaft import rms_of
 
@@ -29,12 +30,16 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Q
         outcome(sheet, view, axis)
         best_table(sheet, view)
         chart(sheet)
+        if len(view.shafts) > 1:
+            every_drive(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Workings: the axes")
         chosen(sheet, view)
         drives_table(sheet, view)
         points_table(sheet, view)
         uses(sheet, view)
+        if len(view.shafts) > 1:
+            motors_by_drives(sheet, view)
     if axis:
         book.column_names["sel_axes"] = ("sel_drives", "axis")
     sheet.print_columns = 16

@@ -165,3 +165,27 @@ def test_the_variations_turn_the_axis_and_find_all_and_none():
     made = TEMPLATES["machine"].variants(machine())
     assert {one.selection.axis for one in made} == {"A1", "B2"}
     assert {one.selection.rank for one in made} == {"smallest motor", "margin", "inertia match", "mass", "cost"}
+
+
+def test_motors_behind_the_reducer_of_each_drive_fail_what_their_pairs_fail():
+    """Of the named axis the pairs with its reducer, of the other one too once it is named."""
+    for wanted in (WIDE, {"least_margin": 1.3}):
+        given = machine(**wanted).model_dump()
+        given["axes"][0] |= {"reducer": {"name": "R4"}}
+        for axis, reducer, number in (("A1", 4, 1), ("B2", 2, 2)):
+            given["selection"]["axis"] = axis
+            value = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
+            found = value(f"sel_all_word{number}", "v")
+            assert found == value(f"sel_word{reducer}", "v")
+            usable = [k for k, word in enumerate(found, 1) if word == "yes"]
+            assert value("sel_each", "can")[number - 1] == len(usable)
+            assert value("sel_each", "smallest")[number - 1] == (f"M{min(usable)}" if usable else "none")
+
+
+def test_a_motor_that_a_drive_has_can_do_it_exactly_if_its_limits_hold():
+    for rate in (60.0, 240.0):
+        given = machine(rate, least_margin=1.0, **{k: v for k, v in WIDE.items() if k != "least_margin"}).model_dump()
+        given["selection"] |= {"least_peak_margin": 1.0, "least_speed_margin": 1.0}
+        value = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
+        holds = all(value(f"drive2_res_{name}") >= 1.0 for name in ("rms", "peak", "speed"))
+        assert (value("sel_all_word2", "v")[3] == "yes") == holds == (rate == 60.0)

@@ -95,9 +95,9 @@ class AxisMotor(Model):
         description="Its brake; with it the axis' sheet has entries and a check of the brake",
     )
     temperature: Temperature | None = Field(
-        default=None, description="Around it, in °C, where that lowers its rated torque; empty: as rated"
+        default=None, description="Ambient temperature in °C, where that lowers its rated torque; empty: as rated"
     )
-    rated_at: Temperature = Field(default=40.0, description="That its rated torque holds at, in °C")
+    rated_at: Temperature = Field(default=40.0, description="Ambient temperature of its rated torque, in °C")
     limit: Temperature = Field(default=155.0, description="The largest of its winding, in °C")
 
     def design_faults(self) -> Iterator[DesignError]:
