@@ -10,7 +10,7 @@ import numpy as np
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates, slope
 from engine.motion.pieces import MotionPiece
-from engine.motion.smoothness import JUMP, ORDERS, Joint, joints, scales_of, shortfalls
+from engine.motion.smoothness import JUMP, ORDERS, Joint, joints, scales_of
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, Sentence, figure
@@ -38,18 +38,16 @@ class Joints:
     """
 
     def __init__(
-        self, rows: PieceRows, asked: Asked, found: Sequence[Joint], scales: Rates, smooth: bool,
-        phases: Sequence[Phase] = (),
-    ) -> None:  # fmt: skip
-        self.rows, self.asked, self.found, self._phases = rows, asked, tuple(found), phases
-        self._scales, self._smooth = scales, smooth
+        self, rows: PieceRows, asked: Asked, found: Sequence[Joint], scales: Rates, phases: Sequence[Phase] = ()
+    ) -> None:
+        self.rows, self.asked, self.found, self._scales, self._phases = rows, asked, tuple(found), scales, phases
 
     @classmethod
     def of(cls, rows: PieceRows, motion: Motion, asked: Asked) -> Joints:
         """Return the joints of a motion of phases."""
         scales = scales_of(motion)
         found = joints(rows.pieces, scales, asked.smooth, asked.periodic)
-        return cls(rows, asked, found, scales, not shortfalls(motion, asked.smooth, asked.periodic), motion.phases)
+        return cls(rows, asked, found, scales, motion.phases)
 
     def order(self) -> list[Quantity]:
         """Return the rows that say how many derivatives must be continuous, and which jumps of each are rounding."""
@@ -255,7 +253,7 @@ class Joints:
         asked = self.asked
         head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
         said = f"{asked.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
-        return check(name, label, f"{asked.order}_piece=0", self._smooth, ABOUT,
+        return check(name, label, f"{asked.order}_piece=0", not self._worst, ABOUT,
                      says=Said(f"{head}{asked.order}_says", said))  # fmt: skip
 
     def _told(self) -> dict[str, Any]:

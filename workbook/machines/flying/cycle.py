@@ -34,7 +34,7 @@ def joints_of(machine: Flying, rows: PieceRows) -> Joints:
         smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS, quickest=f"[{AT.phases}.rate.1]"
     )
     found = cut_joints(cut, smooth)
-    return Joints(rows, asked, found, rates_of(cut), not any(joint.order for joint in found))
+    return Joints(rows, asked, found, rates_of(cut))
 
 
 def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
