@@ -17,7 +17,7 @@ from rich.table import Table
 from workbook.build import build
 from workbook.cluster import cores, pool
 from workbook.entries.machine import Machine
-from workbook.exits import AGREES, FAILS
+from workbook.errors import AGREES, FAILS
 from workbook.judging.many import Target, verify_many, verify_one
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine

@@ -1,10 +1,11 @@
-"""What can go wrong at the edges, each said in one line: what, where, what is expected."""
+"""What can go wrong at the edges, each said in one line: what, where, what is expected; the exit codes."""
 
 from collections.abc import Sequence
 from typing import Any
 
 from workbook.visible import visible
 
+AGREES, DISAGREES, UNREADABLE, FAILS = 0, 1, 2, 3  # exit codes of the command
 MOST = 40  # faults that are told, of thousands
 
 

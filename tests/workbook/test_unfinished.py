@@ -9,8 +9,7 @@ import tomli_w
 
 from workbook.build import build, described, inputs
 from workbook.entries.design import designed
-from workbook.errors import InputError
-from workbook.exits import FAILS
+from workbook.errors import FAILS, InputError
 from workbook.judging.many import Target, exit_code, verify_one
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine, write_machine

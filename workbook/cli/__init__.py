@@ -11,8 +11,7 @@ from typer.exceptions import TyperException
 
 from workbook.cli import books, cams, tools
 from workbook.cli.options import app
-from workbook.errors import MotionbookError
-from workbook.exits import AGREES, UNREADABLE
+from workbook.errors import AGREES, UNREADABLE, MotionbookError
 from workbook.reports.terminal import ERR, lasting, say
 
 __all__ = ["app", "books", "cams", "main", "tools"]

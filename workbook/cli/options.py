@@ -7,7 +7,7 @@ import typer
 
 from workbook import __version__
 from workbook.controllers.registry import TARGETS
-from workbook.exits import AGREES
+from workbook.errors import AGREES
 from workbook.witnesses.names import ALL, NAMES
 
 app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)

@@ -10,14 +10,13 @@ from engine.cams.profile import SAME
 from workbook import build as making
 from workbook.commands import switching
 from workbook.commands.export import LOAD, SHAFT, chosen, require_side, shafts, tolerated
-from workbook.commands.trusted import opened, vouched
+from workbook.commands.verify import opened, vouched
 from workbook.controllers import described
 from workbook.controllers.files import read_table, text_of
 from workbook.controllers.handing import certified
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.table import equidistant
-from workbook.errors import TargetError
-from workbook.exits import AGREES, DISAGREES
+from workbook.errors import AGREES, DISAGREES, TargetError
 from workbook.reading.descriptions import checked, template_named, write_machine
 from workbook.reports.cams import excess, show, told
 from workbook.reports.terminal import ERR, OUT, say, say_data, say_json

@@ -3,8 +3,7 @@
 from pathlib import Path
 
 from workbook.differences.design import compare, read
-from workbook.errors import InputError
-from workbook.exits import AGREES, DISAGREES
+from workbook.errors import AGREES, DISAGREES, InputError
 from workbook.reports import differences as told
 from workbook.reports import page
 from workbook.reports.terminal import ERR, OUT, say, say_json, shown

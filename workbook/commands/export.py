@@ -12,14 +12,13 @@ from workbook.axes import CamAxis, CamSwitch
 from workbook.build import write_text
 from workbook.commands import switching
 from workbook.commands.switching import Switched, require_some, switched, takes
-from workbook.commands.trusted import opened, vouched
+from workbook.commands.verify import opened, vouched
 from workbook.controllers import files
 from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.target import Handed, Target
 from workbook.entries.machine import Machine
-from workbook.errors import TargetError, WriteError
-from workbook.exits import AGREES, DISAGREES
+from workbook.errors import AGREES, DISAGREES, TargetError, WriteError
 from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_json
 from workbook.templates import TEMPLATES

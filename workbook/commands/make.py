@@ -8,11 +8,10 @@ from pathlib import Path
 
 import workbook
 from workbook import build as making
-from workbook.commands.trusted import digest_of
+from workbook.commands.verify import digest_of
 from workbook.described import schema as schemas
 from workbook.described.commented import commented
-from workbook.errors import InputError, ReadError, WriteError
-from workbook.exits import AGREES, DISAGREES
+from workbook.errors import AGREES, DISAGREES, InputError, ReadError, WriteError
 from workbook.intake import odd, read_text
 from workbook.reading.descriptions import template_named, write_machine
 from workbook.remembered import recall, remember

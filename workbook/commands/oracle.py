@@ -8,7 +8,7 @@ from openpyxl import load_workbook
 from openpyxl.styles import PatternFill
 
 from workbook.build import write_text
-from workbook.exits import AGREES, DISAGREES
+from workbook.errors import AGREES, DISAGREES
 from workbook.judging.verify import present
 from workbook.oracle.declared import load
 from workbook.oracle.draft import draft

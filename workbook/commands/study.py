@@ -13,11 +13,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from workbook.build import described, write_text
 from workbook.cluster import cores, pool
-from workbook.errors import InputError, ReadError, WriteError
-from workbook.exits import AGREES, DISAGREES, FAILS
+from workbook.errors import AGREES, DISAGREES, FAILS, InputError, ReadError, WriteError
 from workbook.reports import study as page
 from workbook.reports.terminal import ERR, OUT, say
-from workbook.scaling import Results
 from workbook.studies.evaluate import Evaluator
 from workbook.studies.folder import ENDS, Parts, join, read, require_format
 from workbook.studies.judged import Judged, picked
@@ -25,7 +23,6 @@ from workbook.studies.named import Named, listed, require_names
 from workbook.studies.plan import Plan, read_study
 from workbook.studies.run import paced, run
 from workbook.studies.summary import Summary
-from workbook.templates import TEMPLATES
 from workbook.writing.place import refuse_existing, replace
 
 SHORT, LONG = 4.0, 5.0
@@ -122,10 +119,7 @@ def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
 
 def listing(base: Path) -> int:
     """Print which results a study of a machine may ask for: first what is fast."""
-    machine = described(base)
-    template = TEMPLATES[machine.template]
-    usual = template.scaling.results(machine, {}) if template.scaling else Results({}, (), ())
-    for heading, names in listed(template.declare(machine), usual):
+    for heading, names in listed(described(base)):
         say(OUT, f"{heading}: {len(names):,}", "bold")
         for name, (words, unit) in names:
             say(OUT, f"  {name}  {words}" + (f" [{unit}]" if unit else ""))

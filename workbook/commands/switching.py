@@ -12,8 +12,7 @@ from workbook.axes import CamSwitch
 from workbook.controllers.files import text_of
 from workbook.controllers.registry import targets
 from workbook.controllers.target import MOST_OFF, HandedTracks, Tappets, Target, Track, certified, tracks
-from workbook.errors import ReadError, TargetError
-from workbook.exits import AGREES, DISAGREES
+from workbook.errors import AGREES, DISAGREES, ReadError, TargetError
 from workbook.reports.cams import SWITCHED
 from workbook.reports.terminal import ERR, OUT, say, say_json, show_table, shown
 from workbook.visible import visible

@@ -1,19 +1,31 @@
-"""Verify books, and report on them."""
+"""Verify books, and report on them; what verify says of a book, asked once for the same bytes."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from datetime import datetime
 from pathlib import Path
+from typing import NamedTuple
 
+from workbook import __version__
+from workbook import build as making
 from workbook.cluster import cores, pool
-from workbook.commands.trusted import keep
+from workbook.entries.machine import Machine
+from workbook.errors import TargetError
+from workbook.intake import odd
 from workbook.judging import many
+from workbook.judging.many import digest, state
+from workbook.judging.report import Report
 from workbook.judging.verify import present
+from workbook.judging.verify import verify as judged
+from workbook.remembered import recall, remember
 from workbook.reports import console, page
 from workbook.reports.servers import junit as junit_xml
 from workbook.reports.servers import sarif as as_sarif
-from workbook.reports.terminal import ERR, OUT
-from workbook.witnesses.beside import Beside
+from workbook.reports.terminal import ERR, OUT, say, shown
+from workbook.witnesses.beside import NAME, Beside, beside
 from workbook.writing.place import refuse_one_for_two
+
+VERDICT = "verdict"
 
 
 def verify(
@@ -42,3 +54,66 @@ def verify(
     page.write(junit, lambda: junit_xml(outcomes, when), force)
     page.write(sarif, lambda: as_sarif(outcomes), force)
     return many.exit_code(outcomes)
+
+
+class Opened(NamedTuple):
+    """The machine entered in a book, and the file's state before it was read."""
+
+    machine: Machine
+    state: tuple[int, int] | None
+
+
+def opened(book: Path) -> Opened | None:
+    """Return what is entered in a book; None, after it was said, of an unfinished design."""
+    before = state(book)
+    machine, _ = making.inputs(book)
+    if machine.design.replaced:
+        say(ERR, f"{book}: the design is unfinished ({machine.design.faults[0].said}); nothing is exported", "red")
+        return None
+    return Opened(machine, before)
+
+
+def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) -> tuple[str, ...] | None:
+    """Return the header's lines on a book that is right or not to be asked; None, after it was said, if it is wrong."""
+    lines = ["NOT VERIFIED: nobody compared the book with the engine"] if unverified else []
+    if not unverified:
+        findings, failing = verdict(book, fresh)
+        if findings:
+            said = f"{findings:,} cells of the book are not what the engine computes"
+            say(ERR, f"{book}: {said}; motionbook verify names them, --unverified exports all the same", "red")
+            return None
+        lines += [f"the design FAILS: {line}" for line in failing]
+    for line in lines:
+        say(ERR, f"Warning: {line}", "yellow")
+    mark = f"made by motionbook {__version__} from {book.name}, SHA-256 {digest(book)}"
+    if found.state != state(book):
+        raise TargetError(f"{book}: it changed while it was read; try again")
+    return (mark, *lines)
+
+
+def verdict(book: Path, fresh: bool = False) -> tuple[int, list[str]]:
+    """Return how many findings verify has in a book, and its failing checks; unless ``fresh``, of these bytes once."""
+    sha256 = digest_of(book)
+    known = recall(VERDICT, sha256) if sha256 and not fresh else None
+    if known:
+        return int(known["findings"]), [*map(str, known["failing"])]
+    with ERR.status(shown(f"Verifying {book} …")), beside([book], None, None) as helper:
+        report = judged(book, beside=helper)
+    if sha256 and sha256 == digest_of(book):
+        keep(sha256, report)
+    return len(report.findings), [check.line for check in report.failing]
+
+
+def keep(sha256: str, report: Report) -> None:
+    """Remember what verify says of a file, unless the witness of every day had no say, or one had no values."""
+    answered = any(ran.name == NAME and ran.answered for ran in report.witnesses)
+    if answered and not any(finding.kind == "witness" for finding in report.findings):
+        failing = [check.line for check in report.failing]
+        remember(VERDICT, sha256, {"findings": len(report.findings), "failing": failing})
+
+
+def digest_of(book: Path) -> str | None:
+    """Return the SHA-256 of a regular file; None of what is none: reading it says why."""
+    with suppress(OSError, ValueError):
+        return None if odd(book) else digest(book)
+    return None

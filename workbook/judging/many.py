@@ -15,8 +15,7 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from workbook.collector import collector_paused, swept_between
-from workbook.errors import MotionbookError
-from workbook.exits import AGREES, DISAGREES, FAILS, UNREADABLE
+from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError
 from workbook.intake import odd
 from workbook.judging.report import Report
 from workbook.judging.verify import verify

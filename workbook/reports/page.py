@@ -96,7 +96,8 @@ def section(outcome: Outcome, name: str) -> list[Element]:
     for sheet, found in by_sheet(report).items():
         largest = deviation(report.deviations.get(sheet))
         sheets.append([sheet, f"{report.cells.get(sheet, 0):,}", largest, str(len(found))])
-    notices: list[list[Content]] = [[where(f), f.what, exact(f.computed), exact(f.expected)] for f in report.notices]
+    notices: list[list[Content]] = [[where(f), f.what, figure(f.computed, 15), figure(f.expected, 15)]
+                                    for f in report.notices]  # fmt: skip
     title = f"Notices ({len(notices):,}): reworded or gone, but misleading nobody"
     checked = ("Cell", "Check", "Says", "Where, and by how much")
     return [
@@ -158,20 +159,17 @@ def findings(report: Report) -> list[Element]:
     headings = ("Cell", "Kind", "What", "Found", "Expected", "Deviation", "By")
     meanings = "; ".join(f"{kind}: {KINDS[kind]}" for kind in dict.fromkeys(f.kind for f in report.findings))
     head = e("h3", f"Findings, worst first: {report.findings_words}")
-    found = table(headings, [row(f) for f in report.findings], numbers=(5,))
-    return [head, found, e("p", f"{meanings}.", css="quiet")]
-
-
-def row(finding: Finding) -> list[Content]:
-    """Return what the table says of a finding."""
-    cell, kind = e("span", where(finding), css="cell"), e("span", finding.kind, css="kind")
-    found, expected = (e("span", text, css="value") for text in (told(finding), exact(finding.expected)))
-    return [cell, kind, finding.what, found, expected, deviation(finding.deviation), finding.witness]
+    rows: list[list[Content]] = [
+        [e("span", where(f), css="cell"), e("span", f.kind, css="kind"), f.what, e("span", told(f), css="value"),
+         e("span", figure(f.expected, 15), css="value"), deviation(f.deviation), f.witness] for f in report.findings
+    ]  # fmt: skip
+    return [head, table(headings, rows, numbers=(5,)), e("p", f"{meanings}.", css="quiet")]
 
 
 def told(finding: Finding) -> str:
     """Return what was found, and why it could not be evaluated."""
-    return f"{exact(finding.computed)} ({finding.why})" if finding.why else exact(finding.computed)
+    found = figure(finding.computed, 15)
+    return f"{found} ({finding.why})" if finding.why else found
 
 
 def where(finding: Finding) -> str:
@@ -196,13 +194,8 @@ def verdict(outcome: Outcome) -> Element:
 
 
 def figure(value: Any, digits: int = 10) -> str:
-    """Return a value for a table."""
+    """Return a value for a table; a spreadsheet keeps 15 digits."""
     return f"{value:.{digits}g}" if isinstance(value, float) else "empty" if value is None else str(value)
-
-
-def exact(value: Any) -> str:
-    """Return a value with all digits that a spreadsheet keeps."""
-    return figure(value, 15)
 
 
 def deviation(value: float | None) -> str:

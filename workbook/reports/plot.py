@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Self
+from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement
 
 import numpy as np
@@ -22,6 +22,7 @@ RADIUS, GAP = 4.0, 7.0
 MARGIN = 0.08  # of an axis, beside the outermost points
 LETTER, LINE = 6.4, 13.0  # width and height of a letter
 ROOM = 24  # beside the front, to the right
+Box = tuple[float, float, float, float]  # left, top, right and bottom of what is taken
 
 
 class Line(NamedTuple):
@@ -74,17 +75,13 @@ def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
     return Scale(low, high, begin, end, powers)
 
 
-class Scales(NamedTuple):
-    """Both axes of a picture."""
-
-    across: Scale
-    up: Scale
+Scales = tuple[Scale, Scale]  # across, and up
 
 
 def scales(lines: Sequence[Line], powers: tuple[bool, bool] = (False, False)) -> Scales:
-    """Return the axes of a picture of some lines."""
+    """Return the axes of a picture of some lines, the one across and the one up."""
     x, y = (np.concatenate([getattr(line, name) for line in lines]) for name in "xy")
-    return Scales(scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1]))
+    return scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1])
 
 
 def plot(
@@ -176,20 +173,6 @@ class Point(NamedTuple):
     y: float
 
 
-class Box(NamedTuple):
-    """A rectangle that is taken."""
-
-    left: float
-    top: float
-    right: float
-    bottom: float
-
-    def meets(self, other: Self) -> bool:
-        """Whether it has a place in common with another one."""
-        beside = self.right < other.left or other.right < self.left
-        return not beside and not (self.bottom < other.top or other.bottom < self.top)
-
-
 def front_picture(title: str, labels: tuple[str, str], points: Sequence[Point]) -> Element:
     """Return the picture. Raises ValueError for no points."""
     if not points:
@@ -199,15 +182,22 @@ def front_picture(title: str, labels: tuple[str, str], points: Sequence[Point]) 
     up = scale(wider(y), HEIGHT - BOTTOM, TOP, powers=False)
     svg = framed(title, labels, across, up)
     places = list(zip(across.at(x).tolist(), up.at(y).tolist(), strict=True))
-    taken = [Box(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
+    taken = [(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
     for one, (px, py) in zip(points, places, strict=True):
         SubElement(svg, "circle", {"cx": f"{px:.1f}", "cy": f"{py:.1f}", "r": f"{RADIUS}", "fill": POINT})
-        found = next(((words, box) for words in (one.name, one.short) for box in around(px, py, words)
-                      if not any(box.meets(other) for other in taken)), None)  # fmt: skip
+        found = next(
+            (
+                (words, box)
+                for words in (one.name, one.short)
+                for box in around(px, py, words)
+                if all(box[k + 2] < other[k] or other[k + 2] < box[k] for other in taken for k in (0, 1))
+            ),
+            None,
+        )
         if found:
             words, box = found
             taken.append(box)
-            text(svg, words, box.left, box.bottom - 3.0)
+            text(svg, words, box[0], box[3] - 3.0)
     return svg
 
 
@@ -221,9 +211,9 @@ def wider(values: Array) -> Array:
 def around(x: float, y: float, words: str) -> list[Box]:
     """Return the places beside a point at which words are within the picture: right and left, above and below."""
     width, near = LETTER * len(words), 2.0
-    found = [
-        Box(left, top, left + width, top + LINE)
+    return [
+        (left, top, left + width, top + LINE)
         for top in (y - LINE / 2, y - LINE - near, y + near)
         for left in (x + GAP, x - GAP - width)
+        if left > LEFT and left + width < WIDTH and TOP < top < HEIGHT - BOTTOM - LINE
     ]
-    return [box for box in found if box.left > LEFT and box.right < WIDTH and TOP < box.top < HEIGHT - BOTTOM - LINE]

@@ -13,7 +13,7 @@ import workbook
 from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Report
 from workbook.reports.html import e
-from workbook.reports.page import KINDS, by_sheet, exact, own_verdict, told, where, witness
+from workbook.reports.page import KINDS, by_sheet, figure, own_verdict, told, where, witness
 
 DESIGN = "the machine's own checks"
 SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
@@ -69,7 +69,7 @@ def line(finding: Finding) -> str:
     """Return a finding in one line."""
     what = f" ({finding.what})" if finding.what else ""
     by = f" [{finding.witness}]" if finding.witness else ""
-    found, expected = told(finding), exact(finding.expected)
+    found, expected = told(finding), figure(finding.expected, 15)
     return f"{where(finding)}{what}: {finding.kind}: found {found}, expected {expected}{by}"
 
 

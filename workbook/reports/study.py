@@ -15,7 +15,7 @@ from workbook.reports.plot import Point, front_picture
 from workbook.studies.judged import Judged
 from workbook.studies.model import Study
 from workbook.studies.named import Label, Named
-from workbook.studies.paths import written
+from workbook.studies.paths import leaves, written
 from workbook.studies.plan import Plan
 from workbook.studies.space import Dimension
 from workbook.studies.summary import Design, Summary
@@ -28,9 +28,7 @@ def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: 
     study = plan.study
     versions = (f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
                 f"NumPy {np.__version__}; {study.way.kind}, seed {study.way.seed}")  # fmt: skip
-    counts = f"{found.designs:,} designs, {found.feasible:,} feasible, {found.impossible:,} impossible."
-    body = [e("h1", study.title), e("p", versions, css="quiet"), e("p", counts)]
-    body += [e("p", line) for line in unranked(found)]
+    body = [e("h1", study.title), e("p", versions, css="quiet"), *counts(found)]
     if judged:
         body.append(e("p", judged_line(judged), css="agrees" if judged.holds else "disagrees"))
     body += best(plan, found, named)
@@ -39,8 +37,17 @@ def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: 
     if found.reasons:
         rows = [[reason, f"{count:,}"] for reason, count in found.reasons.items()]
         body += [e("h2", "Why designs are impossible"), table(("reason", "designs"), rows, (1,))]
-    body += [e("h2", "What was fixed"), table(("entry", "value"), [[*pair] for pair in fixed(plan)], ())]
+    paths = {".".join(path) for one in plan.space.dimensions for path in one.paths}
+    data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
+    fixed = [[written(key.split(".")), figure(value)] for key, value in leaves(data) if key not in paths]
+    body += [e("h2", "What was fixed"), table(("entry", "value"), fixed, ())]
     return document(study.title, body)
+
+
+def counts(found: Summary) -> list[Element]:
+    """Return in lines how many designs there are, and how many of them cannot be ranked."""
+    said = f"{found.designs:,} designs, {found.feasible:,} feasible, {found.impossible:,} impossible."
+    return [e("p", line) for line in (said, *unranked(found))]
 
 
 def constraints(plan: Plan, found: Summary, named: Named) -> list[Element]:
@@ -129,21 +136,6 @@ def varied(one: Dimension) -> list[Element | str]:
         said = f"{one.low:g} to {one.high:g}" + (f" in {one.steps} values" if one.steps else "")
     room = f"; its room from {written(one.takes)}" if one.takes else ""
     return [", ".join([one.label, *map(written, one.paths[1:])]), said + room]
-
-
-def fixed(plan: Plan) -> list[tuple[str, str]]:
-    """Return the entries of the base by their keys, but those that vary and the catalogues."""
-    varied = {".".join(path) for one in plan.space.dimensions for path in one.paths}
-    data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
-    return [(written(key.split(".")), figure(value)) for key, value in leaves(data, "") if key not in varied]
-
-
-def leaves(data: Any, key: str) -> list[tuple[str, Any]]:
-    """Return what is below an entry, by keys."""
-    below = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else None
-    if below is None:
-        return [(key, data)]
-    return [leaf for name, value in below for leaf in leaves(value, f"{key}.{name}".strip("."))]
 
 
 def judged_line(judged: Judged) -> str:

@@ -29,7 +29,8 @@ def say(console: Console, text: str, style: str = "") -> None:
 
 def say_data(text: str) -> None:
     r"""Print lines of JSON or TOML, with escapes that both know, such as ``\u009b``, for what a terminal may obey."""
-    print(text if text.isprintable() else "".join(map(quoted, text)), end="")
+    plain = (c == "\n" or c.isprintable() or ord(c) > 0xFFFF for c in text)  # none is obeyed beyond U+FFFF
+    print("".join(c if shown else f"\\u{ord(c):04x}" for c, shown in zip(text, plain, strict=True)), end="")
 
 
 def say_json(data: Any, **ways: Any) -> None:
@@ -48,12 +49,6 @@ def show_table(
     for row in rows:
         grid.add_row(*map(shown, row))
     console.print(grid)
-
-
-def quoted(character: str) -> str:
-    r"""Return a character as it stands in a string of JSON and of TOML; none is obeyed beyond U+FFFF."""
-    plain = character == "\n" or character.isprintable() or ord(character) > 0xFFFF
-    return character if plain else f"\\u{ord(character):04x}"
 
 
 class Lasting(io.RawIOBase):

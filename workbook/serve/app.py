@@ -1,4 +1,4 @@
-"""The server: addresses, and what each page does by the commands of motionbook."""
+"""The server: addresses, and what is done at each by the commands of motionbook."""
 
 import asyncio
 import re
@@ -7,256 +7,198 @@ import tempfile
 import webbrowser
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError
 
 from workbook.build import write_text
-from workbook.errors import WriteError
+from workbook.errors import InputError, WriteError
 from workbook.intake import read_text
-from workbook.serve import fields, pages, sheet, studied
-from workbook.serve.controller import Controller, Export, Read
+from workbook.serve import controller, fields, live, pages, studied, study
 from workbook.serve.folder import LARGEST, Folder, plain, state
-from workbook.serve.guarded import Guarded
-from workbook.serve.handler import REPORT, Page, built
-from workbook.serve.study import Begin, Cancel, NewStudy, Progress, Study, Vary
-from workbook.serve.work import Work
+from workbook.serve.handler import REPORT, Action, Page
+from workbook.serve.work import Work, WorkError
 from workbook.templates import TEMPLATES
 from workbook.writing.place import replace
 
 STATIC = {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")} | {
     "favicon.ico": "icon.svg"
 }
+SVG = "image/svg+xml"
+drawn: dict[str, str] = {}  # the pictures of the gallery, by templates
 
 
-class Home(Page):
-    """The first page."""
-
-    def get(self) -> None:
-        """Show the folder."""
-        self.finish(pages.home(self.folder, self.verdicts, self.work.waiting))
+async def home(page: Page) -> str:
+    """Show the folder."""
+    return pages.home(page.folder, page.verdicts, page.work.waiting)
 
 
-class Download(Page):
-    """A workbook or a description as a file."""
-
-    def get(self, name: str) -> None:
-        """Send the file."""
-        path = self.folder.file(name)
-        self.set_header("Content-Type", "application/octet-stream")
-        self.set_header("Content-Disposition", "attachment")
-        self.finish(path.read_bytes())
+async def download(page: Page, name: str) -> bytes:
+    """Send a file of the folder."""
+    page.set_header("Content-Type", "application/octet-stream")
+    page.set_header("Content-Disposition", "attachment")
+    return page.folder.file(name).read_bytes()
 
 
-class New(Page):
-    """A new description."""
-
-    async def post(self) -> None:
-        """Write it, under a name that is free, and edit it."""
-        path = self.folder.free(f"{self.argument('name')}.toml")
-        await self.made("New machine", path, "new", self.argument("template"))
+async def new(page: Page) -> str | None:
+    """Write a new description, and edit it."""
+    path = page.folder.free(f"{page.get_body_argument('name')}.toml")
+    return await page.made("new", page.get_body_argument("template"), path)
 
 
-class Edit(Page):
-    """A description to be edited."""
-
-    async def get(self, name: str) -> None:
-        """Show it, or one of the best designs of a study of it, which is not saved."""
-        path, study = self.folder.file(name), self.get_query_argument("study", "")
-        if not study:
-            self.finish(pages.editor(name, read_text(path, "a description"), state(path)))
-            return
-        asked, number = self.folder.file(study), studied.place_of(self.get_query_argument("pick"))
-        text = await self.work.beside(studied.picked, asked, asked.with_suffix(".json"), number)
-        said = f"Design {number} of {study}, beside the saved {name}. It is not saved yet."
-        self.finish(pages.editor(name, text, state(path), said, f"{asked.stem}-{number}.toml"))
+async def edit(page: Page, name: str) -> str:
+    """Show a description to be edited, or one of the best designs of a study of it, which is not saved."""
+    path, asked = page.folder.file(name), page.get_query_argument("study", "")
+    if not asked:
+        return pages.editor(name, read_text(path, "a description"), state(path))
+    number, results = page.get_query_argument("pick"), page.folder.file(asked)
+    if not number.isdecimal():
+        raise InputError([f"{number!r}: expected the place of a design"])
+    text = await page.work.beside(studied.picked, results, int(number))
+    said = f"Design {int(number)} of {asked}, beside the saved {name}. It is not saved yet."
+    return pages.editor(name, text, state(path), said, f"{results.stem}-{int(number)}.toml")
 
 
-class Live(Page):
-    """What a description comes to that is being edited."""
-
-    async def post(self) -> None:
-        """Answer with the panel beside its text."""
-        saved = read_text(self.folder.file(self.argument("name")), "a description")
-        self.finish(await self.work.live(self.argument("name"), self.text(), saved))
-
-
-class Fields(Page):
-    """The form of a part of a description that is being edited."""
-
-    async def post(self) -> None:
-        """Answer with its fields."""
-        part = self.argument("part")
-        self.finish(await self.work.beside(fields.form, self.argument("name"), self.text(), part))
+async def live_panel(page: Page) -> str:
+    """Return the panel beside the text of a description that is being edited."""
+    saved = read_text(page.file(), "a description")
+    try:
+        return await page.work.beside(live.fragment, page.get_body_argument("name"), page.text(), saved)
+    except WorkError as error:
+        return f"<p>{error}: save and build it instead.</p>"
 
 
-class Enter(Page):
-    """A field of the form."""
-
-    async def post(self) -> None:
-        """Answer with the text in which what it says is entered."""
-        asked = [self.argument(name) for name in ("path", "do", "value")]
-        self.set_header("Content-Type", "text/plain; charset=utf-8")
-        self.finish(await self.work.beside(fields.entered, self.argument("name"), self.text(), *asked))
+async def form(page: Page) -> str:
+    """Return the form of a part of a description that is being edited."""
+    name, part = map(page.get_body_argument, ("name", "part"))
+    return await page.work.beside(fields.form, name, page.text(), part)
 
 
-class Print(Page):
-    """A description as a page to print."""
-
-    async def get(self, name: str) -> None:
-        """Show it."""
-        text = read_text(self.folder.file(name), "a description")
-        self.finish(await self.work.beside(sheet.page, name, text))
+async def enter(page: Page) -> str:
+    """Return the text of a description in which what a field says is entered."""
+    name, *asked = map(page.get_body_argument, ("name", "path", "do", "value"))
+    page.set_header("Content-Type", "text/plain; charset=utf-8")
+    return await page.work.beside(fields.entered, name, page.text(), *asked)
 
 
-class Picture(Page):
-    """The picture of a template in the gallery."""
-
-    async def get(self, name: str) -> None:
-        """Send it; it is drawn once."""
-        if name not in TEMPLATES:
-            raise HTTPError(404)
-        if name not in self.drawn:
-            self.drawn[name] = await self.work.beside(sheet.picture, name)
-        self.set_header("Content-Type", "image/svg+xml")
-        self.finish(self.drawn[name])
-
-    drawn: ClassVar[dict[str, str]] = {}
+async def to_print(page: Page, name: str) -> str:
+    """Show a description as a page to print."""
+    return await page.work.beside(live.sheet, name, read_text(page.folder.file(name), "a description"))
 
 
-class Static(Guarded):
-    """A script of a page, or the icon."""
-
-    def get(self, name: str) -> None:
-        """Send it."""
-        file = Path(__file__).with_name(STATIC[name])
-        self.set_header("Content-Type", "image/svg+xml" if file.suffix == ".svg" else "text/javascript; charset=utf-8")
-        self.finish(file.read_text(encoding="utf-8"))
-
-
-class Save(Page):
-    """A description that was edited."""
-
-    async def post(self) -> None:
-        """Save it unless it changed meanwhile, or under another name that is free; then edit it, or build its book."""
-        name, text = self.argument("name"), self.text()
-        path = self.folder.file(name)
-        if self.argument("as") != name:
-            path = self.folder.free(self.argument("as"))
-            name = path.name
-        elif state(path) != self.argument("state"):
-            raise WriteError(f"{name} changed since it was opened; open it again and repeat your change")
-        replace(path, lambda draft: write_text(draft, text), overwrite=True)
-        if self.argument("then") == "edit":
-            self.redirect(f"/edit/{name}")
-            return
-        done, target = await built(self.work, self.folder, path)
-        if done.code:
-            self.finish(pages.editor(name, text, state(path), done.text))
-        else:
-            self.finish(pages.printed(name, done.text, "", path, target))
+async def picture(page: Page, name: str) -> str:
+    """Send the picture of a template in the gallery, which is drawn once."""
+    if name not in TEMPLATES:
+        raise HTTPError(404)
+    if name not in drawn:
+        drawn[name] = await page.work.beside(live.picture, name)
+    page.set_header("Content-Type", SVG)
+    return drawn[name]
 
 
-class Build(Page):
-    """A workbook made of a description."""
-
-    async def post(self) -> None:
-        """Build it under a name that is free."""
-        path = self.folder.file(self.argument("name"))
-        done, target = await built(self.work, self.folder, path)
-        self.finish(pages.printed(path.name, done.text, "", path, *([] if done.code else [target])))
+async def static(page: Page, name: str) -> bytes:
+    """Send a script of a page, or the icon."""
+    file = Path(__file__).with_name(STATIC[name])
+    page.set_header("Content-Type", SVG if file.suffix == ".svg" else "text/javascript; charset=utf-8")
+    return file.read_bytes()
 
 
-class Verify(Page):
-    """A workbook of the folder, verified."""
-
-    async def post(self) -> None:
-        """Answer with the report."""
-        path = self.folder.file(self.argument("name"))
-        more = [pages.post("/inputs", path.name, "Edit what is entered"),
-                pages.post("/regenerate", path.name, "Build anew")]  # fmt: skip
-        await self.reported(path, path.name, *more)
-
-
-class Inputs(Page):
-    """What was entered in a workbook of the folder."""
-
-    async def post(self) -> None:
-        """Write it as a description, under a name that is free, and edit it."""
-        path = self.folder.file(self.argument("name"))
-        await self.made(path.name, self.folder.free(f"{path.stem}.toml"), "inputs", path)
+async def save(page: Page) -> str | None:
+    """Save a description unless it changed meanwhile, or under another, free name; then edit it, or build its book."""
+    name, text, path = page.get_body_argument("name"), page.text(), page.file()
+    if page.get_body_argument("as") != name:
+        path = page.folder.free(page.get_body_argument("as"))
+    elif state(path) != page.get_body_argument("state"):
+        raise WriteError(f"{name} changed since it was opened; open it again and repeat your change")
+    replace(path, lambda draft: write_text(draft, text), overwrite=True)
+    if page.get_body_argument("then") == "edit":
+        page.redirect(f"/edit/{path.name}")
+        return None
+    book = page.folder.free(f"{path.stem}.xlsx")
+    done = await page.work.run("build", path, "-o", book)
+    if done.code:
+        return pages.editor(path.name, text, state(path), done.text)
+    return pages.printed(path.name, done.text, "", path, book)
 
 
-class Regenerate(Page):
-    """A workbook of the folder, built anew by today's formulas."""
-
-    async def post(self) -> None:
-        """Build it under a name that is free."""
-        path = self.folder.file(self.argument("name"))
-        await self.made(path.name, self.folder.free(f"{path.stem}.xlsx"), "regenerate", path)
+async def build(page: Page) -> str | None:
+    """Build the workbook of a description."""
+    path = page.file()
+    return await page.made("build", path, page.folder.free(f"{path.stem}.xlsx"))
 
 
-class Short(Page):
-    """What a description comes to, in a line for the first page."""
-
-    async def get(self, name: str) -> None:
-        """Answer with the line."""
-        text = read_text(self.folder.file(name), "a description")
-        self.finish(await self.work.beside(sheet.in_short, name, text))
-
-
-class Upload(Page):
-    """A workbook from elsewhere, verified and not kept."""
-
-    async def post(self) -> None:
-        """Answer with the report."""
-        file = self.upload("book")
-        name = plain(file.filename, "upload.xlsx")
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / name
-            path.write_bytes(file.body)
-            await self.reported(path, name)
+async def verify(page: Page) -> str:
+    """Verify a workbook of the folder and return the report."""
+    path = page.file()
+    more = [pages.post("/inputs", path.name, "Edit what is entered"),
+            pages.post("/regenerate", path.name, "Build anew")]  # fmt: skip
+    return await page.reported(path, *more)
 
 
-class Compare(Page):
-    """Two files of the folder, compared."""
-
-    async def post(self) -> None:
-        """Answer with what differs."""
-        old, new = (self.folder.file(self.argument(name)) for name in ("old", "new"))
-        with tempfile.TemporaryDirectory() as folder:
-            page = Path(folder) / REPORT
-            done = await self.work.run("diff", old, new, "--html", page)
-            text = page.read_text(encoding="utf-8") if page.exists() else ""
-        self.finish(pages.framed(text) if text else pages.printed("Comparison", done.text, ""))
+async def inputs(page: Page) -> str | None:
+    """Write what was entered in a workbook as a description, and edit it."""
+    path = page.file()
+    return await page.made("inputs", path, page.folder.free(f"{path.stem}.toml"))
 
 
-class Missing(Guarded):
-    """An address at which there is nothing."""
+async def regenerate(page: Page) -> str | None:
+    """Build a workbook anew by today's formulas."""
+    path = page.file()
+    return await page.made("regenerate", path, page.folder.free(f"{path.stem}.xlsx"))
 
-    def get(self) -> None:
-        """Say so."""
-        self.send_error(404)
+
+async def short(page: Page, name: str) -> str:
+    """Return in a line for the first page what a description comes to."""
+    return await page.work.beside(live.in_short, name, read_text(page.folder.file(name), "a description"))
+
+
+async def upload(page: Page) -> str:
+    """Verify a workbook from elsewhere, which is not kept."""
+    file = page.upload("book")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / plain(file.filename, "upload.xlsx")
+        path.write_bytes(file.body)
+        return await page.reported(path)
+
+
+async def compare(page: Page) -> str:
+    """Tell what differs between two files of the folder."""
+    old, new = page.file("old"), page.file("new")
+    with tempfile.TemporaryDirectory() as folder:
+        report = Path(folder) / REPORT
+        done = await page.work.run("diff", old, new, "--html", report)
+        text = report.read_text(encoding="utf-8") if report.exists() else ""
+    return pages.framed(text) if text else pages.printed("Comparison", done.text, "")
+
+
+async def missing(page: Page) -> str:
+    """Say that there is nothing at an address."""
+    raise HTTPError(404)
+
+
+GET: dict[str, Action] = {
+    r"/": home, r"/file/([^/]+)": download, r"/edit/([^/]+)": edit, r"/short/([^/]+)": short,
+    r"/print/([^/]+)": to_print, r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary,
+    r"/study/([^/]+)": study.show, r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller.show,
+    f"/({'|'.join(map(re.escape, STATIC))})": static,
+}  # fmt: skip
+POST: dict[str, Action] = {
+    "/new": new, "/save": save, "/inputs": inputs, "/regenerate": regenerate, "/live": live_panel, "/fields": form,
+    "/set": enter, "/build": build, "/verify": verify, "/upload": upload, "/compare": compare, "/study": study.new,
+    "/begin": study.go_on, "/cancel": study.cancel, "/export": controller.export, "/read": controller.read,
+}  # fmt: skip
 
 
 def application(folder: Folder, token: str, hosts: list[str], work: Work) -> Application:
     """Return the application that serves a folder to who has the token."""
     shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
-    routes = [
-        (r"/", Home), (r"/file/([^/]+)", Download), (r"/edit/([^/]+)", Edit), (r"/new", New), (r"/save", Save),
-        (r"/inputs", Inputs), (r"/regenerate", Regenerate), (r"/short/([^/]+)", Short),
-        (r"/print/([^/]+)", Print), (r"/picture/([^/]+)\.svg", Picture),
-        (r"/live", Live), (r"/fields", Fields), (r"/set", Enter),
-        (r"/build", Build), (r"/verify", Verify), (r"/upload", Upload), (r"/compare", Compare),
-        (r"/vary/([^/]+)", Vary), (r"/study", NewStudy), (r"/study/([^/]+)", Study), (r"/begin", Begin),
-        (r"/cancel", Cancel), (r"/progress/([^/]+)", Progress),
-        (r"/controller/([^/]+)", Controller), (r"/export", Export), (r"/read", Read),
-    ]  # fmt: skip
-    handlers: list[Any] = [(path, page, shared) for path, page in routes]
-    handlers.append((f"/({'|'.join(map(re.escape, STATIC))})", Static))
-    return Application(handlers, token=token, hosts=hosts, default_handler_class=Missing)
+    handlers: list[Any] = [(path, Page, shared | {"method": method, "action": action})
+                           for method, actions in (("GET", GET), ("POST", POST))
+                           for path, action in actions.items()]  # fmt: skip
+    nothing = shared | {"method": "GET", "action": missing}
+    return Application(handlers, token=token, hosts=hosts, default_handler_class=Page, default_handler_args=nothing)
 
 
 async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]) -> None:

@@ -17,8 +17,7 @@ INLINE = re.compile(r"(?m)^\s*phases\s*=\s*\[")
 ENTRY = re.compile(r"\b(?:start|stop)\s*=\s*(-?\d[\d.]*)")
 SHIFT = re.compile(r"(?m)^\s*shift\s*=\s*(-?\d[\d.]*)")
 NAME = re.compile(r"(?m)^\s*name\s*=.*$")
-STEP = 360
-"""steps of a cycle: of one in degrees, a degree"""
+STEP = 360  # steps of a cycle: of one in degrees, a degree
 RADIUS = "6"
 
 
@@ -90,6 +89,7 @@ def phases(text: str, begin: int, end: int) -> Iterator[tuple[int, int]]:
 
 def add_handles(svg: Element, scales: Scales, lines: list[Line], found: list[Edge], shifts: dict[str, float]) -> None:
     """Add a handle to the timing diagram for each edge, on the line of its axis; a lane's is the name at its line."""
+    across, up = scales
     drawn = {line.name: line for line in lines}
     names = {one.text: one for one in svg.iter("text")}
     svg.set("role", "group")
@@ -98,13 +98,13 @@ def add_handles(svg: Element, scales: Scales, lines: list[Line], found: list[Edg
         if line is None:
             continue
         begin, cycle = float(line.x[0]), float(np.ptp(line.x))
-        width = scales.across.end - scales.across.begin
+        width = across.end - across.begin
         if edge.lane:
             handle = names[visible(edge.axis)]
         else:
             later = edge.value + shifts[edge.axis] - begin
             at = np.array([begin + (later if 0.0 <= later <= cycle else later % cycle)])
-            x, y = scales.across.at(at)[0], scales.up.at(np.interp(at, line.x, line.y))[0]
+            x, y = across.at(at)[0], up.at(np.interp(at, line.x, line.y))[0]
             handle = SubElement(svg, "circle", {"r": RADIUS, "cx": f"{x:.1f}", "cy": f"{y:.1f}"})
             SubElement(handle, "title").text = f"{edge.axis}: {edge.value:g}"
         handle.attrib.update({

@@ -18,8 +18,7 @@ from workbook.serve.tables import Place, Table, changed, part_of, tables_of, wri
 from workbook.studies.paths import written as counted
 
 EITHER = re.compile(r", | or ")
-PHRASES = ("a ", "7 ")
-"""what the words begin with that expect anything but one of some texts"""
+PHRASES = ("a ", "7 ")  # what the words begin with that expect anything but one of some texts
 
 
 def form(name: str, text: str, part: str) -> str:

@@ -6,13 +6,11 @@ from pathlib import Path
 
 from workbook.errors import ReadError, WriteError
 
-KINDS = (".toml", ".xlsx", ".xlsm")
-"""descriptions and workbooks: what the first page lists"""
+KINDS = (".toml", ".xlsx", ".xlsm")  # descriptions and workbooks: what the first page lists
 MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")
 """what is written and downloaded: also cam tables, and the results of studies"""
 NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
-LARGEST = 60_000_000
-"""bytes of an upload: what verify takes of a file at most"""
+LARGEST = 60_000_000  # bytes of an upload: what verify takes of a file at most
 
 
 class Folder:

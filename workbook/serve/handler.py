@@ -1,49 +1,100 @@
-"""What all pages that work on the folder have in common."""
+"""What every address has in common: who may ask, and what is done there with a file of the folder."""
 
+import base64
+import hashlib
+import hmac
 import tempfile
+from collections.abc import Awaitable, Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 from xml.etree.ElementTree import Element
 
 from tornado.httputil import HTTPFile
+from tornado.web import HTTPError, RequestHandler
 
 from workbook.errors import MotionbookError, WriteError
+from workbook.reports.html import STYLE
 from workbook.serve import pages
 from workbook.serve.folder import Folder
-from workbook.serve.guarded import Guarded
-from workbook.serve.work import Done, Work
+from workbook.serve.work import Work
 
+COOKIE = "motionbook"
 REPORT = "report.html"
+STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
+POLICY = (
+    f"default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'sha256-{STYLED}'; img-src 'self'; "
+    "form-action 'self'; frame-ancestors 'none'; base-uri 'none'"
+)
 
 
-class Page(Guarded):
-    """A page that works on the folder."""
+class Page(RequestHandler):
+    """A page, which answers only at its own address and to who has the token of the first address.
 
-    def initialize(self, folder: Folder, work: Work, verdicts: dict[str, str]) -> None:
-        """Take what all pages share."""
+    The Host is compared against DNS rebinding, the Origin of what is posted against pages from elsewhere.
+    """
+
+    def initialize(self, method: str, action: "Action", folder: Folder, work: Work, verdicts: dict[str, str]) -> None:
+        """Take what is done by which method at this address, and what all pages share."""
+        self.method, self.action = method, action
         self.folder, self.work, self.verdicts = folder, work, verdicts
 
-    def argument(self, name: str) -> str:
-        """Return a field of the form."""
-        return str(self.get_body_argument(name))
+    def set_default_headers(self) -> None:
+        """Let a browser load nothing from elsewhere, run no script but the server's own and keep no copy."""
+        self.set_header("Content-Security-Policy", POLICY)
+        self.set_header("X-Content-Type-Options", "nosniff")
+        self.set_header("Referrer-Policy", "same-origin")  # without one, a form's post has no Origin
+        self.set_header("Cache-Control", "no-store")
 
-    def text(self) -> str:
-        """Return the text that is edited, as it is: a form sends it with the line ends of Windows."""
-        return str(self.get_body_argument("text", strip=False)).replace("\r\n", "\n")
+    def prepare(self) -> Awaitable[None] | None:
+        """Refuse who has neither token nor cookie; exchange the token for a cookie."""
+        hosts = self.settings["hosts"]
+        if self.request.host not in hosts:
+            raise HTTPError(403, reason="this server answers to its own address only")
+        origin = self.request.headers.get("Origin")
+        if self.request.method == "POST" and origin not in {f"http://{host}" for host in hosts}:
+            raise HTTPError(403, reason="only this server's own pages may post to it")
+        token = self.settings["token"]
+        if hmac.compare_digest(self.get_cookie(COOKIE, "").encode(), token.encode()):
+            return None
+        given = self.get_query_argument("token", "")
+        if self.request.method != "GET" or not hmac.compare_digest(given.encode(), token.encode()):
+            raise HTTPError(403, reason="open the address that motionbook serve printed")
+        self.set_cookie(COOKIE, token, httponly=True, samesite="Strict")
+        self.redirect("/")
+        return None
+
+    async def get(self, *names: str) -> None:
+        """Do what is done at this address, and answer with what that gives."""
+        if self.request.method != self.method:
+            raise HTTPError(405)
+        answer = await self.action(self, *names)
+        if answer is not None:
+            self.finish(answer)
+
+    post = get
 
     def write_error(self, status_code: int, **kwargs: Any) -> None:
-        """Answer with the message of an error of motionbook's, else with the reason."""
+        """Answer with the message of an error of motionbook's as a page, else with the reason in a line of text."""
         error = (kwargs.get("exc_info") or (None, None))[1]
         if isinstance(error, MotionbookError):
             self.set_status(400)
             self.finish(pages.printed("This cannot be done", str(error), ""))
         else:
-            super().write_error(status_code, **kwargs)
+            self.set_header("Content-Type", "text/plain; charset=utf-8")
+            self.finish(f"{status_code}: {self._reason}\n")
 
     def log_exception(self, typ: Any, value: Any, tb: Any) -> None:
         """Keep the errors of motionbook from the log: they are told on the page."""
         if not isinstance(value, MotionbookError):
             super().log_exception(typ, value, tb)
+
+    def file(self, name: str = "name") -> Path:
+        """Return the file that a field of the form names."""
+        return self.folder.file(self.get_body_argument(name))
+
+    def text(self) -> str:
+        """Return the text that is edited, as it is: a form sends it with the line ends of Windows."""
+        return self.get_body_argument("text", strip=False).replace("\r\n", "\n")
 
     def upload(self, name: str) -> HTTPFile:
         """Return the file that came with the form."""
@@ -52,27 +103,23 @@ class Page(Guarded):
             raise WriteError("no file came; choose one first")
         return files[0]
 
-    async def made(self, title: str, path: Path, *command: str | Path) -> None:
-        """Run a command that writes a file; edit it where it is a description, else offer it."""
-        done = await self.work.run(*command, "-o", path)
-        if done.code:
-            self.finish(pages.printed(title, done.text, "not written"))
-        elif path.suffix == ".toml":
-            self.redirect(f"/edit/{path.name}")
-        else:
-            self.finish(pages.printed(title, done.text, "", path))
+    async def made(self, command: str, source: Path | str, target: Path) -> str | None:
+        """Write a file by a command, under a name that is free; edit it where it is a description, else offer it."""
+        done = await self.work.run(command, source, "-o", target)
+        if target.suffix == ".toml" and not done.code:
+            self.redirect(f"/edit/{target.name}")
+            return None
+        files = [one for one in (source, target) if isinstance(one, Path) and one.exists()]
+        return pages.printed(Path(source).name, done.text, "not written" if done.code else "", *files)
 
-    async def reported(self, path: Path, name: str, *links: Element) -> None:
-        """Verify a workbook and answer with its report, links above it."""
+    async def reported(self, path: Path, *links: Element) -> str:
+        """Verify a workbook and return its report, links above it."""
         with tempfile.TemporaryDirectory() as folder:
             report = Path(folder) / REPORT
             done = await self.work.run("verify", path, "--report", report)
             text = report.read_text(encoding="utf-8") if report.exists() else ""
-        self.verdicts[name] = pages.VERDICTS.get(done.code, "cannot be read")
-        self.finish(pages.framed(text, *links) if text else pages.printed(name, done.text, self.verdicts[name]))
+        verdict = self.verdicts[path.name] = pages.VERDICTS.get(done.code, "cannot be read")
+        return pages.framed(text, *links) if text else pages.printed(path.name, done.text, verdict)
 
 
-async def built(work: Work, folder: Folder, path: Path) -> tuple[Done, Path]:
-    """Build the workbook of a description under a name that is free; return how that ended, and the workbook."""
-    target = folder.free(f"{path.stem}.xlsx")
-    return await work.run("build", path, "-o", target), target
+Action: TypeAlias = Callable[..., Awaitable[str | bytes | None]]

@@ -16,12 +16,16 @@ def home(folder: Folder, verdicts: Mapping[str, str], waiting: int) -> str:
     """Return the first page: the folder's files with verdicts, a new machine, an upload, a comparison."""
     rows = [row(path, verdicts) for path in folder.files()]
     queue = [e("p", f"{waiting} commands run or wait for their turn.", css="quiet")] if waiting else []
+    file = e("input", type="file", name="book", id="book", accept=".xlsx,.xlsm", required="required")
+    names = [path.name for path in folder.files()]
     body = [
         e("h1", "motionbook"), e("p", str(folder.path), css="quiet"), *queue, e("h2", "Machines in this folder"),
         table(("File", "Changed", "In short", "Verdict", ""), rows, ()) if rows else e("p", "No machine yet."),
         e("h2", "New machine"), gallery(),
-        e("h2", "Verify a workbook from elsewhere"), upload(),
-        e("h2", "Compare two"), comparison([path.name for path in folder.files()]),
+        e("h2", "Verify a workbook from elsewhere"),
+        form("/upload", label("Workbook", "book"), file, button("Verify"), enctype="multipart/form-data"),
+        e("h2", "Compare two"), form("/compare", label("Old", "old"), choice("old", names), label("New", "new"),
+                                     choice("new", names), button("Compare")),
     ]  # fmt: skip
     return page("motionbook", body, "home")
 
@@ -61,18 +65,6 @@ def gallery() -> Element:
         begin = form("/new", hidden("template", name), named, button("New machine"))
         cards.append(e("div", e("h3", words), picture, begin))
     return e("div", *cards, css="gallery")
-
-
-def upload() -> Element:
-    """Return the form that takes a workbook from elsewhere."""
-    file = e("input", type="file", name="book", id="book", accept=".xlsx,.xlsm", required="required")
-    return form("/upload", label("Workbook", "book"), file, button("Verify"), enctype="multipart/form-data")
-
-
-def comparison(names: Sequence[str]) -> Element:
-    """Return the form that compares two files of the folder."""
-    return form("/compare", label("Old", "old"), choice("old", names), label("New", "new"), choice("new", names),
-                button("Compare"))  # fmt: skip
 
 
 def editor(name: str, words: str, state: str, said: str = "", target: str = "") -> str:

@@ -2,7 +2,7 @@
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 from xml.etree.ElementTree import Element
@@ -20,15 +20,13 @@ from workbook.laws.entries import ENTRIES, references
 from workbook.reading.descriptions import parsed, template_named, write_machine
 from workbook.reports import study as page
 from workbook.reports.html import e, markup
-from workbook.scaling import Results
 from workbook.serve.toml import differing, edited
 from workbook.studies.judged import machine_of
 from workbook.studies.model import Study
 from workbook.studies.named import Label, listed, require_names
-from workbook.studies.paths import held, written
+from workbook.studies.paths import held, leaves, written
 from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, planned, read_study
 from workbook.studies.summary import Summary
-from workbook.templates import TEMPLATES
 
 RANGE = re.compile(r"(\S+) to (\S+?)(?: in (\d+))?")
 ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
@@ -52,23 +50,27 @@ class Field(NamedTuple):
     givers: list[str]
 
 
-def fields(base: Path) -> dict[str, list[Field]]:
-    """Return the entries that can vary by their tables."""
+def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]]:
+    """Return the entries that can vary by their tables, and the results that may be asked for, fast ones first."""
     machine: Any = described(base)
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
     words = {one.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for one in references(machine)}
     tables: dict[str, list[Field]] = {}
-    for key, value in leaves(data, ""):
+    for key, value in leaves(data, PRODUCTS):
         *above, last = key.split(".")
         if last == "name" and above and above[-1] in PRODUCTS:
             words[key] = [one.name for one in getattr(machine.selection, PRODUCTS[above[-1]])]
         if isinstance(value, float) or key in words:
-            known = [ALL, *words[key]] if key in words else []
-            row = Field(written([*above, last]), page.figure(value), ALL if known else around(value), known,
-                        givers(data, above) if last in EDGES else [])  # fmt: skip
+            known, over = [ALL, *words[key]] if key in words else [], ALL
+            if not known:
+                low, high = sorted((value * (1.0 - SHARE), value * (1.0 + SHARE)))
+                over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
+            rows = len(held(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
+            givers = [written([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
+            row = Field(written([*above, last]), page.figure(value), over, known, givers)
             named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
             tables.setdefault(f"{written(above)} {named}".strip(), []).append(row)
-    return tables
+    return tables, [one for _, names in listed(machine) for one in names]
 
 
 def base_of(path: Path) -> str:
@@ -77,41 +79,6 @@ def base_of(path: Path) -> str:
         return str(parsed(read_text(path, "a study, a .toml file"), path).get("base", ""))
     except MotionbookError:
         return ""
-
-
-def givers(data: Any, phase: list[str]) -> list[str]:
-    """Return the other phases beside one of a list."""
-    *above, number = phase
-    if not number.isdigit():
-        return []
-    return [written([*above, str(k)]) for k in range(len(held(data, tuple(above)))) if k != int(number)]
-
-
-def around(value: float) -> str:
-    """Return a range about a number, as a form has it; nothing about 0."""
-    low, high = sorted((value * (1.0 - SHARE), value * (1.0 + SHARE)))
-    return f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
-
-
-def leaves(data: Any, key: str) -> Iterator[tuple[str, Any]]:
-    """Yield what is below an entry, by keys; a motor and a reducer without a name have an empty one."""
-    if isinstance(data, dict):
-        named = {"name": ""} if key.rpartition(".")[2] in PRODUCTS else {}
-        for name, value in {**named, **data}.items():
-            yield from leaves(value, f"{key}.{name}".strip("."))
-    elif isinstance(data, list):
-        for k, value in enumerate(data):
-            yield from leaves(value, f"{key}.{k}")
-    else:
-        yield key, data
-
-
-def results(base: Path) -> list[tuple[str, Label]]:
-    """Return the results that a study may ask for, those that are fast first, rows of a table each by itself."""
-    machine = described(base)
-    template = TEMPLATES[machine.template]
-    usual = template.scaling.results(machine, {}) if template.scaling else Results({}, (), ())
-    return [one for _, names in listed(template.declare(machine), usual) for one in names]
 
 
 def composed(base: str, asked: Mapping[str, list[str]]) -> str:
@@ -142,23 +109,17 @@ def varied(key: str, text: str) -> dict[str, Any]:
     if span := RANGE.fullmatch(text):
         ends = {"from": value_of(span[1]), "to": value_of(span[2])}
         return ends | ({"steps": int(span[3])} if span[3] else {})
-    return {"values": [value_of(one) if numeric(one) else one.strip() for one in text.split(",") if one.strip()]}
+    return {"values": [value_of(one.strip(), or_text=True) for one in text.split(",") if one.strip()]}
 
 
-def numeric(text: str) -> bool:
-    """Whether a text is a number."""
+def value_of(text: str, or_text: bool = False) -> Any:
+    """Return the number that a text is; of another one, it as it is where that may be, else raise InputError."""
     try:
-        float(text)
+        return float(text)
     except ValueError:
-        return False
-    return True
-
-
-def value_of(text: str) -> float:
-    """Return the number that a text is; raise InputError for another one."""
-    if not numeric(text):
-        raise InputError([f"{text!r}: expected a number"])
-    return float(text)
+        if or_text:
+            return text
+        raise InputError([f"{text!r}: expected a number"]) from None
 
 
 def require_study(text: str, base: Path) -> None:
@@ -170,20 +131,18 @@ def require_study(text: str, base: Path) -> None:
     require_names(planned(study, base, "study"), "study")
 
 
-def front(path: Path, results: Path) -> str:
+def front(path: Path) -> str:
     """Return the HTML of what came of a study; each of the best designs is a link to its description."""
-    plan, found = found_in(path, results)
+    plan, found = found_in(path)
     named = require_names(plan, str(path))
-    counts = f"{found.designs:,} designs, {found.feasible:,} feasible, {found.impossible:,} impossible."
     links = [f"/edit/{plan.study.base}?study={path.name}&pick={n}" for n in range(1, len(found.best) + 1)]
-    body = [e("p", counts), *(e("p", line) for line in page.unranked(found)),
-            *linked(page.best(plan, found, named), links), *page.constraints(plan, found, named)]  # fmt: skip
-    return markup(*body)
+    return markup(*page.counts(found), *linked(page.best(plan, found, named), links),
+                  *page.constraints(plan, found, named))  # fmt: skip
 
 
-def found_in(path: Path, results: Path) -> tuple[Plan, Summary]:
+def found_in(path: Path) -> tuple[Plan, Summary]:
     """Return a study and what is known of it; raise ReadError where these do not go together."""
-    plan = read_study(path)
+    plan, results = read_study(path), path.with_suffix(".json")
     found = known(plan, results, own=True)
     if found is None:
         raise ReadError(f"{results.name}: results of this study before it or its machine was changed; delete them")
@@ -209,16 +168,9 @@ def linked(said: list[Element], links: list[str]) -> list[Element]:
     return said
 
 
-def place_of(text: str) -> int:
-    """Return the place of a design among the best."""
-    if not text.isdecimal():
-        raise InputError([f"{text!r}: expected the place of a design"])
-    return int(text)
-
-
-def picked(path: Path, results: Path, number: int) -> str:
+def picked(path: Path, number: int) -> str:
     """Return the description of one of the best designs of a study: the text of its base with other entries."""
-    plan, found = found_in(path, results)
+    plan, found = found_in(path)
     if not 1 <= number <= len(found.best):
         raise InputError([f"design {number}: expected 1 to {len(found.best)}"])
     machine: Machine = machine_of(plan, found.best[number - 1])

@@ -1,5 +1,6 @@
 """The page Study: choose what varies, follow the work, open the designs of the front."""
 
+import time
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
@@ -8,117 +9,94 @@ from workbook.cluster import cores
 from workbook.reports.html import Content, e, markup, table
 from workbook.serve import pages, studied
 from workbook.serve.handler import Page
-from workbook.serve.jobs import Job
-from workbook.studies.folder import progress
+from workbook.serve.work import Job
+from workbook.studies import folder
 from workbook.studies.named import Label
 
-ROWS = 6
-"""results that a form can ask for"""
+ROWS = 6  # results that a form can ask for
+ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at least": "at least",
+         "at most": "at most", "off": "no constraint"}  # fmt: skip
+"""what can be asked of a result, with its words in the form"""
+SENT = ("result", "what", "value", "key", "values", "takes")  # the fields of a form that stand in several rows
 
 
-class Vary(Page):
-    """The form of a study of a description."""
-
-    async def get(self, name: str) -> None:
-        """Show it."""
-        path = self.folder.file(name)
-        tables = await self.work.beside(studied.fields, path)
-        results = await self.work.beside(studied.results, path)
-        self.finish(form(name, tables, results))
+async def vary(page: Page, name: str) -> str:
+    """Show the form of a study of a description."""
+    path = page.folder.file(name)
+    return form(name, *await page.work.beside(studied.choices, path))
 
 
-class NewStudy(Page):
-    """A study, written and begun."""
-
-    async def post(self) -> None:
-        """Write it under a name that is free, begin it and follow it."""
-        base = self.folder.file(self.argument("name"))
-        asked = {key: self.get_body_arguments(key) for key in self.request.body_arguments}
-        sent = {key: self.get_body_arguments(key) for key in ("result", "what", "value", "key", "values", "takes")}
-        text = studied.composed(base.name, asked | sent)
-        await self.work.beside(studied.require_study, text, base)
-        path = self.folder.free(f"{base.stem}-study.toml")
-        write_text(path, text)
-        await begin(self, path)
+async def new(page: Page) -> None:
+    """Write a study under a name that is free, begin it and follow it."""
+    base = page.file()
+    asked = {key: page.get_body_arguments(key) for key in (*page.request.body_arguments, *SENT)}
+    text = studied.composed(base.name, asked)
+    await page.work.beside(studied.require_study, text, base)
+    path = page.folder.free(f"{base.stem}-study.toml")
+    write_text(path, text)
+    await begin(page, path)
 
 
-class Begin(Page):
-    """A study that is there."""
-
-    async def post(self) -> None:
-        """Begin it, or go on with it."""
-        await begin(self, self.folder.file(self.argument("name")))
+async def go_on(page: Page) -> None:
+    """Begin a study that is there, or go on with it."""
+    await begin(page, page.file())
 
 
-class Cancel(Page):
-    """A study at work."""
-
-    def post(self) -> None:
-        """Interrupt it."""
-        name = self.folder.file(self.argument("name")).name
-        job = self.work.jobs.get(name)
-        if job is not None:
-            job.interrupt()
-        self.redirect(f"/study/{name}")
+async def begin(page: Page, path: Path) -> None:
+    """Begin a study, or go on with it, on all cores but one, and follow it."""
+    results = path.with_suffix(".csv")
+    done, size = folder.progress(results)
+    more = ["--resume"] if size else []
+    await page.work.study(path, done, "-o", results, "--jobs", str(max(1, cores() - 1)), *more)
+    page.redirect(f"/study/{path.name}")
 
 
-class Study(Page):
-    """A study: at work, or what came of it."""
-
-    def get(self, name: str) -> None:
-        """Show it; the script fetches how far it is."""
-        base = studied.base_of(self.folder.file(name))
-        above = [pages.back(), e("p", pages.link(f"/edit/{base}", f"Edit {base}"))] if base else [pages.back()]
-        panel = e("div", e("p", "…", css="quiet"), id="study", **{"data-name": name})
-        self.finish(pages.page(name, [e("h1", name), *above, panel], "study"))
+async def cancel(page: Page) -> None:
+    """Interrupt a study at work."""
+    name = page.file().name
+    if name in page.work.jobs:
+        page.work.jobs[name].interrupt()
+    page.redirect(f"/study/{name}")
 
 
-class Progress(Page):
-    """How far a study is."""
+async def show(page: Page, name: str) -> str:
+    """Show a study; the script fetches how far it is."""
+    base = studied.base_of(page.folder.file(name))
+    above = [pages.back(), e("p", pages.link(f"/edit/{base}", f"Edit {base}"))] if base else [pages.back()]
+    panel = e("div", e("p", "…", css="quiet"), id="study", **{"data-name": name})
+    return pages.page(name, [e("h1", name), *above, panel], "study")
 
-    async def get(self, name: str) -> None:
-        """Answer with the rate and what remains, the front when it is done, or what there is to begin."""
-        path = self.folder.file(name)
-        job, table = self.work.jobs.get(path.name), path.with_suffix(".csv")
-        if job is not None and job.code is None:
-            self.finish(markup(working(path.name, *progress(table), job)))
-        elif path.with_suffix(".json").exists():
-            found = await self.work.beside(studied.front, path, path.with_suffix(".json"))
-            self.finish(found + markup(pages.link(f"/file/{table.name}", "Download all designs")))
-        else:
-            self.finish(markup(*waiting(path.name, *progress(table), job.text if job else "")))
+
+async def progress(page: Page, name: str) -> str:
+    """Return the rate of a study and what remains, the front when it is done, or what there is to begin."""
+    path = page.folder.file(name)
+    job, results = page.work.jobs.get(path.name), path.with_suffix(".csv")
+    if job is not None and job.done is None:
+        return markup(working(path.name, *folder.progress(results), job))
+    if path.with_suffix(".json").exists():
+        found = await page.work.beside(studied.front, path)
+        return found + markup(pages.link(f"/file/{results.name}", "Download all designs"))
+    done, size = folder.progress(results)
+    words = f"{done:,} of {size:,} designs are worked out." if size else "No design is worked out."
+    said = [e("pre", job.done.text)] if job and job.done and job.done.text else []
+    return markup(e("p", words), pages.post("/begin", path.name, "Go on" if size else "Begin"), *said)
 
 
 def working(name: str, done: int, size: int, job: Job) -> Element:
     """Return how far a study is that is at work, and what cancels it."""
-    rate = (done - job.before) / max(job.seconds, 1.0)
+    rate = (done - job.before) / max(time.monotonic() - job.begun, 1.0)
     bar = e("progress", value=str(done), max=str(max(size, 1)))
     words = f"{done:,} of {size:,} designs, {rate:,.1f}/s" if size else "Measuring how long a design takes …"
     return e("div", e("p", bar, f" {words}"), pages.post("/cancel", name, "Cancel"), **{"data-running": "yes"})
 
 
-def waiting(name: str, done: int, size: int, printed: str) -> list[Element]:
-    """Return how far a study is that is not at work, and what begins it or goes on with it."""
-    words = f"{done:,} of {size:,} designs are worked out." if size else "No design is worked out."
-    said = [e("pre", printed)] if printed else []
-    return [e("p", words), pages.post("/begin", name, "Go on" if size else "Begin"), *said]
-
-
-async def begin(page: Page, path: Path) -> None:
-    """Begin a study, or go on with it, on all cores but one, and follow it."""
-    table = path.with_suffix(".csv")
-    done, size = progress(table)
-    more = ["--resume"] if size else []
-    jobs = str(max(1, cores() - 1))
-    await page.work.jobs.begin(path.name, done, "study", path, "-o", table, "--jobs", jobs, *more)
-    page.redirect(f"/study/{path.name}")
-
-
 def form(name: str, tables: dict[str, list[studied.Field]], results: list[tuple[str, Label]]) -> str:
     """Return the page of what can vary in a description, and of the results to ask for."""
-    asked = [e("p", e("label", "Result ", field("result", list="results"), " "), e("label", select(), " "),
+    what = e("select", *(e("option", said, value=key) for key, said in ASKED.items()), name="what",
+             **{"aria-label": "What is asked of it"})  # fmt: skip
+    asked = [e("p", e("label", "Result ", field("result", list="results"), " "), e("label", what, " "),
                e("label", "bound ", field("value", size="8"))) for _ in range(ROWS)]  # fmt: skip
-    options = [e("option", f"{label.words}" + (f" [{label.unit}]" if label.unit else ""), value=key)
+    options = [e("option", label.words + (f" [{label.unit}]" if label.unit else ""), value=key)
                for key, label in results]  # fmt: skip
     ways = pages.choice("way", ("full", "sobol", "evolution"))
     body = [
@@ -153,11 +131,3 @@ def varying(path: str, rows: list[studied.Field]) -> Element:
 def field(name: str, **attributes: str) -> Element:
     """Return a field of one line that may be empty."""
     return e("input", type="text", name=name, **attributes)
-
-
-def select() -> Element:
-    """Return what can be asked of a result."""
-    words = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at least": "at least",
-             "at most": "at most", "off": "no constraint"}  # fmt: skip
-    return e("select", *(e("option", said, value=key) for key, said in words.items()), name="what",
-             **{"aria-label": "What is asked of it"})  # fmt: skip

@@ -14,8 +14,7 @@ from workbook.serve.toml import edited
 from workbook.template import has
 from workbook.templates import TEMPLATES
 
-Place = tuple[str, ...]
-"""the way to an entry: names, and numbers of rows from 0"""
+Place = tuple[str, ...]  # the way to an entry: names, and numbers of rows from 0
 
 
 class Table(NamedTuple):

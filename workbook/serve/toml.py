@@ -11,8 +11,7 @@ from tomlkit.items import Array, InlineTable
 from workbook.described.words import toml
 from workbook.errors import InputError
 
-NOTHING = object()
-"""stands where a description has no entry"""
+NOTHING = object()  # stands where a description has no entry
 COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")
 """a line of entries, the blanks before its comment, and the comment"""
 
@@ -36,15 +35,11 @@ def aligned(old: str, new: str) -> str:
     before, after = old.split("\n"), new.split("\n")
     if len(before) != len(after):
         return new
-    return "\n".join(other if one == other else in_column(one, other) for one, other in zip(before, after, strict=True))
-
-
-def in_column(old: str, new: str) -> str:
-    """Return a changed line with its comment in the column that it had."""
-    one, other = COMMENTED.fullmatch(old), COMMENTED.fullmatch(new)
-    if one is None or other is None or one[3] != other[3]:
-        return new
-    return f"{other[1]:<{one.start(3) - 1}} {other[3]}"
+    lines = []
+    for one, other in zip(before, after, strict=True):
+        then, now = COMMENTED.fullmatch(one), COMMENTED.fullmatch(other)
+        lines.append(f"{now[1]:<{then.start(3) - 1}} {now[3]}" if then and now and then[3] == now[3] else other)
+    return "\n".join(lines)
 
 
 def put(table: Any, path: Sequence[str], value: Any) -> None:

@@ -3,6 +3,9 @@
 import asyncio
 import gc
 import os
+import signal
+import sys
+import time
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -12,20 +15,17 @@ from typing import Any, NamedTuple, TypeVar
 
 from workbook.errors import MotionbookError
 from workbook.latest import remember
-from workbook.serve.jobs import POSIX, Jobs, limit_memory, started
-from workbook.serve.live import fragment
 
-LONGEST = 600.0
-"""seconds of a command"""
-PATIENCE = 60.0
-"""seconds of what is worked out beside the server"""
-REMEMBERED = 48
-"""things of each kind that the process for what is edited remembers: those of two of the largest books"""
+POSIX = os.name == "posix"
+MEMORY = 6 * 2**30  # bytes of address space of a command, where the system can limit it
+LONGEST = 600.0  # seconds of a command
+PATIENCE = 60.0  # seconds of what is worked out beside the server
+REMEMBERED = 48  # things of each kind that the process for what is edited remembers: those of two of the largest books
 T = TypeVar("T")
 
 
 class WorkError(MotionbookError):
-    """Work that took too long."""
+    """Work that took too long, or that another one is in the way of."""
 
 
 class Done(NamedTuple):
@@ -35,22 +35,40 @@ class Done(NamedTuple):
     text: str
 
 
+class Job:
+    """A study at work, which can be interrupted and goes on: when it began, after how many designs, how it ended."""
+
+    def __init__(self, process: asyncio.subprocess.Process, before: int) -> None:
+        self.begun, self.before = time.monotonic(), before
+        self.done: Done | None = None
+        self._process, self._reading = process, asyncio.create_task(self._ended())
+
+    async def _ended(self) -> None:
+        printed, _ = await self._process.communicate()
+        self.done = Done(self._process.returncode or 0, printed.decode(errors="replace"))
+
+    def interrupt(self) -> None:
+        """Interrupt it as Ctrl+C does: what is complete stays."""
+        if self._process.returncode is None:
+            self._process.send_signal(signal.SIGINT) if POSIX else self._process.terminate()
+
+    def kill(self) -> None:
+        """End it and the processes that it began."""
+        if self._process.returncode is None:
+            os.killpg(self._process.pid, signal.SIGKILL) if POSIX else self._process.kill()
+        self._reading.cancel()
+
+
 class Work:
-    """Commands, so many at once, others wait for their turn; and one process for what is edited."""
+    """Commands, so many at once, others wait for their turn; one study; and one process for what is edited."""
 
     def __init__(self, most: int | None = None) -> None:
         self._turns = asyncio.Semaphore(most or max(1, (os.cpu_count() or 2) - 1))
         self._running: set[asyncio.subprocess.Process] = set()
         self.waiting = 0
-        self.jobs = Jobs()
+        self.jobs: dict[str, Job] = {}
+        """the latest work at each study, by the name of its file"""
         self._editing: ProcessPoolExecutor | None = None
-
-    async def live(self, name: str, text: str, saved: str) -> str:
-        """Return the panel beside a description that is being edited."""
-        try:
-            return await self.beside(fragment, name, text, saved)
-        except WorkError as error:
-            return f"<p>{error}: save and build it instead.</p>"
 
     async def beside(self, function: Callable[..., T], *arguments: Any) -> T:
         """Return what a function gives in the process beside the server; raise WorkError where it takes too long."""
@@ -93,12 +111,36 @@ class Work:
             self._running.discard(process)
         return Done(process.returncode or 0, printed.decode(errors="replace"))
 
+    async def study(self, path: Path, before: int, *options: str | Path) -> None:
+        """Begin a study, ``before`` of whose designs are done; raise WorkError where another one is at work."""
+        busy = next((name for name, job in self.jobs.items() if job.done is None), None)
+        if busy is not None:  # each takes all cores but one
+            raise WorkError(f"{busy} is at work; cancel it, or wait for its end")
+        self.jobs[path.name] = Job(await started("study", path, *options, start_new_session=True), before)
+
     def stop(self) -> None:
         """End all commands that run."""
         for process in self._running:
             process.kill()
+        for job in self.jobs.values():
+            job.kill()
         self._end_editing()
-        self.jobs.stop()
+
+
+async def started(*arguments: str | Path, **more: Any) -> asyncio.subprocess.Process:
+    """Start a command of motionbook with a limit of memory, its errors among what it prints."""
+    return await asyncio.create_subprocess_exec(
+        sys.executable, "-m", "workbook", *map(str, arguments), stdin=asyncio.subprocess.DEVNULL,
+        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT, env=os.environ | {"COLUMNS": "120"},
+        preexec_fn=limit_memory if POSIX else None, **more,
+    )  # fmt: skip
+
+
+def limit_memory() -> None:
+    """Limit the memory of this process."""
+    import resource
+
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
 def prepared() -> None:

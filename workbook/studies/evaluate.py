@@ -15,6 +15,7 @@ from workbook.entries.machine import Machine
 from workbook.scaling import Column, Results
 from workbook.studies.model import Bound
 from workbook.studies.plan import Plan
+from workbook.templates import TEMPLATES
 
 Values = NDArray[Any]
 ENDLESS = "∞"  # what a book shows of a jerk where the acceleration jumps
@@ -66,8 +67,7 @@ class Evaluator:
     @cached_property
     def usual(self) -> Results:
         """The results of the base that come without a book."""
-        scaling = self.plan.template.scaling
-        return scaling.results(self.plan.base, {}) if scaling else Results({}, (), ())
+        return of_no_book(self.plan.base)
 
     @cached_property
     def asked(self) -> list[str]:
@@ -169,6 +169,12 @@ def together(parts: Sequence[Values]) -> Values:
         return np.concatenate([part.astype(np.float64) for part in parts])
     texts = [np.full(len(p), "", dtype=object) if p.dtype.kind == "f" else p.astype(object) for p in parts]
     return np.concatenate(texts)
+
+
+def of_no_book(machine: Machine) -> Results:
+    """Return the results of a machine that come without a book."""
+    scaling = TEMPLATES[machine.template].scaling
+    return scaling.results(machine, {}) if scaling else Results({}, (), ())
 
 
 def of_book(book: Book, name: str) -> Any:

@@ -27,8 +27,7 @@ EXTRA = "Parquet wants the package pyarrow: pip install pyarrow; or name the res
 LOCK, TOLD = "lock", "study.json"
 OWN = re.compile(r"\.?part-[0-9]{8}\.(json|csv|parquet)")
 """the files of a part, and the drafts left where a process ended; no others are removed"""
-NOTED = re.compile(r"part-([0-9]{8})\.json")
-"""the file that is written last of a part"""
+NOTED = re.compile(r"part-([0-9]{8})\.json")  # the file that is written last of a part
 STEP = 64
 ANOTHER = ("holds parts of another study, or of this one before it was changed; --force begins anew, "
            "-o names other results")  # fmt: skip
@@ -175,23 +174,18 @@ def locked(path: Path) -> Iterator[None]:
         raise unwritten(path, error) from error
     with file:
         try:
-            hold(file.fileno())
+            if sys.platform == "win32":
+                import msvcrt
+
+                msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+            else:
+                import fcntl
+
+                fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
             said = "another study is at work in this folder; expected one at a time"
             raise WriteError(f"{path.parent}: {said}") from error
         yield
-
-
-def hold(descriptor: int) -> None:
-    """Hold an open file, or raise OSError at once."""
-    if sys.platform == "win32":
-        import msvcrt
-
-        msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)
-    else:
-        import fcntl
-
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 def require_format(path: Path) -> None:

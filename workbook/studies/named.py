@@ -6,12 +6,13 @@ from fnmatch import filter as matching
 from typing import NamedTuple
 
 from workbook.book.declare import Book
+from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.scaling import Results
-from workbook.studies.evaluate import Evaluator, of_book
+from workbook.studies.evaluate import of_book, of_no_book
 from workbook.studies.model import Bound
 from workbook.studies.paths import nearest
 from workbook.studies.plan import Plan, book_names
+from workbook.templates import TEMPLATES
 
 UNITS = {"mass": "kg"}
 ROW = re.compile(r"(.+)\.(\d+)")
@@ -29,7 +30,7 @@ Named = dict[str, Label]
 
 def require_names(plan: Plan, where: str) -> Named:
     """Return the labels of results and constraints; raise InputError for a name that there is not."""
-    book, usual, study = plan.template.declare(plan.base), Evaluator(plan).usual, plan.study
+    book, usual, study = plan.template.declare(plan.base), of_no_book(plan.base), plan.study
     known = dict.fromkeys([*usual.named, *book_names(book)])
     checks = [q.name for _, q in book.checks]
     lines = []
@@ -54,8 +55,10 @@ def require_names(plan: Plan, where: str) -> Named:
     return {name: label(book, name) for name in dict.fromkeys([*study.names, *plan.bounds, *checks])}
 
 
-def listed(book: Book, usual: Results) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
+def listed(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
     """Yield headings and the names below them, those of a table's rows as one: ``axis1.v.1…3``."""
+    template = TEMPLATES[machine.template]
+    book, usual = template.declare(machine), of_no_book(machine)
     inputs = {name for name, block in book.blocks.items() for q in block.quantities if q.role == "input"}
     named = dict.fromkeys(name for name in book_names(book) if name.partition(".")[0] not in inputs)
     fast = [name for name in usual.named if name not in usual.slow]

@@ -1,7 +1,7 @@
 """Entries of a description by their paths: ``axes.MC01.phases[1].law``, rows counted from 1 or by their names."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 from difflib import get_close_matches
 from typing import Any
 
@@ -100,3 +100,15 @@ def held(entry: Any, path: Sequence[str]) -> Any:
     for part in path:
         entry = entry[int(part)] if isinstance(entry, list) else opened(entry).get(part)
     return entry
+
+
+def leaves(data: Any, named: Container[str] = (), key: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield what is below an entry, by keys; a table ``named`` so that has no name has an empty one."""
+    if isinstance(data, dict):
+        for name, value in (({"name": ""} if key.rpartition(".")[2] in named else {}) | data).items():
+            yield from leaves(value, named, f"{key}.{name}".strip("."))
+    elif isinstance(data, list):
+        for k, value in enumerate(data):
+            yield from leaves(value, named, f"{key}.{k}")
+    else:
+        yield key, data

@@ -104,74 +104,58 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
 
     ``told`` is called with the number of designs as they are done, and whether they were there before.
     """
-    running = Running(plan, parts, pool, told)
-    if plan.space.way.kind == "evolution":
-        running.evolve()
-    else:
-        running.do(pieces(range(0, plan.space.size, parts.step)))
-    return merged(plan.study, (parts.summary(number) for number in sorted(parts.complete())))
+    sent, there = pickle.dumps(plan), parts.complete()
 
-
-class Running:
-    """A study while it runs."""
-
-    def __init__(self, plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object]) -> None:
-        self.plan, self.parts, self.pool, self.told = plan, parts, pool, told
-        self.sent = pickle.dumps(plan)
-        self.there = parts.complete()
-
-    def do(self, wanted: Iterable[Piece]) -> None:
-        """Work out and keep what is not there yet; what a worker died of is tried again, a piece at a time."""
-        for piece in self._kept(self._missing(wanted)):
-            if self._kept([piece]):
-                raise MotionbookError(f"designs {piece.begin + 1:,} to {piece.end:,}: {DIED}")
-
-    def _kept(self, wanted: Iterable[Piece]) -> list[Piece]:
+    def kept(wanted: Iterable[Piece]) -> list[Piece]:
         """Work out and keep pieces; return those whose worker died."""
         died = []
-        for piece, done in self.pool.each(work, wanted, self.sent, self.parts.suffix):
+        for piece, done in pool.each(work, wanted, sent, parts.suffix):
             if isinstance(done, Died):
                 died.append(piece)
                 continue
-            self.parts.keep(piece.number, *done)
-            self.told(piece.end - piece.begin, False)
+            parts.keep(piece.number, *done)
+            told(piece.end - piece.begin, False)
         return died
 
-    def _missing(self, wanted: Iterable[Piece]) -> Iterator[Piece]:
+    def missing(wanted: Iterable[Piece]) -> Iterator[Piece]:
         for piece in wanted:
-            if piece.number in self.there:
-                self.told(piece.end - piece.begin, True)
+            if piece.number in there:
+                told(piece.end - piece.begin, True)
             else:
                 yield piece
 
-    def evolve(self) -> None:
-        """Search by differential evolution, a generation at a time; what was tried before is not tried again.
+    def do(wanted: Iterable[Piece]) -> None:
+        """Work out and keep what is not there yet; what a worker died of is tried again, a piece at a time."""
+        for piece in kept(missing(wanted)):
+            if kept([piece]):
+                raise MotionbookError(f"designs {piece.begin + 1:,} to {piece.end:,}: {DIED}")
 
-        Source: R. Storn, K. Price, J. Global Optimization 11 (1997) 341–359, in scipy.optimize.
-        """
-        from scipy.optimize import differential_evolution
+    if plan.space.way.kind == "evolution":
+        evolve(plan.space, parts, do)
+    else:
+        do(pieces(range(0, plan.space.size, parts.step)))
+    return merged(plan.study, (parts.summary(number) for number in sorted(parts.complete())))
 
-        space, step = self.plan.space, self.parts.step
-        ranges = len(space.dimensions)
-        rounds = max(0, space.size // (POPULATION * ranges) - 1)
-        begun = [0, 0]  # designs and parts so far
 
-        def tried(_: object, population: Iterable[Any]) -> list[float]:
-            shares = np.array(list(population)).reshape(-1, ranges)
-            generation = list(pieces(range(begun[0], begun[0] + len(shares), step), begun[1], shares))
-            begun[0], begun[1] = generation[-1].end, generation[-1].number + 1
-            self.do(generation)
-            return [score for piece in generation for score in self.parts.summary(piece.number).scores]
+def evolve(space: Space, parts: Parts, do: Callable[[Iterable[Piece]], None]) -> None:
+    """Search by differential evolution, a generation at a time; what was tried before is not tried again.
 
-        differential_evolution(  # asks nothing of one design: generations are worked out as a whole
-            len,
-            [(0.0, 1.0)] * ranges,
-            maxiter=rounds,
-            popsize=POPULATION,
-            rng=space.way.seed,
-            polish=False,
-            updating="deferred",
-            workers=tried,
-            tol=1e-9,
-            init="latinhypercube",
-        )  # fmt: skip
+    Source: R. Storn, K. Price, J. Global Optimization 11 (1997) 341–359, in scipy.optimize.
+    """
+    from scipy.optimize import differential_evolution
+
+    ranges = len(space.dimensions)
+    rounds = max(0, space.size // (POPULATION * ranges) - 1)
+    begun = [0, 0]  # designs and parts so far
+
+    def tried(_: object, population: Iterable[Any]) -> list[float]:
+        shares = np.array(list(population)).reshape(-1, ranges)
+        generation = list(pieces(range(begun[0], begun[0] + len(shares), parts.step), begun[1], shares))
+        begun[0], begun[1] = generation[-1].end, generation[-1].number + 1
+        do(generation)
+        return [score for piece in generation for score in parts.summary(piece.number).scores]
+
+    differential_evolution(  # asks nothing of one design: generations are worked out as a whole
+        len, [(0.0, 1.0)] * ranges, maxiter=rounds, popsize=POPULATION, rng=space.way.seed, polish=False,
+        updating="deferred", workers=tried, tol=1e-9, init="latinhypercube",
+    )  # fmt: skip

@@ -12,7 +12,7 @@ from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook import remembered
 from workbook.build import build
-from workbook.commands import trusted
+from workbook.commands import verify as verifying
 from workbook.commands.export import chosen, slugs
 from workbook.controllers.files import read_table
 from workbook.controllers.handing import automatic, certified, tabulated
@@ -31,13 +31,13 @@ def _read_once(monkeypatch, read_once):
 @pytest.fixture
 def verified(monkeypatch, tmp_path):
     """The books that verify is asked of, nothing being remembered before."""
-    asked, verify = [], trusted.verify
+    asked, verify = [], verifying.judged
 
     def counted(path, **given):
         asked.append(path)
         return verify(path, **given)
 
-    monkeypatch.setattr(trusted, "verify", counted)
+    monkeypatch.setattr(verifying, "judged", counted)
     monkeypatch.setattr(remembered, "folder", lambda: tmp_path / "remembered")
     return asked
 

@@ -13,7 +13,7 @@ import pytest
 
 from tests import cutting
 from workbook.build import build, write_inputs
-from workbook.serve.guarded import COOKIE
+from workbook.serve.handler import COOKIE
 
 BOUNDARY = "----boundary"
 ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")

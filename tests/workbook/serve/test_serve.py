@@ -17,8 +17,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.reports.cams import percent
 from workbook.reports.differences import figure
 from workbook.reports.study import figure as figure_of
-from workbook.serve.live import design
-from workbook.serve.sheet import short
+from workbook.serve.live import design, short
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
 from workbook.writing.same import same_book
