@@ -4,13 +4,14 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from typer import Argument, Option
 
 from workbook.cli.options import Book, Books, Force, Jobs, Json, Machine, Scheduler, With, app, to
 
 
 @app.command()
 def new(
-    template: Annotated[str, typer.Argument(metavar="TEMPLATE", help="The kind of machine, such as machine.")],
+    template: Annotated[str, Argument(metavar="TEMPLATE", help="The kind of machine, such as machine.")],
     output: Annotated[Path | None, to("FILE.toml", "Where to write; else here, named like the template.")] = None,
     force: Force = False,
 ) -> None:
@@ -22,7 +23,7 @@ def new(
 
 @app.command("new-template")
 def new_template(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="What your kind of machine is called, such as hoist.")],
+    name: Annotated[str, Argument(metavar="NAME", help="What your kind of machine is called, such as hoist.")],
     output: Annotated[Path | None, to("FOLDER", "The folder to make; else motionbook-NAME, here.")] = None,
 ) -> None:
     """Write a package with a template of your own, to be changed: it installs, builds, verifies and tests itself."""
@@ -34,7 +35,7 @@ def new_template(
 @app.command()
 def schema(
     template: Annotated[
-        str | None, typer.Argument(metavar="[TEMPLATE]", help="The kind of machine; any when none is named.")
+        str | None, Argument(metavar="[TEMPLATE]", help="The kind of machine; any when none is named.")
     ] = None,
     output: Annotated[Path | None, to("FILE.json", "Where to write; else to the terminal.")] = None,
     force: Force = False,
@@ -51,11 +52,9 @@ def build(
     output: Annotated[Path | None, to("BOOK.xlsx", "Where to write; else here, named like the description.")] = None,
     motors: Annotated[
         Path | None,
-        typer.Option(metavar="MOTORS.csv", help="Motors to choose among; else those in or beside the description."),
+        Option(metavar="MOTORS.csv", help="Motors to choose among; else those in or beside the description."),
     ] = None,
-    reducers: Annotated[
-        Path | None, typer.Option(metavar="REDUCERS.csv", help="Reducers to choose among, likewise.")
-    ] = None,
+    reducers: Annotated[Path | None, Option(metavar="REDUCERS.csv", help="Reducers to choose among, likewise.")] = None,
     force: Force = False,
 ) -> None:
     """Build a workbook from a machine description.
@@ -74,19 +73,19 @@ def verify(
     report: Annotated[Path | None, to("FILE.html", "Write a report as one page of HTML.", "--report")] = None,
     junit: Annotated[Path | None, to("FILE.xml", "Write JUnit XML for CI servers.", "--junit")] = None,
     sarif: Annotated[Path | None, to("FILE.sarif", "Write SARIF 2.1.0 for code hosts.", "--sarif")] = None,
-    force: Annotated[bool, typer.Option("--force", help="Replace the report files if they exist.")] = False,
+    force: Annotated[bool, Option("--force", help="Replace the report files if they exist.")] = False,
     witnesses: With = None,
     jobs: Jobs = None,
     scheduler: Scheduler = None,
     everything: Annotated[
-        bool, typer.Option("--all", help="List every finding, also what only follows from others.")
+        bool, Option("--all", help="List every finding, also what only follows from others.")
     ] = False,
     against: Annotated[
-        Path | None, typer.Option(metavar="FILE.py", help="Compare any workbook with what this file declares of it.")
+        Path | None, Option(metavar="FILE.py", help="Compare any workbook with what this file declares of it.")
     ] = None,
-    cases: Annotated[int, typer.Option(min=1, max=100_000, metavar="N", help="With --against: values tried.")] = 100,
+    cases: Annotated[int, Option(min=1, max=100_000, metavar="N", help="With --against: values tried.")] = 100,
     cover: Annotated[
-        float | None, typer.Option(min=0, max=100, metavar="PER CENT", help="With --against: fail if less is covered.")
+        float | None, Option(min=0, max=100, metavar="PER CENT", help="With --against: fail if less is covered.")
     ] = None,
     marked: Annotated[Path | None, to("OUT.xlsx", "With --against: colour a copy by class.", "--marked")] = None,
 ) -> None:
@@ -138,8 +137,8 @@ def regenerate(
 
 @app.command()
 def diff(
-    old: Annotated[Path, typer.Argument(metavar="OLD", help="A workbook built by motionbook, or a description.")],
-    new: Annotated[Path, typer.Argument(metavar="NEW", help="Another one of the same template.")],
+    old: Annotated[Path, Argument(metavar="OLD", help="A workbook built by motionbook, or a description.")],
+    new: Annotated[Path, Argument(metavar="NEW", help="Another one of the same template.")],
     as_json: Json = False,
     html: Annotated[Path | None, to("FILE.html", "Write a page with both timing diagrams.", "--html")] = None,
     force: Force = False,
@@ -155,7 +154,7 @@ def diff(
 
 @app.command()
 def templates(
-    check: Annotated[bool, typer.Option("--check", help="Write nothing; fail if a template is stale.")] = False,
+    check: Annotated[bool, Option("--check", help="Write nothing; fail if a template is stale.")] = False,
 ) -> None:
     """Generate the workbooks in templates/ from the machine descriptions beside them."""
     from workbook.commands import make

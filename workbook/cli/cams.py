@@ -4,13 +4,14 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from typer import Option
 
 from workbook.cli.options import Book, CamFile, Force, Fresh, Json, Of, Source, app, to
 from workbook.controllers.registry import TARGETS
 
 Tolerance = Annotated[
     list[str] | None,
-    typer.Option(
+    Option(
         metavar="a=1%",
         help="Largest error of y, v, a or j as a share of its peak; beyond it nothing is "
         "written. May be given several times.",
@@ -21,29 +22,27 @@ Tolerance = Annotated[
 @app.command()
 def export(
     book: Book,
-    to_target: Annotated[str, typer.Option("--to", metavar="TARGET", help=f"One of {', '.join(TARGETS)}.")],
-    axis: Annotated[str | None, typer.Option(metavar="NAME", help="The axis to export.")] = None,
+    to_target: Annotated[str, Option("--to", metavar="TARGET", help=f"One of {', '.join(TARGETS)}.")],
+    axis: Annotated[str | None, Option(metavar="NAME", help="The axis to export.")] = None,
     everything: Annotated[
-        bool, typer.Option("--all", help="Export every axis, and the switches; -o then names a folder.")
+        bool, Option("--all", help="Export every axis, and the switches; -o then names a folder.")
     ] = False,
-    switches: Annotated[bool, typer.Option("--switches", help="Export the machine's switches.")] = False,
+    switches: Annotated[bool, Option("--switches", help="Export the machine's switches.")] = False,
     output: Annotated[Path | None, to("FILE", "Where to write; else here, named like book and axis.")] = None,
     points: Annotated[
-        str, typer.Option(metavar="N|auto", help="How many points; auto takes the fewest within the tolerance.")
+        str, Option(metavar="N|auto", help="How many points; auto takes the fewest within the tolerance.")
     ] = "auto",
     equidistant: Annotated[
-        bool, typer.Option("--equidistant", help="Points at equal steps, also where the format would take others.")
+        bool, Option("--equidistant", help="Points at equal steps, also where the format would take others.")
     ] = False,
     tolerance: Tolerance = None,
     of: Of = "load",
     unverified: Annotated[
-        bool, typer.Option("--unverified", help="Do not ask whether the book agrees; the file says so.")
+        bool, Option("--unverified", help="Do not ask whether the book agrees; the file says so.")
     ] = False,
     fresh: Fresh = False,
-    separator: Annotated[str, typer.Option(metavar="semicolon|comma|tab", help="Between columns of text.")] = (
-        "semicolon"
-    ),
-    decimal: Annotated[str, typer.Option(metavar="point|comma", help="The decimal sign of columns of text.")] = "point",
+    separator: Annotated[str, Option(metavar="semicolon|comma|tab", help="Between columns of text.")] = ("semicolon"),
+    decimal: Annotated[str, Option(metavar="point|comma", help="The decimal sign of columns of text.")] = "point",
     report: Annotated[
         Path | None, to("FILE.html", "Write the certificates as a page with pictures.", "--report")
     ] = None,
@@ -72,9 +71,9 @@ def read(
     output: Annotated[Path | None, to("MACHINE.toml", "Where to write; else to the terminal.")] = None,
     tolerance: Annotated[
         str | None,
-        typer.Option(metavar="y=0.01%", help="Largest error of a spline through few points, as a share of the reach."),
+        Option(metavar="y=0.01%", help="Largest error of a spline through few points, as a share of the reach."),
     ] = None,
-    switches: Annotated[bool, typer.Option("--switches", help="Tell a file's switches as entries.")] = False,
+    switches: Annotated[bool, Option("--switches", help="Tell a file's switches as entries.")] = False,
     force: Force = False,
 ) -> None:
     """Read a controller's cam table as the description of a machine of one axis.
@@ -97,13 +96,13 @@ def compare(
     book: Book,
     file: CamFile,
     source: Source,
-    axis: Annotated[str | None, typer.Option(metavar="NAME", help="The axis of the book.")] = None,
-    switches: Annotated[bool, typer.Option("--switches", help="Compare the machine's switches.")] = False,
+    axis: Annotated[str | None, Option(metavar="NAME", help="The axis of the book.")] = None,
+    switches: Annotated[bool, Option("--switches", help="Compare the machine's switches.")] = False,
     tolerance: Annotated[
-        list[str] | None, typer.Option(metavar="a=1%", help="Largest error of y, v, a or j as a share of its peak.")
+        list[str] | None, Option(metavar="a=1%", help="Largest error of y, v, a or j as a share of its peak.")
     ] = None,
     of: Of = "load",
-    unverified: Annotated[bool, typer.Option("--unverified", help="Do not ask whether the book agrees.")] = False,
+    unverified: Annotated[bool, Option("--unverified", help="Do not ask whether the book agrees.")] = False,
     fresh: Fresh = False,
     as_json: Json = False,
 ) -> None:

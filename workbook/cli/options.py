@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from typer import Argument, Option
 
 from workbook import __version__
 from workbook.controllers.registry import TARGETS
@@ -23,7 +24,7 @@ def tell_version(asked: bool) -> None:
 @app.callback()
 def motionbook(
     version: Annotated[
-        bool, typer.Option("--version", callback=tell_version, is_eager=True, help="Print the version.")
+        bool, Option("--version", callback=tell_version, is_eager=True, help="Print the version.")
     ] = False,
 ) -> None:
     """Workbooks of machine motion: motion laws, timing diagram, drive.
@@ -34,7 +35,7 @@ def motionbook(
 
 def to(metavar: str, words: str, *names: str) -> Any:
     """Return the option that names a file to be written: the output unless told otherwise."""
-    return typer.Option(*(names or ("-o", "--output")), metavar=metavar, help=words)
+    return Option(*(names or ("-o", "--output")), metavar=metavar, help=words)
 
 
 def witness_named(name: str) -> str:
@@ -53,20 +54,18 @@ def named_place(name: str) -> Path:
 
 Machine = Annotated[
     Path | None,
-    typer.Argument(metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named."),
+    Argument(metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named."),
 ]
-Book = Annotated[Path, typer.Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
+Book = Annotated[Path, Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
 Books = Annotated[
     list[Path],
-    typer.Argument(
-        metavar="BOOK|FOLDER...", parser=named_place, help="Workbooks built by motionbook, or folders of them."
-    ),
+    Argument(metavar="BOOK|FOLDER...", parser=named_place, help="Workbooks built by motionbook, or folders of them."),
 ]
-Force = Annotated[bool, typer.Option("--force", help="Replace the output file if it exists.")]
-Json = Annotated[bool, typer.Option("--json", help="Print JSON for machines instead of a table.")]
+Force = Annotated[bool, Option("--force", help="Replace the output file if it exists.")]
+Json = Annotated[bool, Option("--json", help="Print JSON for machines instead of a table.")]
 With = Annotated[
     list[str] | None,
-    typer.Option(
+    Option(
         "--with",
         metavar="|".join((*NAMES, ALL)),
         parser=witness_named,
@@ -76,14 +75,10 @@ With = Annotated[
 ]
 Scheduler = Annotated[
     str | None,
-    typer.Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
+    Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
 ]
-Jobs = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes at once; else one a core.")]
-Of = Annotated[
-    str, typer.Option(metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft.")
-]
-Fresh = Annotated[
-    bool, typer.Option("--fresh", help="Verify the book again, also where these bytes were verified before.")
-]
-Source = Annotated[str, typer.Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
-CamFile = Annotated[Path, typer.Argument(metavar="FILE", help="A controller's cam table.")]
+Jobs = Annotated[int | None, Option(min=1, metavar="N", help="Processes at once; else one a core.")]
+Of = Annotated[str, Option(metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft.")]
+Fresh = Annotated[bool, Option("--fresh", help="Verify the book again, also where these bytes were verified before.")]
+Source = Annotated[str, Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
+CamFile = Annotated[Path, Argument(metavar="FILE", help="A controller's cam table.")]

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from typer import Argument, Option
 
 from workbook.cli.options import Force, Jobs, Json, Scheduler, app, to
 from workbook.reports.terminal import OUT, say, say_json
@@ -13,22 +14,22 @@ from workbook.reports.terminal import OUT, say, say_json
 @app.command()
 def study(
     path: Annotated[
-        Path | None, typer.Argument(metavar="STUDY.toml", help="What varies, what is constrained, what is best.")
+        Path | None, Argument(metavar="STUDY.toml", help="What varies, what is constrained, what is best.")
     ] = None,
     output: Annotated[
         Path | None,
         to("RESULTS", "Where to write: .csv or .parquet; with --pick, the book. Else named like the study."),
     ] = None,
     scheduler: Scheduler = None,
-    resume: Annotated[bool, typer.Option("--resume", help="Go on with a study that was interrupted.")] = False,
+    resume: Annotated[bool, Option("--resume", help="Go on with a study that was interrupted.")] = False,
     pick: Annotated[
-        int | None, typer.Option(min=1, metavar="N", help="Build and verify the book of the N-th best design.")
+        int | None, Option(min=1, metavar="N", help="Build and verify the book of the N-th best design.")
     ] = None,
     jobs: Jobs = None,
     results: Annotated[
-        Path | None, typer.Option("--results", metavar="BASE", help="List the results of a machine by name, and stop.")
+        Path | None, Option("--results", metavar="BASE", help="List the results of a machine by name, and stop.")
     ] = None,
-    unverified: Annotated[bool, typer.Option("--unverified", help="Do not verify the book of the best.")] = False,
+    unverified: Annotated[bool, Option("--unverified", help="Do not verify the book of the best.")] = False,
     force: Force = False,
 ) -> None:
     """Work out many designs of a machine: laws, angles, motors, reducers, any entry; find the best.
@@ -49,9 +50,9 @@ def study(
 
 @app.command()
 def serve(
-    folder: Annotated[Path, typer.Argument(metavar="[FOLDER]", help="The folder with your machines.")] = Path(),
-    port: Annotated[int, typer.Option(min=0, max=65535, help="The port; 0 takes a free one.")] = 0,
-    browse: Annotated[bool, typer.Option(help="Open the browser.")] = True,
+    folder: Annotated[Path, Argument(metavar="[FOLDER]", help="The folder with your machines.")] = Path(),
+    port: Annotated[int, Option(min=0, max=65535, help="The port; 0 takes a free one.")] = 0,
+    browse: Annotated[bool, Option(help="Open the browser.")] = True,
 ) -> None:
     """Work in the browser: new machines, build, verify, compare. Nobody but this computer can reach it."""
     from workbook.serve import app as server
@@ -64,7 +65,7 @@ def serve(
 
 @app.command()
 def oracle(
-    book: Annotated[Path, typer.Argument(metavar="BOOK", help="Any workbook.")],
+    book: Annotated[Path, Argument(metavar="BOOK", help="Any workbook.")],
     output: Annotated[Path | None, to("FILE.py", "Where to write; else it is printed.")] = None,
     force: Force = False,
 ) -> None:
