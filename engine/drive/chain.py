@@ -46,14 +46,6 @@ class Stage:
         if back is not None and not (math.isfinite(back) and back <= 1.0):
             raise ValueError(f"{self.name}: efficiency backward is {back:g}; expected a finite number, at most 1")
 
-    def input_torque(self, behind: ArrayLike, direction: ArrayLike, method: Method = "physical") -> Array:
-        """Return the torque (Nm) before the stage that drives one behind it (Nm, N of travel), f T/i.
-
-        f is that of the rule of losses, in a direction of motion: 1, −1, or 0 at rest.
-        """
-        torque = np.asarray(behind, dtype=np.float64)
-        return self.factor(torque, direction, method) * torque / self.ratio
-
     def factor(
         self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR
     ) -> Array:  # fmt: skip
@@ -207,7 +199,7 @@ class Mechanism:
     @property
     def efficiency(self) -> float:
         """Product of the stages' efficiencies."""
-        return self.efficiency_to(self.last)
+        return math.prod(stage.efficiency for stage in self.stages)
 
     def ratio_to(self, shaft: int) -> float:
         """Return the speed of the motor over that of a shaft."""
@@ -216,10 +208,6 @@ class Mechanism:
     def ratio_from(self, shaft: int) -> float:
         """Return the speed of a shaft over that of the load (rad/m or 1)."""
         return math.prod(stage.ratio for stage in self.stages[shaft:])
-
-    def efficiency_to(self, shaft: int) -> float:
-        """Return the product of the efficiencies between the motor and a shaft."""
-        return math.prod(stage.efficiency for stage in self.stages[:shaft])
 
     def on_shaft(self, shaft: int) -> float:
         """Return the inertia on a shaft, at that shaft (kg m² or kg), the load's on the last."""
@@ -232,7 +220,8 @@ class Mechanism:
         Source: S4, problem 1, J_load = m/(η (2πP)²); problem 2, J = m r²/(η N²).
         """
         lossless = inertia / self.ratio_to(shaft) ** 2
-        return lossless / self.efficiency_to(shaft) if method == "document" else lossless
+        lost = math.prod(stage.efficiency for stage in self.stages[:shaft]) if method == "document" else 1.0
+        return lossless / lost
 
     def inertia(self, method: Method = "physical") -> float:
         """Return J of all parts and the load at the motor's shaft (kg m²), without the motor's own."""
@@ -246,23 +235,6 @@ class Mechanism:
         """
         return force / self.ratio / self.efficiency
 
-    def shaft_motion(self, shaft: int, of_load: ArrayLike) -> Array:
-        """Return the speed or acceleration of a shaft (rad/s, rad/s²) for that of the load (m/s or rad/s, per s)."""
-        return self.ratio_from(shaft) * np.asarray(of_load, dtype=np.float64)
-
-    def referred(self, torque: ArrayLike, shaft: int) -> Array:
-        """Return at a shaft (Nm) what resists at the load (N, or Nm), without losses: T/i, as C_r = F_r R.
-
-        Source: S1, 'Feeding group'.
-        """
-        return np.asarray(torque, dtype=np.float64) / self.ratio_from(shaft)
-
-    @property
-    def reduced(self) -> Load:
-        """The load with all the parts, as the motor's shaft sees them where nothing is lost."""
-        torque, friction = (float(self.referred(one, 0)) for one in (self.load.torque, self.load.friction))
-        return Load(self.inertia(), torque, friction)
-
     def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:
         """Return the torque (or force) that each shaft must be driven with, from the motor's to the load's.
 
@@ -272,8 +244,9 @@ class Mechanism:
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
         found = [self.load.resisting(sign) + self.carried[self.last] * a]
         for k in reversed(range(self.last)):
-            driven = self.stages[k].input_torque(found[0], sign, method)
-            found.insert(0, driven + self.carried[k] * a)
+            stage = self.stages[k]
+            through = stage.factor(found[0], sign, method) * found[0] / stage.ratio
+            found.insert(0, through + self.carried[k] * a)
         return found
 
     @cached_property

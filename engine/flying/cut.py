@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from engine.flying.tool import MOVES, WAITS, WORKS, CycleState, Tool, ToolMotion, require
 from engine.laws import Law
-from engine.laws.base import BREAK_TOLERANCE, Array
+from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import breaks, roots, velocity_extremes, velocity_peak
 
@@ -128,11 +128,6 @@ class Cut:
         return self.law.coefficients.cv * self.superimposed / self.moving_time
 
     @property
-    def angular_speed_change(self) -> float:
-        """Δω_L,max = Δv_max/R_t (rad/s). Source: S5, eq. (11)."""
-        return self.speed_change / self.tool.radius
-
-    @property
     def max_acceleration(self) -> float:
         """a_max = C_a |h|/t_R² (m/s²)."""
         return self.law.coefficients.ca * abs(self.superimposed) / self.moving_time**2
@@ -165,12 +160,6 @@ class Cut:
         return max(abs(v) for v in self.speed_range) / self.tool.radius
 
     @property
-    def angular_speed_range(self) -> tuple[float, float]:
-        """Lowest and highest speed of the shaft (rad/s)."""
-        low, high = self.speed_range
-        return low / self.tool.radius, high / self.tool.radius
-
-    @property
     def reverses(self) -> bool:
         """Whether the tool moves against the line for part of the cycle."""
         return self.speed_range[0] < -SAME_LENGTH * self.line_speed
@@ -179,14 +168,6 @@ class Cut:
     def stops(self) -> bool:
         """Whether the tool comes to a standstill, if only for an instant."""
         return self.speed_range[0] <= SAME_LENGTH * self.line_speed
-
-    @property
-    def standing_velocity(self) -> float:
-        """v* = −v_L t_m/h, the dimensionless velocity of the law at which the tool stands.
-
-        Of a tool that does not reverse 1, the mean of every law.
-        """
-        return -self.line_speed * self.moving_time / self.superimposed if self.reverses else 1.0
 
     def fastest_line(self, max_speed: float, max_acceleration: float) -> float:
         """Return the line speed (m/s) at which the shaft is at the first of its limits (rad/s, rad/s²).
@@ -200,23 +181,17 @@ class Cut:
     @property
     def stroke(self) -> float:
         """Furthest less nearest position of the tool in a cycle (m): the slide's travel of a flying saw."""
-        found = self.at(self._turning_times).position
-        return float(found.max() - found.min())
-
-    @property
-    def _turning_times(self) -> Array:
-        ends = np.array([0.0, self.repositioning_time, self.cycle_time])
-        if not self.reverses:
-            return ends
-        xi = roots(lambda x: self.law.v(x) - self.standing_velocity, velocity_extremes(self.law))
-        return np.concatenate([ends, np.union1d(xi, breaks(self.law)) * self.moving_time])
+        times = np.array([0.0, self.repositioning_time, self.cycle_time])
+        if self.reverses:  # the tool stands where the law has this velocity
+            standing = -self.line_speed * self.moving_time / self.superimposed
+            xi = roots(lambda x: self.law.v(x) - standing, velocity_extremes(self.law))
+            times = np.concatenate([times, np.union1d(xi, breaks(self.law)) * self.moving_time])
+        return float(np.ptp(self.at(times).position))
 
     def at(self, time: ArrayLike) -> ToolMotion:
         """Return position, speed, acceleration and jerk of the tool (m, s) at times from 0 to t_C.
 
-        At an event they are those behind it, at the end of the cycle those before it.
-
-        Raises ValueError outside.
+        At an event they are those behind it, at the end of the cycle those before it. Raises ValueError outside.
         """
         t = np.asarray(time, dtype=np.float64)
         part, waited, xi = self.state(t)
@@ -249,15 +224,7 @@ class Cut:
         begin = self.fastest * self.moving_time if self.waits else self.repositioning_time
         return begin, begin + self.waiting_time
 
-    def product_position(self, time: Array) -> Array:
-        """Return the position of the product (m) at times (s): v_L t."""
-        return self.line_speed * time
-
     def size(self, order: int) -> float:
         """Return how large the n-th derivative of the tool's position is: v_L tⁿ⁻¹ and |h|/tⁿ, of t_m or t_C."""
         superimposed = abs(self.superimposed) / self.moving_time**order
         return max(superimposed, self.product_length / self.cycle_time**order)
-
-    def position_at(self, xi: float) -> float:
-        """Return the position of the tool (m) at an abscissa of the law, without a wait: v_L ξ t_m + h s(ξ)."""
-        return self.line_speed * xi * self.moving_time + self.superimposed * self.law.s(xi)

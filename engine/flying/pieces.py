@@ -54,7 +54,7 @@ def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart,
     peak = cut.fastest if cut.waits else 1.0
     before = sum(xi < peak - BREAK_TOLERANCE for xi in begins)
     again = sum(xi <= min(peak + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE) for xi in begins) - 1
-    stands = cut.position_at(cut.fastest) if cut.waits else 0.0
+    stands = v * cut.fastest * t + h * cut.law.s(cut.fastest) if cut.waits else 0.0
     moved = v * t + h * cut.law.end.s
     return (
         CutPart(Scaled(cut.law, h, t, drift=v), 0.0, 0, before),

@@ -37,18 +37,9 @@ class Tool:
         """L_R = L_0 − L_T; negative for a tool that comes back."""
         return self.design_length - self.tool_length
 
-    @property
-    def shortest_product(self) -> float:
-        """The shortest product (m) that leaves time to re-position."""
-        return LONGER * self.tool_length
-
     def angle(self, length: float) -> float:
         """Return the angle of the shaft (rad) over a length (m): θ = L/R_t. Source: S5, 'Kinematic analysis'."""
         return length / self.radius
-
-    def load_inertia(self, inertia: float, mass: float) -> float:
-        """Return J_L = J + m R_t² (kg m²) of an inertia at the shaft and a mass (kg) in step with the tool."""
-        return inertia + mass * self.radius**2
 
 
 def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:
@@ -104,23 +95,3 @@ class ToolMotion(NamedTuple):
     speed: Array
     acceleration: Array
     jerk: Array
-
-    def at_shaft(self, radius: float) -> "ShaftMotion":
-        """Return the motion of the shaft, whose tool goes ``radius`` (m) a rad: s/R_t, v/R_t, a/R_t."""
-        return ShaftMotion(self.position / radius, self.speed / radius, self.acceleration / radius)
-
-
-class ShaftMotion(NamedTuple):
-    """Motion of the tool's shaft over a cycle: rad, rad/s, rad/s²."""
-
-    angle: Array
-    speed: Array
-    acceleration: Array
-
-
-def generalized_torque(torque: float, inertia: float, acceleration: Array) -> Array:
-    """Return T*_L = T_L + J_L ω̇_L (Nm) at the tool's shaft: of a load torque (Nm) and an inertia (kg m²).
-
-    Source: S5, 'Model of dynamic system'.
-    """
-    return torque + inertia * acceleration

@@ -40,10 +40,6 @@ class EndedPhase(Phase):
         """Whether it moves: also where it comes back to where it began."""
         return True
 
-    def rescaled(self, ratio: float, speed: float) -> "EndedPhase":
-        """Return the phase with ``ratio`` times its lift, where the abscissa advances at ``speed``."""
-        return EndedPhase(self.law, self.lift * ratio, self.duration / speed, self.origin, self.scale * ratio)
-
 
 class Fault(NamedTuple):
     """A phase, counted from 0, whose law cannot have the ends that are asked for, or that an entry contradicts."""

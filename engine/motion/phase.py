@@ -70,10 +70,6 @@ class Phase:
         """Whether it moves."""
         return self.lift != 0.0
 
-    def rescaled(self, ratio: float, speed: float) -> "Phase":
-        """Return the phase with ``ratio`` times its lift, where the abscissa advances at ``speed``."""
-        return Phase(self.law, self.lift * ratio, self.duration / speed)
-
     @property
     def rate(self) -> float:
         """1/δ."""

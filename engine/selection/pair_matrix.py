@@ -151,16 +151,11 @@ class PairMatrix:
 
     @property
     def task(self) -> Task:
-        """What the cycle asks for behind the reducer, as S5 tells it."""
+        """What the cycle asks for behind the reducer, as S5 tells it; a mean past ±ω̇_rms T*_rms is rounding."""
         means = self.load.squares
-        torque = math.sqrt(means.load + means.load_back)
-        return Task.of_figures(math.sqrt(means.own), torque, means.mixed + means.mixed_back, self.load.speed)
-
-    @property
-    def load_factor(self) -> float:
-        """β in W/s. Source: S5, eq. (15)."""
-        task = self.task
-        return 2.0 * (task.acceleration_rms * task.torque_rms + task.power_rate_mean)
+        acceleration, torque = math.sqrt(means.own), math.sqrt(means.load + means.load_back)
+        most = acceleration * torque
+        return Task(acceleration, torque, max(-most, min(most, means.mixed + means.mixed_back)), self.load.speed)
 
     @cached_property
     def output_torque(self) -> float:

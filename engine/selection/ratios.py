@@ -58,7 +58,8 @@ def ratio_ranges(
 
     τ_min,max = √J_M/(2T) (√(α − β/η + 4 ω̇_rms T) ∓ √(α − β/η)), T = T*_L,rms/η; α < β/η is rejected.
     A load that does not move accepts no motor. Raises ValueError unless 0 < η ≤ 1.
-    Source: S5, eqs. (14)–(18), steps 3 and 4.
+    Source: S5, eqs. (14)–(18), steps 3 and 4; H. Giberti, S. Cinquemani, G. Legnani, Effects of transmission
+    mechanical characteristics on the choice of a motor-reducer, Mechatronics 20 (2010).
     """
     if not 0.0 < efficiency <= 1.0:
         raise ValueError(f"efficiency is {efficiency:g}; expected more than 0 and at most 1")
@@ -69,7 +70,7 @@ def ratio_ranges(
     if not task.moves:
         nothing, none = np.full(alpha.shape, np.nan), np.zeros(alpha.shape, dtype=bool)
         return Ranges(alpha, nothing, nothing, nothing, nothing, nothing, nothing, nothing, none, none)
-    spare = alpha - task.required_accelerating_factor(efficiency)
+    spare = alpha - task.load_factor / efficiency
     root, wide, smallest, largest = _ends(spare, moment, task.acceleration_rms, task.torque_rms / efficiency)
     limit = task.max_speed / fastest
     lowest = np.fmax(smallest, limit)
@@ -114,7 +115,7 @@ def ratio_curves(
     are NaN, and the pace 0, for a load that does not move. Source: S5, figure 12, with (14) for a load of any kind.
     """
     alpha = float(accelerating_factor(rated_torque, inertia))
-    first = max(begin[0], min(begin[1], task.required_accelerating_factor(efficiency) / alpha))
+    first = max(begin[0], min(begin[1], task.load_factor / efficiency / alpha))
     share = 1.0 - (1.0 - first) * (1.0 - np.arange(points) / (points - 1)) ** 2
     beta, spare = share * efficiency * alpha, (1.0 - share) * alpha
     if not task.moves:

@@ -14,7 +14,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from engine.drive import Drive, Mechanism, Motor, direction
+from engine.drive import Drive, Load, Mechanism, Motor, direction
 from engine.drive.drive import Holding
 from engine.drive.losses import Method
 from engine.drive.motor import Reserve, reserve
@@ -73,7 +73,8 @@ class ShaftSamples(NamedTuple):
 def shafts(drive: Drive, speed: ArrayLike, acceleration: ArrayLike, going: ArrayLike) -> list[ShaftSamples]:
     """What each shaft does, from the motor's to the load's; the first without the motor's own inertia."""
     m, found = drive.mechanism, enumerate(drive.torques(acceleration, going))
-    return [ShaftSamples(m.shaft_motion(k, speed), m.shaft_motion(k, acceleration), torque) for k, torque in found]
+    moved = [np.asarray(of_load, dtype=np.float64) for of_load in (speed, acceleration)]
+    return [ShaftSamples(*(m.ratio_from(k) * of_load for of_load in moved), torque) for k, torque in found]
 
 
 def phase_index(motion: Motion, x: Array) -> Array:
@@ -291,3 +292,20 @@ def from_shaft(mechanism, shaft):
     """The mechanism from one of its shafts on, as if the motor sat there."""
     parts = tuple(replace(part, shaft=part.shaft - shaft) for part in mechanism.parts if part.shaft >= shaft)
     return replace(mechanism, stages=mechanism.stages[shaft:], parts=parts)
+
+
+def reduced(mechanism):
+    """The load with all the parts, as the motor's shaft sees them where nothing is lost: T/i, as C_r = F_r R (S1)."""
+    load = mechanism.load
+    return Load(mechanism.inertia(), load.torque / mechanism.ratio, load.friction / mechanism.ratio)
+
+
+def lossless_rms(mechanism, phases, inertia):
+    """RMS torque (Nm) of a mechanism's first shaft, sqrt(J² ω̇_rms² + ⟨T²⟩), J its torque per ω̇, without losses.
+
+    Source: S1, 'Feeding group', last equation, squared: what resists and what accelerates do not correlate.
+    """
+    motion, load = Motion(phases), reduced(mechanism)
+    going = [float(np.sign(phase.lift)) or float(phase.moves) for phase in phases]
+    held = [phase.duration * float(load.resisting(way)) ** 2 for phase, way in zip(phases, going, strict=True)]
+    return math.sqrt((inertia * mechanism.ratio * motion.y2_rms) ** 2 + math.fsum(held) / motion.total)

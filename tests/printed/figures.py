@@ -14,6 +14,7 @@ from engine.laws import ConstantAcceleration, Cycloidal
 from engine.laws.inverse import inverse
 from engine.overlap import movement_time, one_after_the_other, overlap
 from engine.timing import shaft_speed
+from tests.engine.sizing import reduced
 from tests.printed import test_s1 as s1
 from tests.printed import test_s2 as s2
 from tests.printed import test_s3 as s3
@@ -55,7 +56,7 @@ def cutting_machine() -> Iterator[Figure]:
     )
     yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max)
     yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max)
-    load, feed = s1.feeding_group().mechanism.reduced, s1.results(s1.MTP)
+    load, feed = reduced(s1.feeding_group().mechanism), s1.results(s1.MTP)
     yield Figure("Feeding group", "total inertia J_tot", "kg m²", "1.164", load.inertia)
     yield Figure("Feeding group", "resisting torque C_r", "Nm", "67", load.torque)
     rounded = "computed from the rounded acceleration"

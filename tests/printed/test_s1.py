@@ -20,9 +20,8 @@ from engine.laws import (
     TrapezoidalVelocity,
 )
 from engine.motion import Motion, Phase
-from engine.selection.task import LosslessCycle, at_shaft
 from engine.timing import Axis, shaft_speed
-from tests.engine.sizing import effective_inertia
+from tests.engine.sizing import effective_inertia, lossless_rms, reduced
 from tests.engine.sizing import operating_points as points_of
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
@@ -164,7 +163,7 @@ def results(law):
 
 def test_inertia_and_resisting_torque():
     """J_tot = 4 J1 + 4 J2 = 1.164 kg m², C_r = 67 Nm."""
-    load = feeding_group().mechanism.reduced
+    load = reduced(feeding_group().mechanism)
     assert load.inertia == pytest.approx(1.164, rel=1e-15)
     assert load.torque == pytest.approx(67.0, rel=1e-15)
 
@@ -200,9 +199,7 @@ def test_exact_rms_torque_over_the_cycle():
     phases = [Phase(MTP, 0.3, 0.6 * 80 / 360), Phase(Dwell(), 0.0, 0.6 * 280 / 360)]
     inertial = 1.164 * MTP.coefficients.ca_rms * 0.3 / RADIUS / (0.6 * 80 / 360) ** 2
     group = feeding_group()
-    cycle = LosslessCycle(group.mechanism.reduced, at_shaft(phases, group.mechanism.ratio))
-    exact = cycle.rms_torque(effective_inertia(group), 1.0)
-    assert cycle.torque == pytest.approx(exact, rel=1e-15)  # there is no motor
+    exact = lossless_rms(group.mechanism, phases, effective_inertia(group))  # there is no motor
     assert exact == pytest.approx(math.sqrt(inertial**2 * 80 / 360 + 67.0**2), rel=1e-13)
     assert operating_points(MTP).rms_torque == pytest.approx(exact, rel=1e-6)
     assert results(MTP).rms_torque == pytest.approx(exact, rel=1e-12)

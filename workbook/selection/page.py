@@ -94,7 +94,8 @@ def asked(sheet: Sheet, view: Choosing) -> None:
         calc("@most", "Largest share of the continuous torque", "", "", "=1/@least", 1.0 / view.given.least_margin),
         calc("@little", "Least share of it", "", "", "=1/@greatest", 1.0 / view.given.greatest_margin),
         result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
-               view.grid.load_factor, scale=view.shaft.product, source="2 (ω̇_rms S_rms + mean ω̇ S); S5, eq. (15)"),
+               2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean),
+               scale=view.shaft.product, source="2 (ω̇_rms S_rms + mean ω̇ S); S5, eq. (15)"),
     )  # fmt: skip
 
 

@@ -26,8 +26,15 @@ from engine.drive.chain import gear_speed_ratio
 from engine.drive.motor import reserve
 from engine.laws import Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Motion, Phase
-from engine.selection.task import LosslessCycle, at_shaft
-from tests.engine.sizing import OperatingPoints, Sizing, effective_inertia, from_shaft, operating_points
+from tests.engine.sizing import (
+    OperatingPoints,
+    Sizing,
+    effective_inertia,
+    from_shaft,
+    lossless_rms,
+    operating_points,
+    reduced,
+)
 
 RADIUS = 0.134
 ROLLERS = KINDS["feed rollers"]
@@ -50,7 +57,7 @@ def drive(torque=67.0, resists="always", ratio=1 / 8, efficiency=1.0, motor=MOTO
 def at_rollers(one, w, dw):
     """Direction, resisting torque, total torque and loss factor for speeds and accelerations of the rollers."""
     going = direction(w)
-    load = one.mechanism.referred(one.mechanism.load.resisting(going), 1)
+    load = one.mechanism.load.resisting(going) / one.mechanism.ratio_from(1)
     total = one.torques(np.multiply(dw, RADIUS), going)[1]
     return going, load, total, loss_factor(total, going, one.mechanism.stages[0].efficiency)
 
@@ -75,8 +82,8 @@ def points_of(one, phases=PHASES, n=400_000):
 def exact_rms(one, phases=PHASES):
     """The RMS torque in closed form, for an efficiency of 1."""
     behind = from_shaft(one.mechanism, 1)
-    cycle = LosslessCycle(behind.reduced, at_shaft(phases, behind.ratio))
-    return cycle.rms_torque(effective_inertia(one, 1), 1.0 / one.mechanism.stages[0].ratio)
+    ratio = one.mechanism.stages[0].ratio
+    return lossless_rms(behind, phases, effective_inertia(one, 1) * ratio) / ratio
 
 
 def test_reflected_inertia_weighs_with_the_square_of_speed():
@@ -219,19 +226,8 @@ def test_exact_rms_leaves_the_efficiency_out():
     assert exact_rms(drive(efficiency=0.5)) == exact_rms(drive())
 
 
-def test_exact_rms_needs_phases():
-    with pytest.raises(ValueError, match="no phases are given; expected at least one"):
-        LosslessCycle(Load(1.0), [])
-
-
-def test_shares_of_the_cycle_and_the_mean_square_of_what_resists():
-    cycle = LosslessCycle(Load(1.0, 2.0, 3.0), PHASES)
-    assert cycle.shares == pytest.approx([1 / 3, 1 / 6, 1 / 4, 1 / 4])
-    assert cycle.resisting_square == pytest.approx(25 / 3 + 4 / 6 + 1 / 4 + 4 / 4)
-
-
 def test_a_mechanism_without_losses_is_reduced_to_one_load():
-    one = drive().mechanism.reduced
+    one = reduced(drive().mechanism)
     assert (one.inertia, one.torque, one.friction) == pytest.approx((1.164 / 64, 67.0 / 8, 0.0), rel=1e-14)
 
 

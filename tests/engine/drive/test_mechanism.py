@@ -52,7 +52,7 @@ def test_rack_and_pinion():
 def test_feed_rollers_have_a_radius():
     machine = KINDS["feed rollers"].of(Load(0.0, 500.0), 0.134)
     assert machine.ratio == pytest.approx(1 / 0.134)
-    assert float(machine.referred(500.0, 0)) == pytest.approx(67.0, rel=1e-14)
+    assert 500.0 / machine.ratio_from(0) == pytest.approx(67.0, rel=1e-14)
 
 
 def test_rotary_table():

@@ -12,8 +12,9 @@ from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.mechanisms.registry import DIRECT
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
-from engine.flying import Cut, rotary_drum
+from engine.flying.cut import Cut
 from engine.flying.pieces import cut_pieces
+from engine.flying.tool import rotary_drum
 from engine.laws import Dwell, law
 from engine.motion import Motion, Phase
 from engine.selection import Task

@@ -45,7 +45,7 @@ def test_rms_torque_has_its_minimum_at_tau_opt(acceleration, torque, correlation
     least = rms_torque(task, inertia, best, efficiency)
     around = rms_torque(task, inertia, best * np.array([0.9, 1.1]), efficiency)
     assert (around >= least).all()
-    needed = task.required_accelerating_factor(efficiency)
+    needed = task.load_factor / efficiency
     assert least**2 / inertia == pytest.approx(needed, rel=1e-6, abs=1e-9 * acceleration * torque / efficiency)
 
 
@@ -100,12 +100,6 @@ def test_curves_against_the_load_factor_are_the_ranges_at_each_pace(efficiency):
 @pytest.mark.parametrize(("rated", "first"), [(0.1, 0.1), (1e4, 0.001)])
 def test_curves_begin_within_the_shares_given(rated, first):
     assert ratio_curves(TASK, rated, 1e-3, 1.0, 9, (0.001, 0.1)).share[0] == pytest.approx(first)
-
-
-def test_the_mean_that_rounding_put_past_what_can_be_is_brought_back():
-    assert Task.of_figures(3.0, 5.0, 15.001, 1.0).power_rate_mean == 15.0
-    assert Task.of_figures(3.0, 5.0, -15.001, 1.0).power_rate_mean == -15.0
-    assert Task.of_figures(3.0, 5.0, -4.0, 1.0) == Task(3.0, 5.0, -4.0, 1.0)
 
 
 @pytest.mark.parametrize("resists", ["always", "moving"])

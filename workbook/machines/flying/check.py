@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from engine.flying.tool import LONGER
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import velocity_extremes
 from workbook.book.sentence import figure
@@ -19,7 +20,7 @@ LEAST_CV = 1.001  # below, no product is too long to keep moving
 def check(machine: FlyingCutter) -> None:
     """Raise DesignError for a law that does not do, and for products that leave no time to re-position."""
     require_law(machine.cutter.law, machine.laws)
-    least = shown(tool_of(machine.cutter).shortest_product, MM)
+    least = shown(LONGER * tool_of(machine.cutter).tool_length, MM)
     for entry, length in (
         ("product_length", machine.cutter.product_length),
         ("lengths.shortest", machine.cutter.lengths.shortest),

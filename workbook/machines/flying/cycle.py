@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from engine.flying import generalized_torque
 from engine.flying.pieces import CutPart, cut_joints, cut_parts, cut_pieces, rates_of
 from workbook.book.declare import Book, Sheet, calc, constant, result
 from workbook.entries.units import DEGREE, MM, RPM, shown
@@ -42,8 +41,8 @@ def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> 
     sheet = book.sheet("Cycle", "The tool over one cycle: it re-positions first, then works at line speed.")
     cut, t, scale = machine.cut, machine.times, machine.scales
     at, load, mm = cut.at(t), machine.load, shown(scale.length, MM)
-    shaft = at.at_shaft(machine.tool.radius)
-    torque = generalized_torque(load.torque, load.inertia, shaft.acceleration)
+    radius = machine.tool.radius
+    speed, acceleration = at.speed / radius, at.acceleration / radius
     sheet.row += 1
     sheet.table(
         "cycle", f"Tool, shaft and load at {len(t) - 1} equal steps", len(t),
@@ -56,17 +55,18 @@ def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> 
         result("j", "its jerk", "j", "m/s³",
                f"={sampled(rows, 3)}", at.jerk, scale=cut.size(3), source="d³s/dt³, between jumps"),
         result("n", "speed of the shaft", "n", "rpm",
-               "=[w]*60/(2*PI())", shown(shaft.speed, RPM), scale=shown(scale.angular_speed, RPM)),
+               "=[w]*60/(2*PI())", shown(speed, RPM), scale=shown(scale.angular_speed, RPM)),
         result("w", "speed of the shaft", "ω_L", "rad/s",
-               "=[v]*1000/fly_r", shaft.speed, scale=scale.angular_speed, source="v/R_t"),
+               "=[v]*1000/fly_r", speed, scale=scale.angular_speed, source="v/R_t"),
         result("dw", "its acceleration", "ω̇_L", "rad/s²",
-               "=[a]*1000/fly_r", shaft.acceleration, scale=scale.angular_acceleration, source="a/R_t"),
+               "=[a]*1000/fly_r", acceleration, scale=scale.angular_acceleration, source="a/R_t"),
         result("torque", "generalized load torque", "T*_L", "Nm",
-               "=fly_torque+fly_j*[dw]", torque, scale=scale.torque, source="T_L + J_L ω̇_L"),
-        result("angle", "angle of the shaft", "θ", "°", "=DEGREES([s]/fly_r)", shown(shaft.angle, DEGREE),
+               "=fly_torque+fly_j*[dw]", load.torque + load.inertia * acceleration, scale=scale.torque,
+               source="T_L + J_L ω̇_L"),
+        result("angle", "angle of the shaft", "θ", "°", "=DEGREES([s]/fly_r)", shown(at.position / radius, DEGREE),
                scale=shown(scale.angle, DEGREE), source="s/R_t"),
         calc("product", "position of the product", "", "mm",
-             "=fly_v*[t]*1000", shown(cut.product_position(t), MM), scale=mm, source="v_L t"),
+             "=fly_v*[t]*1000", shown(cut.line_speed * t, MM), scale=mm, source="v_L t"),
         calc("line", "line speed", "v_L", "m/s", "=fly_v", machine.line),
         constant("k", "sample", "k", "", list(range(len(t)))),
         *finding(rows, "t", t),

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from engine.flying import Cut
+from engine.flying.cut import Cut
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, calc, constant, given, result
 from workbook.entries.units import MM, shown

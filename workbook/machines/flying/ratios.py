@@ -55,7 +55,7 @@ class RatiosSheet:
 
     def beginning(self, sheet: Sheet) -> None:
         """Declare whether there is a range at all, and where figure 12 begins."""
-        (m, _), now = self.view.pair, self.task.required_accelerating_factor(self.efficiency)
+        (m, _), now = self.view.pair, self.task.load_factor / self.efficiency
         alpha = float(self.ranges.accelerating_factor[m])
         sheet.rows(
             constant("ratio_none", "A smaller acceleration, torque or speed is none", "", "SI", NOTHING, format="0E+00",

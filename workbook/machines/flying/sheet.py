@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from engine.flying import Beyond
+from engine.flying.cut import Beyond
 from engine.laws import Dwell
 from engine.laws.points import fastest
 from workbook.book.chart import Chart, Series
@@ -116,14 +116,15 @@ def kinematics(sheet: Sheet, machine: Flying, stroke: float) -> None:
     cut, s = machine.cut, machine.scales
     mm, rpm = shown(s.length, MM), shown(s.angular_speed, RPM)
     low, high = cut.speed_range
-    slowest, fastest = (shown(w, RPM) for w in cut.angular_speed_range)
+    slowest, fastest = (shown(v / machine.tool.radius, RPM) for v in cut.speed_range)
     per, limits = "*1000/fly_r", machine.given.limits
     line_max = cut.fastest_line(si(limits.speed, RPM), limits.acceleration)
     sheet.rows(
         result("fly_dv", "Change of the tool's speed", "Δv_max", "m/s",
                "=fly_cv*fly_h1/1000/fly_tm", cut.speed_change, scale=s.speed, source="S5, eq. (10): C_v h/t_R"),
         result("fly_domega", "of its shaft", "Δω_max", "rad/s",
-               f"=fly_dv{per}", cut.angular_speed_change, scale=s.angular_speed, source="S5, eq. (11): Δv_max/R_t"),
+               f"=fly_dv{per}", cut.speed_change / machine.tool.radius, scale=s.angular_speed,
+               source="S5, eq. (11): Δv_max/R_t"),
         result("fly_low", "Lowest speed of the tool", "v_min", "m/s",
                "=MIN(fly_v,fly_v+fly_dv)", low, scale=s.speed, source="below 0: against the line"),
         result("fly_high", "Highest speed of the tool", "v_max", "m/s", "=MAX(fly_v,fly_v+fly_dv)", high,

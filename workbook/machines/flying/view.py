@@ -3,8 +3,9 @@
 import numpy as np
 
 from engine.drive import Load
-from engine.flying import Beyond, Cut, Tool, flying_saw, rotary_drum
-from engine.flying import sizes as sizes_of
+from engine.flying.cut import Beyond, Cut
+from engine.flying.points import sizes as sizes_of
+from engine.flying.tool import Tool, flying_saw, rotary_drum
 from engine.laws import Dwell, Law
 from engine.laws.points import fastest
 from engine.motion import Phase
@@ -35,7 +36,7 @@ class Flying:
         self.is_drum = self.given.kind == DRUM
         self.line = si(self.given.line_speed, PER_MINUTE)
         load, lengths = self.given.load, self.given.lengths
-        self.load = Load(self.tool.load_inertia(si(load.inertia, KG_CM2), load.mass), load.torque)
+        self.load = Load(si(load.inertia, KG_CM2) + load.mass * self.tool.radius**2, load.torque)  # J_L = J + m R_t²
         self.peak = fastest(self.law)
         self.cut = self.of(self.given.product_length)
         self.scales = sizes_of(self.cut, self.load.inertia, self.load.torque)

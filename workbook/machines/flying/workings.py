@@ -1,6 +1,7 @@
 """The workings of the Cutter sheet: the way from the entries to the motion, as S5 goes it."""
 
-from engine.flying import LONGER, SAME_LENGTH
+from engine.flying.cut import SAME_LENGTH
+from engine.flying.tool import LONGER
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import DEGREE, MM, shown
 from workbook.machines.flying.check import LEAST_CV

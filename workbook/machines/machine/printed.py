@@ -94,5 +94,5 @@ def values(view: DriveView) -> list[float]:
         m.at_motor(m.load.inertia, m.last, "document"), m.inertia("document"), drive.total_inertia,
         m.driving(m.load.friction), m.driving(m.load.torque), m.driving(float(m.load.resisting(1.0))),
         float(at_rate(driven.fastest, np.array(driven.axis.speed), 1)), view.speed,
-        float(m.shaft_motion(0, hardest)), accelerating, uniform, decelerating, view.points.rms_torque, driven.left,
+        m.ratio * hardest, accelerating, uniform, decelerating, view.points.rms_torque, driven.left,
     ]  # fmt: skip
