@@ -4,25 +4,21 @@ mechanisms      screw, belt, rollers …; crank-slider, rocker, table of positio
 chain           stages and parts on shafts; the torque at each shaft
 loads, losses   masses on guides, forces, cylinders; efficiency by the direction of power
 motor           its limits, its peak torque over the speed, derating
-brake           what it holds, in which dwells
-drive           a motor on a mechanism of constant ratio: torque, speed and power for any motion
+drive           a motor, with its brake, on a mechanism of constant ratio: torque, speed and power for any motion
 train           a motor, gears and a mechanism of any ratio, and the forces of the process
-curves          forces within a piece as powers and sines
+search          extremes, zeros and integrals, of forces within a piece as powers and sines, and of functions
 cycle           a train over a motion, cut into intervals in which nothing changes its formula
-results         peaks, RMS torque and energy of a cycle, exact
-limits          how near a cycle comes to the limits of motor and reducer
-max_rate        the highest rate at which all limits are met, exact
+results         peaks, RMS torque, energy and mean power of a cycle, exact
+limits          how near a cycle comes to the limits of motor and reducer; the highest rate at which all are met, exact
 quadrature      a load at points of a cycle, as the sheets have it
 drive_points    its motor there; rate_by_points: the highest rate by these points
-dc_bus          mean and largest power of drives, each with a DC bus of its own
-search          extremes and integrals where there is no closed form
 """
 
 from engine.drive.chain import Load, Mechanism, Part, Stage, reflected_inertia
 from engine.drive.drive import Drive, motor_inertia
 from engine.drive.loads import Slide, cylinder, resisting
 from engine.drive.losses import NEAR, STANDSTILL, direction, loss_factor
-from engine.drive.mechanisms.constant import KINDS, Kind
+from engine.drive.mechanisms.registry import KINDS, Kind
 from engine.drive.motor import LimitCheck, Motor, derating
 
 __all__ = [

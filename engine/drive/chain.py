@@ -68,7 +68,7 @@ class Part:
     count : float
         How many; 0 or more.
     speed_ratio : float
-        ω_i/ω of that shaft, for parts that are geared to it.
+        ω_i/ω of that shaft, for parts that are geared to it: n1/n2 of its teeth (S1: τ_g = 90/45).
 
     Raises
     ------
@@ -95,14 +95,6 @@ class Part:
     def reflected(self) -> float:
         """Inertia at its shaft, count · J · (ω_i/ω)²."""
         return self.all * self.speed_ratio**2
-
-
-def gear_speed_ratio(driver: float | None, driven: float | None) -> float:
-    """Return ω_i/ω = n1/n2 of a part that n1 teeth drive through its own n2; 1 of one without teeth.
-
-    Source: S1, 'Feeding group layout', τ_g = ω2/ω1 = 90/45.
-    """
-    return driver / driven if driver and driven else 1.0
 
 
 def reflected_inertia(parts: Sequence[Part]) -> float:

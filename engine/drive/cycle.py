@@ -8,9 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.brake import dwell_times
-from engine.drive.curves import evaluated, force_curve, largest_size, position, sign_changes
-from engine.drive.search import NOISE, crossed
+from engine.drive.drive import dwell_times
+from engine.drive.search import NOISE, crossed, evaluated, force_curve, largest_size, position, sign_changes
 from engine.drive.train import Force, Motion3, ShaftMotion, Train, Weights
 from engine.laws.base import Array
 from engine.laws.ladder import Curve

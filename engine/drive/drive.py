@@ -5,14 +5,39 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from engine.drive.brake import Brake
 from engine.drive.chain import Mechanism, require_not_negative
-from engine.drive.losses import Method, require_method
+from engine.drive.losses import Method
 from engine.laws.base import Array
 
 Holding = Literal["motor", "brake"]
+SAME = 1e-9
+"""s; a dwell that is shorter than the brake's time by less is as long"""
+
+
+@dataclass(frozen=True)
+class Brake:
+    """A brake that holds the motor's shaft in dwells, with a torque (Nm) that is above 0.
+
+    ``time`` (s, 0 or more) is what it takes to close and to open; the motor holds in a shorter dwell.
+    Raises ValueError for a figure outside these limits.
+    """
+
+    torque: float = math.inf
+    time: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not self.torque > 0.0:
+            raise ValueError(f"brake: torque is {self.torque:g}; expected more than 0")
+        if not 0.0 <= self.time < math.inf:
+            raise ValueError(f"brake: time is {self.time:g}; expected a finite number, 0 or more")
+
+    def holds(self, direction: ArrayLike, dwell: ArrayLike) -> NDArray[np.bool_]:
+        """Return where it holds: in directions (1, −1, or 0 at rest) of dwells that last so long (s)."""
+        return np.logical_and(np.equal(direction, 0.0), np.greater_equal(dwell, self.time - SAME))
+
+
 ANY = Brake()
 
 
@@ -54,9 +79,9 @@ class Drive:
 
     def __post_init__(self) -> None:
         require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load, copper=self.copper)
-        require_method(self.method)
-        if self.holding not in get_args(Holding):
-            raise ValueError(f"holding is {self.holding!r}; expected 'motor' or 'brake'")
+        for name, words in (("method", get_args(Method)), ("holding", get_args(Holding))):
+            if getattr(self, name) not in words:
+                raise ValueError(f"{name} is {getattr(self, name)!r}; expected {' or '.join(map(repr, words))}")
 
     @property
     def total_inertia(self) -> float:
@@ -73,8 +98,9 @@ class Drive:
 
         For accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1), without the motor's own inertia.
         """
-        found = self.mechanism.torques(acceleration, direction, self.method)
-        return [self._held(found[0], direction), *found[1:]]
+        first, *others = self.mechanism.torques(acceleration, direction, self.method)
+        braked = (np.asarray(direction) == 0.0) & (self.holding == "brake")
+        return [np.where(braked, 0.0, first), *others]
 
     def torque(self, acceleration: ArrayLike, direction: ArrayLike) -> Array:
         """Return the motor's torque (Nm) at accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1).
@@ -86,10 +112,6 @@ class Drive:
         own = self.motor_inertia * self.mechanism.ratio * np.asarray(acceleration, dtype=np.float64)
         return np.asarray(self.torques(acceleration, direction)[0] + own + self.no_load * np.asarray(direction))
 
-    def _held(self, torque: Array, direction: ArrayLike) -> Array:
-        """Return a torque as it is, or none at rest where a brake holds."""
-        return np.where(np.asarray(direction) == 0.0, 0.0, torque) if self.holding == "brake" else np.asarray(torque)
-
 
 def motor_inertia(mechanism: Mechanism, inertia_ratio: float, method: Method = "physical") -> float:
     """Return the motor's inertia J_machine/ratio (kg m²) for a ratio J_machine/J_motor.
@@ -99,3 +121,13 @@ def motor_inertia(mechanism: Mechanism, inertia_ratio: float, method: Method = "
     if not (math.isfinite(inertia_ratio) and inertia_ratio > 0.0):
         raise ValueError(f"inertia ratio is {inertia_ratio:g}; expected a finite number above 0")
     return mechanism.inertia(method) / inertia_ratio
+
+
+def dwell_times(durations: Array, direction: Array) -> Array:
+    """Return how long the dwell lasts (s) that each part of a cycle belongs to, by its duration and direction.
+
+    Of parts at rest that follow each other, also across the end of the cycle, the sum; 0 of a part that moves.
+    """
+    moves = direction != 0.0
+    before = np.cumsum(moves) % max(1, int(moves.sum()))
+    return np.where(moves, 0.0, np.bincount(before, weights=np.where(moves, 0.0, durations))[before])

@@ -1,9 +1,10 @@
-"""The limits of a motor and of a reducer, and how near a cycle comes to each. SI units."""
+"""The limits of a motor and of a reducer, how near a cycle comes to each, and the highest rate within all. SI units."""
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from functools import cached_property
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,7 +12,7 @@ from numpy.typing import ArrayLike
 from engine.drive.cycle import DriveCycle, TorqueInterval
 from engine.drive.motor import LimitCheck, Motor, TorqueCurve
 from engine.drive.results import DriveResults
-from engine.drive.search import Function, largest
+from engine.drive.search import largest
 from engine.laws.base import Array
 
 BELOW = "torque below the curve"
@@ -86,7 +87,7 @@ class LimitChecks:
     @cached_property
     def checks(self) -> tuple[LimitCheck, ...]:
         """RMS torque, torque below the curve, speed, the reducer's three, inertia ratio; each in the limit's unit."""
-        return tuple(self._checked(name) for name in self._limits)
+        return tuple(self._checked(name) for name in self._asked)
 
     @property
     def ok(self) -> bool:
@@ -98,17 +99,19 @@ class LimitChecks:
         """The check whose limit is used most; None without any limit."""
         return max(self._limiting, key=lambda check: check.use, default=None)
 
-    @property
-    def _limits(self) -> dict[str, float]:
-        motor, reducer = self.limits.motor, self.limits.reducer
+    @cached_property
+    def _asked(self) -> dict[str, tuple[float, Callable[[], float]]]:
+        """Each limit, and what finds that which is asked of it."""
+        motor, reducer, curve, found = self.limits.motor, self.limits.reducer, self.limits.peak_curve, self.results
+        peak = reducer.peak_at(1.0 / self.drive_cycle.time)
         return {
-            "RMS torque": self.continuous,
-            BELOW: float(self.limits.peak_curve.torque.max()),
-            "motor speed": min(motor.max_speed, float(self.limits.peak_curve.speed[-1])),
-            "reducer input speed": reducer.input_speed,
-            "reducer peak torque": reducer.peak_at(1.0 / self.drive_cycle.time),
-            "reducer mean torque": reducer.mean_torque,
-            "inertia ratio": self.limits.inertia_ratio,
+            "RMS torque": (self.continuous, lambda: found.rms_torque),
+            BELOW: (float(curve.torque.max()), lambda: found.torque.peak),
+            "motor speed": (min(motor.max_speed, float(curve.speed[-1])), lambda: found.speed.peak),
+            "reducer input speed": (reducer.input_speed, lambda: found.speed.peak),
+            "reducer peak torque": (peak, lambda: found.shaft_torque(1).peak),
+            "reducer mean torque": (reducer.mean_torque, lambda: found.mean_shaft_torque(1)),
+            "inertia ratio": (self.limits.inertia_ratio, lambda: self.inertia_ratio),
         }
 
     @cached_property
@@ -121,38 +124,28 @@ class LimitChecks:
     @cached_property
     def _limiting(self) -> tuple[LimitCheck, ...]:
         """The checks of what has a limit."""
-        return tuple(self._checked(name) for name, limit in self._limits.items() if limit < math.inf)
+        return tuple(self._checked(name) for name, (limit, _) in self._asked.items() if limit < math.inf)
 
     def _checked(self, name: str) -> LimitCheck:
-        if name == BELOW:
+        limit, asked = self._asked[name]
+        if name == BELOW and limit < math.inf:
             return self._below_curve
-        values: dict[str, Callable[[], float]] = {
-            "RMS torque": lambda: self.results.rms_torque,
-            "motor speed": lambda: self.results.speed.peak,
-            "reducer input speed": lambda: self.results.speed.peak,
-            "reducer peak torque": lambda: self.results.shaft_torque(1).peak,
-            "reducer mean torque": lambda: self.results.mean_shaft_torque(1),
-            "inertia ratio": lambda: self.inertia_ratio,
-        }
-        value, limit = values[name](), self._limits[name]
+        value = asked()
         return LimitCheck(name, value, limit, value <= limit)
 
     @cached_property
     def inertia_ratio(self) -> float:
         """Largest J_machine/J_m over the cycle; 0 of a motor without inertia."""
-        train = self.drive_cycle.train
-        own = train.drive.motor_inertia
+        train, intervals = self.drive_cycle.train, self.drive_cycle.torque_intervals
+        own, m = train.drive.motor_inertia, train.drive.mechanism
         if not own or not train.inertia_varies:
             return train.drive.inertia_ratio
-        return self.machine_inertia / own
+        fixed = math.fsum(m.at_motor(m.on_shaft(k), k) for k in range(m.last))
 
-    @cached_property
-    def machine_inertia(self) -> float:
-        """The largest inertia of all behind the motor at its shaft over the cycle (kg m²)."""
-        found = (
-            largest(_machine_inertia(one), one.low, one.high, one.nodes)[0] for one in self.drive_cycle.torque_intervals
-        )
-        return max(found)
+        def inertia(one: TorqueInterval, u: Array) -> Array:
+            return np.asarray(fixed + m.on_shaft(m.last) * (train.travel(one.load(u).y) / train.gear) ** 2)
+
+        return max(largest(partial(inertia, one), one.low, one.high, one.nodes)[0] for one in intervals) / own
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
@@ -161,9 +154,6 @@ class LimitChecks:
         The speed has a check of its own.
         """
         curve = self.limits.peak_curve
-        if self._limits[BELOW] == math.inf:
-            return LimitCheck(BELOW, self.results.torque.peak, math.inf, True)
-
         last = float(curve.speed[-1])
 
         def worst(one: TorqueInterval, least: float) -> tuple[float, float]:
@@ -179,13 +169,83 @@ class LimitChecks:
         return LimitCheck(BELOW, torque, torque - lacking, lacking <= 0.0)
 
 
-def _machine_inertia(one: TorqueInterval) -> Function:
-    """Return the inertia of all behind the motor at its shaft (kg m²) as a function of u."""
-    drive = one.train.drive
-    m = drive.mechanism
-    fixed = math.fsum(m.at_motor(m.on_shaft(k), k) for k in range(m.last))
+FAR = 1e6
+"""times the rate that is asked about: no further is looked, up or down"""
 
-    def inertia(u: Array) -> Array:
-        return np.asarray(fixed + m.on_shaft(m.last) * (one.train.travel(one.load(u).y) / one.train.gear) ** 2)
+CLOSE = 1e-10
+"""of the rate: so near to the one that binds"""
 
-    return inertia
+STEPS = 200
+
+
+class HighestRate(NamedTuple):
+    """The highest speed of the abscissa (1/s) at which every check holds, and the axis and the limit that bind there.
+
+    0 where one does not even hold at a millionth of the speed asked about; infinite, with no name, where none binds
+    up to a million times.
+    """
+
+    speed: float
+    axis: str
+    limit: str
+
+
+def highest_rate(axes: Mapping[str, LimitChecks]) -> HighestRate:
+    """Return the highest rate of axes that are driven by one shaft, or in one time.
+
+    It is looked for from the speed of each cycle: upwards where all hold, downwards where one does not, to the first
+    change. At the speed found all hold, and a little above it the named limit does not.
+    """
+    each = [HighestRate(speed, name, limit) for name, one in axes.items() for speed, limit in (of_axis(one),) if limit]
+    return min(each, default=HighestRate(math.inf, "", ""))
+
+
+def of_axis(checks: LimitChecks) -> tuple[float, str]:
+    """Return the highest speed of one axis, and the limit that binds."""
+    speed = checks.drive_cycle.speed
+    holds, fails = (speed, 2.0 * speed) if checks.ok else (0.5 * speed, speed)
+    while holds > speed / FAR and not at_speed(checks, holds).ok:
+        holds, fails = 0.5 * holds, holds
+    if holds <= speed / FAR:
+        return 0.0, named(at_speed(checks, holds))
+    while fails < speed * FAR and at_speed(checks, fails).ok:
+        holds, fails = fails, 2.0 * fails
+    if fails >= speed * FAR:
+        return math.inf, ""
+    return _narrowed(checks, holds, fails)
+
+
+def at_speed(checks: LimitChecks, speed: float) -> LimitChecks:
+    """Return the same cycle and limits at another speed of the abscissa."""
+    return LimitChecks(replace(checks.drive_cycle, speed=speed), checks.limits)
+
+
+def named(checks: LimitChecks) -> str:
+    """Return the name of the limit that is used most; nothing without any limit."""
+    return checks.worst.name if checks.worst else ""
+
+
+def over(checks: LimitChecks) -> float:
+    """Return by how much the most used limit is overstepped, as a share of it: below 0 where all hold."""
+    return min(checks.worst.use, 2.0) - 1.0 if checks.worst else -1.0
+
+
+def _narrowed(checks: LimitChecks, low: float, high: float) -> tuple[float, str]:
+    """Return the last speed between two that holds, by false position with halved weights (Illinois), and what fails.
+
+    Source: M. Dowell, P. Jarratt, A modified regula falsi method, BIT 11 (1971) 168–174.
+    """
+    at_high = at_speed(checks, high)
+    below, above = over(at_speed(checks, low)), over(at_high)
+    name, last = named(at_high), 0
+    for _ in range(STEPS):
+        if high - low <= CLOSE * high:
+            break
+        middle = low + (high - low) * min(max(-below / (above - below), 1e-3), 1.0 - 1e-3) if above > below else low
+        one = at_speed(checks, middle)
+        if one.ok:
+            low, below, above, last = middle, over(one), above * (0.5 if last < 0 else 1.0), -1
+        else:
+            high, above, below, last = middle, over(one), below * (0.5 if last > 0 else 1.0), 1
+            name = named(one)
+    return low, name

@@ -1,6 +1,6 @@
 """The rule of losses: which way power flows through a stage, and what its efficiency does to the torque."""
 
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -53,17 +53,3 @@ def loss_factor(
 def held_factor(efficiency: float, back_efficiency: float) -> float:
     """Return f at rest: as if the motor drove; 0 of a stage that locks itself."""
     return 0.0 if back_efficiency <= 0.0 else 1.0 / efficiency
-
-
-def of_friction(efficiency: float) -> float:
-    """Return the efficiency backward of a screw or worm whose losses are friction in its thread, 2 − 1/η.
-
-    Source: G. Niemann, Maschinenelemente I, screws: the friction torque is the same both ways.
-    """
-    return 2.0 - 1.0 / efficiency
-
-
-def require_method(method: str) -> None:
-    """Raise ValueError for a word that is no way of counting losses."""
-    if method not in get_args(Method):
-        raise ValueError(f"method is {method!r}; expected 'physical' or 'document'")

@@ -17,8 +17,8 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from engine.drive.brake import dwell_times
 from engine.drive.cycle import DriveCycle
+from engine.drive.drive import dwell_times
 from engine.drive.train import Train
 from engine.laws.base import Array
 from engine.motion.pieces import MotionPiece

@@ -2,7 +2,7 @@
 
 Inertia grows with the square of a rate. With S the torque without motion and I = T − S what grows, a limit is met where
 the square of the rate is 1/use times the present one. It is met exactly at the present rate; elsewhere, with viscous
-friction or where power turns round, to about 1 %. :func:`engine.drive.max_rate.highest_rate` is exact. SI units.
+friction or where power turns round, to about 1 %. :func:`engine.drive.limits.highest_rate` is exact. SI units.
 """
 
 import math
@@ -37,18 +37,10 @@ class Share(NamedTuple):
         return rate / math.sqrt(self.use) if self.use > LEAST_USE else math.inf
 
 
-class Squares(NamedTuple):
-    """Means over the cycle (Nm²): S², S·I and I²."""
-
-    standing: float
-    mixed: float
-    growing: float
-
-
-def squares(points: DrivePoints) -> Squares:
-    """Return them over the points."""
+def squares(points: DrivePoints) -> tuple[float, float, float]:
+    """Return means over the points (Nm²): S², S·I and I²."""
     standing, grows = points.standing, points.torque - points.standing
-    return Squares(*(points.mean(one) for one in (standing**2, standing * grows, grows**2)))
+    return points.mean(standing**2), points.mean(standing * grows), points.mean(grows**2)
 
 
 class Line(NamedTuple):
@@ -90,52 +82,37 @@ def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> Share:
     return Share(stall, stands, points.rms_torque, use)
 
 
-def growing_use(torque: Array, standing: Array, limit: float) -> Array:
-    """Return at each point the use by a limit of torque (Nm): |I| over what S leaves of it in the direction of I."""
-    grows = torque - standing
-    return np.maximum(grows / (limit - standing), -grows / (limit + standing))
-
-
 def falling_use(points: DrivePoints, peak: float, falling: Falling) -> Array:
     """Return at each point the use by a peak torque that falls, 1/r² of |S + r² I| + f r |ω| = T + f ω_1.
 
-    In two rows: of torques forward, and of those backward.
+    In two rows: of torques forward, and of those backward; of the first r that meets the line, 0 where none does.
     """
-    return np.stack([_falling_use(points, way, falling.corner(peak), falling.fall) for way in (1.0, -1.0)])
-
-
-def _falling_use(points: DrivePoints, way: float, corner: float, fall: float) -> Array:
-    """Return the same of one direction of the torque, of the first r that meets the line; 0 where none does."""
-    left = corner - way * points.standing
-    sink = fall * np.abs(points.speed)
+    way = np.array([1.0, -1.0])[:, None, None]
+    left = falling.corner(peak) - way * points.standing
+    sink = falling.fall * np.abs(points.speed)
     square = sink**2 + 4.0 * way * (points.torque - points.standing) * left
     return np.where(square < 0.0, 0.0, ((sink + np.sqrt(np.maximum(square, 0.0))) / (2.0 * left)) ** 2)
 
 
 def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> Share:
-    """Return the share of a limit of torque (Nm); none of an infinite one."""
-    use = 0.0 if math.isinf(limit) else float(growing_use(torque, standing, limit).max())
+    """Return the share of a limit of torque (Nm), none of an infinite one: |I| over what S leaves in its direction."""
+    grows, use = torque - standing, 0.0
+    if not math.isinf(limit):
+        use = float(np.maximum(grows / (limit - standing), -grows / (limit + standing)).max())
     return Share(limit, float(np.abs(standing).max()), points.size(torque), use)
 
 
-class Cycles(NamedTuple):
-    """A reducer's peak torque beyond the cycles that it holds in full for: its use, that of these cycles, the less.
+def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> tuple[float, float, float]:
+    """Return uses of a reducer's peak torque (Nm) beyond the cycles that it holds in full for, at so many (1/s).
 
-    Up to these cycles it binds no sooner, so the less of both counts; the second where S alone is beyond it.
+    Its use, that of these cycles, the less; 0 of an infinite torque. Up to these cycles it binds no sooner, so the less
+    of both counts; the second where S alone is beyond it.
     """
-
-    grown: float
-    way: float
-    many: float
-
-
-def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> Cycles:
-    """Return these of a reducer's peak torque (Nm) at so many cycles (1/s); a use of 0 of an infinite one."""
-    over = by_peak(
-        points, points.load.output_torque, points.load.output_torque_at_rest, reducer.peak_torque / reducer.cycle_factor
-    )
+    load = points.load
+    limit = reducer.peak_torque / reducer.cycle_factor
+    over = by_peak(points, load.output_torque, load.output_torque_at_rest, limit)
     way = (rate / reducer.full_rate) ** 2
-    return Cycles(over.use, way, way if over.standing >= over.limit else min(way, over.use))
+    return over.use, way, way if over.standing >= over.limit else min(way, over.use)
 
 
 def by_mean(points: DrivePoints, limit: float) -> Share:
@@ -162,7 +139,7 @@ def shares(
         "peak torque": by_peak(points, points.torque, points.standing, peak),
         "motor speed": by_speed(speed, fastest),
         "reducer input speed": by_speed(speed, reducer.input_speed),
-        "reducer peak torque": whole._replace(use=max(whole.use, by_cycles(points, reducer, rate).many)),
+        "reducer peak torque": whole._replace(use=max(whole.use, by_cycles(points, reducer, rate)[2])),
         "reducer mean torque": by_mean(points, reducer.mean_torque),
     }
     if falling.fall:

@@ -1,19 +1,22 @@
-"""What a cycle asks of its motor and its gears: peaks, RMS torque and energy, exact and not from samples. SI units."""
+"""What a cycle asks of motor, gears and mains: peaks, RMS torque, energy, mean power, exact and not from samples."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from engine.drive.curves import position, trimmed
 from engine.drive.cycle import DriveCycle, TorqueInterval
-from engine.drive.search import Function, extremes, integral
+from engine.drive.search import Function, extremes, integral, position, trimmed
 from engine.laws.base import Array
-from engine.laws.ladder import zeros
+from engine.laws.ladder import Curve, zeros
+
+OfInterval = Callable[[TorqueInterval, Array], Array]
+"""a quantity of a torque interval at its u"""
+HOUR = 3600.0  # s
 
 
 class Extreme(NamedTuple):
@@ -37,22 +40,18 @@ class Bounds(NamedTuple):
 
 
 class Energy(NamedTuple):
-    """Energy at a motor's shaft over a cycle (J): what it drives with, and what comes back to it, both 0 or more."""
+    """Energy at a motor's shaft over a cycle (J): what it drives with, and what comes back to it, both 0 or more.
 
-    driving: float
-    regenerated: float
+    Of one motor, or of several, one value each.
+    """
+
+    driving: Any
+    regenerated: Any
 
     @property
-    def net(self) -> float:
+    def net(self) -> Any:
         """∮ T dφ."""
         return self.driving - self.regenerated
-
-
-class Energies(NamedTuple):
-    """The same of several motors, one value each."""
-
-    driving: Array
-    regenerated: Array
 
 
 @dataclass(frozen=True)
@@ -64,9 +63,7 @@ class DriveResults:
     @cached_property
     def speed(self) -> Bounds:
         """Speed of the motor (rad/s)."""
-        return _bounds(
-            (one, u, one.motor_speed(u)) for one in self.drive_cycle.torque_intervals for u in (_speed_candidates(one),)
-        )
+        return self._bounds(_speed_candidates, TorqueInterval.motor_speed)
 
     @cached_property
     def torque(self) -> Bounds:
@@ -75,11 +72,7 @@ class DriveResults:
 
     def shaft_torque(self, shaft: int) -> Bounds:
         """Return the torque (Nm) that drives a shaft; behind the motor's, of what a stage gives."""
-        return _bounds(
-            (one, u, one.torque(u, shaft))
-            for one in self.drive_cycle.torque_intervals
-            for u in (_torque_candidates(one, shaft),)
-        )
+        return self._bounds(lambda one: _torque_candidates(one, shaft), lambda one, u: one.torque(u, shaft))
 
     @property
     def brake_torque(self) -> float:
@@ -89,19 +82,13 @@ class DriveResults:
     @cached_property
     def power(self) -> Bounds:
         """Power (W) of the motor, with the losses of its winding."""
-        return _bounds(
-            (one, u, one.power(u)) for one in self.drive_cycle.torque_intervals for u in (_searched(one, one.power),)
-        )
+        return self._bounds(lambda one: _searched(one, one.power), TorqueInterval.power)
 
     @cached_property
     def rms_torque(self) -> float:
         """sqrt(∫T² dt/t) over the cycle (Nm). Source: S4, T_RMS."""
-        scale = self.torque.peak**2
-
-        def square(one: TorqueInterval) -> Function:
-            return lambda u: one.torque(u) ** 2
-
-        return math.sqrt(self._total(square, scale) / self.drive_cycle.unshifted.total)
+        squares = self._total(lambda one, u: one.torque(u) ** 2, self.torque.peak**2)
+        return math.sqrt(squares / self.drive_cycle.unshifted.total)
 
     @cached_property
     def mean_speed(self) -> float:
@@ -126,37 +113,35 @@ class DriveResults:
         ³√(∫|ω| |T|³ dt/∫|ω| dt). Source: Harmonic Drive, engineering data, average output torque T_av.
         """
         fastest, peak = self.speed.peak, self.shaft_torque(shaft).peak
-
-        def cube(one: TorqueInterval) -> Function:
-            return lambda u: np.abs(one.motor_speed(u) * one.torque(u, shaft) ** 3)
-
-        cubes, ways = self._total(cube, fastest * peak**3), self._total(_turning, fastest)
+        cubes = self._total(lambda one, u: np.abs(one.motor_speed(u) * one.torque(u, shaft) ** 3), fastest * peak**3)
+        ways = self._total(_turning, fastest)
         return math.cbrt(cubes / ways) if ways else 0.0
 
-    def _total(self, function: Callable[[TorqueInterval], Function], scale: float) -> float:
-        """Return the integral over the abscissa of a function of each interval that grows to a scale."""
-        return math.fsum(integral(function(one), one.low, one.high, scale) for one in self.drive_cycle.torque_intervals)
+    def _total(self, of: OfInterval, scale: float) -> float:
+        """Return the integral over the abscissa of a quantity that grows to a scale."""
+        each = ((partial(of, one), one.low, one.high) for one in self.drive_cycle.torque_intervals)
+        return math.fsum(integral(*one, scale) for one in each)
+
+    def _bounds(self, candidates: Callable[[TorqueInterval], Array], of: OfInterval) -> Bounds:
+        """Return the extremes of a quantity, each of which is at one of the candidates of its interval."""
+        ends = []
+        for one in self.drive_cycle.torque_intervals:
+            u = candidates(one)
+            values = of(one, u)
+            for k in (int(values.argmin()), int(values.argmax())):
+                ends.append(Extreme(float(values[k]), one.piece.phase, one.piece.begin + float(u[k])))
+        return Bounds(min(ends), max(ends, key=lambda end: end.value))
 
 
-def _turning(one: TorqueInterval) -> Function:
-    return lambda u: np.abs(one.motor_speed(u))
-
-
-def _bounds(found: Iterable[tuple[TorqueInterval, Array, Array]]) -> Bounds:
-    ends = [
-        Extreme(float(values[k]), one.piece.phase, one.piece.begin + float(u[k]))
-        for one, u, values in found
-        for k in (int(values.argmin()), int(values.argmax()))
-    ]
-    return Bounds(min(ends), max(ends, key=lambda end: end.value))
+def _turning(one: TorqueInterval, u: Array) -> Array:
+    return np.abs(one.motor_speed(u))
 
 
 def _speed_candidates(one: TorqueInterval) -> Array:
     """Return where the motor can be fastest: at the ends and where y'' is 0; where the ratio changes, by a search."""
     if one.train.linkage:
         return _searched(one, one.motor_speed)
-    acceleration = trimmed(position(one.piece).derivative().derivative())
-    return np.array([one.low, *_within(one, zeros(acceleration, one.piece.duration)), one.high])
+    return _turns(one, position(one.piece).derivative())
 
 
 def _torque_candidates(one: TorqueInterval, shaft: int) -> Array:
@@ -164,13 +149,64 @@ def _torque_candidates(one: TorqueInterval, shaft: int) -> Array:
     curve = one.curve(shaft)
     if curve is None:
         return _searched(one, lambda u: one.torque(u, shaft))
-    return np.array([one.low, *_within(one, zeros(trimmed(curve.derivative()), one.piece.duration)), one.high])
+    return _turns(one, curve)
 
 
-def _within(one: TorqueInterval, places: Iterable[float]) -> list[float]:
-    return [u for u in places if one.low < u < one.high]
+def _turns(one: TorqueInterval, curve: Curve) -> Array:
+    """Return the ends of an interval, and where a curve turns round in it."""
+    places = zeros(trimmed(curve.derivative()), one.piece.duration)
+    return np.array([one.low, *(u for u in places if one.low < u < one.high), one.high])
 
 
 def _searched(one: TorqueInterval, function: Function) -> Array:
     lowest, highest = extremes(function, one.low, one.high, one.nodes)
     return np.array([one.low, lowest.x, highest.x, one.high])
+
+
+class Means(NamedTuple):
+    """Mean power (W): from the mains, and in the brake resistor, of a drive that shares its DC bus with no other.
+
+    Of one drive, or of many designs of it.
+    """
+
+    mains: Any
+    resistor: Any
+
+    def energy_a_year(self, hours: float) -> Any:
+        """Return the energy from the mains (J) in a year of so many hours."""
+        return self.mains * hours * HOUR
+
+    @property
+    def net(self) -> Any:
+        """What is used up on the way (W)."""
+        return self.mains - self.resistor
+
+    @property
+    def least(self) -> Any:
+        """The least mean power from the mains, if all that comes back were kept and used."""
+        return np.maximum(0.0, self.net)
+
+
+def means(energy: Energy, time: Any, efficiency: float) -> Means:
+    """Return them from the energy at a motor's shaft over a cycle; exact.
+
+    A drive takes E/η where its motor drives, and gives back η E where the motor is driven.
+    """
+    return Means(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
+
+
+class Peaks(NamedTuple):
+    """Largest power (W): from the mains, and into the brake resistor, of a drive that shares its DC bus with none."""
+
+    mains: float
+    resistor: float
+
+
+def peaks(highest: float, lowest: float, efficiency: float) -> Peaks:
+    """Return them from the highest and the lowest power at a motor's shaft (W)."""
+    return Peaks(max(0.0, highest) / efficiency, max(0.0, -lowest) * efficiency)
+
+
+def together(found: Sequence[Means]) -> Means:
+    """Return the sums over drives."""
+    return Means(sum(one.mains for one in found), sum(one.resistor for one in found))

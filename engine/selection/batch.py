@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.drive.drive_points import TIED
-from engine.drive.results import Energies
+from engine.drive.results import Energy
 from engine.laws.base import Array
 from engine.selection.point_load import Gears, PointLoad
 
@@ -68,11 +68,11 @@ class DriveBatch:
             found.append((*each, left.min(axis=1)))
         return Extremes(*(np.concatenate(values) for values in zip(*found, strict=True)))
 
-    def works(self, time: float) -> Energies:
+    def works(self, time: float) -> Energy:
         """Return the work of each over a cycle of so long (s)."""
         share = self.load.load.share.ravel() * time
         each = [[np.maximum(way * power, 0.0) @ share for way in (1.0, -1.0)] for *_, power in self._parts()]
-        return Energies(*(np.concatenate(values) for values in zip(*each, strict=True)))
+        return Energy(*(np.concatenate(values) for values in zip(*each, strict=True)))
 
 
 def tops(values: Array, place: Array) -> Array:
@@ -94,6 +94,6 @@ def tops(values: Array, place: Array) -> Array:
     return np.asarray(values[rows, k] + np.where(bend, lean, 0.0))
 
 
-def mean_power(works: Energies, time: Array) -> Array:
+def mean_power(works: Energy, time: Array) -> Array:
     """Return the mean power at the shafts of motors over cycles of so long (W)."""
     return np.asarray((works.driving - works.regenerated) / time)

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from engine.drive import KINDS, Drive, Part, resisting
-from engine.drive.chain import gear_speed_ratio
 from engine.drive.cycle import DriveCycle
 from engine.drive.results import DriveResults
 from engine.drive.train import Train
@@ -143,7 +142,7 @@ def test_positions_over_the_cycle():
 
 def feeding_group():
     """Load at the roller shaft; S1 leaves motor and ratio open: J_m = 0, τ = 1."""
-    rotors = [Part("rollers", 0.284, count=4), Part("fast shaft", 0.007, speed_ratio=gear_speed_ratio(90, 45))]
+    rotors = [Part("rollers", 0.284, count=4), Part("fast shaft", 0.007, speed_ratio=90 / 45)]
     return Drive(KINDS["feed rollers"].of(resisting(500.0, "always"), RADIUS, parts=rotors), 0.0)
 
 

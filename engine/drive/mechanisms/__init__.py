@@ -1,9 +1,8 @@
 """Mechanisms between the gears and the load, and the register of all.
 
-constant        those of constant ratio: screw, conveyor, rack and pinion, belt, rotary table, gear train, feed rollers
+registry        every mechanism by its name; those of constant ratio: screw, conveyor, rack and pinion, belt, rollers
 by_angle        loads of a turning axis by its angle: a slide on a crank that turns full circles, a swinging arm
 variable_ratio  the shaft's angle over the load's position; what is out of reach, and by how much
-crank_slider, rocker    a lever that drives a slide through a link; slide: the geometry of both
+slides          a lever that drives a slide through a link: crank-slider, rocker
 table           points of shaft angle over position, joined by a curve of fifth degree
-registry        every mechanism by its name
 """

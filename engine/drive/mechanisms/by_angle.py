@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from engine.drive.chain import require_not_negative, require_positive
-from engine.drive.mechanisms.slide import slopes
+from engine.drive.mechanisms.slides import slopes
 from engine.laws.base import Array, require_finite
 
 

@@ -1,43 +1,73 @@
-"""Every mechanism by its name, of a constant ratio or of one that depends on the load's position. SI units."""
+"""The mechanisms by name: each is gears in line and a last element, which the load hangs on. SI units."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from engine.drive.chain import Load, Mechanism, Part, Stage
-from engine.drive.mechanisms.constant import KINDS, Kind
-from engine.drive.mechanisms.crank_slider import crank_slider
-from engine.drive.mechanisms.rocker import rocker
-from engine.drive.mechanisms.table import PositionTable
-from engine.drive.mechanisms.variable_ratio import Linkage
+from engine.drive.chain import Load, Mechanism, Part, Stage, require_not_negative, require_positive
 
 
 @dataclass(frozen=True)
-class VariableRatio:
-    """A mechanism whose ratio depends on position: what makes it, of its own entries."""
+class Kind:
+    """A kind of mechanism: its last element, how fast that turns by its size, whether a belt moves with the load.
+
+    ``turns`` gives the speed of the element over that of the load (rad/m) from its size: turns a metre, a diameter or
+    a radius in m; None says that the load turns with the element, or that the ratio depends on the position
+    (:class:`engine.drive.mechanisms.variable_ratio.Linkage`).
+    """
 
     name: str
     element: str
-    make: Callable[..., Linkage]
+    turns: Callable[[float], float] | None = None
+    belt: bool = False
+
+    @property
+    def travels(self) -> bool:
+        """Whether the load travels at a constant ratio."""
+        return self.turns is not None
 
     def of(
-        self, load: Load, efficiency: float = 1.0, gears: Sequence[Stage] = (), parts: Sequence[Part] = ()
+        self,
+        load: Load,
+        size: float = 1.0,
+        efficiency: float = 1.0,
+        gears: Sequence[Stage] = (),
+        parts: Sequence[Part] = (),
+        belt: float = 0.0,
     ) -> Mechanism:
-        """Return the chain to its load: gears, then the mechanism as a stage of ratio 1, which a linkage replaces."""
-        return Mechanism(self.name, (*gears, Stage(self.element, 1.0, efficiency)), tuple(parts), load)
+        """Return the mechanism of a load behind gears, ``parts`` on their shafts, and a belt of a mass (kg).
+
+        ``size`` and ``efficiency`` are those of the last element. The belt's own weight balances itself; a mechanism
+        that has none takes no notice of it. Raises ValueError for a size, an efficiency or a mass that cannot be.
+        """
+        require_not_negative(self.name, belt=belt)
+        ratio = 1.0
+        if self.turns is not None:
+            require_positive(self.name, size=size)
+            ratio = self.turns(size)
+        moved = [Part("belt", belt, len(gears) + 1)] if self.belt else []
+        return Mechanism(self.name, (*gears, Stage(self.element, ratio, efficiency)), (*parts, *moved), load)
 
 
-VARIABLE_RATIO = {
-    linked.name: linked
-    for linked in (
-        VariableRatio("crank-slider", "crank", crank_slider),
-        VariableRatio("rocker", "lever", rocker),
-        VariableRatio("table", "cam", PositionTable),
+def of_wheel(diameter: float) -> float:
+    """Return 2/D (rad/m) of a wheel. Source: S4, problem 2."""
+    return 2.0 / diameter
+
+
+KINDS = {
+    kind.name: kind
+    for kind in (
+        Kind("lead screw", "screw", lambda turns: 2.0 * math.pi * turns),  # 2πP of P turns a metre: S4, problem 1
+        Kind("conveyor", "roller", of_wheel, belt=True),
+        Kind("rack and pinion", "pinion", of_wheel),
+        Kind("belt", "pulley", of_wheel, belt=True),
+        Kind("rotary table", "table"),
+        Kind("gear train", "last gear"),
+        Kind("press crank", "crank"),
+        Kind("feed rollers", "roller", lambda radius: 1.0 / radius),  # S1, 'Feeding group', ω_r = v/R
+        Kind("crank-slider", "crank"),
+        Kind("rocker", "lever"),
+        Kind("table", "cam"),
     )
 }
-"""those whose ratio depends on position"""
-
-DIRECT = Kind("direct", "shaft")
-"""a load on the motor's own shaft, or behind a reducer"""
-
-MECHANISMS: dict[str, Kind | VariableRatio] = {DIRECT.name: DIRECT, **KINDS, **VARIABLE_RATIO}
-"""every mechanism: a direct drive, those of constant ratio and those whose ratio depends on the position"""
+"""every mechanism by its name; the parts behind its gears, rollers and pulleys among them, are entered with it"""

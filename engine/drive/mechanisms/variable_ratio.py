@@ -1,17 +1,12 @@
 """A mechanism whose ratio depends on its load's position: the angle of its shaft along the load's way. SI units."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from engine.laws.base import Array
-from engine.laws.ladder import Curve, zeros
-from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, motion_pieces
 
 NEAR_END = 1e-9
 """of the reach: so near to an end in which the shaft would run away counts as in it, so far beyond another as at it"""
@@ -23,13 +18,6 @@ class ShaftAngles(NamedTuple):
     angle: Array
     first: Array
     second: Array
-
-
-class Reflected(NamedTuple):
-    """Inertia of a load at the shaft, J = m (dy/dφ)² (kg m²), and how it changes, dJ/dφ (kg m² per rad)."""
-
-    inertia: Array
-    change: Array
 
 
 class Reach(NamedTuple):
@@ -94,45 +82,8 @@ class Linkage(ABC):
         by, end = (low - position, at_low) if under else (position - high, at_high)
         return OutOfReachError(self.name, position, max(by, 0.0), end)
 
-    def reflected(self, mass: float, position: ArrayLike) -> Reflected:
-        """Return the inertia of a load (kg, or kg m²) at the shaft: J = m/φ'², dJ/dφ = −2 m φ''/φ'⁴.
-
-        The torque that moves it is dE/dφ of E = J φ̇²/2, J φ̈ + dJ/dφ φ̇²/2, which is m ÿ/φ'.
-        Raises OutOfReachError. Source: VDI 2149 part 1, generalised motion equation of a mechanism of one degree of
-        freedom, J(φ) φ̈ + J'(φ) φ̇²/2 = M.
-        """
-        _, first, second = self.shaft(position)
-        return Reflected(mass / first**2, -2.0 * mass * second / first**4)
-
 
 def near_end(linkage: Linkage) -> float:
     """Return how near to an end of its reach a position counts as in it; less than 0 where it may stand there."""
     low, high, *_ = linkage.reach
     return (-NEAR_END if linkage.steady else NEAR_END) * (high - low)
-
-
-@dataclass(frozen=True)
-class Unreached:
-    """The position farthest out of reach in a phase (from 0) of a motion, at x, and by how much."""
-
-    phase: int
-    x: float
-    error: OutOfReachError
-
-
-def unreached(linkage: Linkage, motion: Motion) -> tuple[Unreached, ...]:
-    """Return each phase of a motion that leaves a linkage's reach, with its farthest position: exact, in order."""
-    found: dict[int, Unreached] = {}
-    for piece in motion_pieces(motion):
-        for x, y in turning_points(piece):
-            error = linkage.beyond(y)
-            if error and (piece.phase not in found or error.by > found[piece.phase].error.by):
-                found[piece.phase] = Unreached(piece.phase, x, error)
-    return tuple(found[phase] for phase in sorted(found))
-
-
-def turning_points(piece: MotionPiece) -> Sequence[tuple[float, float]]:
-    """Return x and y of a piece at its begin and end and wherever it turns round."""
-    curve = Curve(piece.c, tuple(sine for sine in piece.sines if sine[0]))
-    inside = zeros(curve.derivative(), piece.duration)
-    return [(piece.begin + u, curve(u)) for u in (0.0, *inside, piece.duration)]

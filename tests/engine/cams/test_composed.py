@@ -6,7 +6,7 @@ import pytest
 from engine import law
 from engine.cams.interpolation import Seen, composed
 from engine.cams.profile import profile_of_motion
-from engine.drive.mechanisms.crank_slider import crank_slider
+from engine.drive.mechanisms.slides import crank_slider
 from engine.drive.mechanisms.table import PositionTable
 from engine.motion import Motion, Phase
 

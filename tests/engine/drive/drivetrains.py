@@ -14,7 +14,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from engine.drive.cycle import DriveCycle, TorqueInterval, parts
-from engine.drive.dc_bus import HOUR
+from engine.drive.results import HOUR
 from engine.drive.search import Function, crossed, integral, largest
 from engine.laws.base import Array
 

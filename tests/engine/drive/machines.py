@@ -9,9 +9,7 @@ import numpy as np
 
 from engine.drive import KINDS, Drive, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.mechanisms.crank_slider import crank_slider
-from engine.drive.mechanisms.registry import VARIABLE_RATIO
-from engine.drive.mechanisms.rocker import rocker
+from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.table import PositionTable
 from engine.drive.train import Train, Window
 from engine.laws import Dwell
@@ -70,7 +68,7 @@ def train_of(rng, kind, method="physical", lossless=False):
     load = Slide(rng.uniform(0.5, 20), rng.uniform(0, 0.3), rng.uniform(-0.5, 0.5), rng.uniform(-50, 50)).load
     if kind in LINKAGES:
         make, low, high = LINKAGES[kind]
-        mechanism, linkage = VARIABLE_RATIO[kind].of(load, eta(), gears, parts), make()
+        mechanism, linkage = KINDS[kind].of(load, 1.0, eta(), gears, parts), make()
     else:
         mechanism, linkage = KINDS[kind].of(load, rng.uniform(*SIZES[kind]), eta(), gears, parts, 1.0), None
         low, high = (0.0, 0.3) if KINDS[kind].travels else (0.0, radians(90))

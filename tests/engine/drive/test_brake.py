@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from engine.drive import KINDS, Drive, Load, Stage
-from engine.drive.brake import Brake, dwell_times
 from engine.drive.cycle import DriveCycle
+from engine.drive.drive import Brake, dwell_times
 from engine.drive.drive_points import DrivePoints
 from engine.drive.quadrature import Cycle
 from engine.drive.results import DriveResults

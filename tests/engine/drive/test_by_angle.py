@@ -96,9 +96,11 @@ def test_a_weight_asks_for_nothing_over_a_turn_but_for_the_losses_both_ways():
 
 
 def test_inertia_at_the_motor_is_greatest_where_the_slide_is_fastest():
-    one = LimitChecks(replace(cycle_of(PRESS, Load(20.0), inertia=0.1)), Limits(Motor(1e-3)))
+    cycle = cycle_of(PRESS, Load(20.0), inertia=0.1)
+    drive = replace(cycle.train.drive, motor_inertia=1e-3)
+    one = LimitChecks(replace(cycle, train=replace(cycle.train, drive=drive)), Limits(Motor(1e-3)))
     fastest = np.abs(PRESS.slopes(np.linspace(0, pi, 100001))[0]).max()
-    assert one.machine_inertia == pytest.approx((0.1 + 20.0 * fastest**2) / 25.0, rel=1e-8)
+    assert one.inertia_ratio * 1e-3 == pytest.approx((0.1 + 20.0 * fastest**2) / 25.0, rel=1e-8)
 
 
 def test_an_arm_asks_for_its_moment_by_the_cosine():

@@ -22,7 +22,6 @@ from engine.drive import (
     reflected_inertia,
     resisting,
 )
-from engine.drive.chain import gear_speed_ratio
 from engine.drive.motor import reserve
 from engine.laws import Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Motion, Phase
@@ -87,15 +86,14 @@ def exact_rms(one, phases=PHASES):
 
 
 def test_reflected_inertia_weighs_with_the_square_of_speed():
-    fast = Part("fast shaft", 0.007, speed_ratio=gear_speed_ratio(90, 45))
+    fast = Part("fast shaft", 0.007, speed_ratio=90 / 45)
     parts = [Part("rollers", 0.284, count=4), fast, Part("slow", 1.0, count=3, speed_ratio=0.1)]
     assert reflected_inertia(parts) == pytest.approx(4 * 0.284 + 4 * 0.007 + 0.03, rel=1e-15)
     assert reflected_inertia([]) == 0.0
-    assert gear_speed_ratio(None, None) == 1.0
 
 
 def test_a_geared_part_counts_on_its_shaft_and_at_the_motor():
-    parts = [Part("rollers", 0.284, 1, 4), Part("fast shaft", 0.007, 1, 1, gear_speed_ratio(90, 45))]
+    parts = [Part("rollers", 0.284, 1, 4), Part("fast shaft", 0.007, 1, 1, 90 / 45)]
     chain = ROLLERS.of(resisting(500.0, "always"), RADIUS, gears=[Stage("reducer", 8.0)], parts=parts)
     assert chain.on_shaft(1) == pytest.approx(1.164, rel=1e-15)
     assert chain.inertia() == pytest.approx(1.164 / 64, rel=1e-15)

@@ -1,17 +1,14 @@
 """Mechanisms of a changing ratio, against positions worked out here the other way round and differentiated."""
 
-from math import acos, atan2, cos, pi, radians, sin, sqrt
+from math import acos, atan2, cos, pi, sin, sqrt
 
 import numpy as np
 import pytest
 from numpy.polynomial import chebyshev
 
-from engine.drive.mechanisms.crank_slider import crank_slider
-from engine.drive.mechanisms.rocker import rocker
+from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.table import PositionTable
-from engine.drive.mechanisms.variable_ratio import OutOfReachError, unreached
-from engine.laws import Dwell, law
-from engine.motion import Motion
+from engine.drive.mechanisms.variable_ratio import OutOfReachError
 
 CRANKS = [
     (0.05, 0.2, offset, zero, branch)
@@ -117,24 +114,6 @@ def test_the_stroke_of_a_crank_slider():
     assert crank_slider(0.05, 0.2, 0.03).reach.high == pytest.approx(sqrt(0.0616) - sqrt(0.0216), rel=1e-14)
 
 
-@pytest.mark.parametrize(("linkage", "way"), LINKAGES)
-def test_the_torque_is_the_change_of_energy(linkage, way):
-    y, speed, acceleration = inside(linkage), 0.7, -3.0
-    shaft = linkage.shaft(y)
-    inertia, change = linkage.reflected(2.5, y)
-    turning = shaft.first * speed, shaft.second * speed**2 + shaft.first * acceleration
-    torque = inertia * turning[1] + change * turning[0] ** 2 / 2
-    assert torque == pytest.approx(2.5 * acceleration / shaft.first, rel=1e-11)
-
-
-def test_the_change_of_inertia_against_differences():
-    linkage = crank_slider(0.05, 0.2, 0.03)
-    y, h = inside(linkage, 9, 0.1), 1e-6
-    change = linkage.reflected(2.0, y).change
-    above, below = (linkage.reflected(2.0, y + way * h).inertia for way in (1, -1))
-    assert change == pytest.approx((above - below) / (2 * h) / linkage.shaft(y).first, rel=1e-6, abs=1e-10)
-
-
 # A table
 
 
@@ -201,20 +180,6 @@ def test_a_position_out_of_reach_is_told_with_its_amount():
     assert crank_slider(0.05, 0.2, zero="outer").beyond(-0.01).end == "outer dead centre"
 
 
-def test_a_motion_out_of_reach_is_told_by_phase_and_farthest_position():
-    crank = crank_slider(0.05, 0.2)
-    edges = np.radians([0, 60, 120, 180, 360])
-    good = Motion.from_edges(edges, [0, 0.05, 0, -0.05], [Dwell(), law("MTP"), Dwell(), law("CIC")], position=0.02)
-    assert unreached(crank, good) == ()
-    bad = Motion.from_edges(edges, [0, 0.09, 0, -0.09], [Dwell(), law("MTP"), Dwell(), law("CIC")], position=0.02)
-    found = unreached(crank, bad)
-    assert [one.phase for one in found] == [1, 2, 3]
-    assert found[0].error.by == pytest.approx(0.01, rel=1e-9)
-    assert found[0].x == pytest.approx(radians(120))
-    centre = Motion.from_edges(edges, [0, 0.05, 0, -0.05], [Dwell(), law("MTP"), Dwell(), law("CIC")])
-    assert [one.error.by for one in unreached(crank, centre)] == pytest.approx([0.0, 0.0, 0.0], abs=1e-15)
-
-
 def test_what_cannot_be_is_refused():
     for given, words in (
         ((0.05, 0.05), "more than crank and offset"),
@@ -244,7 +209,7 @@ def test_a_rod_counts_as_two_point_masses_at_its_pins(y):
     r, rod, mass, centre = 0.05, 0.2, 3.0, 0.08  # m, m, kg, m from the crank's pin
     linkage = crank_slider(r, rod)
     at_slide = mass * centre / rod
-    counted = (mass - at_slide) * r**2 + float(linkage.reflected(at_slide, y).inertia)
+    counted = (mass - at_slide) * r**2 + at_slide / float(linkage.shaft(y).first) ** 2
 
     def pose(position):
         """Angle of the crank, centre of the rod and its angle: from the triangle of crank, rod and slide."""

@@ -16,17 +16,15 @@ import numpy as np
 import pytest
 
 from engine.drive import KINDS, Drive, Load, Motor, Stage
-from engine.drive.curves import position, trimmed
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
-from engine.drive.limits import LimitChecks, Limits, ReducerLimits
-from engine.drive.losses import of_friction
-from engine.drive.max_rate import highest_rate
+from engine.drive.limits import LimitChecks, Limits, ReducerLimits, highest_rate
 from engine.drive.mechanisms.variable_ratio import OutOfReachError
 from engine.drive.motor import Falling
 from engine.drive.quadrature import SHARES, WEIGHTS, Cycle
 from engine.drive.rate_by_points import by_rms, shares
 from engine.drive.results import DriveResults
+from engine.drive.search import position, trimmed
 from engine.drive.train import Train
 from engine.laws import Dwell, law
 from engine.laws.ladder import zeros
@@ -258,10 +256,9 @@ def test_a_reducer_carries_what_stands_whoever_holds_the_motor(holding):
 
 def test_a_lossy_screw_is_driven_down_and_holds_its_load():
     """100 kg upright on a lead of 4 mm, η = 0.45: backward 2 − 1/η = −0.2222, down −0.139 Nm, at rest nothing."""
-    assert of_friction(0.45) == pytest.approx(-2.0 / 9.0)
     screw = KINDS["lead screw"].of(Load(100.0, 981.0), 250.0, 0.45, [Stage("reducer", 1.0, 1.0)], [])
     *gears, last = screw.stages
-    screw = replace(screw, stages=(*gears, replace(last, back_efficiency=of_friction(0.45))))
+    screw = replace(screw, stages=(*gears, replace(last, back_efficiency=-2.0 / 9.0)))
     points = points_of(DriveCycle(Train(Drive(screw, 0.0)), RISE, 1e-4))
     down, rest = points.load.direction < 0.0, points.load.direction == 0.0
     assert points.torque[down] == pytest.approx(-2.0 / 9.0 * 981.0 * 0.004 / (2.0 * pi), rel=1e-5)

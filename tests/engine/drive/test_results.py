@@ -9,7 +9,6 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Part, Slide, Stage, cylinder, motor_inertia, resisting
 from engine.drive.cycle import DriveCycle, MotionPieces
-from engine.drive.mechanisms.registry import DIRECT
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
 from engine.flying.cut import Cut
@@ -142,7 +141,7 @@ def test_one_sided_limits_count_at_an_instant_of_rest():
 
 def drum(tau, inertia):
     """S5's load: an inertia that indexes, by a motor of an inertia through a ratio τ."""
-    drive = Drive(DIRECT.of(Load(0.02), gears=[Stage("reducer", 1 / tau)]), inertia)
+    drive = Drive(KINDS["rotary table"].of(Load(0.02), gears=[Stage("reducer", 1 / tau)]), inertia)
     return DriveCycle(Train(drive), Motion([Phase(law("CIC"), 1.2, 0.08), Phase(Dwell(), 0.0, 0.04)]))
 
 

@@ -8,13 +8,10 @@ from typing import TypeVar
 import numpy as np
 
 from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
-from engine.drive.brake import Brake
-from engine.drive.chain import gear_speed_ratio
 from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.drive import Brake
 from engine.drive.limits import LimitChecks, Limits
-from engine.drive.losses import of_friction
 from engine.drive.mechanisms.by_angle import Arm, ByAngle
-from engine.drive.mechanisms.registry import VARIABLE_RATIO
 from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.drive.motor import Falling, TorqueCurve
 from engine.drive.results import DriveResults
@@ -24,7 +21,7 @@ from workbook.entries.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.latest import latest
 from workbook.machines.machine.drive.linkages import linkage_of, press_of
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import SCREWS, Belted, PressCrank
+from workbook.machines.machine.mechanism import LINKED, SCREWS, Belted, PressCrank
 from workbook.machines.machine.selection.in_use import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.view import MovingAxis
 
@@ -76,7 +73,7 @@ class Driven:
     @cached_property
     def linkage(self) -> Linkage | None:
         """The mechanism, of one whose ratio depends on the position."""
-        return linkage_of(self.given, self.axis.unit) if self.given.kind in VARIABLE_RATIO else None
+        return linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
 
     @cached_property
     def by_angle(self) -> ByAngle | None:
@@ -88,11 +85,14 @@ class Driven:
 
     @property
     def back_efficiency(self) -> float:
-        """Efficiency of the mechanism where the load drives it: of a screw by its friction, if none is entered."""
+        """Efficiency of the mechanism where the load drives it, if none is entered: of a screw 2 − 1/η.
+
+        Source: G. Niemann, Maschinenelemente I, screws: the friction torque is the same both ways.
+        """
         entered, forward = self.given.back_efficiency, self.given.efficiency
         if entered is not None:
             return entered
-        return of_friction(forward) if self.given.kind in SCREWS else forward
+        return 2.0 - 1.0 / forward if self.given.kind in SCREWS else forward
 
     @cached_property
     def load(self) -> Load:
@@ -106,23 +106,19 @@ class Driven:
     def parts(self) -> list[Part]:
         """The rotating parts."""
         return [
-            Part(
-                p.name, inertia_of(p), SHAFTS.index(p.shaft), p.count, gear_speed_ratio(p.teeth_driver, p.teeth_driven)
-            )
+            Part(p.name, inertia_of(p), SHAFTS.index(p.shaft), p.count,
+                 p.teeth_driver / p.teeth_driven if p.teeth_driver and p.teeth_driven else 1.0)
             for p in self.entered.parts
-        ]
+        ]  # fmt: skip
 
     @cached_property
     def mechanism(self) -> Mechanism:
         """Reducer and mechanism, their parts and the load; a screw is told by its turns a metre, all else by a size."""
         reducer = [Stage("reducer", self.reducer.ratio, self.reducer.efficiency)]
         turned, kind, size = [self.reducer.part, *self.parts], self.given.kind, si(self.given.size, MM)
-        if kind in VARIABLE_RATIO:
-            made = VARIABLE_RATIO[kind].of(self.load, self.given.efficiency, reducer, turned)
-        else:
-            size = shown(1.0, size) if kind == SCREW else size
-            belt = self.given.belt_mass or 0.0 if isinstance(self.given, Belted) else 0.0
-            made = KINDS[kind].of(self.load, size, self.given.efficiency, reducer, turned, belt)
+        size = shown(1.0, size) if kind == SCREW else size
+        belt = self.given.belt_mass or 0.0 if isinstance(self.given, Belted) else 0.0
+        made = KINDS[kind].of(self.load, size, self.given.efficiency, reducer, turned, belt)
         *gears, last = made.stages
         return replace(made, stages=(*gears, replace(last, back_efficiency=self.back_efficiency)))
 

@@ -3,8 +3,7 @@
 from itertools import pairwise
 
 from engine.drive.mechanisms import by_angle
-from engine.drive.mechanisms.crank_slider import crank_slider
-from engine.drive.mechanisms.rocker import rocker
+from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.table import PositionTable
 from engine.drive.mechanisms.variable_ratio import Linkage
 from workbook.book.sentence import figure

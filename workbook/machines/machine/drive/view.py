@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.drive.drive_points import Between, DrivePoints, between
-from engine.drive.max_rate import highest_rate
+from engine.drive.limits import highest_rate
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import COUNT, Cycle, LoadPoints
 from engine.drive.rate_by_points import Share, shares

@@ -1,6 +1,6 @@
 """The sheet Power: what the drives take from the mains and burn in their resistors, each alone and on a common bus."""
 
-from engine.drive.dc_bus import together
+from engine.drive.results import together
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import total

@@ -5,8 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
-from engine.drive.dc_bus import Means, Peaks, means, peaks, together
-from engine.drive.results import Energy
+from engine.drive.results import Energy, Means, Peaks, means, peaks, together
 from engine.laws.base import Array
 from workbook.entries.abscissa import Abscissa
 from workbook.machines.machine.chain import PowerEntry

@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.drive.dc_bus import Means, means
 from engine.drive.limits import factor_at
 from engine.drive.motor import Falling, continuous
-from engine.drive.results import Energies
+from engine.drive.results import Energy, Means, means
 from engine.laws.base import Array
 from engine.selection.batch import DriveBatch, Extremes, Limits
 from engine.selection.point_load import Gears, PointLoad
@@ -115,9 +114,9 @@ class Studied:
         return Extremes(*self._gathered(lambda _, many: many.extremes))
 
     @cached_property
-    def works(self) -> Energies:
+    def works(self) -> Energy:
         """Energy of each motor over the cycle (J)."""
-        return Energies(*self._gathered(lambda time, many: many.works(time)))
+        return Energy(*self._gathered(lambda time, many: many.works(time)))
 
     @cached_property
     def rms(self) -> Array:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.dc_bus import together
+from engine.drive.results import together
 from engine.motion.smoothness import shortfalls
 from engine.timing import at_rate, ratio_of
 from workbook.entries.texts import place_of

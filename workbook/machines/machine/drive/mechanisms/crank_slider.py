@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from engine.drive.mechanisms.slide import SlideLinkage
+from engine.drive.mechanisms.slides import SlideLinkage
 from workbook.book.declare import Quantity, calc, given
 from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import Driven, as_a

@@ -5,8 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.mechanisms.rocker import SAME, ends_of
-from engine.drive.mechanisms.slide import SlideLinkage, lever_angle
+from engine.drive.mechanisms.slides import SAME, SlideLinkage, ends_of, lever_angle
 from workbook.book.declare import Quantity, Sheet, calc, constant, given
 from workbook.book.sentence import quoted
 from workbook.entries.units import DEGREE, si

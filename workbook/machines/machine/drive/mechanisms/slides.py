@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.mechanisms.rocker import farther
-from engine.drive.mechanisms.slide import SlideLinkage, lever_angle, slopes
+from engine.drive.mechanisms.slides import SlideLinkage, farther, lever_angle, slopes
 from engine.drive.mechanisms.variable_ratio import near_end
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, calc, given

@@ -1,0 +1,178 @@
+"""Levers that drive a slide through a link: a crank that turns round, a rocker to and fro. SI units."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from engine.drive.chain import require_positive
+from engine.drive.mechanisms.variable_ratio import Linkage, Reach, ShaftAngles
+from engine.laws.base import Array, require_finite
+
+
+@dataclass(frozen=True)
+class SlideLinkage(Linkage):
+    """The shaft in the origin, a lever r, a link l, and a slide on the line at the distance e from the shaft (m).
+
+    The slide is at x = r cos ψ ± √(l² − (r sin ψ − e)²), ψ the lever's angle from the line's direction; its position is
+    y = ``direction`` (x − ``zero``). ``side`` is 1 where the lever is ahead of the line from the shaft to the slide in
+    the sense of ψ, else −1. φ is the lever's way from y = 0, where it
+    stands at ``start``, counted so that it rises with y.
+    """
+
+    name: str
+    lever: float
+    link: float
+    offset: float
+    side: int
+    direction: int
+    zero: float
+    start: float
+    bounds: Reach
+
+    @property
+    def reach(self) -> Reach:
+        """Between which positions the slide can go."""
+        return self.bounds
+
+    def _shaft(self, y: Array, within: Array) -> ShaftAngles:
+        """Return φ = ±(ψ − ψ0), φ' = 1/|dx/dψ|, φ'' from dx/dψ and d²x/dψ² in closed form."""
+        x = self.zero + self.direction * y
+        psi = lever_angle(self.lever, self.link, self.offset, self.side, x)
+        first, second = slopes(self.lever, self.offset, psi, x)
+        sense = self.direction * np.sign(first)
+        return ShaftAngles(sense * (psi - self.start), 1.0 / np.abs(first), -sense * second / first**3)
+
+
+def lever_angle(lever: float, link: float, offset: float, side: int, x: Array) -> Array:
+    """Return ψ of a slide at x: that of the line from shaft to slide and, beside it, the triangle's angle A.
+
+    tan² A/2 = (l − d + r)(l + d − r)/((d + r − l)(d + r + l)), d the distance of slide and shaft, which keeps its
+    digits near the dead centres.
+    """
+    d = np.hypot(x, offset)
+    over = (link - d + lever) * (link + d - lever)
+    under = (d + lever - link) * (d + lever + link)
+    half = np.arctan2(np.sqrt(np.maximum(over, 0.0)), np.sqrt(np.maximum(under, 0.0)))
+    return np.asarray(np.arctan2(offset, x) + side * 2.0 * half)
+
+
+def slopes(lever: float, offset: float, psi: Array, x: Array) -> tuple[Array, Array]:
+    """Return dx/dψ and d²x/dψ² where the lever is at ψ and the slide at x.
+
+    With s = r sin ψ − e, c = r cos ψ and q = x − c: −(r sin ψ + s c/q), −(c + (c² − s r sin ψ)/q + s² c²/q³).
+    """
+    sin, c = lever * np.sin(psi), lever * np.cos(psi)
+    s, q = sin - offset, x - c
+    return -(sin + s * c / q), -(c + (c * c - s * sin) / q + (s * c) ** 2 / q**3)
+
+
+DeadCentre = Literal["inner", "outer"]
+Branch = Literal["ahead", "behind"]
+
+
+def crank_slider(
+    crank: float, rod: float, offset: float = 0.0, zero: DeadCentre = "inner", branch: Branch = "ahead",
+    position: float = 0.0,
+) -> SlideLinkage:  # fmt: skip
+    """Return a crank of radius r with a rod l, and a slide on a line at an offset e from the shaft (m).
+
+    y grows away from a dead centre: from the inner one, where the slide is nearest to the shaft, or from the outer one;
+    where y = 0 it is so far away as ``position`` says. ``branch`` says on which side of the line from shaft to slide
+    the crank is: with an offset the two ways differ. The rod's mass goes to its two pins: what turns with the crank is
+    a part on its shaft, what travels is load. Raises ValueError unless l > r + |e|, for the crank could not turn round.
+    Source: VDI 2727; the stroke is √((l + r)² − e²) − √((l − r)² − e²).
+    """
+    require_positive("crank-slider", crank=crank, rod=rod)
+    require_finite(offset=offset, position=position)
+    if not rod > crank + abs(offset):
+        least = crank + abs(offset)
+        raise ValueError(f"crank-slider: rod is {rod:g} m; expected more than crank and offset, {least:g} m")
+    inner, outer = (math.sqrt((rod + way * crank) ** 2 - offset**2) for way in (-1.0, 1.0))
+    names = "inner dead centre", "outer dead centre"
+    begin, direction, ends = (inner, 1, names) if zero == "inner" else (outer, -1, names[::-1])
+    side = 1 if branch == "ahead" else -1
+    start = math.atan2(offset, begin) + (side * math.pi if zero == "inner" else 0.0)
+    begin += direction * position
+    if position:
+        start = float(lever_angle(crank, rod, offset, side, np.array(begin)))
+    reach = Reach(-position, outer - inner - position, *ends)
+    return SlideLinkage("crank-slider", crank, rod, offset, side, direction, begin, start, reach)
+
+
+SAME = 1e-9
+"""of the link, by which the link may be out of the square to count as square to the slide"""
+
+FAR = 4.0
+"""of lever, link and offset together: no slide goes there"""
+
+DEAD = "dead centre of lever and link"
+SQUARE = "link square to the slide"
+
+
+def rocker(
+    lever: float, link: float, offset: float, angle: float, ahead: bool = True, direction: int = 1
+) -> SlideLinkage:
+    """Return a lever r on a shaft, a link l, and a slide on a line at the distance e from the shaft (m).
+
+    At y = 0 the lever stands at ``angle`` (rad) from the direction of the line; ``ahead`` says whether the slide is
+    then before or behind the lever's end, ``direction`` 1 that y grows forward, −1 backward. Its reach ends where lever
+    and link are in line, or where the link is square to the slide. Raises ValueError where the link does not reach from
+    the lever to the slide, or where y = 0 is an end of the reach.
+    """
+    require_positive("rocker", lever=lever, link=link)
+    require_finite(offset=offset, angle=angle)
+    rest = link**2 - (lever * math.sin(angle) - offset) ** 2
+    if not rest > 0.0:
+        raise ValueError(f"rocker: link is {link:g} m; expected one that reaches from the lever to the slide")
+    zero = lever * math.cos(angle) + (1.0 if ahead else -1.0) * math.sqrt(rest)
+    across = math.sin(angle - math.atan2(offset, zero))
+    side = 1 if across > 0.0 else -1
+    places = ends_of(lever, link, offset, side, zero)
+    low = max(((one.below, one.name) for one in places if one.x < zero), default=None)
+    high = min(((one.above, one.name) for one in places if one.x > zero), default=None)
+    if low is None or high is None or abs(across) < SAME:
+        raise ValueError(f"rocker: angle is {angle:g} rad; expected lever and link out of line at position 0")
+    if direction < 0:
+        low, high = (2.0 * zero - high[0], high[1]), (2.0 * zero - low[0], low[1])
+    reach = Reach(low[0] - zero, high[0] - zero, low[1], high[1])
+    start = float(lever_angle(lever, link, offset, side, np.array(zero)))
+    return SlideLinkage("rocker", lever, link, offset, side, 1 if direction > 0 else -1, zero, start, reach)
+
+
+class EndPlace(NamedTuple):
+    """A place ``at`` of the slide at which the linkage may lock, at d from the shaft; the lever's end along the line.
+
+    ``rest`` is its square, less than 0 where it is none. x is that place, or that of y = 0 where the linkage does not
+    lock; ``below`` and ``above`` are x, or far off where x is on the other side.
+    """
+
+    rest: float
+    at: float
+    d: float
+    along: float
+    x: float
+    below: float
+    above: float
+    name: str
+
+
+def ends_of(lever: float, link: float, offset: float, side: int, zero: float) -> list[EndPlace]:
+    """Return the places at which a linkage of this side may lock: lever and link in line, or the link square."""
+    both, far, found = (1.0, -1.0), farther(lever, link, offset), []
+    in_line = [((link + way * lever) ** 2 - offset**2, DEAD) for way in both]
+    square = [(lever**2 - (offset + way * link) ** 2, SQUARE) for way in both]
+    for (rest, name), sign in ((one, sign) for one in (*in_line, *square) for sign in both):
+        at = sign * math.sqrt(rest) if rest >= 0.0 else zero
+        turned = lever * math.cos(float(lever_angle(lever, link, offset, side, np.array(at))))
+        along = at if name == DEAD else turned
+        x = at if rest >= 0.0 and (name == DEAD or abs(at - along) <= SAME * link) else zero
+        below, above = x if x < zero else -far, x if x > zero else far
+        found.append(EndPlace(rest, at, math.hypot(at, offset), along, x, below, above, name))
+    return found
+
+
+def farther(lever: float, link: float, offset: float) -> float:
+    """Return what is farther than any slide of these lengths."""
+    return FAR * (lever + link + abs(offset))
