@@ -3,9 +3,9 @@
 from engine.drive import KINDS, Drive, Load, Mechanism, Motor, Part, Slide, Stage, reflected_inertia
 from engine.laws import CATALOGUE, Law, Piece, PieceLaw, law
 from engine.motion import Motion, Phase, motionlaw
-from engine.timing import Axis, Movement, shaft_speed
+from engine.timing import shaft_speed
 
 __all__ = [
-    "CATALOGUE", "KINDS", "Axis", "Drive", "Law", "Load", "Mechanism", "Motion", "Motor", "Movement", "Part",
+    "CATALOGUE", "KINDS", "Drive", "Law", "Load", "Mechanism", "Motion", "Motor", "Part",
     "Phase", "Piece", "PieceLaw", "Slide", "Stage", "law", "motionlaw", "reflected_inertia", "shaft_speed",
 ]  # fmt: skip

@@ -1,12 +1,12 @@
-"""A timing diagram: named axes over one cycle of the master shaft, and what each movement asks for."""
+"""The master shaft of a timing diagram, and switches over its cycle: what they are, and how two of them differ."""
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from engine.laws.base import Array
-from engine.motion import Motion, Phase
 
 FULL_TURN = 2.0 * math.pi  # rad
 
@@ -41,101 +41,6 @@ def turn_time(rate: float) -> float:
     return FULL_TURN / shaft_speed(rate)
 
 
-def ratio_of(rates: Array, rate: float) -> Array:
-    """Return how many times faster each of some rates is than another one."""
-    return np.asarray(rates / rate)
-
-
-def at_rate(figure: float, faster: Array, power: int) -> Array:
-    """Return a figure that grows with this power of the rate (1 of ẏ, 2 of ÿ, 3 of the jerk), at so many times it."""
-    return np.asarray(figure * faster**power)
-
-
-def lane(y: Array, reach: tuple[float, float], floor: float, share: float) -> Array:
-    """Return an axis as a timing diagram shows it: its travel as a share of a lane of height 1 that begins at a floor.
-
-    ``reach`` is from its lowest to its highest position.
-
-    On the floor where it stands. Source: S1, 'Timing diagram for a cutting machine'.
-    """
-    low, high = reach
-    return floor + share * (y - low) / (high - low) if high > low else np.full(y.shape, float(floor))
-
-
-@dataclass(frozen=True)
-class Axis:
-    """A named motion.
-
-    Parameters
-    ----------
-    name : str
-        What it is called.
-    motion : Motion
-        Over one cycle.
-    feed : bool
-        Whether it advances every cycle and does not come back.
-    """
-
-    name: str
-    motion: Motion
-    feed: bool = False
-
-    @property
-    def closes(self) -> bool:
-        """Whether the cycle comes back to where it began; a feed need not."""
-        return self.feed or self.motion.closes
-
-    def movements(self, speed: float) -> "tuple[Movement, ...]":
-        """Return every phase that moves, where the abscissa advances at ``speed``."""
-        found = enumerate(self.motion.phases)
-        return tuple(Movement(self.name, k, phase, speed) for k, phase in found if phase.moves)
-
-
-@dataclass(frozen=True)
-class Movement:
-    """One rise or return of an axis and its peaks.
-
-    ẏ_max = C_v |h|/δ ω, ÿ_max = C_a |h|/δ² ω², ÿ_rms = C_a,rms |h|/δ² ω² over the movement.
-    Source: S1, 'Timing diagram for a cutting machine', ÿ_max = c_a h/t_a².
-
-    Parameters
-    ----------
-    axis : str
-        Its name.
-    phase : int
-        Number of the phase, from 0.
-    of : Phase
-        The phase, in m or rad.
-    speed : float, rad/s or 1/s
-        Of the abscissa, e.g. ω.
-    """
-
-    axis: str
-    phase: int
-    of: Phase
-    speed: float
-
-    @property
-    def v_max(self) -> float:
-        """Largest |ẏ|."""
-        return self.of.y1_max * self.speed
-
-    @property
-    def a_max(self) -> float:
-        """Largest |ÿ|."""
-        return self.of.y2_max * self.speed**2
-
-    @property
-    def j_max(self) -> float:
-        """Largest jerk in time; infinite where the law's acceleration jumps."""
-        return self.of.y3_max * self.speed**3
-
-    @property
-    def a_rms(self) -> float:
-        """Root of the mean of ÿ² over the movement."""
-        return self.of.y2_rms * self.speed**2
-
-
 @dataclass(frozen=True)
 class Switch:
     """A lane that is on or off over the cycle: a cylinder, a valve, a sensor, a cam switch.
@@ -153,8 +58,10 @@ class Switch:
         for begin, end in self.on:
             if not (0.0 <= begin <= self.cycle and 0.0 <= end <= self.cycle):
                 raise ValueError(f"{self.name}: on from {begin:g} to {end:g}; expected within 0 to {self.cycle:g}")
-        if len(self.on) > 1 and any(self._over(k) for k in range(len(self.on))):
-            raise ValueError(f"{self.name}: two times of being on overlap; expected one after the other")
+        for k, (begin, end) in enumerate(self.on):
+            others = (other for j, (other, _) in enumerate(self.on) if j != k)
+            if any((other - begin) % self.cycle < self._time(begin, end) for other in others):
+                raise ValueError(f"{self.name}: two times of being on overlap; expected one after the other")
 
     def at(self, x: Array) -> Array:
         """Return 1 where it is on and 0 where it is off; where it switches, what comes after."""
@@ -173,10 +80,6 @@ class Switch:
         """What it is on for, in units of the cycle."""
         return math.fsum(self.spans)
 
-    def seconds(self, speed: float) -> float:
-        """Return how long it is on in a cycle (s), the abscissa of which advances at ``speed``."""
-        return self.total / speed
-
     @property
     def spans(self) -> list[float]:
         """How long each time of being on lasts."""
@@ -192,6 +95,40 @@ class Switch:
     def _time(self, begin: float, end: float) -> float:
         return self.cycle if end - begin == self.cycle else (end - begin) % self.cycle
 
-    def _over(self, k: int) -> bool:
-        begin, end = self.on[k]
-        return any((one - begin) % self.cycle < self._time(begin, end) for j, (one, _) in enumerate(self.on) if j != k)
+
+SAME = 1e-12
+"""of the cycle: edges so near to each other are one"""
+
+
+class Differing(NamedTuple):
+    """The edges of the switch that is meant, how far an edge is off at most, and where; for how long states differ.
+
+    Without an edge of its kind on the other side, an edge is off by infinity. All in units of the cycle.
+    """
+
+    edges: int
+    largest: float
+    x: float
+    duration: float
+
+
+def differing(meant: Switch, found: Switch) -> Differing:
+    """Return how a switch differs from the one that is meant, of the same cycle.
+
+    A time that goes on where another ends has no edge there, nor one that is always on. Raises ValueError for cycles
+    that differ.
+    """
+    if not math.isclose(meant.cycle, found.cycle):
+        raise ValueError(f"the cycles are {meant.cycle:g} and {found.cycle:g}; expected the same")
+    cycle = meant.cycle
+    marks = np.unique([0.0, cycle, *(x % cycle for one in (meant, found) for time in one.on for x in time)])
+    marks = marks[np.append(np.diff(marks) > SAME * cycle, True)]
+    middles = 0.5 * (marks[1:] + marks[:-1])
+    states = meant.at(middles), found.at(middles)
+    here, there = ([marks[:-1][np.diff(state, prepend=state[-1]) == way] for way in (1.0, -1.0)] for state in states)
+    off = [(float(np.minimum(way := np.abs(others - x), cycle - way).min(initial=math.inf)), float(x))
+           for one, other in zip(here, there, strict=True)
+           for places, others in ((one, other), (other, one)) for x in places]  # fmt: skip
+    largest, x = max(off, key=lambda one: one[0], default=(0.0, 0.0))
+    duration = float(np.diff(marks)[states[0] != states[1]].sum())
+    return Differing(sum(map(len, here)), largest, x, duration)

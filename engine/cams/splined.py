@@ -6,9 +6,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.cams.certificate import parted
 from engine.cams.given import Points, part
 from engine.cams.interpolation import spline
-from engine.cams.points import parted
 from engine.cams.profile import CamProfile
 from engine.laws import Law
 from engine.laws.base import Array

@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 from engine.laws import Law, law
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
 from engine.laws.points import reach
-from engine.motion.phase import Ends, Junction, MotionValues, Phase, TimeValues, numbered_phase, scaled
+from engine.motion.phase import Ends, MotionValues, Phase, TimeValues, numbered_phase, scaled
 
 EDGE_TOLERANCE = BREAK_TOLERANCE
 """A sample this near to an edge, in units of the whole abscissa, counts as on it."""
 ZERO_TOLERANCE = 1e-9
-"""of the largest lift, or of the largest y': a smaller jump is none"""
+"""of the largest lift: a smaller jump is none"""
 
 
 class Motion:
@@ -131,11 +131,6 @@ class Motion:
         """Root of the mean of y''² over the whole, √(Σ y''²_rms δ / Σδ), exact by the laws' coefficients."""
         return math.sqrt(math.fsum(p.y2_rms**2 * p.duration for p in self.phases) / self.total)
 
-    @cached_property
-    def sizes(self) -> MotionValues[float]:
-        """Largest |h|, |h|/δ, |h|/δ², |h|/δ³ of any phase; 1 where nothing moves."""
-        return MotionValues(*(self.size(order) for order in range(4)))
-
     def size(self, order: int) -> float:
         """Return the largest |h|/δⁿ of any phase; 1 where nothing moves."""
         return max((abs(p.lift) / p.duration**order for p in self.phases if p.lift), default=1.0)
@@ -143,7 +138,7 @@ class Motion:
     @property
     def gap(self) -> float:
         """What a cycle does not close by: y(end) − y(begin)."""
-        return self.junctions()[-1].jump_y
+        return self.ends[-1].end.y - self.ends[0].begin.y
 
     @property
     def closes(self) -> bool:
@@ -155,16 +150,6 @@ class Motion:
         """Whether every law reaches its lift: there is no jump of position between the phases."""
         return all(abs(p.lack) <= ZERO_TOLERANCE * self.peaks.y for p in self.phases)
 
-    def smooth(self, periodic: bool = True) -> bool:
-        """Whether velocity nowhere jumps; of a periodic motion, neither from its end to its begin."""
-        return all(abs(j.jump_v) <= ZERO_TOLERANCE * self.peaks.y1 for j in self.junctions(periodic))
-
-    def xi(self, x: Real) -> Real:
-        """Return ξ, the share of its phase that has passed at x. Raises ValueError outside the abscissa."""
-        at = np.asarray(x, dtype=np.float64)
-        flat = at.reshape(-1)
-        return unwrap(x, [self._share(flat, self._locate(flat)).reshape(at.shape)])[0]  # type: ignore[no-any-return]
-
     def at(self, x: Real) -> MotionValues[Real]:
         """Return y, y', y'', y''' at x: floats of a number, arrays of x's shape of an array.
 
@@ -173,7 +158,8 @@ class Motion:
         at = np.asarray(x, dtype=np.float64)
         flat = at.reshape(-1)
         index = self._locate(flat)
-        xi = self._share(flat, index)
+        durations = np.array([p.duration for p in self.phases])
+        xi = np.clip((flat - self.edges[index]) / durations[index], 0.0, 1.0)
         table = np.empty((4, flat.size))
         for k in np.unique(index):
             here, phase = index == k, self.phases[k]
@@ -190,29 +176,10 @@ class Motion:
         y, y1, y2, y3 = self.at(x)
         return TimeValues(y, y1 * speed, y2 * speed**2, y3 * speed**3)
 
-    def junctions(self, periodic: bool = True) -> tuple[Junction, ...]:
-        """Return the jumps between the phases in order; of a periodic motion, the wrap last."""
-        last = len(self.phases) - 1
-        found = [self._junction(k, k + 1) for k in range(last)]
-        return tuple([*found, self._junction(last, 0)] if periodic else found)
-
-    def _junction(self, before: int, after: int) -> Junction:
-        one, other = self.ends[before].end, self.ends[after].begin
-        return Junction(
-            x=float(self.edges[before + 1]), before=before, after=after,
-            jump_y=other.y - one.y if after > before else one.y - other.y, jump_v=other.y1 - one.y1,
-            jump_a=other.y2 - one.y2,
-        )  # fmt: skip
-
     def _locate(self, x: Array) -> NDArray[np.intp]:
         require_within("x", x, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)
         found = np.searchsorted(self.edges, x + self.tolerance, side="right") - 1
         return np.clip(found, 0, len(self.phases) - 1)
-
-    def _share(self, x: Array, index: NDArray[np.intp]) -> Array:
-        durations = np.array([p.duration for p in self.phases])
-        xi: Array = (x - self.edges[index]) / durations[index]
-        return np.minimum(np.maximum(xi, 0.0), 1.0)
 
 
 class MotionSamples(NamedTuple):

@@ -101,21 +101,6 @@ class Phase:
         return self.law.coefficients.ca_rms * abs(self.scale) / self.duration**2
 
 
-@dataclass(frozen=True)
-class Junction:
-    """Where phase ``before`` ends and phase ``after`` begins, with the jumps (after less before) at ``x``.
-
-    At the wrap of the cycle, ``jump_y`` is what the cycle does not close by: y(end) − y(start).
-    """
-
-    x: float
-    before: int
-    after: int
-    jump_y: float
-    jump_v: float
-    jump_a: float
-
-
 class Ends(NamedTuple):
     """A phase where it begins, and where it ends from within: y, y', y'', y'''."""
 

@@ -7,6 +7,7 @@ import pytest
 
 from engine.laws import UnknownLawError, law
 from engine.motion import Motion, Phase, motionlaw
+from tests.engine.motion.junctions import junctions
 
 NAMES = ("ACS", "TVP", "CIC", "CUB", "ModTVP")
 
@@ -70,7 +71,7 @@ def test_exercise_peaks_of_velocity_and_acceleration():
 def test_exercise_joins_without_jumps_and_closes():
     lifts, durations = (0, 20, 0, -20, 0), (60, 60, 60, 60, 120)
     phases = [Phase(law(name), h, d) for name, h, d in zip(EXERCISE, lifts, durations, strict=True)]
-    for junction in Motion(phases).junctions():
+    for junction in junctions(Motion(phases)):
         assert (junction.jump_y, junction.jump_v, junction.jump_a) == pytest.approx((0, 0, 0), abs=1e-15)
 
 

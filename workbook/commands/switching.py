@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from engine.cams.switched import Differing
+from engine.timing import Differing
 from workbook.axes import CamSwitch
 from workbook.controllers.files import text_of
 from workbook.controllers.registry import targets

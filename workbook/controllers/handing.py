@@ -7,9 +7,8 @@ from math import ceil, log10
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.certificate import Certificate, certify
+from engine.cams.certificate import Certificate, certify, equal, jumps, spread
 from engine.cams.interpolation import straight
-from engine.cams.points import equal, jumps, spread
 from engine.cams.profile import SAME, CamProfile
 from engine.laws.base import Array
 from workbook.axes import CamAxis

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.profile import CamProfile
-from engine.cams.switched import Differing, differing
 from engine.laws.base import Array
-from engine.timing import Switch
+from engine.timing import Differing, Switch, differing
 from workbook.axes import CamSwitch
 from workbook.controllers.number import LREAL, Number
 from workbook.controllers.registry import CLAIMS

@@ -5,9 +5,8 @@ import pytest
 from scipy.interpolate import BPoly, CubicSpline
 
 from engine import law
-from engine.cams.certificate import certify
+from engine.cams.certificate import certify, equal, spread
 from engine.cams.interpolation import hermite, parabolas, quintics, spline
-from engine.cams.points import equal, spread
 from engine.cams.profile import profile_of_motion
 from engine.motion import Motion, Phase
 

@@ -6,9 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine import law
-from engine.cams.certificate import Certificate, certify
+from engine.cams.certificate import Certificate, certify, equal, spread
 from engine.cams.interpolation import hermite, lines, parabolas, parted_spline, quintics, spline
-from engine.cams.points import equal, spread
 from engine.cams.profile import CamProfile, profile_of_motion, turned
 from engine.laws import Dwell
 from engine.laws.registry import CATALOGUE

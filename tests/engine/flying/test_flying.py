@@ -8,8 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.flying.cut import Cut
-from engine.flying.pieces import cut_joints, cut_pieces, rates_of
-from engine.flying.points import sizes
+from engine.flying.pieces import cut_joints, cut_pieces, rates_of, sizes
 from engine.flying.tool import Tool, flying_saw, rotary_drum
 from engine.laws import CATALOGUE, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
 from engine.laws.sections import roots, velocity_extremes

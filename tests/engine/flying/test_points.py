@@ -12,13 +12,12 @@ from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drive_points import DrivePoints
 from engine.drive.results import DriveResults
 from engine.flying.cut import Cut
-from engine.flying.pieces import cut_pieces
-from engine.flying.points import cycle_of, furthest, train_of
+from engine.flying.pieces import cut_pieces, cycle_of, furthest, train_of
 from engine.flying.tool import flying_saw, rotary_drum
 from engine.laws import law
 from engine.selection.pair_matrix import PairMatrix, Wanted
 from engine.selection.point_load import PointLoad
-from engine.selection.ratios import ratio_ranges
+from engine.selection.task import ratio_ranges
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 from workbook.selection.choosing import engine_motors, engine_reducers
 

@@ -19,6 +19,7 @@ from engine.laws.uniform import StraightLine
 from engine.motion import Phase
 from engine.motion.joining import Fault, Rates, joined
 from engine.motion.smoothness import ORDERS, shortfalls
+from tests.engine.motion.junctions import junctions
 
 OWN = PieceLaw([Piece(1.0, (0.0, 60.0, -180.0, 120.0))])
 POINTS = Spline(((0.0, 0.0), (0.3, 0.6), (0.7, 0.4), (1.0, 1.0)))
@@ -91,7 +92,7 @@ def test_random_phases_join_without_a_jump_that_was_not_asked_for(phases, period
     found = joined(phases, through, periodic)
     assert found.faults == ()
     motion = found.motion
-    joints = motion.junctions(periodic)
+    joints = junctions(motion, periodic)
     allowed = {
         k for k in range(n) if (k or periodic) and straight(phases[k - 1]) and straight(phases[k])
         and not math.isclose(phases[k - 1].lift / phases[k - 1].duration, phases[k].lift / phases[k].duration,
@@ -167,7 +168,7 @@ def test_a_curve_between_lines_of_its_own_slope_is_straight_but_for_rounding(law
         assert shortfalls(found, "jerk", periodic=False) == ()
     else:
         assert found.phases[1].y2_max > slope * 1e-7 / d
-    assert max(abs(one.jump_y) for one in found.junctions()[:-1]) < 1e-11
+    assert max(abs(one.jump_y) for one in junctions(found)[:-1]) < 1e-11
 
 
 @pytest.mark.parametrize(

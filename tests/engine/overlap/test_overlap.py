@@ -28,6 +28,7 @@ from engine.overlap import (
     room,
     sweep_margin,
 )
+from tests.engine.motion.junctions import runs_smoothly
 
 TURN = np.linspace(0.0, 2 * pi, 1441)
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
@@ -88,7 +89,7 @@ def test_the_travel_begins_and_ends_where_the_edges_say():
 def test_the_tool_s_motion_closes_and_is_counted_from_its_arrival():
     schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
     assert schedule.motion.closes
-    assert schedule.motion.smooth()
+    assert runs_smoothly(schedule.motion)
     assert schedule.motion.at(TURN).y == pytest.approx(schedule.travel(TURN + schedule.arrival), abs=1e-12)
 
 

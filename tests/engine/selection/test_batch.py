@@ -9,8 +9,7 @@ from engine.drive.drive_points import DrivePoints, peak
 from engine.drive.motor import Falling
 from engine.drive.quadrature import Cycle
 from engine.motion.pieces import motion_pieces
-from engine.selection.batch import DriveBatch, Limits, tops
-from engine.selection.point_load import Gears, PointLoad
+from engine.selection.point_load import DriveBatch, Gears, Limits, PointLoad, tops
 from tests.engine.drive.machines import drive_cycle_of
 
 INERTIA, RATIO, ETA = np.array([1e-3, 5e-3, 0.0, 2e-2]), np.array([3.0, 8.0, 12.0, 1.0]), np.array([0.9, 0.6, 1.0, 0.8])

@@ -13,7 +13,7 @@ from engine.drive.motor import TorqueCurve
 from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
 from engine.motion import Motion, Phase
 from engine.selection import Motors, Reducers, Task
-from engine.selection.ratios import accelerating_factor, ratio_curves, ratio_ranges
+from engine.selection.task import accelerating_factor, ratio_curves, ratio_ranges
 from tests.engine.selection.tasks import rms_torque, sampled_task
 
 TASK = Task(acceleration_rms=300.0, torque_rms=9.0, power_rate_mean=1100.0, max_speed=30.0)

@@ -11,8 +11,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from engine.cams.switched import differing
-from engine.timing import Switch
+from engine.timing import Switch, differing
 from tests.workbook.controllers.examples import TEXT
 from workbook.axes import CamSwitch
 from workbook.build import build

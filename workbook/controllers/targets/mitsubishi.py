@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from engine.cams.points import equal
+from engine.cams.certificate import equal
 from engine.cams.profile import CamProfile
 from engine.laws.base import Array
 from workbook.controllers.number import DINT, Number, counts, read_counts, read_stand, stands, whole

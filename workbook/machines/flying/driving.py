@@ -4,10 +4,10 @@ import numpy as np
 
 from engine.drive.drive_points import DrivePoints
 from engine.drive.motor import Falling, Motor, reserve
-from engine.flying.points import cycle_of, furthest, train_of
+from engine.flying.pieces import cycle_of, furthest, train_of
 from engine.laws.base import Array
 from engine.selection.point_load import PointLoad
-from engine.selection.ratios import best_ratio
+from engine.selection.task import best_ratio
 from workbook.book.rows import filled
 from workbook.entries.texts import place_of
 from workbook.entries.units import PER_HOUR, RPM, shown

@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
-from engine.selection.ratios import ratio_curves, ratio_ranges
-from engine.selection.task import NOTHING
+from engine.selection.task import NOTHING, ratio_curves, ratio_ranges
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled

@@ -4,7 +4,7 @@ import numpy as np
 
 from engine.drive import Load
 from engine.flying.cut import Beyond, Cut
-from engine.flying.points import sizes as sizes_of
+from engine.flying.pieces import sizes as sizes_of
 from engine.flying.tool import Tool, flying_saw, rotary_drum
 from engine.laws import Dwell, Law
 from engine.laws.points import fastest

@@ -26,7 +26,7 @@ def axes(machine: AnyMachine) -> list[CamAxis]:
 def cam(one: MovingAxis, machine: AnyMachine) -> CamAxis:
     """Return an axis as a controller can be given it."""
     over, driven = machine.over, one.given.motor is not None
-    repeats = one.given.repeats and one.axis.closes
+    repeats = one.given.repeats and one.closes
     told = CamAxis(one.given.name, profile(one, over, shown(1.0, one.unit)), over.unit, one.given.unit, repeats)
     return replace(told, shaft=partial(shaft, one, machine, told)) if driven else told
 

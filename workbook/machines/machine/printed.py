@@ -3,9 +3,6 @@
 from dataclasses import replace
 from typing import NamedTuple
 
-import numpy as np
-
-from engine.timing import at_rate
 from workbook.book.declare import Book, calc, constant
 from workbook.entries.texts import sheet_title
 from workbook.machines.machine.drive.view import DriveView
@@ -93,6 +90,6 @@ def values(view: DriveView) -> list[float]:
     return [
         m.at_motor(m.load.inertia, m.last, "document"), m.inertia("document"), drive.total_inertia,
         m.driving(m.load.friction), m.driving(m.load.torque), m.driving(float(m.load.resisting(1.0))),
-        float(at_rate(driven.fastest, np.array(driven.axis.speed), 1)), view.speed,
+        driven.fastest * driven.axis.speed, view.speed,
         m.ratio * hardest, accelerating, uniform, decelerating, view.points.rms_torque, driven.left,
     ]  # fmt: skip

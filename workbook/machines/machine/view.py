@@ -11,7 +11,7 @@ from engine.laws.base import Array
 from engine.motion import Motion, MotionValues, Phase
 from engine.motion.joining import Joined, Rates, joined
 from engine.motion.shifted import Shifted, Unshifted
-from engine.timing import Axis, Movement, at_rate, lane, shaft_speed, turn_time
+from engine.timing import shaft_speed, turn_time
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, Real, shown, si
@@ -102,10 +102,10 @@ class MovingAxis:
         moved = [Phase(law, lift, span) for (law, lift, _), span in zip(steps, spans, strict=True)]
         return si(steps[0][2], DEGREE), moved
 
-    @cached_property
-    def axis(self) -> Axis:
-        """The axis of the timing diagram."""
-        return Axis(self.given.name, self.motion, feed=self.given.closes != "position")
+    @property
+    def closes(self) -> bool:
+        """Whether the cycle comes back to where it began; a feed, and what is open, need not."""
+        return self.given.closes != "position" or self.motion.closes
 
     @cached_property
     def entered(self) -> list[int]:
@@ -118,10 +118,9 @@ class MovingAxis:
         return [self.motion.phases[k] for k in self.entered]
 
     @cached_property
-    def moves(self) -> dict[int, Movement]:
-        """The phases that lift, by their number as entered, from 0."""
-        found = {m.phase: m for m in self.axis.movements(self.speed)}
-        return {i: found[k] for i, k in enumerate(self.entered) if k in found}
+    def moves(self) -> dict[int, Phase]:
+        """The phases that move, by their number as entered, from 0."""
+        return {i: phase for i, phase in enumerate(self.phases) if phase.moves}
 
     @cached_property
     def shifted(self) -> Shifted:
@@ -137,8 +136,12 @@ class MovingAxis:
         return self.shifted.over_cycle(x)
 
     def lane(self, x: Array, floor: int, share: float) -> Array:
-        """Return the axis as the timing diagram shows it: from where a cycle of its motion begins."""
-        return lane(self.motion.at(self.told(x).x).y, self.motion.reach, floor, share)
+        """Return the axis in a timing diagram: its travel as a share of a lane of height 1, the floor where it stands.
+
+        From where a cycle of its motion begins. Source: S1, 'Timing diagram for a cutting machine'.
+        """
+        y, (low, high) = self.motion.at(self.told(x).x).y, self.motion.reach
+        return floor + share * (y - low) / (high - low) if high > low else np.full(y.shape, float(floor))
 
     def rate(self, size: Real) -> Real:
         """Return as it is shown a rate that is in SI of the lift."""
@@ -146,17 +149,17 @@ class MovingAxis:
 
     def size(self, order: int) -> float:
         """Return how large a derivative grows, as it is shown."""
-        return self.rate(float(at_rate(self.motion.size(order), np.array(self.speed), order)))
+        return self.rate(self.motion.size(order) * self.speed**order)
 
     @property
     def fastest(self) -> float:
         """The greatest velocity as it is shown: in m/s, or rad/s, or in lift by abscissa."""
-        return self.rate(max((m.v_max for m in self.moves.values()), default=0.0))
+        return self.rate(max((m.y1_max * self.speed for m in self.moves.values()), default=0.0))
 
     @property
     def hardest(self) -> float:
         """The greatest acceleration as it is shown: in m/s², or rad/s², or in lift by abscissa²."""
-        return self.rate(max((m.a_max for m in self.moves.values()), default=0.0))
+        return self.rate(max((m.y2_max * self.speed**2 for m in self.moves.values()), default=0.0))
 
     @property
     def lack(self) -> float:

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
-from engine.selection.batch import mean_power
-from engine.selection.point_load import shares_of
+from engine.selection.point_load import mean_power, shares_of
 from workbook.entries.units import KG_CM2, KW, shown
 from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.by_angle import ends_in_place

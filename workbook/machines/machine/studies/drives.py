@@ -11,8 +11,7 @@ from engine.drive.limits import factor_at
 from engine.drive.motor import Falling, continuous
 from engine.drive.results import Energy, Means, means
 from engine.laws.base import Array
-from engine.selection.batch import DriveBatch, Extremes, Limits
-from engine.selection.point_load import Gears, PointLoad
+from engine.selection.point_load import DriveBatch, Extremes, Gears, Limits, PointLoad
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_HOUR, PER_MINUTE, RPM, shown, si

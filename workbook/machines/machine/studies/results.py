@@ -9,7 +9,6 @@ import numpy as np
 
 from engine.drive.results import together
 from engine.motion.smoothness import shortfalls
-from engine.timing import at_rate, ratio_of
 from workbook.entries.texts import place_of
 from workbook.entries.units import KW, shown
 from workbook.laws.family import COEFFICIENTS
@@ -29,8 +28,8 @@ from workbook.selection.choosing import Choosing
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
 MASTER = "master.rate"
-GROWTH = {"v": ("v_max", 1), "a": ("a_max", 2), "j": ("j_max", 3), "rms": ("a_rms", 2)}
-"""by column: a figure of a movement, and the power of the rate with which it grows"""
+GROWTH = {"v": ("y1_max", 1), "a": ("y2_max", 2), "j": ("y3_max", 3), "rms": ("y2_rms", 2)}
+"""by column: a figure of a phase, and the power of the rate with which it grows"""
 
 
 def part(key: str) -> str:
@@ -43,7 +42,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
     whole, rows = Whole(machine, laws(machine.laws)), cache(partial(axes_of, machine))
     rate = columns.get(MASTER, Column([machine.per_minute], ONE.places))
-    faster = ratio_of(rate.each, machine.per_minute)
+    faster = np.asarray(rate.each) / machine.per_minute
     found: Worked = {
         "about_rate": lambda: rate.each, "timing_rate": lambda: rate.each,
         "about_cycle": partial(cycles, rate), "timing_cycle": partial(cycles, rate),
@@ -85,10 +84,10 @@ def of_axis(axis: MovingAxis, faster: Any) -> Worked:
     i = axis.number
 
     def of_move(k: int, figure: str, power: int) -> Any:
-        return at_rate(getattr(axis.moves[k], figure), faster, power) if k in axis.moves else 0.0
+        return getattr(axis.moves[k], figure) * axis.speed**power * faster**power if k in axis.moves else 0.0
 
     def of_whole(figure: str, power: int) -> Any:
-        return at_rate(getattr(axis, figure), faster, power)
+        return getattr(axis, figure) * faster**power
 
     found: Worked = {f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit)}
     for name, (figure, power) in GROWTH.items():
@@ -105,7 +104,7 @@ def checks_of_axis(axis: MovingAxis, rows: Sequence[AxisRows]) -> Worked:
     found: Worked = {
         f"axis{i}_position": lambda: in_words(axis.motion.complete),
         f"axis{i}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),
-        f"axis{i}_closes": lambda: in_words(axis.axis.closes),
+        f"axis{i}_closes": lambda: in_words(axis.closes),
     }
     ends = rows[i - 1].ends if rows else None
     return found | ({q.name: partial(np.array, q.value) for q in ends.checks(f"axis{i}", "")} if ends else {})

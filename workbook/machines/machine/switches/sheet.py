@@ -61,7 +61,7 @@ def entries(sheet: Sheet, machine: Whole) -> None:
         shown_as("on", "on in all", "", "°", [f"=SUM([switch{one.number}_times.span])" for one in lanes],
                  [shown(one.switch.total, DEGREE) for one in lanes]),
         result("time", "on for", over.lasting, per, "=RADIANS([on])/omega",
-               [one.switch.seconds(machine.speed) for one in lanes], source=source),
+               [one.switch.total / machine.speed for one in lanes], source=source),
     ]  # fmt: skip
     sheet.table(
         "switches", "Switches: a row each; leave spare times empty", len(lanes),

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from engine.timing import Movement
+from engine.motion import Phase
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
@@ -36,7 +36,7 @@ def entry(one: AxisRows, name: str) -> list[Any]:
     return filled([getattr(p, name) for p in one.axis.typed.phases], one.rows, None)
 
 
-def moving(one: AxisRows, figure: Callable[[Movement], float | str]) -> list[float | str]:
+def moving(one: AxisRows, figure: Callable[[Phase], float | str]) -> list[float | str]:
     """Return a figure of each phase that moves, 0 of the others."""
     moves = one.axis.moves
     return [figure(moves[k]) if k in moves else 0.0 for k in range(one.rows)]
@@ -101,11 +101,11 @@ def geometric_extremes(one: AxisRows) -> list[Quantity]:
     base, shown_as = one.axis.base, calc if one.machine.over.measured else result
     return [
         shown_as("y1", "geometric velocity", "y'", f"{base}/rad",
-                 own(one, "vmax", VELOCITY), moving(one, lambda m: m.of.y1_max), source="C_v h/δ"),
+                 own(one, "vmax", VELOCITY), moving(one, lambda m: m.y1_max), source="C_v h/δ"),
         shown_as("y2", "geometric acceleration", "y''", f"{base}/rad²",
-                 own(one, "amax", ACCELERATION), moving(one, lambda m: m.of.y2_max), source="C_a h/δ²"),
+                 own(one, "amax", ACCELERATION), moving(one, lambda m: m.y2_max), source="C_a h/δ²"),
         shown_as("y3", "geometric jerk", "y'''", f"{base}/rad³",
-                 own(one, "jmax", JERK), moving(one, lambda m: finite(m.of.y3_max)), source="C_j h/δ³"),
+                 own(one, "jmax", JERK), moving(one, lambda m: finite(m.y3_max)), source="C_j h/δ³"),
     ]  # fmt: skip
 
 
@@ -121,14 +121,14 @@ def extremes(one: AxisRows) -> list[Quantity]:
     mean = doubled(one.ends.own("rms", f"={RMS}")) if one.ends else f"={RMS}"
     return [
         result("v", "velocity", symbols[0], units[0], f"=[y1]*omega{lift}",
-               moving(one, lambda m: axis.rate(m.v_max)), source=source[0]),
+               moving(one, lambda m: axis.rate(m.y1_max * axis.speed)), source=source[0]),
         result("a", "acceleration", symbols[1], units[1], f"=[y2]*omega^2{lift}",
-               moving(one, lambda m: axis.rate(m.a_max)), source=source[1]),
+               moving(one, lambda m: axis.rate(m.y2_max * axis.speed**2)), source=source[1]),
         result("j", "jerk", symbols[2], units[2],
-               f'=IF(ISNUMBER([y3]),[y3]*omega^3{lift},"∞")', moving(one, lambda m: finite(axis.rate(m.j_max))),
-               source=source[2]),
+               f'=IF(ISNUMBER([y3]),[y3]*omega^3{lift},"∞")',
+               moving(one, lambda m: finite(axis.rate(m.y3_max * axis.speed**3))), source=source[2]),
         result("rms", "RMS acceleration", symbols[3], units[1], f"{mean}*omega^2{lift}",
-               moving(one, lambda m: axis.rate(m.a_rms)), source=source[3]),
+               moving(one, lambda m: axis.rate(m.y2_rms * axis.speed**2)), source=source[3]),
         *([
             result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',
                    filled([over.shown(p.stop - p.start) for p in axis.given.phases], one.rows), scale=over.length),
@@ -236,7 +236,7 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
         *(one.ends.checks(t, f"{label}: ") if one.ends else []),
         one.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
         check(f"{t}_closes", f"{label}: the cycle closes",
-              f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{lift})', axis.axis.closes,
+              f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{lift})', axis.closes,
               "in position, or, as a feed, in velocity, or is open",
               says=amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")),
         *([] if axis.given.motor is None else [
