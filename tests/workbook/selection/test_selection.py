@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from engine.drive import KINDS, Drive, Load, Stage
 from engine.selection.pair_matrix import RANKS
-from engine.selection.ratios import accelerating_factor
+from engine.selection.task import accelerating_factor
 from tests.engine.selection.tasks import sampled_task
 from tests.mutation import draw_flying
 from tests.workbook.cells import computed, disagreeing
