@@ -8,10 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.given import AT_SPEED, LONGER, Points, fastest, may_be, moves_at, part, seam
+from engine.cams.given import AT_SPEED, LONGER, Found, Points, fastest, may_be, moves_at, part, seam, splined
 from engine.cams.joined import RATES, grown, joined, nearest, rates_agree
 from engine.cams.profile import CamProfile, turned
-from engine.cams.splined import Found, splined
 from engine.laws import Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
 from engine.laws.registry import CATALOGUE

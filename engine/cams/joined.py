@@ -8,9 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.given import LONGER, QUINTIC, SEAM, Points, fastest, may_be, part, precision, rate_at
+from engine.cams.given import LONGER, QUINTIC, SEAM, Found, Points, fastest, may_be, part, precision, rate_at, splined
 from engine.cams.profile import CamProfile
-from engine.cams.splined import Found, splined
 from engine.laws import law
 from engine.laws.base import Array
 from engine.laws.ends import EndedLaw, EndError, Ends, between

@@ -1,7 +1,7 @@
 """The motor: its limits, where a cycle brings it, what its surroundings leave of it. SI units."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -96,10 +96,6 @@ class Motor:
         for name in ("rated_torque", "peak_torque", "max_speed", "rated_speed"):
             if not getattr(self, name) > 0.0:
                 raise ValueError(f"motor: {name} is {getattr(self, name):g}; expected more than 0")
-
-    def derated(self, share: float) -> "Motor":
-        """Return the motor with a share of its rated and its stall torque left: see :func:`derating`."""
-        return replace(self, rated_torque=self.rated_torque * share, stall_torque=self.stall_torque * share)
 
     def continuous(self, speed: ArrayLike) -> Array:
         """Return the torque (Nm) that it can give all the time at a mean speed (rad/s): see :func:`continuous`."""

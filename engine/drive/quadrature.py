@@ -45,16 +45,6 @@ class Rows:
         return Rows(self.powers[:, index], tuple(sine[:, index] for sine in self.sines))
 
 
-def rows_of(pieces: Sequence[MotionPiece]) -> Rows:
-    """Return pieces side by side."""
-    degree = max(len(piece.c) for piece in pieces)
-    powers = np.array([(*piece.c, *([0.0] * (degree - len(piece.c)))) for piece in pieces]).T
-    sines = [[sine for sine in piece.sines if sine[0]] for piece in pieces]
-    most = max(map(len, sines))
-    filled = [[*found, *([(0.0, 1.0, 0.0)] * (most - len(found)))] for found in sines]
-    return Rows(powers, tuple(np.array([found[k] for found in filled]).T for k in range(most)))
-
-
 COUNT = 9
 """points of an interval"""
 STANDSTILL = 1e-9
@@ -89,20 +79,6 @@ class Interval(NamedTuple):
     def middle(self) -> float:
         """The point in its middle."""
         return (self.begin + self.end) / 2.0
-
-
-def intervals(pieces: Sequence[MotionPiece], edges: Sequence[float], end: float, near: float) -> list[Interval]:
-    """Return the intervals between begins of pieces and ``edges``; a cut that is ``near`` an earlier one is left out.
-
-    All in units of the motion's abscissa, which ends at ``end``.
-    """
-    cuts = [*(piece.begin for piece in pieces), *edges]
-    kept = [cut for k, cut in enumerate(cuts) if all(abs(cut - one) >= near for one in [*cuts[:k], end])]
-    places = [*sorted(kept), end]
-    begins = np.array([piece.begin for piece in pieces])
-    middles = (np.array(places[:-1]) + np.array(places[1:])) / 2.0
-    numbers = np.searchsorted(begins, middles, side="right") - 1
-    return [Interval(*one) for one in zip(places[:-1], places[1:], numbers.tolist(), strict=True)]
 
 
 @dataclass(frozen=True)
@@ -212,14 +188,23 @@ class Cycle:
 
     @cached_property
     def intervals(self) -> list[Interval]:
-        """The intervals, in the order of the unshifted motion."""
+        """The intervals between begins of pieces, edges of process forces and even steps, in the order of the motion.
+
+        A cut that is ``near`` an earlier one, or the end, is left out.
+        """
         motion, shift = self.drive_cycle.unshifted, self.drive_cycle.shift
         train = self.drive_cycle.train
         edges = [edge for window in train.windows for edge in (window.begin, window.end)]
         turned = [(edge - shift - motion.begin + self.near) % motion.total + motion.begin - self.near for edge in edges]
         steps = train.by_angle.steps if train.by_angle else 1
         turned += [motion.begin + motion.total * k / steps for k in range(1, steps)]
-        return intervals(self.pieces, turned, motion.begin + motion.total, self.near)
+        end, begins = motion.begin + motion.total, [piece.begin for piece in self.pieces]
+        cuts = [*begins, *turned]
+        kept = [cut for k, cut in enumerate(cuts) if all(abs(cut - one) >= self.near for one in [*cuts[:k], end])]
+        places = [*sorted(kept), end]
+        middles = (np.array(places[:-1]) + np.array(places[1:])) / 2.0
+        numbers = np.searchsorted(np.array(begins), middles, side="right") - 1
+        return [Interval(*one) for one in zip(places[:-1], places[1:], numbers.tolist(), strict=True)]
 
     @cached_property
     def direction(self) -> Array:
@@ -272,4 +257,9 @@ class Cycle:
 
     @cached_property
     def _rows(self) -> Rows:
-        return rows_of(self.pieces)
+        degree = max(len(piece.c) for piece in self.pieces)
+        powers = np.array([(*piece.c, *([0.0] * (degree - len(piece.c)))) for piece in self.pieces]).T
+        sines = [[sine for sine in piece.sines if sine[0]] for piece in self.pieces]
+        most = max(map(len, sines))
+        filled = [[*found, *([(0.0, 1.0, 0.0)] * (most - len(found)))] for found in sines]
+        return Rows(powers, tuple(np.array([found[k] for found in filled]).T for k in range(most)))

@@ -15,7 +15,7 @@ from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.quadrature import STANDSTILL, Cycle, Interval, LoadPoints
 from engine.drive.train import Train
 from engine.flying.cut import Cut
-from engine.laws import Dwell, Law
+from engine.laws import Dwell
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.motion.joining import Rates
 from engine.motion.pieces import MotionPiece, Scaled, pieces_of
@@ -30,21 +30,6 @@ class CutPart(NamedTuple):
     first: int
     """its first piece of the law, from 0"""
     taken: int
-
-    @property
-    def law(self) -> Law:
-        """The law of the superimposed motion; a dwell where there is none."""
-        return self.scaled.law
-
-    @property
-    def h(self) -> float:
-        """The displacement by the law (m)."""
-        return self.scaled.h
-
-    @property
-    def rate(self) -> float:
-        """1 over the duration of the law; 0 of none."""
-        return self.scaled.rate
 
     def pieces(self, number: int, whole: bool = False) -> list[MotionPiece]:
         """Return its pieces, as those of the part of a number."""

@@ -71,11 +71,6 @@ class Scaled(NamedTuple):
     drift: float = 0.0
 
     @property
-    def first(self) -> int:
-        """The first piece of the law that it has, from 0."""
-        return 0
-
-    @property
     def fastest(self) -> float:
         """Max |y'| without the drift, C_v |h|/δ."""
         return self.law.coefficients.cv * abs(self.h) * self.rate

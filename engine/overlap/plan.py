@@ -47,11 +47,6 @@ class Room(NamedTuple):
     both: float
     """for both ways at most, whatever the passage"""
 
-    @property
-    def effective(self) -> float:
-        """The angle over which the transfer is in the way (S2: 150° − 2 · 15° = 120°)."""
-        return self.end - self.begin
-
 
 def room(transfer: Transfer, tool: Tool, passage: Passage) -> Room:
     """Return what is left to the tool; raise ValueError where that is nothing."""
@@ -181,19 +176,14 @@ class Clearance(NamedTuple):
 def clearance(schedule: Schedule, passage: Passage, angle: ArrayLike) -> Clearance:
     """Return what is free between the parts at angles of the master shaft (rad), and its minimum over the cycle."""
     at = np.asarray(angle, dtype=np.float64)
-    allowed = allowed_travel(schedule, passage, at)
+    begin, end = blocked(schedule.transfer, passage)
+    turned_at = at % FULL_TURN
+    away = (turned_at > begin + ANGLE_TOLERANCE) & (turned_at < end - ANGLE_TOLERANCE)
+    allowed = np.where(away, passage.clearance, schedule.tool.stroke)
     minimum = float(corners(schedule, passage).free.min())
     tolerance = NOUGHT * max(passage.clearance, schedule.tool.stroke)
     free = allowed - schedule.travel(at)
     return Clearance(allowed, free, minimum, minimum < -tolerance, minimum >= passage.margin - tolerance)
-
-
-def allowed_travel(schedule: Schedule, passage: Passage, angle: Array) -> Array:
-    """Return how far the tool may go (m): the clearance while the transfer is in the way, else to the part."""
-    begin, end = blocked(schedule.transfer, passage)
-    at = angle % FULL_TURN
-    away = (at > begin + ANGLE_TOLERANCE) & (at < end - ANGLE_TOLERANCE)
-    return np.where(away, passage.clearance, schedule.tool.stroke)
 
 
 def colliding(free: Array, stroke: Array) -> NDArray[np.bool_]:

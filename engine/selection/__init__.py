@@ -2,8 +2,3 @@
 
 τ = ω_L/ω_M throughout. Whole catalogues against one load are :mod:`engine.selection.pair_matrix`.
 """
-
-from engine.selection.catalogue import Motors, Reducers
-from engine.selection.task import Task
-
-__all__ = ["Motors", "Reducers", "Task"]

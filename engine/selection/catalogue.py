@@ -1,24 +1,17 @@
-"""Catalogues of motors and reducers as arrays, and the torque–speed curve of a motor. SI units."""
+"""Catalogues of motors and reducers as arrays. SI units."""
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive.motor import TorqueCurve, continuous
+from engine.drive.motor import continuous
 from engine.laws.base import Array
 
-
-def no_limit() -> Array:
-    """Return infinity, for every product."""
-    return np.array(np.inf)
-
-
-def not_given() -> Array:
-    """Return NaN, for every product."""
-    return np.array(np.nan)
+NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)
+"""of every product"""
 
 
 @dataclass(frozen=True)
@@ -36,12 +29,12 @@ class Motors:
     rated_torque: Array
     peak_torque: Array
     max_speed: Array
-    size: Array = field(default_factory=not_given)
-    cost: Array = field(default_factory=not_given)
-    full_torque_to: Array = field(default_factory=not_given)
-    end_torque: Array = field(default_factory=not_given)
-    stall_torque: Array = field(default_factory=not_given)
-    rated_speed: Array = field(default_factory=not_given)
+    size: Array = field(default_factory=NOT_GIVEN)
+    cost: Array = field(default_factory=NOT_GIVEN)
+    full_torque_to: Array = field(default_factory=NOT_GIVEN)
+    end_torque: Array = field(default_factory=NOT_GIVEN)
+    stall_torque: Array = field(default_factory=NOT_GIVEN)
+    rated_speed: Array = field(default_factory=NOT_GIVEN)
 
     def __post_init__(self) -> None:
         positive = ("inertia", "rated_torque", "peak_torque", "max_speed")
@@ -81,12 +74,6 @@ class Motors:
         change = np.nan_to_num(self.end_torque - self.peak_torque)
         return np.divide(change, self.max_speed - self.knee, out=np.zeros(change.shape), where=change != 0.0)
 
-    def curve(self, k: int) -> TorqueCurve:
-        """Return the largest torque of motor ``k`` against its speed."""
-        peak, end = float(self.peak_torque[k]), float(self.end_torque[k])
-        corners = np.array([0.0, self.knee[k], self.max_speed[k]])
-        return TorqueCurve(corners, np.array([peak, peak, peak if np.isnan(end) else end]))
-
 
 @dataclass(frozen=True)
 class Reducers:
@@ -105,11 +92,11 @@ class Reducers:
     inertia: Array
     max_input_speed: Array
     max_output_torque: Array
-    max_mean_torque: Array = field(default_factory=no_limit)
-    size: Array = field(default_factory=not_given)
-    cost: Array = field(default_factory=not_given)
+    max_mean_torque: Array = field(default_factory=NO_LIMIT)
+    size: Array = field(default_factory=NOT_GIVEN)
+    cost: Array = field(default_factory=NOT_GIVEN)
     no_load: Array = field(default_factory=lambda: np.array(0.0))
-    full_rate: Array = field(default_factory=no_limit)
+    full_rate: Array = field(default_factory=NO_LIMIT)
     cycle_factor: Array = field(default_factory=lambda: np.array(1.0))
 
     def __post_init__(self) -> None:

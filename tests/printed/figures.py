@@ -12,7 +12,8 @@ from math import degrees, pi
 from engine.drive import derating
 from engine.laws import ConstantAcceleration, Cycloidal
 from engine.laws.inverse import inverse
-from engine.overlap import movement_time, one_after_the_other, overlap
+from engine.overlap.plan import one_after_the_other, overlap
+from engine.overlap.schedule import movement_time
 from engine.timing import shaft_speed
 from tests.engine.sizing import reduced
 from tests.printed import test_s1 as s1

@@ -10,18 +10,9 @@ import pytest
 
 from engine.laws import Cycloidal
 from engine.laws.inverse import inverse
-from engine.overlap import (
-    Passage,
-    Schedule,
-    Tool,
-    Transfer,
-    blocked,
-    clearance,
-    movement_time,
-    one_after_the_other,
-    overlap,
-    sweep_margin,
-)
+from engine.overlap.parts import Passage, Tool, Transfer
+from engine.overlap.plan import blocked, clearance, one_after_the_other, overlap, sweep_margin
+from engine.overlap.schedule import Schedule, movement_time
 
 RATE = 2000 / 3600  # pieces a second
 MILL = Transfer(Cycloidal(), stroke=0.1, angle=radians(150))

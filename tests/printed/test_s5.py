@@ -11,8 +11,7 @@ import pytest
 from engine.flying.cut import Cut
 from engine.flying.tool import flying_saw, rotary_drum
 from engine.laws import Cycloidal, ModifiedTrapezoidal
-from engine.selection import Task
-from engine.selection.task import accelerating_factor, ratio_curves, ratio_ranges
+from engine.selection.task import Task, accelerating_factor, ratio_curves, ratio_ranges
 from tests.engine.selection.tasks import inertial_task, rms_torque
 
 RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02

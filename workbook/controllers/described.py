@@ -5,9 +5,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from engine.cams.certificate import parted
-from engine.cams.given import Points, precision
+from engine.cams.given import Found, Points, precision
 from engine.cams.identify import THINNED, Read, identified
-from engine.cams.splined import Found
 from engine.laws.spline import Spline
 from workbook.controllers.handing import rules_of
 from workbook.controllers.table import Table

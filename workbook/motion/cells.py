@@ -5,14 +5,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, located, motion_pieces, shares
+from engine.motion.pieces import MotionPiece, Scaled, located, motion_pieces, shares
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
 
@@ -115,26 +115,6 @@ class Cells:
         return f"{self.y}/{self.x}{RAISED[order]}" if order and self.x else self.y
 
 
-class Part(Protocol):
-    """A part of a motion: its law, the first piece that it has of it (from 0), its lift, and 1/δ."""
-
-    @property
-    def law(self) -> Law:
-        """The law."""
-
-    @property
-    def first(self) -> int:
-        """The number of its first piece."""
-
-    @property
-    def h(self) -> float:
-        """What the law is multiplied by."""
-
-    @property
-    def rate(self) -> float:
-        """1/δ."""
-
-
 class Found(NamedTuple):
     """Where samples lie: row of the piece (from 1), u from its origin, and the arguments of its sines."""
 
@@ -206,12 +186,13 @@ def number_of(stack: Pieces, law: Law) -> int:
 
 
 def rows_of_parts(
-    at: Cells, parts: Sequence[Part], pieces: Sequence[MotionPiece], stack: Pieces, end: float
-) -> PieceRows:
-    """Return the pieces of a motion of parts, from 0 to its ``end``; each part may begin with any piece of its law."""
+    at: Cells, parts: Sequence[Scaled], pieces: Sequence[MotionPiece], stack: Pieces, end: float,
+    begun: Sequence[int] = (),
+) -> PieceRows:  # fmt: skip
+    """Return the pieces of a motion of parts, from 0 to its ``end``; each may begin with any piece of its law."""
     numbers = [number_of(stack, part.law) for part in parts]
     starts = [stack.first[number] for number in numbers]
-    firsts = [start + part.first for start, part in zip(starts, parts, strict=True)]
+    firsts = [start + first for start, first in zip(starts, begun, strict=True)] if begun else starts
     rows = [starts[piece.phase] + piece.number for piece in pieces]
     lifts, rates = [part.h for part in parts], [part.rate for part in parts]
     return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, 0.0, end)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array
-from engine.selection import Motors, Reducers
+from engine.selection.catalogue import Motors, Reducers
 from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Used, Wanted, gears, reserve
 from engine.selection.point_load import Gears, shares_of
 from workbook.book.rows import filled

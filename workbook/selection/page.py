@@ -6,9 +6,8 @@ from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, check, giv
 from workbook.book.sentence import Said
 from workbook.selection.best import best_table, chart, order_table, uses
 from workbook.selection.choosing import Choosing
-from workbook.selection.drives import chosen, drives_table, known, points_table
+from workbook.selection.drives import chosen, drives_table, every_drive, known, motors_by_drives, points_table
 from workbook.selection.entries import UNCHOSEN
-from workbook.selection.every_drive import every_drive, motors_by_drives
 from workbook.selection.grids import grids, products
 from workbook.selection.shaft import rms_of
 

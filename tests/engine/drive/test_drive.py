@@ -277,7 +277,8 @@ def test_the_continuous_torque_is_a_line_from_stall_to_rated_torque():
     assert hdt.continuous(0.0) == 116.5
     assert hdt.continuous(2000.0) == hdt.continuous(2500.0) == 48.4
     assert hdt.continuous(-1000.0) == pytest.approx((116.5 + 48.4) / 2)
-    assert hdt.derated(0.5).continuous(500.0) == pytest.approx(0.5 * (0.75 * 116.5 + 0.25 * 48.4))
+    half = replace(hdt, rated_torque=24.2, stall_torque=58.25)
+    assert half.continuous(500.0) == pytest.approx(0.5 * (0.75 * 116.5 + 0.25 * 48.4))
     assert Motor(1.0, 10.0, stall_torque=8.0, rated_speed=100.0).continuous(0.0) == 10.0
     assert math.isinf(Motor(1.0).continuous(5.0))
 

@@ -16,8 +16,7 @@ from engine.flying.pieces import cut_pieces
 from engine.flying.tool import rotary_drum
 from engine.laws import Dwell, law
 from engine.motion import Motion, Phase
-from engine.selection import Task
-from engine.selection.task import ratio_ranges
+from engine.selection.task import Task, ratio_ranges
 from tests.engine.drive.machines import SIZES, drive_cycle_of, electric, sampled
 from tests.engine.integrals import integral
 from tests.engine.profiles import thirds

@@ -10,24 +10,20 @@ from hypothesis import strategies as st
 from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
 from engine.laws.inverse import inverse
 from engine.motion.pieces import evaluated, located
-from engine.overlap import (
-    HEIGHT,
-    Passage,
-    Schedule,
-    Tool,
-    Transfer,
+from engine.overlap.parts import Passage, Tool, Transfer
+from engine.overlap.plan import (
     blocked,
     clearance,
     colliding,
     corners,
-    inverse_by_points,
-    movement_time,
     one_after_the_other,
     overlap,
     rests,
     room,
     sweep_margin,
 )
+from engine.overlap.points import HEIGHT, inverse_by_points
+from engine.overlap.schedule import Schedule, movement_time
 from tests.engine.motion.junctions import runs_smoothly
 
 TURN = np.linspace(0.0, 2 * pi, 1441)
@@ -157,7 +153,7 @@ def test_room_and_rests_lead_to_the_ways():
     passage = Passage(0.0065, 0.02, 0.001, split=0.4)
     left, (rest_in, rest_out) = room(transfer, tool, passage), rests(tool, passage, np.array([passage.margin]))
     found = overlap(transfer, tool, passage)
-    assert left.effective + left.free_in + left.free_out + tool.dwell == pytest.approx(2 * pi, rel=1e-14)
+    assert left.end - left.begin + left.free_in + left.free_out + tool.dwell == pytest.approx(2 * pi, rel=1e-14)
     assert left.both == pytest.approx(radians(260), rel=1e-14)
     assert (found.angle_in, found.angle_out) == pytest.approx(
         (left.free_in / rest_in[0], left.free_out / rest_out[0]), rel=1e-14

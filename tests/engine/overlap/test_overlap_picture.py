@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import Cycloidal
-from engine.overlap import Passage, Tool, Transfer
+from engine.overlap.parts import Passage, Tool, Transfer
 from engine.overlap.picture import Scene, lane
 
 TOOLS = (0.05, 0.03, 0.08)  # strokes

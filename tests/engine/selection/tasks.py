@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from engine.selection import Task
+from engine.selection.task import Task
 
 
 def sampled_task(time, speed, acceleration, torque):

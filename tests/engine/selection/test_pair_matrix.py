@@ -12,7 +12,7 @@ from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
 from engine.laws import Dwell, law
 from engine.motion import Motion
-from engine.selection import Motors, Reducers
+from engine.selection.catalogue import Motors, Reducers
 from engine.selection.pair_matrix import RANKS, Curve, Pair, PairMatrix, Wanted, reserve, used
 from engine.selection.point_load import PointLoad, Points
 from tests.engine.drive.test_quadrature import points_of

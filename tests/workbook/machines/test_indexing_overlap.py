@@ -3,7 +3,7 @@
 import pytest
 
 from engine.laws.inverse import inverse
-from engine.overlap import HEIGHT
+from engine.overlap.points import HEIGHT
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError

@@ -21,7 +21,9 @@ WHERE = "The parts of the cycle: beside the law the tool moves at line speed, wh
 
 def rows_of(machine: Flying, stack: Pieces) -> PieceRows:
     """Return the pieces of the tool's motion."""
-    return rows_of_parts(AT, cut_parts(machine.cut), cut_pieces(machine.cut), stack, machine.cut.cycle_time)
+    cut, parts = machine.cut, cut_parts(machine.cut)
+    begun = [part.first for part in parts]
+    return rows_of_parts(AT, [part.scaled for part in parts], cut_pieces(cut), stack, cut.cycle_time, begun)
 
 
 def joints_of(machine: Flying, rows: PieceRows) -> Joints:

@@ -9,7 +9,7 @@ from engine.flying.tool import Tool, flying_saw, rotary_drum
 from engine.laws import Dwell, Law
 from engine.laws.points import fastest
 from engine.motion import Phase
-from engine.selection import Task
+from engine.selection.task import Task
 from workbook.entries.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_MINUTE, shown, si
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 

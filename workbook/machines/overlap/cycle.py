@@ -5,9 +5,8 @@ from functools import cached_property
 from engine.laws.base import Array
 from engine.motion import Motion
 from engine.motion.pieces import Scaled
-from engine.overlap import Schedule
 from engine.overlap.picture import LANE_SHARE, lane
-from engine.overlap.schedule import filled_turn, pieces_of_parts, size_of_parts
+from engine.overlap.schedule import Schedule, filled_turn, pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.entries.turn import TURN

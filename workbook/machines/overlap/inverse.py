@@ -13,7 +13,7 @@ from engine.laws import Law
 from engine.laws.base import Array
 from engine.laws.points import slowest
 from engine.motion.pieces import law_pieces
-from engine.overlap import HEIGHT, INTERVALS, REST, between, points_of
+from engine.overlap.points import HEIGHT, INTERVALS, REST, between, points_of
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import amount
 from workbook.entries.units import MM, PERCENT, shown

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from engine.overlap import clearance, colliding
 from engine.overlap.picture import BODY, FRAME, LANE_SHARE, PLATE, PUNCH, STEP, WALLS, WIDTH
+from engine.overlap.plan import clearance, colliding
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.entries.turn import TURN

@@ -5,7 +5,7 @@ Several tools have a sheet each, of the same parts (:mod:`workbook.machines.over
 
 from itertools import count
 
-from engine.overlap import ANGLE_TOLERANCE, movement_time
+from engine.overlap.schedule import ANGLE_TOLERANCE, movement_time
 from engine.timing import FULL_TURN, shaft_speed
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result

@@ -5,7 +5,7 @@ The names stand in the tool's scope: ``@stroke`` is ``tool2_stroke`` for the sec
 
 import numpy as np
 
-from engine.overlap import corners, rests, room
+from engine.overlap.plan import corners, rests, room
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import amount
@@ -204,7 +204,7 @@ def steps(sheet: Sheet, station: Station) -> None:
         calc("@end", "to", "", "°", f"=[inverse_transfer.xi.{last}]*overlap_angle", end, scale=TURN,
              source="s_r of its stroke to go; S2: 135°"),
         calc("@effective", "Its effective angle", "", "°",
-             "=@end-@begin", shown(left.effective, DEGREE), source="S2: 150° − 2 · 15° = 120°"),
+             "=@end-@begin", shown(left.end - left.begin, DEGREE), source="S2: 150° − 2 · 15° = 120°"),
         calc("@free_in", "Free angle of the way in", "F_in", "°",
              "=(360-@effective-@dwell)*@split", free_in, source="S2: 140°/2 = 70°"),
         calc("@free_out", "Free angle of the way out", "F_out", "°",

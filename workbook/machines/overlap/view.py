@@ -8,20 +8,10 @@ from itertools import count
 import numpy as np
 
 from engine.laws import Law
-from engine.overlap import (
-    Clearance,
-    MarginSweep,
-    Passage,
-    Tool,
-    Transfer,
-    clearance,
-    inverse_by_points,
-    one_after_the_other,
-    overlap,
-    sweep_margin,
-)
-from engine.overlap.parts import Inverse
+from engine.overlap.parts import Inverse, Passage, Tool, Transfer
 from engine.overlap.picture import Scene
+from engine.overlap.plan import Clearance, MarginSweep, clearance, one_after_the_other, overlap, sweep_margin
+from engine.overlap.points import inverse_by_points
 from workbook.book.chart import in_scope
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
