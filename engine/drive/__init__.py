@@ -14,8 +14,8 @@ quadrature      a load at points of a cycle, as the sheets have it
 drive_points    its motor there; rate_by_points: the highest rate by these points
 """
 
-from engine.drive.chain import Load, Mechanism, Part, Stage, reflected_inertia
-from engine.drive.drive import Drive, motor_inertia
+from engine.drive.chain import Load, Mechanism, Part, Stage
+from engine.drive.drive import Drive
 from engine.drive.loads import Slide, cylinder, resisting
 from engine.drive.losses import NEAR, STANDSTILL, direction, loss_factor
 from engine.drive.mechanisms.registry import KINDS, Kind
@@ -23,5 +23,5 @@ from engine.drive.motor import LimitCheck, Motor, derating
 
 __all__ = [
     "KINDS", "NEAR", "STANDSTILL", "Drive", "Kind", "LimitCheck", "Load", "Mechanism", "Motor", "Part", "Slide",
-    "Stage", "cylinder", "derating", "direction", "loss_factor", "motor_inertia", "reflected_inertia", "resisting",
+    "Stage", "cylinder", "derating", "direction", "loss_factor", "resisting",
 ]  # fmt: skip

@@ -1,7 +1,6 @@
 """The chain from a motor to its load: stages in line, parts on their shafts, what resists at the end. SI units."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -97,22 +96,6 @@ class Part:
         return self.all * self.speed_ratio**2
 
 
-def reflected_inertia(parts: Sequence[Part]) -> float:
-    """Return J_tot = Σ count · J · (ω_i/ω)² of parts.
-
-    Parameters
-    ----------
-    parts : sequence of Part
-        The parts of one shaft.
-
-    Returns
-    -------
-    float, kg m²
-        At the shaft that the parts turn with. Source: S1, 'Feeding group layout', J_tot = 4 J1 + 4 J2.
-    """
-    return math.fsum(part.reflected for part in parts)
-
-
 @dataclass(frozen=True)
 class Load:
     """What hangs on a shaft.
@@ -202,8 +185,11 @@ class Mechanism:
         return math.prod(stage.ratio for stage in self.stages[shaft:])
 
     def on_shaft(self, shaft: int) -> float:
-        """Return the inertia on a shaft, at that shaft (kg m² or kg), the load's on the last."""
-        parts = reflected_inertia([part for part in self.parts if part.shaft == shaft])
+        """Return the inertia on a shaft, at that shaft (kg m² or kg), the load's on the last.
+
+        Source: S1, 'Feeding group layout', J_tot = 4 J1 + 4 J2.
+        """
+        parts = math.fsum(part.reflected for part in self.parts if part.shaft == shaft)
         return parts + self.load.inertia if shaft == self.last else parts
 
     def at_motor(self, inertia: float, shaft: int, method: Method = "physical") -> float:

@@ -42,11 +42,6 @@ class TorqueInterval:
     braked: bool = False
 
     @property
-    def time(self) -> float:
-        """Its duration (s)."""
-        return (self.high - self.low) / self.speed
-
-    @property
     def nodes(self) -> int:
         """In how many parts it is searched."""
         fastest = max((abs(w) for a, w, _ in self.piece.sines if a), default=0.0)

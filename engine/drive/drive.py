@@ -113,16 +113,6 @@ class Drive:
         return np.asarray(self.torques(acceleration, direction)[0] + own + self.no_load * np.asarray(direction))
 
 
-def motor_inertia(mechanism: Mechanism, inertia_ratio: float, method: Method = "physical") -> float:
-    """Return the motor's inertia J_machine/ratio (kg m²) for a ratio J_machine/J_motor.
-
-    Raises ValueError unless the ratio is above 0. Source: S4, 'inertia ratio between the machine and the motor'.
-    """
-    if not (math.isfinite(inertia_ratio) and inertia_ratio > 0.0):
-        raise ValueError(f"inertia ratio is {inertia_ratio:g}; expected a finite number above 0")
-    return mechanism.inertia(method) / inertia_ratio
-
-
 def dwell_times(durations: Array, direction: Array) -> Array:
     """Return how long the dwell lasts (s) that each part of a cycle belongs to, by its duration and direction.
 

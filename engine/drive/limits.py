@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from engine.drive.cycle import DriveCycle, TorqueInterval
 from engine.drive.motor import LimitCheck, Motor, TorqueCurve
 from engine.drive.results import DriveResults
-from engine.drive.search import largest
+from engine.drive.search import extremes
 from engine.laws.base import Array
 
 BELOW = "torque below the curve"
@@ -145,7 +145,8 @@ class LimitChecks:
         def inertia(one: TorqueInterval, u: Array) -> Array:
             return np.asarray(fixed + m.on_shaft(m.last) * (train.travel(one.load(u).y) / train.gear) ** 2)
 
-        return max(largest(partial(inertia, one), one.low, one.high, one.nodes)[0] for one in intervals) / own
+        found = (extremes(partial(inertia, one), one.low, one.high, one.nodes, (1.0,)) for one in intervals)
+        return max(one.value for (one,) in found) / own
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
@@ -160,7 +161,7 @@ class LimitChecks:
             def lack(u: Array) -> Array:
                 return np.asarray(np.abs(one.torque(u)) - curve.at(np.clip(one.motor_speed(u), -last, last)))
 
-            lacking, u = largest(lack, one.low, one.high, one.nodes, least)
+            ((lacking, u),) = extremes(lack, one.low, one.high, one.nodes, (1.0,), least)
             return lacking, float(np.abs(one.torque(np.array([u])))[0])
 
         lacking, torque = -math.inf, 0.0

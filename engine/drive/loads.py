@@ -49,19 +49,11 @@ class Slide:
             raise ValueError(f"slope is {math.degrees(self.slope):g} degrees; expected −90 to 90")
 
     @property
-    def steady(self) -> float:
-        """F + m g sin θ (N): acts in one direction, also at rest."""
-        return self.force + self.mass * self.gravity * math.sin(self.slope)
-
-    @property
-    def rubbing(self) -> float:
-        """μ m g cos θ (N): opposes the motion."""
-        return self.friction * self.mass * self.gravity * abs(math.cos(self.slope))
-
-    @property
     def load(self) -> Load:
-        """The load at the end of a chain."""
-        return Load(self.mass, self.steady, self.rubbing)
+        """The load at the end of a chain: F + m g sin θ in one direction, also at rest; μ m g cos θ against motion."""
+        weight = self.mass * self.gravity
+        rubbing = self.friction * self.mass * self.gravity * abs(math.cos(self.slope))
+        return Load(self.mass, self.force + weight * math.sin(self.slope), rubbing)
 
 
 def resisting(force: float, resists: Resists) -> Load:

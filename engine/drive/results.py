@@ -74,11 +74,6 @@ class DriveResults:
         """Return the torque (Nm) that drives a shaft; behind the motor's, of what a stage gives."""
         return self._bounds(lambda one: _torque_candidates(one, shaft), lambda one, u: one.torque(u, shaft))
 
-    @property
-    def brake_torque(self) -> float:
-        """The largest torque that a brake holds in dwells, at the motor's shaft (Nm)."""
-        return max(one.brake_torque for one in self.drive_cycle.torque_intervals)
-
     @cached_property
     def power(self) -> Bounds:
         """Power (W) of the motor, with the losses of its winding."""

@@ -39,14 +39,6 @@ class Found(NamedTuple):
     x: float
 
 
-def largest(function: Function, low: float, high: float, nodes: int, least: float = -np.inf) -> Found:
-    """Return the largest value of a function between two points: see :func:`extremes`.
-
-    Where it stays below ``least``, no more is done than is needed to see that.
-    """
-    return extremes(function, low, high, nodes, (1.0,), least)[0]
-
-
 def extremes(
     function: Function, low: float, high: float, nodes: int, signs: Sequence[float] = (-1.0, 1.0),
     least: float = -np.inf,
@@ -55,7 +47,8 @@ def extremes(
 
     The ends of ``nodes`` parts that are not lower than their neighbours (or not higher) are narrowed, the best of
     them; the ends count. Right where the function has at most one top within two parts, and
-    rises above an end of theirs by no more than that is above the lower of its neighbours.
+    rises above an end of theirs by no more than that is above the lower of its neighbours. Where it stays below
+    ``least``, no more is done than is needed to see that.
     """
     u = np.linspace(low, high, nodes + 1)
     values = function(u)

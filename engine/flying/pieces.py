@@ -17,9 +17,8 @@ from engine.drive.train import Train
 from engine.flying.cut import Cut
 from engine.laws import Dwell
 from engine.laws.base import BREAK_TOLERANCE, Array
-from engine.motion.joining import Rates
+from engine.motion.joining import Joint, Rates, Smoothness, joints
 from engine.motion.pieces import MotionPiece, Scaled, pieces_of
-from engine.motion.smoothness import Joint, Smoothness, joints
 
 
 class CutPart(NamedTuple):

@@ -83,12 +83,6 @@ class Motion:
         return EDGE_TOLERANCE * self.total
 
     @cached_property
-    def shares(self) -> Array:
-        """Where each phase begins, as a share of the whole abscissa."""
-        shares: Array = (self.edges[:-1] - self.edges[0]) / self.total
-        return shares
-
-    @cached_property
     def lifts_sum(self) -> float:
         """Sum of the lifts: the travel of a cycle."""
         return float(sum(p.lift for p in self.phases))

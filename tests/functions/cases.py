@@ -5,7 +5,7 @@ import random
 
 import numpy as np
 
-from engine.drive import Part, reflected_inertia
+from engine.drive import Part
 from engine.laws.inverse import inverse
 from engine.motion import Phase
 from engine.motion.joining import Rates, joined
@@ -233,7 +233,7 @@ def of_sums(draw):
         j = [draw.uniform(0.0, 2.0) for _ in range(count)]
         i = [draw.uniform(-9.0, 9.0) for _ in range(count)]
         t = [draw.uniform(0.0, 3.0) for _ in range(count)]
-        reduced = reflected_inertia([Part("", one, speed_ratio=turns) for one, turns in zip(j, i, strict=True)])
+        reduced = math.fsum(Part("", one, speed_ratio=turns).reflected for one, turns in zip(j, i, strict=True))
         rms = math.sqrt(math.fsum(v * v * d for v, d in zip(i, t, strict=True)) / math.fsum(t))
         for row in (lambda v: (tuple(v),), lambda v: tuple((x,) for x in v)):
             yield Case("JRED", (row(j), row(i)), reduced, 1e-12 * (1 + reduced))

@@ -8,7 +8,7 @@ from math import pi, radians
 
 import pytest
 
-from engine.drive import KINDS, Part, Slide, Stage, cylinder, derating, motor_inertia
+from engine.drive import KINDS, Part, Slide, Stage, cylinder, derating
 from engine.drive.cycle import DriveCycle
 from engine.drive.results import DriveResults
 from engine.drive.train import Train
@@ -35,7 +35,7 @@ def conveyor():
 def sized(mechanism, inertia_ratio, share, lift, time, rest):
     """A drive sized as S4 does: its way of counting losses, a brake at rest."""
     phases = [Phase(thirds(share, 1 - 2 * share, share), lift, time), Phase(Dwell(), 0.0, rest)]
-    return Sizing(mechanism, phases, motor_inertia(mechanism, inertia_ratio, "document"), "document", holding="brake")
+    return Sizing(mechanism, phases, mechanism.inertia("document") / inertia_ratio, "document", holding="brake")
 
 
 def sized_screw():

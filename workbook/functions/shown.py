@@ -1,12 +1,13 @@
 """What the page of the functions has entered, and what the engine says of it."""
 
+import math
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 from pydantic import BeforeValidator, Field
 
-from engine.drive import Part, reflected_inertia
+from engine.drive import Part
 from engine.laws import Law
 from engine.motion import Motion, Phase
 from engine.motion.joining import joined
@@ -89,7 +90,7 @@ class Shown(Model):
     @property
     def reduced(self) -> float:
         """The reflected inertia of the shafts."""
-        return reflected_inertia([Part("", shaft.inertia, speed_ratio=shaft.ratio) for shaft in self.shafts])
+        return math.fsum(Part("", one.inertia, speed_ratio=one.ratio).reflected for one in self.shafts)
 
     @property
     def rms(self) -> float:

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from engine.motion import Motion, Phase
-from engine.motion.joining import Rates, slope
+from engine.motion.joining import JUMP, ORDERS, Joint, Rates, joints, scales_of, slope
 from engine.motion.pieces import MotionPiece
-from engine.motion.smoothness import JUMP, ORDERS, Joint, joints, scales_of
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, Sentence, figure

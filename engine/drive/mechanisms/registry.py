@@ -21,11 +21,6 @@ class Kind:
     turns: Callable[[float], float] | None = None
     belt: bool = False
 
-    @property
-    def travels(self) -> bool:
-        """Whether the load travels at a constant ratio."""
-        return self.turns is not None
-
     def of(
         self,
         load: Load,

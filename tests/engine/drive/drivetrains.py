@@ -15,7 +15,7 @@ from numpy.polynomial import chebyshev
 
 from engine.drive.cycle import DriveCycle, TorqueInterval, parts
 from engine.drive.results import HOUR
-from engine.drive.search import Function, crossed, integral, largest
+from engine.drive.search import Function, crossed, extremes, integral
 from engine.laws.base import Array
 
 DEGREE = 24  # of the polynomial by which the bend of the power is measured
@@ -157,7 +157,7 @@ class Section:
 
     def peak(self, sign: float, common: bool, least: float) -> float:
         """Return its largest value (W); any value below ``least`` where it stays below that."""
-        return largest(self.total(sign, common), self.low, self.high, self._nodes, least).value
+        return extremes(self.total(sign, common), self.low, self.high, self._nodes, (1.0,), least)[0].value
 
     def energy(self, sign: float, common: bool, scale: float) -> float:
         """Return the integral (J) of what it has above 0; ``scale`` is the largest power of the cycle."""

@@ -71,7 +71,7 @@ def train_of(rng, kind, method="physical", lossless=False):
         mechanism, linkage = KINDS[kind].of(load, 1.0, eta(), gears, parts), make()
     else:
         mechanism, linkage = KINDS[kind].of(load, rng.uniform(*SIZES[kind]), eta(), gears, parts, 1.0), None
-        low, high = (0.0, 0.3) if KINDS[kind].travels else (0.0, radians(90))
+        low, high = (0.0, 0.3) if KINDS[kind].turns else (0.0, radians(90))
     windows = [Window(rng.uniform(0, TURN), rng.uniform(0, TURN), rng.uniform(-100, 100),
                       rng.choice(["always", "moving"])) for _ in range(rng.randint(0, 2))]  # fmt: skip
     inertia = rng.uniform(0, 2e-3)

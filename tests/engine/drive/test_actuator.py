@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from engine.drive import KINDS, Drive, Load, Motor, Part, Slide, Stage, derating, motor_inertia, resisting
+from engine.drive import KINDS, Drive, Load, Motor, Part, Slide, Stage, derating, resisting
 from engine.laws import CATALOGUE, ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.motion import Phase
 from tests.engine.profiles import thirds
@@ -188,11 +188,6 @@ def test_a_return_accelerates_towards_the_other_side():
     assert by_name["accelerating"] < by_name["uniform"] < by_name["decelerating"]
 
 
-def test_motor_inertia_of_a_ratio():
-    assert motor_inertia(TRAIN, 4.0) == pytest.approx(TRAIN.inertia() / 4, rel=1e-14)
-    assert motor_inertia(TRAIN, 4.0, "document") == pytest.approx(TRAIN.inertia("document") / 4, rel=1e-14)
-
-
 def test_derating_is_one_up_to_the_rated_temperature_and_falls_to_zero():
     assert derating(25) == 1.0
     assert derating(-10) == 1.0
@@ -216,7 +211,6 @@ def test_thirds_are_thirds():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: motor_inertia(TRAIN, 0.0), "inertia ratio is 0"),
         (lambda: derating(180), "180 °C, rated at 25 °C; expected less than the limit, 175 °C"),
         (lambda: Sizing(TRAIN, [], 1e-4), "no phases"),
         (lambda: Sizing(TRAIN, [Phase(Cycloidal(), 1, 1)], -1.0), "motor: inertia is -1"),

@@ -19,7 +19,6 @@ from engine.drive import (
     Stage,
     direction,
     loss_factor,
-    reflected_inertia,
     resisting,
 )
 from engine.drive.motor import reserve
@@ -88,8 +87,7 @@ def exact_rms(one, phases=PHASES):
 def test_reflected_inertia_weighs_with_the_square_of_speed():
     fast = Part("fast shaft", 0.007, speed_ratio=90 / 45)
     parts = [Part("rollers", 0.284, count=4), fast, Part("slow", 1.0, count=3, speed_ratio=0.1)]
-    assert reflected_inertia(parts) == pytest.approx(4 * 0.284 + 4 * 0.007 + 0.03, rel=1e-15)
-    assert reflected_inertia([]) == 0.0
+    assert math.fsum(part.reflected for part in parts) == pytest.approx(4 * 0.284 + 4 * 0.007 + 0.03, rel=1e-15)
 
 
 def test_a_geared_part_counts_on_its_shaft_and_at_the_motor():

@@ -7,7 +7,7 @@ from math import degrees, pi, radians
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Part, Slide, Stage, cylinder, motor_inertia, resisting
+from engine.drive import KINDS, Drive, Load, Part, Slide, Stage, cylinder, resisting
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
@@ -91,7 +91,7 @@ def s4_screw():
     load = Slide(mass=6, friction=0.1, slope=radians(10)).load
     mechanism = KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.014, 0.5, STEEL))])
     phases = [Phase(thirds(1 / 6, 2 / 3, 1 / 6), 0.008, 0.2), Phase(Dwell(), 0.0, 0.1)]
-    return mechanism, phases, motor_inertia(mechanism, 4, "document")
+    return mechanism, phases, mechanism.inertia("document") / 4
 
 
 def s4_conveyor():
@@ -99,7 +99,7 @@ def s4_conveyor():
     load = Slide(mass=150, slope=radians(20)).load
     mechanism = KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50)], parts=[rollers], belt=10)
     phases = [Phase(thirds(1 / 10, 4 / 5, 1 / 10), 0.5, 30), Phase(Dwell(), 0.0, 3)]
-    return mechanism, phases, motor_inertia(mechanism, 1, "document")
+    return mechanism, phases, mechanism.inertia("document")
 
 
 @pytest.mark.parametrize(

@@ -17,8 +17,7 @@ from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from engine.laws.spline import Spline
 from engine.laws.uniform import StraightLine
 from engine.motion import Phase
-from engine.motion.joining import Fault, Rates, joined
-from engine.motion.smoothness import ORDERS, shortfalls
+from engine.motion.joining import ORDERS, Fault, Rates, joined, shortfalls
 from tests.engine.motion.junctions import junctions
 
 OWN = PieceLaw([Piece(1.0, (0.0, 60.0, -180.0, 120.0))])

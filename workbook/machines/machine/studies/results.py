@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from engine.drive.results import together
-from engine.motion.smoothness import shortfalls
+from engine.motion.joining import shortfalls
 from workbook.entries.texts import place_of
 from workbook.entries.units import KW, shown
 from workbook.laws.family import COEFFICIENTS
