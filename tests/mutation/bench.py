@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 from openpyxl import Workbook
@@ -24,7 +25,6 @@ from workbook.machines.machine.mechanism import LINKED
 from workbook.reading.descriptions import read_machine
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import Template
-from workbook.witnesses.pycel.calculation import Calculation
 from workbook.witnesses.pycel.model import PycelModel
 
 SMALL = {"cycle": 24, "law": 8}
@@ -182,4 +182,5 @@ def evaluated(address: Address, formula: Formula, cells: dict[Address, Any]) -> 
     """Return what a formula computes among cells of known values."""
     needed = {a for argument in formula.arguments if isinstance(argument, Area) for a in argument.cells()}
     known = {a: cells[a] for a in needed if a in cells}
-    return Calculation(known, {address: formula}, {}).evaluate()[address]
+    held = SimpleNamespace(constants=known, formulas={address: formula}, problems={}, failed={})
+    return PycelModel(held).evaluate()[address]

@@ -25,13 +25,17 @@ from workbook.book.columns import Formulas
 from workbook.book.formula import FormulaError, read
 from workbook.reading.contents import Contents
 from workbook.witnesses.pycel import compiled, shortcuts
-from workbook.witnesses.pycel.arrays import plain
 from workbook.witnesses.pycel.limits import build_operators
-from workbook.witnesses.pycel.model import PycelModel, evaluate
+from workbook.witnesses.pycel.model import PycelModel
+from workbook.witnesses.pycel.shortcuts import plain
 from workbook.witnesses.pycel.steps import ordered
-from workbook.witnesses.pycel.witness import version
+from workbook.witnesses.pycel.witness import Pycel
 
 SHEET = "Sheet 1"
+
+
+def evaluate(workbook: Workbook) -> dict[Address, Any]:
+    return PycelModel(workbook).evaluate()
 
 
 class StockWrapper(ExcelOpxWrapperNoData):
@@ -554,7 +558,10 @@ def test_arrays_hold_what_is_made_of_each_element(one: Any, name: str, two: Any,
     operate = shortcuts.operators()
     pairs = zip(*(part if isinstance(part, list) else [part] * 6 for part in (left, right)), strict=True)
     each = [outcome_of(lambda a=a, b=b: operate(a, name, b)) for a, b in pairs]
-    ranges = [shortcuts.in_rows(part, 3 if wide else 1) if isinstance(part, list) else part for part in (left, right)]
+    ranges = [
+        shortcuts.Range(zip(*[iter(part)] * (3 if wide else 1), strict=True)) if isinstance(part, list) else part
+        for part in (left, right)
+    ]
     for _ in range(2):  # what was made once is known
         made = outcome_of(lambda: plain(operate(ranges[0], name, ranges[1])))
         if made is OverflowError:
@@ -605,6 +612,7 @@ def test_the_straight_ways_of_functions_lead_where_pycels_own_lead(value: Any, m
     kept = {"__builtins__", "_C_", "_R_", "_REF_", "pi", "chosen"}
     shortened = PycelModel(book(cells)).evaluate()
     monkeypatch.setattr(shortcuts, "SHORTENED", {})
+    monkeypatch.setattr(shortcuts, "KNOWING", {})
     monkeypatch.setattr(compiled, "_space", {k: v for k, v in compiled._space.items() if k in kept})
     monkeypatch.setitem(compiled._space, "excel_operator_operand_fixup", build_operators(lambda *_: None))
     compiled.compiled.cache_clear()
@@ -647,4 +655,4 @@ def test_addresses_read_and_write_as_in_formulas() -> None:
 
 
 def test_the_version_is_pycels() -> None:
-    assert version().startswith("1.0b")
+    assert Pycel().version().startswith("1.0b")

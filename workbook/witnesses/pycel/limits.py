@@ -37,14 +37,14 @@ def cross(*arrays: Any) -> None:
 
     Raises ValueError beyond the limit. A reader cannot see it coming: two references of 10,000 cells make 100,000,000.
     """
-    sizes = [(len(array), len(array[0])) for array in arrays if type(array) is tuple]
+    sizes = [(len(array), len(array[0])) for array in arrays if isinstance(array, tuple)]
     if len(set(sizes)) > 1:
         spend(max(rows for rows, _ in sizes) * max(columns for _, columns in sizes))
 
 
-def count_searches(wanted: Any, array: Any) -> None:
+def count_searches(wanted: Any, array: Any, *_: Any) -> None:
     """Count the cells that are passed through where each of a range is looked up in another."""
-    if type(wanted) is tuple and type(array) is tuple:
+    if isinstance(wanted, tuple) and isinstance(array, tuple):
         spend(len(wanted) * len(wanted[0]) * len(array) * len(array[0]))
 
 

@@ -2,52 +2,102 @@
 
 pycel itself parses, compiles and loads every formula anew and walks its graph at every call; here its compiler is
 called once for each shape (:mod:`workbook.witnesses.pycel.compiled`), and cells are evaluated in an order found without
-recursion (:mod:`workbook.witnesses.pycel.calculation`). Every value is computed by pycel's functions and operators.
+recursion. Every value is computed by pycel's functions and operators.
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any
 
+import numpy as np
 from openpyxl import Workbook
+from pycel.excelutil import AddressRange
 
 from workbook.book.address import Address, Strip
-from workbook.reading.contents import Cells, Contents
-from workbook.witnesses.pycel.calculation import Calculation
-from workbook.witnesses.witness import Answers, Turn
+from workbook.book.columns import Moved, Moving, Pattern
+from workbook.book.formula import Area, Formula, FormulaError, bounded
+from workbook.reading.contents import Cells, Contents, entered
+from workbook.witnesses.pycel.compiled import Compiled, compiled
+from workbook.witnesses.pycel.limits import Crossed
+from workbook.witnesses.pycel.steps import FormulaStep, Numbering, RangeStep, ordered
+from workbook.witnesses.witness import CYCLE, Answers, Turn
+
+Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
+PLAIN = frozenset((float, int, str, bool, type(None)))
+UNKNOWN = object()  # the value of a range that is not filled
+MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
 
 
 class PycelModel:
     """A workbook's formulas, joined once, to be evaluated again and again with other inputs.
 
     ``problems`` says in a line why a cell could not be evaluated; its value is an Excel error, or ``#CYCLE!``. The
-    formulas of ``cells`` are evaluated, all by default.
+    formulas of ``cells`` are evaluated, all by default. Everything that has a value (a cell, a range, a text in a
+    formula) is known by its number.
     """
 
     def __init__(self, held: Workbook | Contents, cells: Collection[Address] | None = None) -> None:
-        contents = held if isinstance(held, Contents) else Contents(held)
+        contents = Contents(held) if isinstance(held, Workbook) else held
         self.problems: dict[Address, str] = dict(contents.problems)
-        self.constants, self.formulas = contents.constants, contents.formulas
+        self.constants, self.formulas, self._failed = contents.constants, contents.formulas, contents.failed
         if cells is not None:
             self.formulas = {cell: self.formulas[cell] for cell in cells if cell in self.formulas}
-        self._failed = contents.failed
-        self._calculation = Calculation(self.constants | self._failed, self.formulas, self.problems)
+        self._entered = {address: entered(value) for address, value in (self.constants | self._failed).items()}
+        self._numbers = Numbering()
+        self._steps: dict[int, FormulaStep | RangeStep] = {}
+        self._areas: dict[int, Area] = {}
+        self._followed: dict[int, list[Followed]] = {}  # of a pattern, by its identity
+        self._range_cells = 0
+        self._strips: Sequence[Strip] | None = None  # those asked for last, and the numbers of their cells
+        self._strip_cells: list[int] = []
+        for address, value in self._entered.items():
+            self._numbers.cell(address, value)
+        self._cells = {self._numbers.cell(address): address for address in self.formulas}
+        self._occupied, self._held = len(self._numbers.values), set[int]()
+        for number, address in self._cells.items():
+            self._join(number, address, self.formulas[address])
+        self._order, self._cyclic = ordered({number: step.sources for number, step in self._steps.items()})
+        for number, need in self._cyclic.items():
+            self._numbers.values[number] = CYCLE
+            if number in self._cells:
+                through = self._cells.get(need) or self._areas[need].a1
+                self.problems[self._cells[number]] = f"the cell depends on itself, through {through}"
 
     @property
     def order(self) -> list[Address]:
         """The formula cells, each after those that it needs."""
-        return self._calculation.order
+        return [self._cells[number] for number in self._order if number in self._cells]
 
+    @np.errstate(all="ignore")  # what is not finite is worked out again, by elements
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> Cells:
-        """Return the value of every formula cell; ``inputs`` stand in for what cells hold."""
-        return self._failed | self._calculation.evaluate(inputs)
+        """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
+        given = {self._numbers.cell(address): entered(value) for address, value in (inputs or {}).items()}
+        self._hold(given)
+        values = list(self._numbers.values)
+        Crossed.cells = 0
+        for number, value in given.items():
+            values[number] = value
+        for number in self._order:
+            if number not in given:
+                values[number] = self._result(number, values)
+        return self._failed | {address: values[number] for number, address in self._cells.items()}
 
+    @np.errstate(all="ignore")
     def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
         """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
 
         ``wanted`` are the numbers of the cells within ``strips``. With the right values around it, a fault shows in its
         own cell only.
         """
-        return self._calculation.each(wanted, strips, values)
+        cells = self._within(strips)
+        known = list(self._numbers.values)  # without formulas: each is what its cell holds
+        for number, address in self._cells.items():
+            known[number] = self._entered.get(address)
+        for number in self._areas:
+            known[number] = UNKNOWN
+        for number, value in zip(cells, values, strict=True):
+            known[number] = value if type(value) in PLAIN else entered(value)
+        Crossed.cells = 0
+        return [self._by_itself(cells[n], known) for n in wanted]
 
     def elsewhere(self, strips: Sequence[Strip], turns: Sequence[Turn]) -> Callable[[], Answers]:
         """Return what yields, of each of ``turns``, the result of :meth:`each` and the values at which that is."""
@@ -59,7 +109,125 @@ class PycelModel:
 
         return answers
 
+    def _by_itself(self, number: int, values: list[Any]) -> Any:
+        """Return what a formula cell computes of the values known; ranges are entered among these."""
+        step = self._steps.get(number)
+        if step is None:  # it could not be joined
+            return self._numbers.values[number]
+        for source in step.sources:
+            if values[source] is UNKNOWN:
+                values[source] = self._steps[source].compute(values)
+        try:
+            return step.compute(values)
+        except Exception as error:  # pycel's functions raise whatever Python raises
+            return fault(error)
 
-def evaluate(workbook: Workbook, inputs: Mapping[Address, Any] | None = None) -> Cells:
-    """Return the value of every formula cell of ``workbook``."""
-    return PycelModel(workbook).evaluate(inputs)
+    def _within(self, strips: Sequence[Strip]) -> list[int]:
+        """Return the numbers of the cells of strips; ranges that passed over one as empty now hold it."""
+        if strips is not self._strips:
+            columns = [(sheet, c, self._numbers.column(sheet, c), rows) for sheet, c, rows in strips]
+            cells = [
+                known.get(row) or self._numbers.cell(Address(sheet, row, column))
+                for sheet, column, known, rows in columns
+                for row in rows
+            ]
+            self._hold(cells)
+            self._strips, self._strip_cells = strips, cells
+        return self._strip_cells
+
+    def _hold(self, numbers: Collection[int]) -> None:
+        """Let ranges that may have passed over cells as empty hold them."""
+        empty = {number for number in numbers if number >= self._occupied} - self._held
+        self._held |= empty
+        rows: dict[tuple[str, int], list[int]] = {}
+        for sheet, row, column in map(self._numbers.cells.__getitem__, empty):
+            rows.setdefault((sheet, column), []).append(row)
+        for number, area in self._areas.items() if rows else ():
+            columns = (rows.get((area.sheet, column), ()) for column in range(area.left, area.right + 1))
+            if any(area.top <= row <= area.bottom for column in columns for row in column):
+                self._fill(number, area)
+
+    def _join(self, number: int, address: Address, formula: Formula | Moved) -> None:
+        """Connect a formula with what it refers to."""
+        call = compiled(formula.shape)
+        try:
+            if isinstance(call, FormulaError):
+                raise call
+            self._steps[number] = FormulaStep(call, self._sources(call, formula))
+        except FormulaError as error:
+            self._numbers.values[number] = error.value
+            self.problems[address] = str(error)
+
+    def _sources(self, call: Compiled, formula: Formula | Moved) -> list[int]:
+        if call.addresses:
+            pairs = zip(call.dummies, formula.arguments, strict=True)
+            return [self._source(argument, dummy in call.addresses) for dummy, argument in pairs]
+        if not isinstance(formula, Moved):
+            return [self._source(argument) for argument in formula.arguments]
+        pattern, row = formula
+        return [
+            by if rows is None else rows.get(row + by) or self._source(argument.at(row))
+            for rows, by, argument in self._followed.get(id(pattern)) or self._follow(pattern)
+        ]
+
+    def _follow(self, pattern: Pattern) -> list[Followed]:
+        """Return where the arguments of a pattern are found: cells that move in their columns, all else by number."""
+        found = self._followed[id(pattern)] = list[Followed]()
+        for argument in pattern.arguments:
+            if not isinstance(argument, Moving):
+                found.append((None, self._source(argument), argument))
+            elif argument.area.single and argument.top is not None:
+                column = self._numbers.column(argument.area.sheet, argument.area.left)
+                found.append((column, argument.top, argument))
+            else:
+                found.append(({}, 0, argument))
+        return found
+
+    def _source(self, argument: Area | str, address: bool = False) -> int:
+        """Return the number of an argument, or of its address, for functions that ask for it."""
+        if isinstance(argument, str):
+            if address:
+                raise FormulaError("#VALUE!", "a reference is expected, not a text")
+            return self._numbers.other(("text", argument), argument)
+        if address:
+            return self._numbers.other(("address", argument.a1), AddressRange.create(argument.a1))
+        if argument.single:
+            return self._numbers.cell(argument.first)
+        number = self._numbers.other(argument)
+        if number not in self._areas:
+            self._range_cells += bounded(argument, argument.a1).size
+            if self._range_cells > MOST_RANGE_CELLS:
+                raise FormulaError("#REF!", f"the ranges of this workbook hold over {MOST_RANGE_CELLS:,} cells")
+            self._areas[number] = argument
+            self._fill(number, argument)
+        return number
+
+    def _fill(self, number: int, area: Area) -> None:
+        """Give a range the numbers of its cells."""
+        columns = [self._numbers.column(area.sheet, c) for c in range(area.left, area.right + 1)]
+        cells = [rows.get(row, 0) for row in range(area.top, area.bottom + 1) for rows in columns]
+        self._steps[number] = RangeStep(cells, len(columns))
+
+    def _result(self, number: int, values: list[Any]) -> Any:
+        """Return what a step computes in an evaluation of the whole, and note what kept it from a value."""
+        step, address, problem = self._steps[number], self._cells.get(number), ""
+        result: Any
+        if self._cyclic and CYCLE in map(values.__getitem__, step.sources):
+            result, problem = CYCLE, "the cell depends on cells that depend on themselves"
+        else:
+            try:
+                result = step.compute(values)
+            except Exception as error:  # pycel's functions raise whatever Python raises
+                result = fault(error)
+                problem = "" if result == "#NUM!" else f"pycel: {type(error).__name__}: {str(error)[:120]}"
+        if address and number not in self._cyclic:  # a problem of an evaluation before is taken back
+            if problem:
+                self.problems[address] = problem
+            elif self.problems:
+                self.problems.pop(address, None)
+        return result
+
+
+def fault(error: Exception) -> str:
+    """Return the error value of a cell whose computation raised an error."""
+    return "#NUM!" if isinstance(error, OverflowError) else "#VALUE!"

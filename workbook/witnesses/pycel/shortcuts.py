@@ -1,7 +1,9 @@
 """Straight ways into pycel: numbers go to the bodies of its operators and functions, past checks of their kind.
 
-pycel converts and checks every argument, and the result is the same where all of them are numbers already. Without
-these ways a book takes half as long again. Anything but plain numbers takes pycel's own way.
+pycel converts and checks every argument, and works out ranges, which are tuples of rows to it, element by element. Here
+a range of numbers stays an array from its first operator until a function wants it that knows none. The result is the
+same where all are numbers already; without these ways a book takes several times as long. What is not all numbers, or
+would not give what pycel gives of each element, takes pycel's own way.
 """
 
 import functools
@@ -11,18 +13,59 @@ from itertools import repeat
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from pycel.lib import lookup
 
-from workbook.witnesses.pycel.arrays import SUMS, Array, applied, array_of, operated, plain, plainly
-from workbook.witnesses.pycel.limits import NUMBERS, OPERATORS, build_operators, count_searches, cross, raised
+from workbook.witnesses.pycel.limits import NEAR, NUMBERS, OPERATORS, build_operators, count_searches, cross, raised
 
 Function = Callable[..., Any]
-RANGES = frozenset((tuple, Array))
-PLAIN = NUMBERS | RANGES
-COUNTED = NUMBERS | {bool}  # 1 and 0 where they are added or multiplied
-NOTHING = frozenset(("", "–"))  # texts in the cells of our books, and surely no numbers
-SIMPLE = {name: OPERATORS[name] for name in ("Add", "Sub", "Mult", "Lt", "LtE", "Gt", "GtE", "Eq", "NotEq")}
-DIVIDE = OPERATORS["Div"]
+COMPARED = {"Lt": np.less, "LtE": np.less_equal, "Gt": np.greater, "GtE": np.greater_equal, "Eq": np.equal,
+            "NotEq": np.not_equal}  # fmt: skip
+SUMS = {"Add": np.add, "Sub": np.subtract, "Mult": np.multiply}
+SIMPLE = {name: OPERATORS[name] for name in (*SUMS, *COMPARED)}
+POWERS = frozenset((2, 3, 4))
+SMALLEST = 4  # cells of a range for which an array is worth its making
+
+
+class Range(tuple[tuple[Any, ...], ...]):
+    """A range of cells as pycel's functions take it, a tuple of rows; as an array where it holds numbers alone."""
+
+    @functools.cached_property
+    def cells(self) -> NDArray[Any] | None:
+        """The numbers, made an array once for all formulas that read the range."""
+        if len(self) * len(self[0]) < SMALLEST or not all(NUMBERS.issuperset(map(type, row)) for row in self):
+            return None
+        try:
+            return np.array(self, dtype=float)
+        except OverflowError:
+            return None
+
+
+class Array:
+    """What an operator made of ranges: numbers, or truth values."""
+
+    __slots__ = ("cells",)
+
+    def __init__(self, cells: NDArray[Any]) -> None:
+        self.cells = cells
+
+    def item(self) -> Any:
+        """Return its first element: what a cell holds of a range."""
+        return self.cells.flat[0].item()
+
+
+RANGES = frozenset((tuple, Range, Array))
+
+
+def plain(value: Any) -> Any:
+    """Return a value as pycel's functions take it."""
+    return tuple(map(tuple, value.cells.tolist())) if type(value) is Array else value
+
+
+def array_of(value: Any) -> NDArray[Any] | None:
+    """Return a range as an array; None where it does not hold numbers alone."""
+    cells: NDArray[Any] | None = (Range(value) if type(value) is tuple else value).cells
+    return cells
 
 
 def operators() -> Callable[[Any, str, Any], Any]:
@@ -35,45 +78,48 @@ def operators() -> Callable[[Any, str, Any], Any]:
             if operator in SIMPLE:
                 return SIMPLE[operator](left, right)
             if operator == "Div" and right:
-                return DIVIDE(left, right)
+                return left / right
             if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
                 return raised(left, right)
         elif kind in RANGES or other in RANGES:
-            made = operated(left, operator, right) if kind in PLAIN and other in PLAIN else None
-            return in_turn(plain(left), operator, plain(right)) if made is None else made
-        return checked(left, operator, right)
-
-    def in_turn(left: Any, operator: str, right: Any) -> Any:
-        """Return what an operator makes of ranges, by elements."""
-        kind, other = type(left), type(right)
-        if kind is tuple and other is tuple:
-            if len(left) == len(right) and len(left[0]) == len(right[0]):
-                return each(operator, flat(left), flat(right), len(left[0]))
+            one, two = (x if k in NUMBERS else array_of(x) if k in RANGES else None
+                        for x, k in ((left, kind), (right, other)))  # fmt: skip
+            made = None if one is None or two is None else operated(one, operator, two)
+            if made is not None:
+                return Array(made)
+            left, right = plain(left), plain(right)
+            sizes = {(len(x), len(x[0])) for x in (left, right) if isinstance(x, tuple)}
+            if len(sizes) == 1 and all(isinstance(x, tuple) or type(x) in NUMBERS for x in (left, right)):
+                rows = zip(*(x if isinstance(x, tuple) else repeat(repeat(x)) for x in (left, right)), strict=False)
+                return tuple(tuple(map(operate, row, repeat(operator), other)) for row, other in rows)
             cross(left, right)
-        elif kind is tuple and other in NUMBERS:
-            return each(operator, flat(left), repeat(right), len(left[0]))
-        elif other is tuple and kind in NUMBERS:
-            return each(operator, repeat(left), flat(right), len(right[0]))
         return checked(left, operator, right)
-
-    def each(operator: str, left: Iterable[Any], right: Iterable[Any], columns: int) -> Any:
-        """Return what an operator makes of each pair, in rows: at once where its plain way takes all of them."""
-        kinds = {type(value) for side in (left, right) if isinstance(side, list) for value in side}
-        if operator in SIMPLE and kinds <= (COUNTED if operator in SUMS else NUMBERS):
-            return in_rows(map(SIMPLE[operator], left, right), columns)
-        return in_rows(map(operate, left, repeat(operator), right), columns)
 
     return operate
 
 
-def flat(array: Iterable[Iterable[Any]]) -> list[Any]:
-    """Return the cells of a range, row by row."""
-    return [value for row in array for value in row]
-
-
-def in_rows(values: Iterable[Any], columns: int) -> tuple[tuple[Any, ...], ...]:
-    """Return cells as a range of so many columns."""
-    return tuple(zip(*[iter(values)] * columns, strict=True))
+def operated(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
+    """Return what an operator makes of arrays of one size, or of one and a number; None where that is not plain."""
+    kinds = [one.dtype for one in (a, b) if isinstance(one, np.ndarray)]
+    if len(kinds) == 2 and a.shape != b.shape:
+        return None
+    truths = bool in kinds
+    made: NDArray[Any] | None = None
+    if operator in SUMS:
+        if truths:
+            a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+        made = SUMS[operator](a, b)
+    elif truths:
+        return None
+    elif operator in COMPARED:
+        apart = np.abs(a - b)
+        doubtful = (apart > 0) & (apart <= 2.0 * NEAR * np.abs(b))  # the same to 15 digits, perhaps
+        return None if doubtful.any() else COMPARED[operator](a, b)
+    elif operator == "Div" and np.all(b):
+        made = a / b
+    elif operator == "Pow" and ((type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)):
+        made = a**b
+    return made if made is not None and np.isfinite(made).all() else None
 
 
 def index(checked: Function) -> Function:
@@ -82,7 +128,7 @@ def index(checked: Function) -> Function:
     def call(array: Any, row: Any, column: Any = None) -> Any:
         if type(row) is float and row.is_integer():
             row = int(row)
-        if type(array) is tuple and type(row) is int:
+        if isinstance(array, tuple) and type(row) is int:
             if column is None and 0 < row <= len(array) and len(array[0]) == 1:
                 return array[row - 1][0]
             if column is None or type(column) is int:
@@ -93,47 +139,25 @@ def index(checked: Function) -> Function:
 
 
 def of_one(body: Callable[[float], float], over: Callable[[Any], Any]) -> Callable[[Function], Function]:
-    """Return a function of one number, straight for a number in its domain, and so for each of a range."""
+    """Return a function of one number, straight for a number in its domain, and for an array of these."""
 
     def shortened(checked: Function) -> Function:
         def call(*arguments: Any) -> Any:
-            kind = type(arguments[0]) if len(arguments) == 1 else None
-            if kind is Array:
-                return applied(over, arguments[0]) or checked(*arguments)
-            if kind in NUMBERS:
+            value: Any = arguments[0] if len(arguments) == 1 else None
+            if type(value) in NUMBERS:
                 try:
-                    return body(arguments[0])
+                    return body(value)
                 except (ValueError, OverflowError):
                     pass
-            elif kind is tuple:
-                return over_range(arguments[0])
+            elif type(value) is Array and value.cells.dtype != bool:
+                made = over(value.cells)
+                if np.isfinite(made).all():
+                    return Array(made)
             return checked(*arguments)
-
-        def over_range(array: Any) -> Any:
-            values = flat(array)
-            if NUMBERS.issuperset(map(type, values)):
-                try:
-                    return in_rows(map(body, values), len(array[0]))
-                except (ValueError, OverflowError):
-                    pass
-            return in_rows(map(call, values), len(array[0]))
 
         return call
 
     return shortened
-
-
-def condition(checked: Function) -> Function:
-    """Return IF, straight for a comparison, with at most one range: then every element is of its size."""
-
-    def call(test: Any, true_value: Any, false_value: Any = 0) -> Any:
-        if type(test) is not bool or (type(true_value) is tuple and type(false_value) is tuple):
-            cross(test, true_value, false_value)
-            return checked(test, true_value, false_value)
-        chosen, other = (true_value, false_value) if test else (false_value, true_value)
-        return tuple((chosen,) * len(row) for row in other) if type(other) is tuple else chosen
-
-    return call
 
 
 def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_value: Callable[[], Any]) -> Any:
@@ -143,14 +167,17 @@ def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_v
     return function(test, true_value(), false_value())
 
 
-def searching(checked: Function) -> Function:
-    """Return a look-up that counts what it passes through before it begins."""
+def counting(count: Callable[..., None]) -> Callable[[Function], Function]:
+    """Return a function that counts what it passes through before it begins."""
 
-    def call(*arguments: Any) -> Any:
-        count_searches(*arguments[:2])
-        return checked(*arguments)
+    def shortened(checked: Function) -> Function:
+        def call(*arguments: Any) -> Any:
+            count(*arguments)
+            return checked(*arguments)
 
-    return call
+        return call
+
+    return shortened
 
 
 def of_many(body: Callable[[Sequence[float]], float]) -> Callable[[Function], Function]:
@@ -159,25 +186,13 @@ def of_many(body: Callable[[Sequence[float]], float]) -> Callable[[Function], Fu
     def shortened(checked: Function) -> Function:
         def call(*arguments: Any) -> Any:
             one_range = len(arguments) == 1 and type(arguments[0]) in RANGES
-            values = numbers_of(plain(arguments[0]) if one_range else (arguments,))
-            return body(values) if values else checked(*arguments)
+            rows: Iterable[Any] = plain(arguments[0]) if one_range else (arguments,)
+            values = [value for row in rows for value in row]
+            return body(values) if values and NUMBERS.issuperset(map(type, values)) else checked(*arguments)
 
         return call
 
     return shortened
-
-
-def smallest(checked: Function) -> Function:
-    """Return SMALL, straight for a range of numbers and texts that stand for nothing."""
-
-    def call(array: Any, k: Any) -> Any:
-        if type(array) is tuple and type(k) is int:
-            values = numbers_of(tuple([value for value in row if value not in NOTHING] for row in array))
-            if 1 <= k <= len(values):
-                return sorted(values)[k - 1]
-        return checked(array, k)
-
-    return call
 
 
 def product_sum(checked: Function) -> Function:
@@ -194,41 +209,36 @@ def product_sum(checked: Function) -> Function:
     return call
 
 
-def numbers_of(array: Iterable[Iterable[Any]]) -> list[float]:
-    """Return the cells of a range if all of them are numbers, else nothing."""
-    values = flat(array)
-    return values if NUMBERS.issuperset(map(type, values)) else []
-
-
-SHORTENED: dict[str, Callable[[Function], Function]] = {
-    "index": index,
+KNOWING: dict[str, Callable[[Function], Function]] = {
     "sin": of_one(math.sin, np.sin),
     "cos": of_one(math.cos, np.cos),
     "sqrt": of_one(math.sqrt, np.sqrt),
     "exp": of_one(math.exp, np.exp),
     "ln": of_one(math.log, np.log),
     "abs_": of_one(abs, np.abs),
-    "if_": condition,
-    "match": searching,
-    "vlookup": searching,
-    "hlookup": searching,
-    "lookup": searching,
     "min_": of_many(min),
     "max_": of_many(max),
     "sum_": of_many(sum),
-    "small": smallest,
     "sumproduct": product_sum,
 }
-"""pycel's functions that have a straight way, by their names there"""
-
-KNOWING = frozenset(("sin", "cos", "sqrt", "exp", "ln", "abs_", "min_", "max_", "sum_", "sumproduct"))
-"""those that take arrays"""
+"""the straight ways of pycel's functions, by their names there, that take arrays"""
+SHORTENED: dict[str, Callable[[Function], Function]] = {
+    "index": index,
+    "if_": counting(cross),
+    **dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), counting(count_searches)),
+}
+"""and those that take ranges"""
 
 
 def shortened(name: str, function: Function) -> Function:
     """Return a function of pycel as formulas call it: with its straight way, if it has one, and for arrays."""
-    plain_one = plainly(function)
-    if name not in SHORTENED:
-        return plain_one
-    made = SHORTENED[name](plain_one)
-    return made if name in KNOWING else plainly(made)
+
+    def plainly(function: Function) -> Function:
+        def call(*arguments: Any) -> Any:
+            return function(*map(plain, arguments)) if Array in map(type, arguments) else function(*arguments)
+
+        return call
+
+    if name in KNOWING:
+        return KNOWING[name](plainly(function))
+    return plainly(SHORTENED[name](function) if name in SHORTENED else function)

@@ -1,44 +1,45 @@
 """What an evaluation is made of: a formula called with its arguments, a range filled from its cells."""
 
 import math
-from collections.abc import Hashable, Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Hashable, Sequence
+from graphlib import CycleError, TopologicalSorter
+from typing import Any, NamedTuple
 
+import numpy as np
 from pycel.excelutil import EMPTY, list_like
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from workbook.book.address import Address
 from workbook.witnesses.pycel.compiled import Compiled, arguments
+from workbook.witnesses.pycel.shortcuts import Range
 
 LONGEST_TEXT = 32_767  # characters that a cell can hold
 LARGEST_EXACT = 2**53  # whole numbers beyond are not exact in a cell
 
 
-class FormulaStep:
-    """One formula cell: the numbers of the cells, ranges and texts that its shape is called with."""
+class FormulaStep(NamedTuple):
+    """One formula cell: its shape, and the numbers of the cells, ranges and texts that this is called with."""
 
-    __slots__ = ("_call", "_dummies", "sources")
+    compiled: Compiled
+    sources: Sequence[int]
 
-    def __init__(self, compiled: Compiled, sources: Sequence[int]) -> None:
-        self._call, self._dummies, self.sources = compiled.call, compiled.dummies, sources
-
-    def compute(self, values: list[Any] | dict[int, Any]) -> Any:
+    def compute(self, values: list[Any]) -> Any:
         """Return what the cell holds; raise what pycel raises, and OverflowError for what no cell can hold."""
-        arguments.update(zip(self._dummies, map(values.__getitem__, self.sources), strict=True))
-        return held(self._call())
+        arguments.update(zip(self.compiled.dummies, map(values.__getitem__, self.sources), strict=True))
+        return held(self.compiled.call())
 
 
-class RangeStep:
+class RangeStep(NamedTuple):
     """One range: the numbers of its cells, row by row."""
 
-    __slots__ = ("_width", "sources")
+    sources: Sequence[int]
+    width: int
 
-    def __init__(self, sources: Sequence[int], width: int) -> None:
-        self.sources, self._width = sources, width
-
-    def compute(self, values: list[Any] | dict[int, Any]) -> tuple[tuple[Any, ...], ...]:
-        """Return the range as pycel's functions take it, a tuple of rows."""
+    def compute(self, values: list[Any]) -> Range:
+        """Return the range as pycel's functions take it."""
         cells = map(values.__getitem__, self.sources)
-        return tuple(zip(*[cells] * self._width, strict=True))
+        return Range(zip(*[cells] * self.width, strict=True))
 
 
 def held(result: Any) -> Any:
@@ -88,52 +89,18 @@ class Numbering:
         return number
 
 
-class _Visit:
-    """A key under way: what it has still to look at, and the outermost key that it leads back to."""
+def ordered(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[int, int]]:
+    """Return the keys of ``needs`` so that each follows those it needs; for each in a cycle, one that it needs there.
 
-    __slots__ = ("back", "key", "rest", "via")
-
-    def __init__(self, key: int, rest: Iterator[int], depth: int) -> None:
-        self.key, self.rest = key, rest
-        self.back, self.via = depth + 1, key  # deeper than itself: it leads back to nothing
-
-
-def ordered(needs: Mapping[int, Sequence[int]]) -> tuple[list[int], dict[int, int]]:
-    """Return the keys of ``needs`` so that each follows those it needs, and the keys of cycles.
-
-    Depth first, without recursion: a chain may be as long as a sheet. Each key of a cycle comes with the one
-    that it needs in that cycle; a cycle is cut where it was noticed. Needs that are no keys are passed over.
+    Needs that are no keys are passed over.
     """
-    order: list[int] = []
     cyclic: dict[int, int] = {}
-    depth: dict[int, int] = {}  # of a key under way; -1 when done
-    for start in needs:
-        if start in depth:
-            continue
-        path = [_Visit(start, iter(needs[start]), 0)]
-        depth[start] = 0
-        while path:
-            visit = path[-1]
-            for need in visit.rest:
-                if need not in needs:
-                    continue
-                there = depth.get(need)
-                if there is None:
-                    depth[need] = len(path)
-                    path.append(_Visit(need, iter(needs[need]), len(path)))
-                    break
-                if 0 <= there < visit.back:
-                    visit.back, visit.via = there, need
-            else:
-                _leave(path, depth, cyclic)
-                order.append(visit.key)
-    return order, cyclic
-
-
-def _leave(path: list[_Visit], depth: dict[int, int], cyclic: dict[int, int]) -> None:
-    visit = path.pop()
-    depth[visit.key] = -1
-    if visit.back <= len(path):
-        cyclic[visit.key] = visit.via
-    if visit.back < len(path) and visit.back < path[-1].back:
-        path[-1].back, path[-1].via = visit.back, visit.key
+    try:
+        order = list(TopologicalSorter(needs).static_order())
+    except CycleError:
+        ends = np.array([(key, need) for key, found in needs.items() for need in found])
+        size = 1 + ends.max()
+        parts = connected_components(coo_array((ends[:, 0] + 1, ends.T), (size, size)), connection="strong")[1]
+        cyclic = dict(ends[parts[ends[:, 0]] == parts[ends[:, 1]]].tolist())
+        order = list(TopologicalSorter(needs | dict.fromkeys(cyclic, ())).static_order())
+    return [key for key in order if key in needs], cyclic
