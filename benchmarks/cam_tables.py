@@ -18,9 +18,8 @@ from rich.console import Console
 from rich.table import Table
 
 from engine import law
-from engine.cams.certificate import certify
+from engine.cams.certificate import certify, equal
 from engine.cams.interpolation import lines, quintics, segmented, spline
-from engine.cams.certificate import equal
 from engine.cams.profile import CamProfile, profile_of_motion
 from engine.laws.base import Array
 from engine.motion import Motion, Phase

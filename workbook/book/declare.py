@@ -90,7 +90,8 @@ class Book:
                 row = "{0}" if second is None else "{0[-1]}"
                 return ":".join(f"{fixed}{get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
             block = self.blocks[first]
-            prefix = "" if block.sheet is at.sheet else quoted(block.sheet.title) + "!"
+            ends_range = text[found.start() - 1 : found.start()] == ":"  # its first corner names the sheet
+            prefix = "" if ends_range or block.sheet is at.sheet else quoted(block.sheet.title) + "!"
             if end == ".same":
                 row = f"{{0[{block.row - at.row}]}}"
                 return prefix + ":".join(
@@ -98,7 +99,8 @@ class Book:
                 )
             return prefix + block.reference(second[1:], end or "", fixed)
 
-        return REFERENCE.sub(reference, text.replace("{", "{{").replace("}", "}}"))
+        text = text.replace("{", "{{").replace("}", "}}")
+        return REFERENCE.sub(reference, text)
 
     def range(self, text: str) -> str:
         """Return the range that ``[table.column]`` means, with its sheet: for charts and names."""
