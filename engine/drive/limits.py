@@ -174,7 +174,7 @@ FAR = 1e6
 """times the rate that is asked about: no further is looked, up or down"""
 
 CLOSE = 1e-10
-"""of the rate: so near to the one that binds"""
+"""of the rate: how near to the highest rate is near enough"""
 
 STEPS = 200
 
@@ -202,7 +202,7 @@ def highest_rate(axes: Mapping[str, LimitChecks]) -> HighestRate:
 
 
 def of_axis(checks: LimitChecks) -> tuple[float, str]:
-    """Return the highest speed of one axis, and the limit that binds."""
+    """Return the highest speed of one axis, and the limiting factor."""
     speed = checks.drive_cycle.speed
     holds, fails = (speed, 2.0 * speed) if checks.ok else (0.5 * speed, speed)
     while holds > speed / FAR and not at_speed(checks, holds).ok:

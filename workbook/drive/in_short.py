@@ -14,7 +14,7 @@ NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
 
 
 class Highest(NamedTuple):
-    """The highest rate (cycles/min) at which a drive holds all limits, or a word, and the limit that binds there.
+    """The highest rate (cycles/min) at which a drive holds all limits, or a word, and the limiting factor.
 
     ``own`` is the rate that it is sized at, if not the machine's.
     """
@@ -96,7 +96,7 @@ def drives(axes: Sequence[InShort]) -> list[Quantity]:
 
 
 def highest_rates(axes: Sequence[InShort]) -> list[Quantity]:
-    """Return the columns of the highest rate of each drive, and of the limit that binds there."""
+    """Return the columns of the highest rate of each drive, and of the limiting factor."""
     cells = [[f"={a.scope}{name}" if a.highest else f'="{NO_DRIVE}"' for a in axes] for name in ("highest", "binds")]
     values = [a.highest or (NO_DRIVE, NO_DRIVE, NO_DRIVE) for a in axes]
     own = [f'=IF({a.scope}own_rate="","{MACHINES}",{a.scope}own_rate)' if a.highest else f'="{NO_DRIVE}"' for a in axes]

@@ -136,7 +136,7 @@ def cubic(column: str) -> str:
 
 
 def highest(view: DriveView) -> Sequence[Quantity]:
-    """Return the results: the highest rate, and the limit that binds there."""
+    """Return the results: the highest rate, and the limiting factor."""
     most, name, _ = view.highest
     rates = "[@held.rate]"
     return [

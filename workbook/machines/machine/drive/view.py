@@ -163,7 +163,7 @@ class DriveView:
 
     @property
     def highest(self) -> Highest:
-        """The highest rate of the sheet, and the limit that binds there."""
+        """The highest rate of the sheet, and the limiting factor."""
         each = {name: one.highest(self.rate) for name, one in self.shares.items()}
         least = min(each.values())
         name = next(name for name, one in each.items() if one == least)
@@ -171,7 +171,7 @@ class DriveView:
         return Highest(least, name, own) if math.isfinite(least) else Highest(NONE_BINDS, NONE_BINDS, own)
 
     def exact_highest(self) -> tuple[float, str]:
-        """Return the exact highest rate (cycles/min) and the limit that binds there."""
+        """Return the exact highest rate (cycles/min) and the limiting factor."""
         found = highest_rate({self.driven.called: self.driven.judged})
         return shown(found.speed / (2.0 * math.pi), PER_MINUTE), found.limit
 

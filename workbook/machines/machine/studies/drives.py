@@ -192,7 +192,7 @@ class Studied:
 
     @cached_property
     def highest_each(self) -> dict[tuple[int, int, int], Highest]:
-        """The highest rate of each drive, and the limit that binds there."""
+        """The highest rate of each drive, and the limiting factor."""
         found = {}
         for one, view in self.views.items():
             most, rate = view.highest, self.rates.values[one[2]]  # the machine's entries do not tell this rate
