@@ -70,7 +70,7 @@ class Design:
         return self._figures("input")
 
     def results(self) -> dict[Key, Figure]:
-        """Return all results but those of long tables, which are samples and points, and texts in tables."""
+        """Return all results but texts in tables, those of long tables, and of matrices: the best pairs stand for them."""
         found = self._figures("result")
         return {key: one for key, one in found.items() if not key[2] or isinstance(one.value, int | float)}
 
@@ -84,7 +84,7 @@ class Design:
         return found
 
     def _figures(self, role: str) -> dict[Key, Figure]:
-        blocks = [one for one in self.book.blocks.values() if role == "input" or one.size <= LONG]
+        blocks = [one for one in self.book.blocks.values() if role == "input" or (one.size <= LONG and not one.lead)]
         columns = ((block, q) for block in blocks for q in block.quantities if q.role == role)
         found: dict[Key, Figure] = {}
         for block, q in columns:

@@ -82,6 +82,15 @@ def test_one_changed_lift_names_that_and_the_results_of_its_axis(folder, data):
     assert not found.checks
 
 
+def test_the_best_pairs_stand_for_the_matrices_of_all_pairs(tmp_path):
+    description = FOLDER / "machine.toml"
+    data = read_machine(description).model_dump()
+    slower = edited(tmp_path, data, "slower", lambda entries: entries["master"].update(rate=100.0))
+    sheets = {one.place.partition(":")[0] for one in differences(description, slower).results}
+    assert "Selection" in sheets
+    assert "Pairs" not in sheets
+
+
 def test_an_axis_put_before_the_others_is_all_that_is_new(folder, data):
     def insert(copy):
         copy["axes"].insert(1, copy["axes"][1] | {"name": "MC00"})
