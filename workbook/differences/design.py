@@ -70,7 +70,7 @@ class Design:
         return self._figures("input")
 
     def results(self) -> dict[Key, Figure]:
-        """Return all results but texts in tables, those of long tables, and of matrices: the best pairs stand for them."""
+        """Return all results but texts in tables, long tables and matrices (the best pairs stand for those)."""
         found = self._figures("result")
         return {key: one for key, one in found.items() if not key[2] or isinstance(one.value, int | float)}
 
