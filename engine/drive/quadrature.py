@@ -14,13 +14,13 @@ from math import perm, pi
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive import dwell_times
 from engine.drive.train import Train
 from engine.laws.base import Array
+from engine.laws.points import POINTS, SHARES, WEIGHTS
 from engine.motion.pieces import MotionPiece
 
 
@@ -45,24 +45,8 @@ class Rows:
         return Rows(self.powers[:, index], tuple(sine[:, index] for sine in self.sines))
 
 
-COUNT = 9
-"""points of an interval"""
 STANDSTILL = 1e-9
 """of the greatest speed: a slower load stands"""
-
-
-def lobatto(count: int) -> tuple[Array, Array]:
-    """Return the points of the rule of Gauss and Lobatto on [0, 1], and their weights, of sum 1.
-
-    Source: M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 25.4.32.
-    """
-    top = legendre.Legendre.basis(count - 1)
-    inner = top.deriv().roots()
-    points = np.concatenate([[-1.0], np.sort(inner.real), [1.0]])
-    return (points + 1.0) / 2.0, 1.0 / (count * (count - 1) * top(points) ** 2)
-
-
-SHARES, WEIGHTS = lobatto(COUNT)
 
 
 class Interval(NamedTuple):
@@ -238,7 +222,7 @@ class Cycle:
     def points(self) -> LoadPoints:
         """Return the points of all intervals. Raises OutOfReachError where the mechanism cannot bring its load."""
         begin, end = (np.array([getattr(one, name) for one in self.intervals])[:, None] for name in ("begin", "end"))
-        number = np.arange(len(begin))[:, None] + np.zeros(COUNT, dtype=np.intp)
+        number = np.arange(len(begin))[:, None] + np.zeros(POINTS, dtype=np.intp)
         share, place = (end - begin) / self.drive_cycle.unshifted.total * WEIGHTS, begin + (end - begin) * SHARES
         y, v, a = (self._derivative(number, place, order) for order in range(3))
         direction = np.where(np.abs(v) > self.still, np.sign(v), self.direction[number])

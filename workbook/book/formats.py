@@ -5,7 +5,7 @@ from typing import Any
 from workbook.book.quantity import Quantity
 
 LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))  # below each size: four digits that count
-NOISE = 1e-12  # of any unit: a size below it is rounding
+NOISE = 1e-12  # rounding, of any unit and as a share of a value
 
 
 def sample(q: Quantity) -> Any:
@@ -25,7 +25,7 @@ def number_format(q: Quantity, value: Any) -> str:
         return "General"
     if isinstance(value, int):
         return "0"
-    size = abs(value)
+    size = abs(value) * (1.0 + NOISE)  # 0.999… by rounding is shown as 1
     if size < NOISE:
         return LOOKS[0][1]
     if size < 1e-3 or size >= 1e6:

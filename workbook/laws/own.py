@@ -12,6 +12,7 @@ from engine.laws import Law
 from engine.laws.mended import ALIKE, Groups, groups, misses
 from engine.laws.points import SLOPES, Points
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.book.lobatto import SHARES, WEIGHTS
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
 
@@ -53,8 +54,8 @@ def points_table(sheet: Sheet, at: Points, first: int, stack: Pieces) -> None:
     sheet.table(
         "@points", "Nine points on each piece, both its ends among them", len(p),
         constant("p", "piece", "", "", p.tolist()),
-        constant("share", "share of the piece", "", "", at.share.tolist()),
-        constant("weight", "weight in it", "", "", at.weight.tolist()),
+        constant("share", "share of the piece", "", "", list(SHARES) * len(at.pieces)),
+        constant("weight", "weight in it", "", "", list(WEIGHTS) * len(at.pieces)),
         calc("part", "share of the rise", "", "", "=[weight]*INDEX([@pieces.d],[p])", at.part),
         calc("xi", "abscissa", "ξ", "", "=INDEX([@worked.xi],[p])+[u]", at.xi),
         calc("q", "piece row", "q", "", "=@first+[p]-1", p + (first - 1.0), format="0", source="on the sheet Laws"),

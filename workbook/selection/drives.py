@@ -6,8 +6,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from engine.drive.quadrature import COUNT
 from engine.laws.base import Array
+from engine.laws.points import POINTS
 from engine.selection.pair_matrix import gears
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
@@ -68,7 +68,7 @@ def held(view: Choosing) -> Sequence[Quantity]:
 def points_table(sheet: Sheet, view: Choosing) -> None:
     """Declare the points of the named drive."""
     shaft, load, of = view.shaft, view.load.points, view.shaft.by_point
-    behind, rows = shaft.torque, list(range(1, shaft.rows * COUNT + 1))
+    behind, rows = shaft.torque, list(range(1, shaft.rows * POINTS + 1))
     sheet.row += 1
     sheet.table(
         "@points", "The points of its cycle", len(rows),

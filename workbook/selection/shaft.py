@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from engine.drive.quadrature import COUNT
 from engine.laws.base import Array
+from engine.laws.points import POINTS
 from engine.selection.point_load import PointLoad
 from workbook.book.chart import in_scope
 from workbook.book.rows import filled
@@ -80,7 +80,7 @@ class Shaft:
     def by_point(self, values: Array) -> list[float]:
         """Return values of the points as a column; spare rows have that of the last."""
         flat = values.ravel()
-        return filled(flat, self.rows * COUNT, float(flat[-1]))
+        return filled(flat, self.rows * POINTS, float(flat[-1]))
 
 
 MIXED = "@product/{eta}+@product_back*{eta}+{i}*{own}*@way_turning"

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from engine.drive.quadrature import COUNT
+from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.lobatto import SHARES, WEIGHTS
 from workbook.book.rows import filled
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, plane, rms_point, within_reducer
-from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.flying.driving import ToolDrive
 from workbook.motion.cells import PieceRows
@@ -163,7 +163,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
 def intervals(sheet: Sheet, view: ToolDrive) -> None:
     """Declare the pieces of the tool's motion as intervals; spare rows at the end have no length."""
     cycle, room, time = view.cycle, view.machine.room, view.machine.cut.cycle_time
-    middle = f"INDEX([@pt.v],{COUNT}*[k]-{COUNT // 2})"
+    middle = f"INDEX([@pt.v],{POINTS}*[k]-{POINTS // 2})"
     sheet.table(
         "@iv", "Intervals of the cycle", room,
         constant("k", "interval", "k", "", list(range(1, room + 1))),
@@ -196,13 +196,13 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare tool, shaft and motor at the points of each interval."""
     load, of, room = view.load, view.by_point, view.machine.room
     scale, numbers = view.machine.scales, list(range(room))
-    pieces = filled([piece for piece in rows.pieces for _ in SHARES], room * COUNT, rows.pieces[-1])
+    pieces = filled([piece for piece in rows.pieces for _ in SHARES], room * POINTS, rows.pieces[-1])
     u = np.array(of(load.x - np.array([[piece.origin] for piece in rows.pieces])))
     stands, reached = (one.reshape(load.x.shape) for one in view.turns)
     step = "([t]-[t-1])"
     sheet.table(
-        "@pt", "The drive at nine points of each interval", room * COUNT,
-        constant("k", "point", "k", "", list(range(1, room * COUNT + 1))),
+        "@pt", "The drive at nine points of each interval", room * POINTS,
+        constant("k", "point", "k", "", list(range(1, room * POINTS + 1))),
         constant("iv", "interval", "", "", [k + 1 for k in numbers for _ in SHARES]),
         constant("s", "share of it", "", "", list(SHARES) * room),
         constant("g", "counts", "", "", list(WEIGHTS) * room),

@@ -6,14 +6,15 @@ those of the rule of Gauss and Lobatto: both ends and seven between, each with w
 
 import numpy as np
 
-from engine.drive.quadrature import COUNT, Interval
+from engine.drive.quadrature import Interval
 from engine.drive.rate_by_points import falling_use
+from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.book.lobatto import SHARES, WEIGHTS
 from workbook.book.polynomial import LEAST, NOT_ZERO
 from workbook.book.rows import filled
 from workbook.drive.motor import plane
-from workbook.drive.points import SHARES, WEIGHTS
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.chain import WINDOWS
@@ -56,8 +57,8 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     )  # fmt: skip
     of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
     sheet.table(
-        "@pt", "The drive at nine points of each interval", view.rows * COUNT,
-        constant("k", "point", "k", "", list(range(1, view.rows * COUNT + 1))),
+        "@pt", "The drive at nine points of each interval", view.rows * POINTS,
+        constant("k", "point", "k", "", list(range(1, view.rows * POINTS + 1))),
         constant("iv", "interval", "", "", [k for k in rows for _ in SHARES]),
         constant("s", "share of it", "", "", list(SHARES) * view.rows),
         constant("w", "counts", "", "", list(WEIGHTS) * view.rows),
@@ -148,7 +149,7 @@ def curve(view: DriveView) -> list[Quantity]:
     ]  # fmt: skip
 
 
-MIDDLE = COUNT // 2 + 1
+MIDDLE = POINTS // 2 + 1
 """the number of the point in the middle of an interval"""
 LENGTH = "[len]<eps"
 """the condition of a spare row: an interval of no length"""
@@ -197,7 +198,7 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
         return (middle(one) + late) % TURN
 
     at = f"([mid]+[axes_taken.late.{i}])"
-    speed = f"INDEX([@pt.v],{COUNT}*[k]-{COUNT - MIDDLE})"
+    speed = f"INDEX([@pt.v],{POINTS}*[k]-{POINTS - MIDDLE})"
     sheet.table(
         "@iv", "Intervals of the cycle", view.rows,
         constant("k", "interval", "k", "", list(range(1, view.rows + 1))),

@@ -10,9 +10,10 @@ import numpy as np
 from engine.drive.drive_points import Between, DrivePoints, between
 from engine.drive.limits import highest_rate
 from engine.drive.motor import LimitCheck, Reserve, reserve
-from engine.drive.quadrature import COUNT, Cycle, LoadPoints
+from engine.drive.quadrature import Cycle, LoadPoints
 from engine.drive.rate_by_points import Share, shares
 from engine.laws.base import Array
+from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.drive.in_short import Highest
 from workbook.entries.turn import TURN
@@ -98,7 +99,7 @@ class DriveView:
     def by_point(self, values: Array, spare: float | None = None) -> list[float]:
         """Return values of the points, interval by interval; spare rows have that of the last point, or another."""
         flat = np.broadcast_to(values, self.load.x.shape).ravel()
-        return filled(flat, self.rows * COUNT, float(flat[-1]) if spare is None else spare)
+        return filled(flat, self.rows * POINTS, float(flat[-1]) if spare is None else spare)
 
     @property
     def edges(self) -> list[float]:

@@ -10,8 +10,9 @@ from typing import NamedTuple
 from engine.drive.drive_points import peak
 from engine.drive.losses import held_factor
 from engine.drive.mechanisms.by_angle import Arm
-from engine.drive.quadrature import COUNT, STANDSTILL
+from engine.drive.quadrature import STANDSTILL
 from engine.laws.base import Array
+from engine.laws.points import POINTS
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.drive import brake
@@ -154,7 +155,7 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     each = [(one, sign) for one in figures(view) for sign in (1, -1)]
     found = [peak(sign * one.values, shown(view.load.x, DEGREE)) for one, sign in each]
     rows = len(each)
-    last = view.rows * COUNT
+    last = view.rows * POINTS
     size = max(one.scale for one, _ in each)
 
     def of(formula: str) -> list[str]:
