@@ -56,6 +56,12 @@ def test_a_random_machine_comes_back_from_its_book(layout, k, tmp_path):
 
 
 @pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.sample(6)
+def test_every_committed_book_verifies(path):
+    assert verify(path.with_suffix(".xlsx")).findings == []
+
+
+@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
 @pytest.mark.sample(5)
 def test_every_committed_machine_comes_back_from_its_cells(path):
     given = read_machine(path)

@@ -128,11 +128,6 @@ def test_a_book_that_was_built_is_verified_and_comes_back(tmp_path):
     assert entered(TEMPLATE, machine) == (machine, [])
 
 
-def test_the_committed_book_verifies():
-    report = verify(cutting.BOOK)
-    assert report.findings == []
-
-
 def test_the_committed_book_shows_the_figures_of_s1_without_edits():
     """S1: 9 m/s and 270 m/s² at 200 a minute; J_tot = 1.164 kg m², C_r = 67 Nm and the equation of C_m at 100."""
     book = TEMPLATE.declare(cutting.described())

@@ -11,7 +11,6 @@ from tests.engine.selection.tasks import sampled_task
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
-from workbook.judging.verify import verify
 from workbook.laws.library import laws
 from workbook.laws.variations import RISING
 from workbook.machines.flying.view import Flying
@@ -208,9 +207,3 @@ def test_the_tool_is_as_smooth_as_asked_or_the_joint_is_named(law, length, asked
 def test_entries_that_cannot_be_get_one_line(changed, line):
     with pytest.raises(InputError, match=line):
         checked(TEMPLATE, entries(**changed), str)
-
-
-@pytest.mark.parametrize("book", [TEMPLATE.book, SAW.with_suffix(".xlsx")], ids=lambda path: path.stem)
-@pytest.mark.sample(1)
-def test_the_committed_books_verify(book):
-    assert verify(book).findings == []

@@ -7,7 +7,6 @@ from engine.overlap.points import HEIGHT
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
-from workbook.judging.verify import verify
 from workbook.laws.library import laws
 from workbook.laws.variations import RISING
 from workbook.machines.overlap.view import Overlapping
@@ -167,7 +166,3 @@ def test_the_variations_fail_both_checks_of_the_clearance():
 def test_entries_that_cannot_be_get_one_line(changed, line):
     with pytest.raises(InputError, match=line):
         checked(TEMPLATE, entries(**changed), str)
-
-
-def test_the_committed_template_verifies():
-    assert verify(TEMPLATE.book).findings == []

@@ -185,8 +185,7 @@ def test_entries_that_cannot_be_get_one_line(changed, line):
 
 @pytest.mark.parametrize("path", [SCREW, CONVEYOR], ids=["screw", "conveyor"])
 @pytest.mark.sample(1)
-def test_the_committed_books_verify_and_tell_their_sheet_of_figures(path):
-    assert verify(path.with_suffix(".xlsx")).findings == []
+def test_the_committed_books_tell_their_sheet_of_figures(path):
     machine, notes = inputs(path.with_suffix(".xlsx"))
     assert (machine.axes[0].printed, notes) == ("S4", [])
 

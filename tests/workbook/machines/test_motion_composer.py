@@ -12,7 +12,6 @@ from tests.workbook.composed import EXERCISE, MACHINE, composed
 from tests.workbook.machines.test_random_inputs import durations, piece, shares
 from workbook.build import build, committed, inputs, stale_templates
 from workbook.errors import InputError
-from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
 
@@ -245,9 +244,3 @@ def test_a_stale_example_is_found(tmp_path, monkeypatch):
     assert stale_templates() == []
     build(described(), example.with_suffix(".xlsx"), overwrite=True)
     assert stale_templates() == [example.with_suffix(".xlsx")]
-
-
-@pytest.mark.parametrize("path", [DESCRIPTION, *EXAMPLES], ids=lambda p: p.stem)
-@pytest.mark.sample(1)
-def test_the_committed_books_verify(path):
-    assert verify(path.with_suffix(".xlsx")).findings == []

@@ -200,7 +200,3 @@ def test_the_variations_fail_the_clearance_of_every_tool_and_each_smoothness():
     failed = {q.name for book in books for _, q in book.checks if q.value == "FAIL"}
     tools = {f"tool{i}_ok_{check}" for i in (1, 2, 3) for check in ("collide", "margin", "smooth")}
     assert failed == tools | {"overlap_ok_smooth"}
-
-
-def test_the_committed_book_verifies():
-    assert verify(STATIONS.with_suffix(".xlsx")).findings == []
