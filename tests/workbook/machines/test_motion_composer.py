@@ -94,7 +94,7 @@ def test_every_formula_cell_has_an_engine_value():
     cells = list(MACHINE.declare(described(cycle=360)).cells())
     formulas = [c for c in cells if isinstance(c.content, str) and c.content.startswith("=")]
     assert not [f"{c.block.name}.{c.quantity.name}[{c.i}]" for c in formulas if c.expected is None]
-    assert len([c for c in formulas if c.block.name == "cycle1"]) == 361 * 11
+    assert len([c for c in formulas if c.block.name == "cycle1"]) == 361 * 10
 
 
 # --- Junctions and closure ------------------------------------------------------------------------

@@ -19,6 +19,9 @@ RATES = (
 )
 """of each derivative: its column, what it is called, its factor, and its equation over time and over all else"""
 
+EARLIER = "([theta]-@late-[p])*@lap"
+"""the travel of the turns that its phases have ended before"""
+
 
 def cycle_sheets(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare a sheet for each axis."""
@@ -43,14 +46,12 @@ def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
             f"cycle{i}", f"The axis over the {over.name}", samples,
             time if over.measured else theta,
             *results(one),
-            calc("lane", "in the diagram", "", "", "=@floor+@scale*([y]-[n]*@lap)",
+            calc("lane", "in the diagram", "", "", f"=@floor+@scale*([y]-{EARLIER})",
                  one.axis.lane(machine.samples, floor, LANE_SHARE)),
             *([theta] if over.measured else []),
-            calc("n", "cycles of its phases begun before", "n_c", "",
-                 "=INT((MIN([theta],timing_end)-@late+eps)/360)", told.cycles, format="0",
-                 source="the end of the turn has the left limit"),
-            calc("p", "angle of its phases", "", "°", "=[theta]-@late-360*[n]", shown(told.x, DEGREE), format="0.0##",
-                 source="θ − shift − 360 n_c", scale=360.0),
+            calc("p", "angle of its phases", "", "°",
+                 "=[theta]-@late-360*INT((MIN([theta],timing_end)-@late+eps)/360)", shown(told.x, DEGREE),
+                 format="0.0##", source="θ − shift, less whole turns; the end has the left limit", scale=360.0),
             *finding(one.pieces, "p", told.x),
         )  # fmt: skip
     sheet.unprinted, sheet.widths = True, {FIRST: 14}
@@ -64,8 +65,8 @@ def whole(one: AxisRows, floor: int) -> list[Quantity]:
     lowest, highest = f"[axes.low.{i}]", f"[axes.high.{i}]"
     return [
         calc("@late", "Its phases begin later by", "", "°", f"=[axes_taken.late.{i}]+0", axis.given.shift),
-        calc("@lap", "Travel of a cycle", "", unit, f"=[axes.travel.{i}]+0",
-             shown(axis.motion.lifts_sum, axis.unit), scale=shown(axis.motion.size(0), axis.unit)),
+        calc("@lap", "Travel of a cycle by its angle", "", f"{unit}/°", f"=[axes.travel.{i}]/360",
+             shown(axis.motion.lifts_sum, axis.unit) / 360.0, scale=shown(axis.motion.size(0), axis.unit) / 360.0),
         calc("@scale", "Height by lift", "", f"1/{unit}",
              f"=IF({highest}>{lowest},timing_lane/({highest}-{lowest}),0)", by_lift),
         calc("@floor", "Height of position 0", "", "", f"={floor}-@scale*{lowest}",
@@ -80,7 +81,7 @@ def results(one: AxisRows) -> list[Quantity]:
     y, lift = sampled(one.pieces, 0), over.lift(unit).shown
     rates = zip(RATES, over.symbols[1:], over.rates(unit), timed[1:], strict=True)
     return [
-        result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+[n]*@lap",
+        result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+{EARLIER}",
                shown(axis.at(one.machine.samples).y, axis.unit), source=POSITION),
         *(result(name, words, symbol, shown_in, f"={factor}*({sampled(one.pieces, order)}){lift}", axis.rate(values),
                  scale=axis.size(order), source=paced if over.paced else by_x)
