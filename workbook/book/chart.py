@@ -16,35 +16,17 @@ def in_scope(text: str, scope: str) -> str:
 
 @dataclass(frozen=True)
 class Series:
-    """One line of a chart.
+    """One line of a chart; columns are written as ``[samples.xi]``."""
 
-    Parameters
-    ----------
-    name : str
-        In the legend; ``=tool1_name`` shows the cell of that name.
-    x, y : str
-        Columns, such as ``[samples.xi]``.
-    dashed : bool
-        Whether the line is.
-    points : bool
-        Whether points are drawn in place of a line.
-    color : str
-        Hexadecimal; empty for the next of the palette.
-    marker : {"none", "circle", "diamond", "dash"}
-        A sign at each point.
-    up, right : str
-        Columns of lengths, of strokes up or to the right from each point: separate lines.
-    """
-
-    name: str
+    name: str  # in the legend; ``=tool1_name`` shows the cell of that name
     x: str
     y: str
     dashed: bool = False
-    points: bool = False
-    color: str = ""
-    marker: Literal["none", "circle", "diamond", "dash"] = "none"
-    up: str = ""
-    right: str = ""
+    points: bool = False  # drawn in place of a line
+    color: str = ""  # hexadecimal; empty for the next of the palette
+    marker: Literal["none", "circle", "diamond", "dash"] = "none"  # at each point
+    up: str = ""  # the lengths of strokes up from each point
+    right: str = ""  # and to the right
 
     def within(self, scope: str) -> Series:
         """Return the line with ``scope`` for each ``@`` in its references."""
@@ -54,31 +36,14 @@ class Series:
 
 @dataclass(frozen=True)
 class Chart:
-    """An XY chart: straight lines between points.
-
-    Parameters
-    ----------
-    title : str
-        Above it.
-    x, y : str
-        Titles of the axes, with unit; ``=name`` shows the cell of that name, "" none.
-    series : tuple of Series
-        The lines.
-    about : str
-        What it shows, for those who cannot see it.
-    x_range, y_range : tuple of float or None
-        Least, largest and step; a largest or a step of None is left to the program.
-    lanes : bool
-        Whether each line has a lane of its own, named where it begins.
-    log_y : bool
-        Whether heights are logarithmic.
-    """
+    """An XY chart: straight lines between points."""
 
     title: str
-    x: str
+    x: str  # the title of the axis, with unit; ``=name`` shows the cell of that name, "" none
     y: str
     series: tuple[Series, ...]
-    about: str
+    about: str  # what it shows, for those who cannot see it
+    # least, largest and step; a largest or a step of None is left to the program
     x_range: tuple[float, float | None, float | None] | None = None
     y_range: tuple[float, float | None, float | None] | None = None
     lanes: bool = False  # each line in a lane of its own, named where it begins; heights have no figures

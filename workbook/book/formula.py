@@ -149,7 +149,8 @@ def words(text: str) -> Iterator[tuple[str, str]]:
     at = 0
     while at < len(text):
         token = TOKEN.match(text, at)
-        kind, word = (str(token.lastgroup), token[0]) if token else ("sign", text[at])
+        signs = text[at : at + 2] if text[at : at + 2] in ("<>", "<=", ">=") else text[at]
+        kind, word = (str(token.lastgroup), token[0]) if token else ("sign", signs)
         at += len(word)
         if kind != "space":
             yield kind, word

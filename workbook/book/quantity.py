@@ -18,30 +18,25 @@ FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}  # and of those o
 
 ROUNDED, MOST = 1e-9, 1e9  # of figures beside a limit: the share of it that rounding may add, and what none is above
 
+LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))  # below each size: four digits that count
+NOISE = 1e-12  # rounding, of any unit and as a share of a value
+
 Role = Literal["input", "calculation", "result", "check", "constant", "sentence", "title"]
 
 
 class Quantity(NamedTuple):
-    """A quantity of the field: what it is called, how its cell computes it, what the engine says of it.
+    """A quantity of the field: what it is called, how its cell computes it, what the engine says of it."""
 
-    ``value`` is what an input or constant holds, or the engine's value of a formula; in a table, one
-    value for each row. ``formula`` is one text for all rows, or one for each row. ``key`` is the place
-    of an input in the machine description, with ``*`` for the table's row.
-
-    A deviation is measured against the greatest size in the column, and never against less than :attr:`floor`:
-    that of the unit, or ``scale`` where zeros come from rounding numbers of a size that must be named.
-    """
-
-    name: str
+    name: str  # of its cell, without blanks; ``@`` stands for the sheet's scope
     label: str
     symbol: str = ""
     unit: str = ""
     role: Role = "calculation"
-    formula: str | Sequence[str] | None = None
-    value: Any = None
+    formula: str | Sequence[str] | None = None  # one for all rows of a table, or one for each
+    value: Any = None  # in its unit: what an input or constant holds, or the engine's value of the formula; a row each
     source: str = ""
-    key: str = ""
-    scale: float = 0.0
+    key: str = ""  # of an input: its place in the description, with ``*`` for the table's row
+    scale: float = 0.0  # what deviations are measured against at least, where zeros come from rounding larger numbers
     format: str = ""
     choices: str = ""
     align: str = ""
@@ -59,7 +54,7 @@ class Quantity(NamedTuple):
 
     @property
     def floor(self) -> float:
-        """What deviations are measured against at least."""
+        """What deviations are measured against at least, if not against the greatest size in the column."""
         return self.scale or FLOORS.get(self.unit, FLOOR)
 
     def within(self, scope: str) -> Quantity:
@@ -74,118 +69,36 @@ class Quantity(NamedTuple):
 
 
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:
-    """Return an input: a cell that the engineer fills.
-
-    Parameters
-    ----------
-    name : str
-        Name of its cell, without blanks; ``@`` stands for the sheet's scope.
-    label, symbol : str
-        What it is called, and its symbol.
-    unit : str
-        As the sheet shows it; empty without one.
-    value : float, int, str or sequence of them, in ``unit``
-        What the description has; a sequence fills a column.
-    key : str
-        Where the description keeps it, dotted.
-    **more
-        Further fields of :class:`Quantity`.
-
-    Returns
-    -------
-    Quantity
-        Placed by a :class:`Sheet`.
-    """
+    """Return an input: a cell that the engineer fills; of a column the value is a sequence."""
     return Quantity(name, label, symbol, unit, "input", None, value, key=key, **more)
 
 
 def calc(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, **more: Any) -> Quantity:
-    """Return a working: a formula cell on the way to a result.
-
-    Parameters
-    ----------
-    name : str
-        Name of its cell, without blanks; ``@`` stands for the sheet's scope.
-    label, symbol : str
-        What it is called, and its symbol.
-    unit : str
-        As the sheet shows it; empty without one.
-    formula : str or sequence of str
-        With ``[name]`` for cells of the same table, ``[table.column]`` for others.
-    value : float, int, str or sequence of them, in ``unit``
-        What the cell must compute, by other means than its formula.
-    **more
-        Further fields of :class:`Quantity`.
-
-    Returns
-    -------
-    Quantity
-        Placed by a :class:`Sheet`.
-    """
+    """Return a working: a formula cell on the way to a result; its value comes by other means than the formula."""
     return Quantity(name, label, symbol, unit, "calculation", formula, value, **more)
 
 
 def result(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, **more: Any) -> Quantity:
-    """Return a result: a formula cell that the engineer came for.
-
-    Parameters
-    ----------
-    name, label, symbol, unit, formula, value, **more
-        As of :func:`calc`.
-
-    Returns
-    -------
-    Quantity
-        Placed by a :class:`Sheet`.
-    """
+    """Return a result: a formula cell that the engineer came for."""
     return Quantity(name, label, symbol, unit, "result", formula, value, **more)
 
 
 def constant(name: str, label: str, symbol: str, unit: str, value: Any, **more: Any) -> Quantity:
-    """Return a number or text that belongs to the method and not to the machine: locked, and verified.
-
-    Parameters
-    ----------
-    name, label, symbol, unit, value, **more
-        As of :func:`calc`.
-
-    Returns
-    -------
-    Quantity
-        Placed by a :class:`Sheet`.
-    """
+    """Return a number or text that belongs to the method and not to the machine: locked, and verified."""
     return Quantity(name, label, symbol, unit, "constant", None, value, **more)
 
 
 def check(
     name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str | Said = "",
 ) -> Quantity:  # fmt: skip
-    """Return a check: a cell that says OK where a condition is met and FAIL where it is not.
+    """Return a check: a cell that says OK where ``condition``, a formula without =, is TRUE, and FAIL where it is not.
 
-    Parameters
-    ----------
-    name, label : str
-        As of :func:`calc`.
-    condition : str
-        Formula without =, TRUE where the check is passed.
-    ok : bool
-        What it is, by other means than the formula.
-    source : str
-        What the check is about, beside it.
-    rule : str
-        The rule of the entries that it mirrors.
-    says : str or Said
-        Formula, without =, of the sentence beside it where it fails; with what it gives, where it mirrors no rule.
-
-    Returns
-    -------
-    Quantity
-        Placed by ``Sheet.checks``.
+    Whether it is ``ok`` comes by other means. Where it fails, the cell beside it ``says`` why: a formula without =,
+    with what it gives where the check mirrors no ``rule`` of the entries.
     """
-    formula = f'=IF({condition},"OK","FAIL")'
-    verdict = "OK" if ok else "FAIL"
     text, said = says if isinstance(says, Said) else (says, "")
-    return Quantity(name, label, "", "", "check", formula, verdict, source=source, rule=rule, says=text, said=said)
+    return Quantity(name, label, "", "", "check", f'=IF({condition},"OK","FAIL")', "OK" if ok else "FAIL",
+                    source=source, rule=rule, says=text, said=said)  # fmt: skip
 
 
 def sentence(q: Quantity) -> Quantity:
@@ -195,3 +108,28 @@ def sentence(q: Quantity) -> Quantity:
     value = holds if q.value == "OK" else Sentence(q.said or FAILS)
     return Quantity(f"{q.name}{SAYS}", f"{q.label}{WHERE}", "", "", "sentence", formula, value,
                     align="left")  # fmt: skip
+
+
+def sample(q: Quantity) -> Any:
+    """Return the value by whose size all cells of a quantity are shown: the only one, or the greatest of them."""
+    if q.format or isinstance(q.value, str) or not hasattr(q.value, "__len__"):
+        return q.value
+    values = list(q.value)
+    numbers = [v for v in values if isinstance(v, int | float) and not isinstance(v, bool)]
+    return max(numbers, key=abs) if numbers else next(iter(values), None)
+
+
+def number_format(q: Quantity, value: Any) -> str:
+    """Return the format of a quantity: its own, or decimals that suit the size of its values."""
+    if q.format:
+        return q.format
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return "General"
+    if isinstance(value, int):
+        return "0"
+    size = abs(value) * (1.0 + NOISE)  # 0.999… by rounding is shown as 1
+    if size < NOISE:
+        return LOOKS[0][1]
+    if size < 1e-3 or size >= 1e6:
+        return "0.000E+00"
+    return next((look for limit, look in LOOKS if size < limit), "0")

@@ -10,7 +10,7 @@ PLACES = 4  # decimals that are shown of an amount, at most
 LARGEST = 1e9  # of the entries that are shown
 BEYOND = "beyond 1E9"
 _FIGURE = re.compile(r"-?[0-9]+(?:[.,][0-9]+)?(?:[eE][+-]?[0-9]+)?")
-_ROUNDED = 1.1  # of the last decimal: each program rounds in its way
+_ROUNDED = 1.1 * 10.0**-PLACES  # each program rounds the last decimal in its way
 
 
 class Sentence(str):
@@ -22,18 +22,8 @@ class Sentence(str):
         """Whether another text has the same words, and its figures are the same but for their last digit."""
         if not isinstance(other, str) or _FIGURE.split(self) != _FIGURE.split(other):
             return False
-        pairs = zip(_FIGURE.findall(self), _FIGURE.findall(other), strict=True)
-        return all(near(number(one), number(two)) for one, two in pairs)
-
-
-def number(text: str) -> float:
-    """Return the number that a figure shows."""
-    return float(text.replace(",", "."))
-
-
-def near(one: float, other: float) -> bool:
-    """Whether two figures differ by no more than their rounding."""
-    return abs(one - other) <= _ROUNDED * 10.0**-PLACES + 1e-9 * abs(one)
+        ours, theirs = ([float(n.replace(",", ".")) for n in _FIGURE.findall(text)] for text in (self, other))
+        return all(abs(one - two) <= _ROUNDED + 1e-9 * abs(one) for one, two in zip(ours, theirs, strict=True))
 
 
 def figure(value: float) -> str:
@@ -71,22 +61,7 @@ NOTHING = Said("", "")
 
 
 def amount(cell: str, value: float, before: str, after: str) -> Said:
-    """Return a sentence on one amount, rounded for people.
-
-    Parameters
-    ----------
-    cell : str
-        Formula of the amount, without =.
-    value : float, in the unit of the cell
-        What it gives.
-    before, after : str
-        Words around it.
-
-    Returns
-    -------
-    Said
-        The formula, and what it says.
-    """
+    """Return a sentence on the amount that a formula without = gives, rounded for people, between words."""
     return around(shown(cell), rounded(value), before, after)
 
 
@@ -106,24 +81,9 @@ def around(shows: str, shown: str, before: str, after: str) -> Said:
 
 
 def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Said:
-    """Return a sentence on a value that is above its limit: what it is, and by how much.
-
-    Parameters
-    ----------
-    cell, limit : str
-        Formulas of the value and of its limit, without =.
-    unit : str
-        Of both.
-    value, most : float, in ``unit``
-        What they give.
-
-    Returns
-    -------
-    Said
-        The formula, and what it says.
-    """
-    one, other = amount(cell, value, "", f" {unit}, "), amount(f"{cell}-{limit}", value - most, "", f" {unit} too much")
-    return Said(f"{one.says}&{other.says}", f"{one.said}{other.said}")
+    """Return a sentence on a value above its limit, by formulas and engine: what it is, and by how much too large."""
+    one = amount(cell, value, "", f" {unit}, ")
+    return one.then(amount(f"{cell}-{limit}", value - most, "", f" {unit} too much"))
 
 
 def shown(cell: str) -> str:

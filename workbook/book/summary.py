@@ -3,7 +3,7 @@
 Links to every sheet, how to use the book, and its sources follow below, outside what is printed.
 """
 
-from typing import Protocol
+from typing import Any
 
 import workbook
 from workbook.book.checks import NONE, mended, summary
@@ -30,48 +30,19 @@ COLUMNS, PICTURE_ROW, PICTURE_COLUMN, PICTURE_ROWS = 14, 5, 7, 20
 TO_MEND = 6  # checks that fail which the sheet has room for; all of them stand on the sheet Checks
 
 
-class Identified(Protocol):
-    """What tells one machine, and one state of its design, from others."""
-
-    title: str
-    number: str | None
-    revision: str | None
-    author: str | None  # who answers for it
-    date: str | None  # of the revision
+IDENTIFIED = {"number": "Machine number", "revision": "Revision", "author": "Author", "date": "Date"}
+"""entries that tell one machine, and one state of its design, from others"""
 
 
-def summary_sheet(book: Book, machine: Identified, purpose: str, key_results: list[Quantity]) -> Sheet:
-    """Declare the head of the first sheet; a table of axes may follow, :func:`close` adds what needs all sheets.
-
-    Parameters
-    ----------
-    book : Book
-        Without sheets yet.
-    machine : Identified
-        Its title, number, revision, author and date.
-    purpose : str
-        A sentence below the title.
-    key_results : list of Quantity
-        Shown in short, with the unit of each.
-
-    Returns
-    -------
-    Sheet
-        To go on with.
-    """
+def summary_sheet(book: Book, machine: Any, purpose: str, key_results: list[Quantity]) -> Sheet:
+    """Declare the head of the first sheet; a table of axes may follow, :func:`close` adds what needs all sheets."""
     sheet = book.sheet(TITLE, purpose)
-    sheet.one_page = True
-    sheet.print_columns = COLUMNS
-    sheet.widths = {FIRST: 36, FIRST + 2: 18, FIRST + 3: 16}
+    sheet.one_page, sheet.print_columns, sheet.widths = True, COLUMNS, {FIRST: 36, FIRST + 2: 18, FIRST + 3: 16}
     sheet.heading("This machine")
     sheet.rows(
         given("book_title", "Machine", "", "", machine.title, "title", align="left"),
-        *(
-            given(f"book_{key}", label, "", "", getattr(machine, key), key, align="left")
-            for key, label in (
-                ("number", "Machine number"), ("revision", "Revision"), ("author", "Author"), ("date", "Date"),
-            )
-        ),
+        *(given(f"book_{key}", label, "", "", getattr(machine, key), key, align="left")
+          for key, label in IDENTIFIED.items()),
     )  # fmt: skip
     sheet.heading("Results, in short")
     sheet.rows(*key_results)
@@ -84,13 +55,14 @@ def close(book: Book, sources: tuple[str, ...]) -> None:
     for each in book.sheets:
         each.place_messages()
     sheet = book.sheets[0]
-    picture = next((chart for other in book.sheets[1:] for chart, *_ in other.charts), None)
-    if picture is not None:
-        book.sheets[0].charts.append((picture, PICTURE_ROW, PICTURE_COLUMN, COLUMNS + 1 - PICTURE_COLUMN, PICTURE_ROWS))
+    for picture in [chart for other in book.sheets[1:] for chart, *_ in other.charts][:1]:
+        sheet.charts.append((picture, PICTURE_ROW, PICTURE_COLUMN, COLUMNS + 1 - PICTURE_COLUMN, PICTURE_ROWS))
     sheet.print_columns = max([COLUMNS, *(column for block in sheet.blocks for column in block.columns.values())])
     to_mend(book, sheet)
     sheet.not_printed_below()
-    contents(book, sheet)
+    sheet.heading("Contents")
+    for other in book.sheets[1:]:
+        entry(sheet, Text(sheet.row, FIRST, other.title, "link", other.title), other.purpose)
     sheet.heading("How to use this book")
     for line in USE:
         sheet.note(line)
@@ -133,13 +105,6 @@ def to_mend(book: Book, sheet: Sheet) -> None:
 def of_failing(column: str) -> str:
     """Return the formula that looks up a column of the check that fails as the k-th."""
     return f"INDEX([checks.{column}],MATCH([k],[checks.nth],0))"
-
-
-def contents(book: Book, sheet: Sheet) -> None:
-    """Write the links to every sheet."""
-    sheet.heading("Contents")
-    for other in book.sheets[1:]:
-        entry(sheet, Text(sheet.row, FIRST, other.title, "link", other.title), other.purpose)
 
 
 def entry(sheet: Sheet, first: Text, note: str) -> None:

@@ -22,7 +22,7 @@ class Node(NamedTuple):
 @lru_cache(maxsize=20_000)
 def tree(shape: str) -> Node:
     """Return the tree of a shape such as ``=A1*SUM(A2:B2)``; raise FormulaError where it is no formula."""
-    reader = Reader(list(words(shape[1:])))
+    reader = Reader([*words(shape[1:])])
     node = reader.level(0)
     if reader.left:
         raise FormulaError("#NAME?", f"{reader.left[0][1]!r} is not expected")
@@ -33,7 +33,7 @@ class Reader:
     """Takes words from the front of a formula."""
 
     def __init__(self, found: list[tuple[str, str]]) -> None:
-        self.left = joined(found)
+        self.left = found
 
     def next(self) -> tuple[str, str]:
         """Take the next word; raise FormulaError at the end."""
@@ -89,14 +89,3 @@ class Reader:
                 self.next()
         self.next()
         return tuple(found)
-
-
-def joined(found: list[tuple[str, str]]) -> list[tuple[str, str]]:
-    """Return the words with comparisons of two signs as one."""
-    made: list[tuple[str, str]] = []
-    for kind, word in found:
-        if made and made[-1][0] == kind == "sign" and made[-1][1] + word in LEVELS[0]:
-            made[-1] = ("sign", made[-1][1] + word)
-        else:
-            made.append((kind, word))
-    return made

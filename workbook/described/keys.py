@@ -51,7 +51,7 @@ WORDS = {
 """what entries mean that no cell shows; an entry of another machine says it itself, as its field's description"""
 
 
-EXAMPLES: dict[str, Any] = {
+EXAMPLES: dict[str, Any] = {  # entries of a real machine that no committed description has
     "number": "4711-02", "revision": "B", "author": "A. Rossi", "date": "2026-03-02", "export.axis": 1,
     "axes.*.phases.*.velocity": 0.05, "axes.*.phases.*.acceleration": 0.2, "axes.*.rate": 150.0, "axes.*.printed": "S4",
     "axes.*.parts.*.diameter": 80.0, "axes.*.parts.*.length": 120.0, "axes.*.parts.*.density": 7800.0,
@@ -68,12 +68,10 @@ EXAMPLES: dict[str, Any] = {
     "selection.motors.*.full_torque_to": 3000.0, "selection.motors.*.end_torque": 6.4, "selection.motors.*.mass": 5.1,
     "selection.motors.*.cost": 640.0, "selection.motors.*.copper_losses": 0.22, "overlap.tools.*.angle_out": 90.0,
 }  # fmt: skip
-"""entries of a real machine that no committed description has"""
-PRODUCTS = {
+PRODUCTS = {  # entries that name a product of a catalogue
     "axes.*.motor.name": "motors", "selection.motor": "motors",
     "axes.*.reducer.name": "reducers", "selection.reducer": "reducers",
 }  # fmt: skip
-"""entries that name a product of a catalogue"""
 
 
 class Key(NamedTuple):

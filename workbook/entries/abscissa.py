@@ -124,10 +124,9 @@ class Abscissa:
 
 
 ANGLE = Abscissa()
-NAMED = {
+NAMED = {  # how each is written behind a figure, its symbol and name
     "s": (" s", "t", "time"), "°": ("°", "θ", "angle"), "rad": (" rad", "θ", "angle"), "mm": (" mm", "x", "travel"),
 }  # fmt: skip
-"""how each is written behind a figure, its symbol and name"""
 BY_X = ("y", "y'", "y''", "y'''")  # symbols of a position and its rates by another abscissa than time
 MARKS = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}
 

@@ -10,8 +10,7 @@ from pydantic import AfterValidator, Field
 from workbook.entries.types import EntryError
 
 NO_FORMULA = r"^[^=]"
-ERROR = re.compile(r"#[\w/]+[!?]|#N/A|#NV|#GETTING_DATA", re.IGNORECASE)
-"""what a program takes for an error value"""
+ERROR = re.compile(r"#[\w/]+[!?]|#N/A|#NV|#GETTING_DATA", re.IGNORECASE)  # what a program takes for an error value
 NO_NAME = re.compile(
     r"TRUE|FALSE|[+-]?[0-9.,]+(?:E[+-]?[0-9]+)?\s?%?"
     r"|[0-9]+(?:\s?[-/.:\s]\s?[0-9]+)*[-/.:]?(?:\s[AP]M?)?"

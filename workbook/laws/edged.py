@@ -26,14 +26,10 @@ class Form(NamedTuple):
     """
 
     word: str
-    gain: str
-    """velocity gained, over A d"""
-    travel: str
-    """travel from rest, over A d²"""
-    square: str
-    """∫a², over A² d"""
-    jerk: str
-    """largest jerk, over A/d"""
+    gain: str  # velocity gained, over A d
+    travel: str  # travel from rest, over A d²
+    square: str  # ∫a², over A² d
+    jerk: str  # largest jerk, over A/d
     early: Mapping[str, str]
     late: Mapping[str, str]
 
@@ -58,8 +54,7 @@ class Stage(NamedTuple):
     """A stage of a family: its form, none of uniform velocity, and the formula of its duration."""
 
     form: Form | None
-    duration: str = ""
-    """empty where it is what an engineer enters"""
+    duration: str = ""  # empty where it is what an engineer enters
 
 
 def added(terms: Sequence[str]) -> str:

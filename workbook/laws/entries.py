@@ -41,31 +41,24 @@ def as_listed(name: Any) -> Any:
 
 
 NAME = Field(min_length=1, max_length=LONGEST, pattern=NO_FORMULA)
-LawName = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw()]
-"""the name of any law of the book"""
+LawName = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw()]  # the name of any law of the book
 RisingLaw = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw(moves=True)]
 """the name of a law that moves"""
 
 
-def entries_of(code: str) -> type[Model]:
-    """Return the model of a family's entries, which say of which family they are."""
-    page = FAMILY[code]
-    base = page.entries or Model
-    fields: dict[str, Any] = {"family": (Literal[code], code)}
-    return create_model(f"{code}Entries", __base__=base, __module__=__name__, **fields)
-
-
-ENTRIES: dict[str, type[Model]] = {code: entries_of(code) for code, page in FAMILY.items() if page.entries}
-CELLS: dict[str, type[Model]] = {
-    code: create_model(
-        f"{code}Cells", __base__=model, __module__=__name__, called=(Annotated[str, NAME, LOOKED_UP], ...)
-    )
+Fields = dict[str, Any]
+ENTRIES: dict[str, type[Model]] = {
+    code: create_model(f"{code}Entries", __base__=base, __module__=__name__, **Fields(family=(Literal[code], code)))
+    for code, base in ((code, page.entries) for code, page in FAMILY.items())
+    if base
+}
+CALLED: Any = (Annotated[str, NAME, LOOKED_UP], ...)
+CELLS: dict[str, type[Model]] = {  # the entries that a law's own page has: its name too
+    code: create_model(f"{code}Cells", __base__=model, __module__=__name__, called=CALLED)
     for code, model in ENTRIES.items()
 }
-"""the entries that a law's own page has: its name too"""
-globals().update(
-    {model.__name__: model for model in (*ENTRIES.values(), *CELLS.values())}
-)  # pickle looks for them here
+for _model in (*ENTRIES.values(), *CELLS.values()):
+    globals()[_model.__name__] = _model  # pickle looks for them here
 
 if TYPE_CHECKING:
     Entered = Any

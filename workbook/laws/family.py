@@ -26,15 +26,13 @@ SINE, SECOND = ("P", "omega", "phi"), ("P2", "omega2", "phi2")
 POWERS = ("c0", "c1", "c2", "c3", "c4", "c5")
 ENTRIES = ("d", *POWERS, *SINE, *SECOND)
 """the columns of a table of pieces; those of a second sine are there in books with a law that needs them"""
-LABELS = {
+LABELS = {  # label and symbol of each
     "d": ("duration", "d"), "c0": ("constant", "c0"), "c1": ("slope", "c1"), "c2": ("quadratic", "c2"),
     "c3": ("cubic", "c3"), "c4": ("quartic", "c4"), "c5": ("quintic", "c5"),
     "P": ("amplitude", "P"), "omega": ("frequency", "ω"), "phi": ("phase", "φ"),
     "P2": ("second amplitude", "P₂"), "omega2": ("its frequency", "ω₂"), "phi2": ("its phase", "φ₂"),
 }  # fmt: skip
-"""label and symbol of each"""
-BEHIND = 20
-"""the column behind the charts of a law's sheet, where workings of its entries may stand"""
+BEHIND = 20  # the column behind the charts of a law's sheet, where workings of its entries may stand
 REACHES = "ABS([@samples.s.last]-1)<check_zero"
 RESTS = f"AND({REACHES},ABS([@samples.v.last])<check_zero)"
 
@@ -52,10 +50,8 @@ class Parameter(NamedTuple):
     name: str
     label: str
     symbol: str
-    key: str
-    """the entry, as in ``rise_end`` or ``durations.0``"""
-    short: str
-    """the label above it in the functions' table of parameters"""
+    key: str  # the entry, as in ``rise_end`` or ``durations.0``
+    short: str  # the label above it in the functions' table of parameters
     source: str = ""
 
     @property
@@ -70,10 +66,8 @@ class LawCheck(NamedTuple):
     name: str
     label: str
     condition: str
-    rule: str = ""
-    """of the family's entries, which it mirrors"""
-    says: str = ""
-    """the formula of where it fails, and by how much"""
+    rule: str = ""  # of the family's entries, which it mirrors
+    says: str = ""  # the formula of where it fails, and by how much
 
 
 class PieceRow:
@@ -100,43 +94,30 @@ class Page:
     """
 
     law: type[Law]
-    titled: str = ""
-    """what its sheet is headed by, where that is not the name of the law"""
+    titled: str = ""  # what its sheet is headed by, where that is not the name of the law
     source: str
     entries: type[Model] | None = LawSheet
     pieces: tuple[PieceRow, ...]
-    coefficients: Mapping[str, tuple[str, str]]
-    """formula of each coefficient, and the equation in words"""
+    coefficients: Mapping[str, tuple[str, str]]  # formula of each coefficient, and the equation in words
     fastest: str
     parameters: tuple[Parameter, ...] = ()
     variations: tuple[Mapping[str, Any], ...] = ()
     workings: Callable[[Any], list[Quantity]] = lambda law: []
     checks: tuple[LawCheck, ...] = ()
-    rests: bool = True
-    """whether it begins and ends at rest"""
-    single: bool = True
-    """whether it speeds up once, from rest, and comes to rest, whatever its parameters"""
-    start: str = "=0"
-    """the formula of the velocity with which it begins"""
-    lowest: str = "=0"
-    """the formula of its lowest velocity"""
-    wrong: str = "=0"
-    """the formula of the greatest step of v the wrong way: down before it is largest, up after it"""
+    rests: bool = True  # whether it begins and ends at rest
+    single: bool = True  # whether it speeds up once, from rest, and comes to rest, whatever its parameters
+    start: str = "=0"  # the formula of the velocity with which it begins
+    lowest: str = "=0"  # the formula of its lowest velocity
+    wrong: str = "=0"  # the formula of the greatest step of v the wrong way: down before it is largest, up after it
     way: str = "=0"
     """the formula of how it meets neighbours that hand velocity over, as :func:`engine.motion.handover.way` says it"""
-    early: int = 0
-    """pieces of its first pulse, of a law of two pulses"""
-    has_sheet: bool = True
-    """whether its formulas stand in cells of its own, which other sheets refer to"""
-    functions: bool = True
-    """whether the functions MOTION.* take it"""
-    named: str = ""
-    """the formula of its name in words, where one is entered"""
+    early: int = 0  # pieces of its first pulse, of a law of two pulses
+    has_sheet: bool = True  # whether its formulas stand in cells of its own, which other sheets refer to
+    functions: bool = True  # whether the functions MOTION.* take it
+    named: str = ""  # the formula of its name in words, where one is entered
     low: str = "=MIN(0,[s1])"
-    high: str = "=MAX(0,[s1])"
-    """the formulas of its lowest and its highest s: a law that turns has others"""
-    of_pieces: Sequence[str] = ()
-    """the entries that its pieces may have, where it has no table of them"""
+    high: str = "=MAX(0,[s1])"  # the formulas of its lowest and its highest s: a law that turns has others
+    of_pieces: Sequence[str] = ()  # the entries that its pieces may have, where it has no table of them
 
     @property
     def code(self) -> str:

@@ -27,8 +27,7 @@ class NamedLaw:
     number: int
     page: Page
     entered: Any
-    called: str
-    """its name when the book was built: titles and checks keep it"""
+    called: str  # its name when the book was built: titles and checks keep it
 
     @cached_property
     def law(self) -> Law:

@@ -12,12 +12,11 @@ from engine.laws import Law
 from engine.laws.mended import ALIKE, Groups, groups, misses
 from engine.laws.points import SLOPES, Points
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
-from workbook.book.lobatto import SHARES, WEIGHTS
+from workbook.book.polynomial import SHARES, WEIGHTS
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
 
-OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")
-"""what is entered of a piece"""
+OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")  # what is entered of a piece
 CREST = (
     "=IF([part]=0,0,[{f}]+IF([share]=0,0,IF([{g}-1]*[{g}]<0,"
     "[{g}]*([{f}]-[{f}-1]-[{g}-1]*([u]-[u-1])/2)/([{g}-1]-[{g}]),0)))"
@@ -72,11 +71,10 @@ def points_table(sheet: Sheet, at: Points, first: int, stack: Pieces) -> None:
     )  # fmt: skip
 
 
-EITHER = (
+EITHER = (  # a factor: of two groups, or, where nothing slows down, of all
     "=IF(OR(MAX([@mend.slow])>0,@v_up>@least),IF(ABS(@under)>@least_under,{0}/@under,0),"
     "IF(@s_up>@alike*MAX([@mend.size]),1/@s_up,0))"
 )
-"""a factor: of two groups, or, where nothing slows down, of all"""
 WORTH = '=IF(MIN(@up,@down)>@alike*MAX(@up,@down),"yes","no: it should speed up, then slow down")'
 
 

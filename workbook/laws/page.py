@@ -17,11 +17,10 @@ from workbook.laws import sampling
 from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, Page, entries_of, value_at
 from workbook.laws.library import NamedLaw
 
-SPELLED = {
+SPELLED = {  # what the columns of a table of pieces add to a(u)
     "c0": "c0", "c1": "c1 u", "c2": "c2 u²", "c3": "c3 u³", "c4": "c4 u⁴", "c5": "c5 u⁵",
     "P": "P sin(ωu + φ)", "P2": "P₂ sin(ω₂u + φ₂)",
 }  # fmt: skip
-"""what the columns of a table of pieces add to a(u)"""
 
 
 def finite(value: float) -> float | str:

@@ -7,13 +7,10 @@ from typing import Any
 from engine.laws import CATALOGUE, Law
 from engine.motion.handover import PULSES, early_of, end_mode
 from workbook.laws.family import COEFFICIENTS, Page
-from workbook.laws.pages import double_harmonic, halved, modified, pieces, polynomials, ramps, spline, uniform
+from workbook.laws.pages import modified, pieces, ramps, simple, spline
 
-PAGES = [
-    page
-    for file in (double_harmonic, halved, modified, pieces, polynomials, ramps, spline, uniform)
-    for page in file.PAGES
-]
+FILES = (modified, pieces, ramps, simple, spline)
+PAGES = [page for file in FILES for page in vars(file).values() if isinstance(page, Page)]
 
 
 class IncompleteError(TypeError):
@@ -24,7 +21,7 @@ def page_of(law: type[Law], pages: Sequence[Page]) -> Page:
     """Return the page of a law; raise IncompleteError where it has none, or half of one."""
     page = next((page for page in pages if page.law.code == law.code), None)
     if page is None:
-        raise IncompleteError(f"no PAGES of workbook/laws/pages has one for the law {law.code}")
+        raise IncompleteError(f"no page of workbook/laws/pages is of the law {law.code}")
     if page.pieces:  # else they are what is entered
         require_complete(page)
     return page
@@ -60,5 +57,4 @@ FAMILY: dict[str, Page] = {law.code: page_of(law, PAGES) for law in CATALOGUE}
 """the pages of all families by code, in the order of the catalogue"""
 CODES: tuple[str, ...] = ("DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 """the basic laws, which every book has, in the order of their numbers: each named by the code of its family"""
-RISING: tuple[str, ...] = CODES[1:]
-"""those of them that move"""
+RISING: tuple[str, ...] = CODES[1:]  # those of them that move

@@ -1,4 +1,4 @@
-"""A law evaluated in cells: find the piece by one MATCH on the stacked pieces, then coefficients times powers.
+"""A law in cells: find the piece by one MATCH on the stacked pieces, then coefficients times powers; rows of phases.
 
 Every sampled table of the book uses these columns. The pieces stand on the Laws sheet, the coefficients
 of each side by side; a piece is found by its key, twice the law's number plus the ξ at which it begins. A sample within
@@ -6,7 +6,7 @@ of each side by side; a piece is found by its key, twice the law's number plus t
 belongs to the last piece.
 """
 
-from collections.abc import Container
+from collections.abc import Container, Sequence
 from itertools import accumulate
 from math import perm
 from typing import Any
@@ -16,30 +16,29 @@ import numpy as np
 from engine.laws import Law, Piece
 from engine.laws.base import Array
 from engine.laws.table import located
+from engine.motion import Phase
 from workbook.book.declare import Quantity, calc
 from workbook.book.polynomial import LEAST, NOT_ZERO, constants
+from workbook.book.rows import filled
 from workbook.laws.family import ENTRIES
 
 FIND = "=MATCH(2*{law}+MIN([{xi}]+break_eps,1-break_eps),piece_key,1)"
-ARGUMENTS = (
+ARGUMENTS = (  # of each sine: the entry of its amplitude, and the column of its argument
     ("P", "x", "sine argument", "x", "=INDEX(piece_omega,[q])*[u]+INDEX(piece_phi,[q])", "ωu + φ"),
     ("P2", "z", "second sine's argument", "z", "=INDEX(piece_omega2,[q])*[u]+INDEX(piece_phi2,[q])", "ω₂u + φ₂"),
 )
-"""of each sine: the entry of its amplitude, and the column of its argument"""
-SINES = {
+SINES = {  # what a sine adds
     "s": "-INDEX(piece_ps{0},[q])*SIN([{1}])",
     "v": "-INDEX(piece_pv{0},[q])*COS([{1}])",
     "a": "+INDEX(piece_P{0},[q])*SIN([{1}])",
     "j": "+INDEX(piece_pj{0},[q])*COS([{1}])",
 }
-"""what a sine adds"""
-SPELLED = {
+SPELLED = {  # of each derivative: what it is called, the block of its coefficients, and its equation
     "s": ("position", "piece_y", "S0 + S1 u + … − P/ω² sin x"),
     "v": ("velocity", "piece_dy", "S1 + c0 u + … − P/ω cos x"),
     "a": ("acceleration", "piece_ddy", "c0 + c1 u + … + P sin x"),
     "j": ("jerk", "piece_dddy", "c1 + 2 c2 u + … + P ω cos x"),
 }
-"""of each derivative: what it is called, the block of its coefficients, and its equation"""
 
 
 def polynomial(derivative: str, highest: int, room: int) -> str:
@@ -122,3 +121,32 @@ class Pieces:
             made.append(role(d, label, d, "", f"={formula.removeprefix('+') or 'INDEX(piece_c1,[q])'}", values[d],
                              source=source))  # fmt: skip
         return made
+
+
+LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'
+CA = "MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))"
+VELOCITY = "=IF([span]>0,INDEX(law_cv,[no])*ABS([h])/[span],0)"
+ACCELERATION = f"=IF([span]>0,{CA}*ABS([h])/[span]^2,0)"
+JERK = '=IF(ABS([h])*[span]>0,IF(INDEX(law_cj,[no])="∞","∞",INDEX(law_cj,[no])*ABS([h])/[span]^3),0)'
+LOW = "=IF([span]>0,[y0]+MIN([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),{0})"
+HIGH = "=IF([span]>0,[y0]+MAX([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),{0})"
+RMS = "IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)"
+
+
+def kind(given: str, ends: str = "") -> str:
+    """Return the formula that names a phase: spare where its entry ``given`` is empty, else by law and lift.
+
+    ``ends`` is the table of what phases take from their neighbours, in books that have it: they may turn round.
+    """
+    still, other = "[lift]=0", '"return"'
+    if ends:
+        still, other = f"ABS([lift])+INDEX([{ends}.mode],[k])=0", 'IF([lift]<0,"return","turn")'
+    return f'=IF([{given}]="","spare",IF(OR([law]="DWL",{still}),"dwell",IF([lift]>0,"rise",{other})))'
+
+
+def kinds(phases: Sequence[Phase], rows: int) -> list[str]:
+    """Return what each phase is, with the spare rows filled up."""
+    used = [
+        ("rise" if one.lift > 0 else "return" if one.lift < 0 else "turn") if one.moves else "dwell" for one in phases
+    ]
+    return filled(used, rows, "spare")

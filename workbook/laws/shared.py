@@ -24,12 +24,12 @@ class Shared(LawSheet):
 
 
 SHARE = Parameter("@share", "Share of the time that accelerates", "λ", "share", "share λ", source="½: symmetric")
-SHARED: dict[str, Any] = {
+REVERSAL = Parameter("@reversal", "It turns round at", "", "reversal", "reversal", source="start or end")
+SHARED: dict[str, Any] = {  # what the page of a law states that has no parameter but the share
     "entries": Shared,
     "parameters": (SHARE,),
     "variations": ({"share": 0.4}, {"share": 0.65}, {"share": 0.3}),
 }
-"""what the page of a law states that has no parameter but the share"""
 POLYNOMIAL = "=IF(ABS(@share-1/2)<1E-12,{},0)"
 """how a polynomial meets its neighbours: by its degree, unless a share shifts it"""
 LEAST_STAGE = 1e-4

@@ -1,18 +1,31 @@
-"""The laws of a book as every sheet looks them up."""
+"""The laws of a book as every sheet looks them up: the Laws sheet has each by number, and the pieces of all stacked."""
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Sequence
+from itertools import groupby
+from typing import Any, NamedTuple
 
+from engine.laws import Piece
+from engine.laws.base import BREAK_TOLERANCE
+from engine.laws.points import reach, slowest
+from engine.laws.table import Carried, carried
+from engine.motion.handover import end_mode
 from workbook.book.again import again
-from workbook.book.declare import Book
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
+from workbook.book.polynomial import LEAST
 from workbook.entries.machine import Sizes
 from workbook.latest import latest
 from workbook.laws.entries import Laws
-from workbook.laws.library import named
-from workbook.laws.page import law_sheet
+from workbook.laws.family import COEFFICIENTS, LABELS, POWERS, SECOND, SINE, entries_of
+from workbook.laws.library import NamedLaw, named
+from workbook.laws.page import finite, law_sheet
 from workbook.laws.registry import CODES, FAMILY
-from workbook.laws.sheet import laws_sheet, locator, stacked
+from workbook.laws.sampling import Pieces
+from workbook.laws.shared import LEAST_STAGE
+
+RISE = 1.0  # what every law goes in a time of 1: so large are its velocity and acceleration at least, somewhere
+
 
 PAGED = tuple(code for code in CODES if FAMILY[code].has_sheet)
 LAW_SIZES = {
@@ -34,7 +47,12 @@ class LawShelf:
         self.named = named(given)
         self.laws = {one.name: one.law for one in self.named}
         self.rows = stacked(self.named, sizes)
-        self.stack = locator(self.named, self.rows)
+        found = groupby(self.rows, key=lambda row: row.number)
+        self.stack = Pieces(
+            {number: [row.piece for row in group] for number, group in found},
+            {id(one.law): one.number for one in self.named},
+            second_sine=any("P2" in one.page.columns for one in self.named),
+        )
 
     def sheets(self, book: Book, printed: Container[str] | None = None) -> None:
         """Declare a page for each law, and the Laws sheet; of the pages print all, or those of some laws."""
@@ -49,3 +67,173 @@ class LawShelf:
             if one.page.has_sheet:
                 law_sheet(book, one, self.sizes, self.stack)
         laws_sheet(book, self.named, self.sizes, self.rows, self.stack, self.hands_over)
+
+
+class Row(NamedTuple):
+    """One row of the stack: its law, the number of the piece, formulas of its entries, and the value of each column."""
+
+    law: str
+    number: int
+    k: int
+    piece: Piece
+    formulas: dict[str, str]
+    values: dict[str, float]
+
+
+def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
+    """Return the rows of the stack: the pieces of each law in the order of their numbers."""
+    rows = []
+    for one in laws:
+        found = one.page.stacked(one.law, sizes)
+        places = carried(one.law, [piece for piece, _ in found])
+        for k, ((piece, entered), place) in enumerate(zip(found, places, strict=True), 1):
+            formulas = {name: one.own(text) for name, text in entered.items()}
+            rows.append(Row(one.name, one.number, k, piece, formulas, worked_out(one.number, place)))
+    return rows
+
+
+def worked_out(number: int, place: Carried) -> dict[str, float]:
+    """Return the engine's figures of a piece by column; by 2 · number + ξ all pieces stand in one rising order."""
+    ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
+    return entries_of(place.piece) | {
+        "xi": place.begin, "s": place.s, "v": place.v, "ds": place.ds, "dv": place.dv,
+        "ps": ps, "pv": pv, "pj": pj, "ps2": ps2, "pv2": pv2, "pj2": pj2,
+        "s0": s0, "s1": s1, "key": 2.0 * number + place.begin,
+    }  # fmt: skip
+
+
+def laws_sheet(
+    book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces, hands_over: bool = False
+) -> None:
+    """Declare the sheet from which every axis evaluates its law; ``hands_over`` where phases hand over at speed."""
+    sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
+    sheet.heading("Results: the laws and their coefficients")
+    summary(sheet, laws, sizes, hands_over)
+    sheet.heading(
+        "Workings: the stacked pieces",
+        "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k.",
+    )
+    sheet.rows(
+        constant("break_eps", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
+                 source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "
+                        "of a jump"),
+        constant("tiny", "Least place in a piece", "u", "s, rad", LEAST, format="0E+00",
+                 source="added to each, so that u⁰ is 1 at its begin too: Excel has no 0^0"),
+        constant("stage_least", "Least stage of a law", "", "", LEAST_STAGE, format="0E+00",
+                 source="as a share of the rise; a stage is none, or lasts so long"),
+    )  # fmt: skip
+    stack(sheet, rows, stacked)
+
+
+LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), "start", "v_low", "wrong", "low", "high",
+             "s0", "s1", "v0", "v1", "a0", "a1")  # fmt: skip
+"""columns of the table of laws that have names"""
+ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
+
+
+def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
+    """Declare the table of laws: name, coefficients, values at both ends."""
+    ends, reaches = meeting(laws) if hands_over else [], [reach(one.law) for one in laws]
+
+    def coefficient(name: str, label: str, symbol: str) -> Quantity:
+        formulas = [one.own(f"=@{name}" if one.page.has_sheet else one.page.coefficients[name][0]) for one in laws]
+        values = [finite(getattr(one.law.coefficients, name)) for one in laws]
+        return result(name, label, symbol, "", formulas, values, format="0.0000")
+
+    def end(d: str, label: str, at: str) -> Quantity:
+        xi = 0 if at == "first" else 1
+        formulas = [one.own(f"=[@samples.{d}.{at}]" if one.page.has_sheet else "=0") for one in laws]
+        values = [getattr(one.law.start if at == "first" else one.law.end, d) for one in laws]
+        return calc(f"{d}{xi}", f"{label} at ξ = {xi}", f"{d}({xi})", "", formulas, values, scale=RISE)
+
+    sheet.table(
+        "laws", "The laws by number; a phase takes its law by this name", len(laws),
+        calc("name", "law in words", "", "",
+             [one.own(one.page.named or f'="{one.words}"') for one in laws], [one.words for one in laws]),
+        constant("no", "number", "", "", [one.number for one in laws]),
+        calc("code", "name", "", "", [one.listed for one in laws], [one.name for one in laws]),
+        *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
+        calc("start", "velocity it begins with", "", "",
+             [one.own(one.page.start) for one in laws], [one.law.start.v for one in laws]),
+        calc("v_low", "lowest velocity", "", "",
+             [one.own(one.page.lowest) for one in laws],
+             [slowest(one.law) for one in laws], scale=1.0),
+        calc("wrong", "step of v the wrong way", "", "",
+             [one.own(one.page.wrong) for one in laws], [one.page.stepping(one.law, sizes) for one in laws]),
+        *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
+        calc("low", "lowest position", "s_min", "",
+             [one.own(one.page.low) for one in laws], [low for low, _ in reaches], scale=1.0),
+        calc("high", "highest position", "s_max", "",
+             [one.own(one.page.high) for one in laws], [high for _, high in reaches], scale=1.0),
+        *ends,
+    )  # fmt: skip
+    names = [*LAW_NAMES, *("way", "early")[: len(ends)]]
+    sheet.book.name("laws", **{f"law_{name}": name for name in names})
+
+
+def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
+    """Return the columns of how laws meet neighbours that hand velocity over to them."""
+    return [
+        calc("way", "meets its neighbours' velocity", "", "",
+             [one.own(one.page.way) for one in laws], [end_mode(one.law) for one in laws], format="0",
+             source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial"),
+        constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws]),
+    ]  # fmt: skip
+
+
+AMPLITUDES = (  # of the sines in position, velocity and jerk; the last three are there with a second sine
+    ("ps", "sine of position", "P/ω²", "=IF([omega]>0,[P]/[omega]^2,0)"),
+    ("pv", "cosine of velocity", "P/ω", "=IF([omega]>0,[P]/[omega],0)"),
+    ("pj", "cosine of jerk", "P ω", "=[P]*[omega]"),
+    ("pj2", "second cosine of jerk", "P₂ ω₂", "=[P2]*[omega2]"),
+    ("ps2", "second sine of position", "P₂/ω₂²", "=IF([omega2]>0,[P2]/[omega2]^2,0)"),
+    ("pv2", "second cosine of velocity", "P₂/ω₂", "=IF([omega2]>0,[P2]/[omega2],0)"),
+)
+GAINED = "=SUMPRODUCT([c0:c5]/{1,2,3,4,5,6},[d]^{1,2,3,4,5,6})-[pv]*(COS([omega]*[d]+[phi])-COS([phi]))"
+TURNED2 = "-[pv2]*(COS([omega2]*[d]+[phi2])-COS([phi2]))"
+TRAVELLED = "=[s0]-[s]+SUMPRODUCT([s1:c5]/{1,2,6,12,20,30,42},[d]^{1,2,3,4,5,6,7})-[ps]*SIN([omega]*[d]+[phi])"
+SWUNG2 = "-[ps2]*SIN([omega2]*[d]+[phi2])"
+PIECE_NAMES = (  # columns of the stack that have names, and those of a second sine
+    ("law", "number", "k", "d", "s0", "s1", *POWERS, *SINE, "xi", "ps", "pv", "pj", "v", "dv", "s", "ds", "key"),
+    (*SECOND, "ps2", "pv2", "pj2"),
+)
+FIRST_POWERS = {"piece_y": "s0", "piece_dy": "s1", "piece_ddy": "c0", "piece_dddy": "c1"}
+"""the first column of each block of coefficients, up to the highest power that any law has"""
+
+
+def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
+    """Declare the stacked pieces, entries taken from the laws' pages, with a second sine where any law has one."""
+    second, last = stacked.second_sine, POWERS[stacked.room - 1]
+
+    def column(name: str, label: str, symbol: str, formula: str, added: str = "", **more: Any) -> Quantity:
+        formula += added if second else ""
+        return calc(name, label, symbol, "", formula, [row.values[name] for row in rows], **more)
+
+    def entry(name: str) -> Quantity:
+        formulas, values = [row.formulas[name] for row in rows], [row.values[name] for row in rows]
+        return calc(name, *LABELS[name], "", formulas, values)
+
+    sheet.table(
+        "pieces", "Pieces of all laws", len(rows),
+        calc("law", "law", "", "", "=INDEX(law_code,[number])", [row.law for row in rows]),
+        constant("number", "number", "", "", [row.number for row in rows]),
+        constant("k", "piece", "k", "", [row.k for row in rows]),
+        entry("d"),
+        column("s0", "constant of position", "S0", "=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])",
+               source="s_k + P/ω² sin φ"),
+        column("s1", "slope of position", "S1", "=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])",
+               source="v_k + P/ω cos φ"),
+        *map(entry, (*POWERS, *SINE, *(SECOND if second else ()))),
+        column("xi", "begins at", "ξ_k", "=IF([k]=1,0,[xi-1]+[d-1])"),
+        *(column(*one) for one in AMPLITUDES[: 6 if second else 3]),
+        column("v", "velocity carried", "v_k", "=IF([k]=1,INDEX(law_start,[number]),[v-1]+[dv-1])",
+               source="v + ∫a of the piece before"),
+        column("dv", "gain of velocity", "Δv", GAINED, TURNED2, source="∫a over the piece"),
+        column("s", "position carried", "s_k", "=IF([k]=1,0,[s-1]+[ds-1])", source="s + ∫v of the piece before"),
+        column("ds", "gain of position", "Δs", TRAVELLED, SWUNG2, scale=RISE, source="∫v over the piece"),
+        column("key", "key", "", "=2*[number]+MIN(1,MAX(0,[xi]))", source="2 · number + ξ_k, within its law"),
+    )  # fmt: skip
+    sheet.book.keyed.add("pieces.key")
+    one, two = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
+    sheet.book.name("pieces", **one, **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()},
+                    **(two if second else {}))  # fmt: skip

@@ -8,10 +8,8 @@ from workbook.entries.machine import Machine
 from workbook.laws.family import Page
 from workbook.laws.registry import CODES, FAMILY
 
-SIX = 6
-"""variations of a template, unless its laws need more to have their turn"""
-MOST = 300
-"""turns after which a law that has not come never will"""
+SIX = 6  # variations of a template, unless its laws need more to have their turn
+MOST = 300  # turns after which a law that has not come never will
 
 
 def law_for(turn: int, names: Iterable[str]) -> str:

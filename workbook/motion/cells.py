@@ -31,8 +31,7 @@ class Sine(NamedTuple):
 SINES = (Sine("ps", "omega", "phi", ""), Sine("ps2", "omega2", "phi2", "2"))
 
 
-FIRST = "=MATCH([no],piece_number,0)"
-"""the row of the first piece of a phase's law"""
+FIRST = "=MATCH([no],piece_number,0)"  # the row of the first piece of a phase's law
 
 
 def last_before(number: str, xi: str) -> str:

@@ -22,8 +22,7 @@ NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of si
 DERIVATIVES = ("y'", "y''", "y'''")
 ROOM = "as sizes.motion_pieces says"
 Column = Callable[[Callable[[MotionPiece], float]], list[float]]
-Sizes = Callable[[int], float]
-"""of the n-th derivative of the motion: what deviations are measured by at least"""
+Sizes = Callable[[int], float]  # of the n-th derivative of the motion: what deviations are measured by at least
 
 
 def phase_columns(rows: PieceRows) -> list[Quantity]:

@@ -11,8 +11,7 @@ from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import amplitude, from_power
 
 POSITION = "c0 + c1 u + … + A sin ζ"
-SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"
-"""the same by the amplitude of each derivative"""
+SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"  # the same by the amplitude of each derivative
 FROM_START = "from its start; never 0, so that u⁰ is 1"
 
 

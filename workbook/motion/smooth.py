@@ -19,12 +19,11 @@ from workbook.motion.cells import PieceRows
 from workbook.motion.sampled import at_begin, at_place, place_columns
 
 RATES = ("v", "a", "j")
-NOTHING: dict[str, Any] = {
+NOTHING: dict[str, Any] = {  # what is told of a jump, by the names of its cells, where nothing jumps
     **dict.fromkeys(("what", "unit", "jump", "who", "lines", "says"), ""),
     **dict.fromkeys(("before", "after", "other", "straight"), 0),
     **dict.fromkeys(("place", "size", "slope0", "slope1"), 0.0),
 }
-"""what is told of a jump, by the names of its cells, where nothing jumps"""
 EMPTY = '""'
 WORDS = ",".join(f'"{word}"' for word in ORDERS)
 

@@ -10,7 +10,7 @@ from typing import Any
 from openpyxl.styles import Font
 
 from workbook.book.declare import FIRST, REFERENCE, Block, Book, Quantity, Sheet
-from workbook.book.formats import sample
+from workbook.book.quantity import sample
 from workbook.book.rows import as_rows
 from workbook.writing import style
 

@@ -19,7 +19,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
 from workbook.book.declare import FIRST, Block, Book, Quantity, Sheet
-from workbook.book.formats import number_format, sample
+from workbook.book.quantity import number_format, sample
 from workbook.entries import rules
 from workbook.writing import archive, charts, pages, style
 from workbook.writing.cells import Cells, Strings

@@ -3,7 +3,7 @@
 import pytest
 
 from workbook.book.declare import calc
-from workbook.book.formats import number_format
+from workbook.book.quantity import number_format
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ from functools import cache
 import pytest
 
 from tests.workbook.writing.carlito import FOLDER, pixels, room
-from workbook.book.formats import sample
+from workbook.book.quantity import sample
 from workbook.book.rows import as_rows
 from workbook.build import committed
 from workbook.reading.descriptions import read_machine

@@ -1,1 +1,1 @@
-"""The pages of the laws, in files named as those of the engine: ``PAGES`` is all that a workbook needs of a file."""
+"""The pages of the laws: each :class:`Page` of a file is one, and all that a workbook needs of a law."""

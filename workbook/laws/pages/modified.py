@@ -23,6 +23,7 @@ from workbook.laws.shared import (
     EVEN,
     LASTING,
     LEAST,
+    REVERSAL,
     SHARE,
     SUM_SAYS,
     Between,
@@ -183,8 +184,6 @@ class Turning(Shared):
     reversal: Literal["start", "end"] = "end"
 
 
-REVERSAL = Parameter("@reversal", "It turns round at", "", "reversal", "reversal", source="start or end")
-
 HARMONIC_COMBINATION = edged(
     {
         1: Stage(SINE_OUT, '=IF(@reversal="start",0,@share/4)'),
@@ -233,12 +232,3 @@ SINE_STRAIGHT_SINE = edged(
     checks=(BRIEF,),
     variations=({"share": 0.4, "curved": 0.3}, {"share": 0.7, "curved": 1.0}, {"share": 0.55, "curved": 0.8}),
 )  # fmt: skip
-
-PAGES = (
-    MODIFIED_TRAPEZOIDAL,
-    TRAPEZOID_BY_SHARE,
-    MODIFIED_SINE,
-    SINE_CONSTANT_COSINE,
-    HARMONIC_COMBINATION,
-    SINE_STRAIGHT_SINE,
-)

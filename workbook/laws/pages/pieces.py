@@ -86,8 +86,7 @@ VARIATIONS = (
 
 
 WITHIN = "Against the exact law, peaks of s, v, a and j are right to 1 %, of v·a to 4 %, the RMS to 0.0001 %."
-MOST_TURN = math.tau
-"""rad, of a sine on its piece: with more, nine points do not tell its extremes to the bound"""
+MOST_TURN = math.tau  # rad, of a sine on its piece: with more, nine points do not tell its extremes to the bound
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -224,6 +223,3 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         calc("jump", "jump of a", "", "",
              "=IF([d]>0,ABS([a0]-IF([k]=1,0,[reached-1])),0)", [row.jump for row in at]),
     )  # fmt: skip
-
-
-PAGES = (PAGE,)

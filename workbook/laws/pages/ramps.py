@@ -117,5 +117,3 @@ S_CURVE = edged(
     ),
     checks=LASTING,
 )
-
-PAGES = (TRAPEZOIDAL_VELOCITY, SINE_RAMPS, S_CURVE)

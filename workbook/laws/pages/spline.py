@@ -64,8 +64,7 @@ FEW = "{} points are given; expected 2 or more"
 LEAD = "they lead from ({}, {}) to ({}, {}); expected from (0, 0) to (1, 1)"
 RISE = "point {} is at {}, the one before at {}"
 
-ROOM = MOST
-"""points that a table may have"""
+ROOM = MOST  # points that a table may have
 WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
 
 
@@ -188,5 +187,3 @@ PAGE = SplinePage(
     variations=VARIATIONS,
     functions=False,
 )
-
-PAGES = (PAGE,)

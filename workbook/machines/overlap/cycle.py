@@ -11,8 +11,7 @@ from engine.timing import FULL_TURN
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, shown, si
-from workbook.laws.phases import ACCELERATION, VELOCITY
-from workbook.laws.sampling import Pieces
+from workbook.laws.sampling import ACCELERATION, VELOCITY, Pieces
 from workbook.machines.overlap.entries import ToolEntry, TransferEntry
 from workbook.machines.overlap.view import Overlapping, Station
 from workbook.motion.asked import Asked

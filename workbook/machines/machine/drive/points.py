@@ -11,8 +11,7 @@ from engine.drive.rate_by_points import falling_use
 from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
-from workbook.book.lobatto import SHARES, WEIGHTS
-from workbook.book.polynomial import LEAST, NOT_ZERO
+from workbook.book.polynomial import LEAST, NOT_ZERO, SHARES, WEIGHTS
 from workbook.book.rows import filled
 from workbook.drive.motor import plane
 from workbook.entries.turn import TURN

@@ -8,8 +8,7 @@ from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.latest import latest
-from workbook.laws.phases import HIGH, LOW
-from workbook.laws.sampling import Pieces
+from workbook.laws.sampling import HIGH, LOW, Pieces
 from workbook.machines.machine.boundary.asked import asked
 from workbook.machines.machine.boundary.carried import carried, kinds, taken
 from workbook.machines.machine.boundary.extremes import in_pieces, inside, peaks, points, reach

@@ -10,9 +10,9 @@ from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import AT_REST
 from workbook.entries.units import shown
-from workbook.laws import phases as joined
+from workbook.laws import sampling
 from workbook.laws.page import finite
-from workbook.laws.phases import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
+from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
 from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.motion.asked import entries
@@ -56,8 +56,8 @@ def entered(one: AxisRows) -> list[Quantity]:
     """Return what kind of phase it is, and the entries of each."""
     over, key = one.machine.over, f"axes.{one.axis.number - 1}.phases.*"
     return [
-        calc("kind", "phase", "", "", doubled(joined.kind("stop", one.at.ends)),
-             joined.kinds(one.axis.phases, one.rows)),
+        calc("kind", "phase", "", "", doubled(sampling.kind("stop", one.at.ends)),
+             sampling.kinds(one.axis.phases, one.rows)),
         given("start", "from", "", over.unit, entry(one, "start"), f"{key}.start", format=over.format),
         given("stop", "to", "", over.unit, entry(one, "stop"), f"{key}.stop", format=over.format),
         given("lift", "lift", "h", one.axis.given.unit, entry(one, "lift"), f"{key}.lift", format="0.0##"),
