@@ -16,8 +16,7 @@ from engine.laws.sections import breaks, roots, velocity_extremes, velocity_peak
 
 Case = Literal["constant speed", "faster", "slower"]
 Beyond = Literal["standstill", "reversal"]
-SAME_LENGTH = 1e-12
-"""of the design length, the line speed: a smaller difference is none"""
+SAME_LENGTH = 1e-12  # of the design length, the line speed: a smaller difference is none
 
 
 @dataclass(frozen=True)

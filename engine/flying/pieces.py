@@ -26,8 +26,7 @@ class CutPart(NamedTuple):
 
     scaled: Scaled
     opens: float
-    first: int
-    """its first piece of the law, from 0"""
+    first: int  # its first piece of the law, from 0
     taken: int
 
     def pieces(self, number: int, whole: bool = False) -> list[MotionPiece]:
@@ -91,8 +90,7 @@ def cut_pieces(cut: Cut, whole: bool = False) -> list[MotionPiece]:
 class CutCycle(Cycle):
     """The cycle of a cut: each piece of the tool's motion is an interval, those of no length too."""
 
-    standing: float = 0.0
-    """speed up to which the tool counts as at rest (m/s)"""
+    standing: float = 0.0  # speed up to which the tool counts as at rest (m/s)
 
     @cached_property
     def intervals(self) -> list[Interval]:

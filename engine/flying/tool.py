@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from engine.laws.base import Array
 
-LONGER = 1.001
-"""times the tool length, the shortest product"""
+LONGER = 1.001  # times the tool length, the shortest product
 
 
 @dataclass(frozen=True)
@@ -73,19 +72,15 @@ def require(holds: bool, name: str, value: float, expected: str) -> None:
         raise ValueError(f"{name} is {value:g}; expected {expected}")
 
 
-MOVES, WAITS, WORKS = 1, 2, 3
-"""the parts of a cycle"""
+MOVES, WAITS, WORKS = 1, 2, 3  # the parts of a cycle
 
 
 class CycleState(NamedTuple):
     """Where the cycle is at each time."""
 
-    part: NDArray[np.intp]
-    """1 moves by its law, 2 waits at standstill, 3 works at line speed"""
-    waited: Array
-    """s"""
-    xi: Array
-    """abscissa of the law"""
+    part: NDArray[np.intp]  # 1 moves by its law, 2 waits at standstill, 3 works at line speed
+    waited: Array  # s
+    xi: Array  # abscissa of the law
 
 
 class ToolMotion(NamedTuple):

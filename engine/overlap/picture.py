@@ -13,24 +13,18 @@ import numpy as np
 from engine.laws.base import Array
 from engine.overlap.parts import Passage, Tool, Transfer
 
-LANE_SHARE = 0.8
-"""height of a part in a timing diagram, of its lane"""
-WIDTH = 0.3
-"""of a tool, in strokes of the transfer"""
-BODY = 1.5
-"""length of a tool, in its own strokes"""
-PLATE = 0.2
-"""below the work, in the longest stroke of a tool"""
-STEP = 2.5
-"""from station to station, in strokes of the transfer"""
+LANE_SHARE = 0.8  # height of a part in a timing diagram, of its lane
+WIDTH = 0.3  # of a tool, in strokes of the transfer
+BODY = 1.5  # length of a tool, in its own strokes
+PLATE = 0.2  # below the work, in the longest stroke of a tool
+STEP = 2.5  # from station to station, in strokes of the transfer
 PUNCH = (
     (-0.5, 0.0), (-0.5, 0.8), (-1.0, 0.8), (-1.0, 1.0), (1.0, 1.0), (1.0, 0.8), (0.5, 0.8), (0.5, 0.0), (-0.5, 0.0),
 )  # fmt: skip
 """a tool: across in its width, along in its length"""
 WALLS = tuple((wall, side, up) for wall in (-2, -1, 0) for side, up in ((0, 0), (0, 1), (1, 1), (1, 0)))
 """the transfer at a station: wall by wall, left or right, lower or upper corner"""
-FRAME = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
-"""right or left, upper or lower corner"""
+FRAME = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))  # right or left, upper or lower corner
 
 
 class Outline(NamedTuple):

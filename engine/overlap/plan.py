@@ -37,15 +37,11 @@ def blocked(transfer: Transfer, passage: Passage) -> tuple[float, float]:
 class Room(NamedTuple):
     """What a transfer and the passage leave a tool: angles in rad."""
 
-    begin: float
-    """from here the transfer is in the way"""
-    end: float
-    """and to here"""
-    free_in: float
-    """for the way in, as long as the tool is not at the part: F_in (S2: 140°/2 = 70°)"""
+    begin: float  # from here the transfer is in the way
+    end: float  # and to here
+    free_in: float  # for the way in, as long as the tool is not at the part: F_in (S2: 140°/2 = 70°)
     free_out: float
-    both: float
-    """for both ways at most, whatever the passage"""
+    both: float  # for both ways at most, whatever the passage
 
 
 def room(transfer: Transfer, tool: Tool, passage: Passage) -> Room:
@@ -107,10 +103,8 @@ class MarginSweep(NamedTuple):
     margin: Array
     angle_in: Array
     angle_out: Array
-    acceleration: Array
-    """m/s²"""
-    ratio: Array
-    """of the peak acceleration without overlap to that with it"""
+    acceleration: Array  # m/s²
+    ratio: Array  # of the peak acceleration without overlap to that with it
 
 
 def sweep_margin(transfer: Transfer, tool: Tool, passage: Passage, margins: ArrayLike, rate: float) -> MarginSweep:
@@ -139,14 +133,10 @@ class Corners(NamedTuple):
     The transfer gets in the way, is in place; the tool sets off, arrives, leaves, is back.
     """
 
-    raw: Array
-    """rad, not reduced to one turn"""
-    angle: Array
-    """rad, within one turn"""
-    inside: NDArray[np.bool_]
-    """whether the transfer is in the way"""
-    free: Array
-    """clearance (m); where the transfer is not in the way, all of it"""
+    raw: Array  # rad, not reduced to one turn
+    angle: Array  # rad, within one turn
+    inside: NDArray[np.bool_]  # whether the transfer is in the way
+    free: Array  # clearance (m); where the transfer is not in the way, all of it
 
 
 def corners(schedule: Schedule, passage: Passage) -> Corners:
@@ -164,12 +154,9 @@ class Clearance(NamedTuple):
 
     allowed: Array
     """how far the tool may go at each angle: the clearance while the transfer is in the way, else its stroke"""
-    free: Array
-    """that, less how far it has gone; below 0 they collide"""
-    minimum: float
-    """while the transfer is in the way; exact, not of the samples"""
-    collides: bool
-    """less than 0 is free somewhere"""
+    free: Array  # that, less how far it has gone; below 0 they collide
+    minimum: float  # while the transfer is in the way; exact, not of the samples
+    collides: bool  # less than 0 is free somewhere
     meets_margin: bool
 
 

@@ -12,23 +12,17 @@ from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.motion.pieces import law_pieces
 
-INTERVALS = 96
-"""between points, at most"""
-HEIGHT = 1e-6
-"""of the rise: how near to a height the law is at the time found"""
-REST = 1e-5
-"""a velocity below this, in units of the mean velocity, is too slow for a correction"""
+INTERVALS = 96  # between points, at most
+HEIGHT = 1e-6  # of the rise: how near to a height the law is at the time found
+REST = 1e-5  # a velocity below this, in units of the mean velocity, is too slow for a correction
 
 
 class Points(NamedTuple):
     """Points of a law: arrays of the length INTERVALS + 1; spare ones are its end."""
 
-    n: int
-    """intervals on each piece"""
-    piece: Array
-    """number of the piece, from 1"""
-    share: Array
-    """of the piece's duration"""
+    n: int  # intervals on each piece
+    piece: Array  # number of the piece, from 1
+    share: Array  # of the piece's duration
     xi: Array
     s: Array
     v: Array
@@ -54,24 +48,15 @@ class Between(NamedTuple):
     """Between which points heights lie, and the share of time of each: arrays."""
 
     heights: Array
-    point: Array
-    """the last point that is not above, from 1"""
-    low: Points
-    """that point"""
-    high: Points
-    """and the next"""
-    over: Array
-    """of the height over that of the lower point"""
-    acceleration: Array
-    """as if it were constant from one to the other"""
-    near: Array
-    """the share of time by it"""
-    s: Array
-    """height there"""
-    v: Array
-    """velocity there"""
-    correction: Array
-    """what is missing of the height over the velocity there; 0 beside a point at rest"""
+    point: Array  # the last point that is not above, from 1
+    low: Points  # that point
+    high: Points  # and the next
+    over: Array  # of the height over that of the lower point
+    acceleration: Array  # as if it were constant from one to the other
+    near: Array  # the share of time by it
+    s: Array  # height there
+    v: Array  # velocity there
+    correction: Array  # what is missing of the height over the velocity there; 0 beside a point at rest
 
     @property
     def xi(self) -> Array:

@@ -17,8 +17,7 @@ from engine.overlap.parts import Tool, Transfer, require_positive
 from engine.timing import FULL_TURN, shaft_speed
 
 Limit = Literal["clearance", "cycle"]
-ANGLE_TOLERANCE = FULL_TURN * BREAK_TOLERANCE
-"""rad: an angle this near to an event counts as on it"""
+ANGLE_TOLERANCE = FULL_TURN * BREAK_TOLERANCE  # rad: an angle this near to an event counts as on it
 
 
 class Rates(NamedTuple):

@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from engine.drive.motor import continuous
 from engine.laws.base import Array
 
-NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)
-"""of every product"""
+NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)  # of every product
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,7 @@ from engine.selection.task import Task
 Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
 RANKS: tuple[str, ...] = get_args(Rank)
 Verdict = Literal["yes", "reducer", "speed", "peak", "RMS", "large", "inertia", "–"]
-PARTS = 10_000
-"""of a unit, in which scores are compared"""
+PARTS = 10_000  # of a unit, in which scores are compared
 
 
 class Wanted(NamedTuple):

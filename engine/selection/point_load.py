@@ -20,8 +20,7 @@ from engine.drive.quadrature import LoadPoints
 from engine.drive.results import Energy
 from engine.laws.base import Array
 
-AT_ONCE = 1 << 18
-"""values of which arrays are made"""
+AT_ONCE = 1 << 18  # values of which arrays are made
 
 
 class Gears(NamedTuple):

@@ -16,10 +16,8 @@ from engine.drive import Load
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 
-AT_REST = 1e-9
-"""of the mean velocity of a phase"""
-NOTHING = 1e-9
-"""rad/s², Nm, rad/s: an acceleration, a torque, a speed no larger than this comes from rounding"""
+AT_REST = 1e-9  # of the mean velocity of a phase
+NOTHING = 1e-9  # rad/s², Nm, rad/s: an acceleration, a torque, a speed no larger than this comes from rounding
 
 
 @dataclass(frozen=True)
@@ -103,20 +101,13 @@ class Ranges(NamedTuple):
     accelerating_factor: Array
     tau_min: Array
     tau_max: Array
-    tau_opt: Array
-    """at which the RMS torque is smallest; √(τ_min τ_max)"""
-    tau_limit: Array
-    """τ_M,lim: a smaller ratio drives the motor beyond its largest speed"""
-    lowest: Array
-    """max(τ_min, τ_M,lim); τ_M,lim of a motor that is too weak"""
-    root: Array
-    """√(α − β/η), of (14)"""
-    wide: Array
-    """√(α − β/η + 4 ω̇_rms T*_rms/η), of (14)"""
-    strong: NDArray[np.bool_]
-    """whether α ≥ β/η"""
-    accepted: NDArray[np.bool_]
-    """whether any ratio at all does"""
+    tau_opt: Array  # at which the RMS torque is smallest; √(τ_min τ_max)
+    tau_limit: Array  # τ_M,lim: a smaller ratio drives the motor beyond its largest speed
+    lowest: Array  # max(τ_min, τ_M,lim); τ_M,lim of a motor that is too weak
+    root: Array  # √(α − β/η), of (14)
+    wide: Array  # √(α − β/η + 4 ω̇_rms T*_rms/η), of (14)
+    strong: NDArray[np.bool_]  # whether α ≥ β/η
+    accepted: NDArray[np.bool_]  # whether any ratio at all does
 
 
 def ratio_ranges(
@@ -159,16 +150,11 @@ def _ends(spare: Array, inertia: ArrayLike, acceleration: ArrayLike, torque: Arr
 class RatioCurves(NamedTuple):
     """Range of τ of one motor against the load factor, figure 12 of S5: arrays over its points."""
 
-    share: Array
-    """β/(η α), rising to 1, closer together near it"""
-    load_factor: Array
-    """β"""
-    rate_factor: Array
-    """√(β/β_now), on ω̇ and T* alike"""
-    root: Array
-    """√(α − β/η)"""
-    wide: Array
-    """√(α − β/η + 4 ω̇_rms T*_rms/η)"""
+    share: Array  # β/(η α), rising to 1, closer together near it
+    load_factor: Array  # β
+    rate_factor: Array  # √(β/β_now), on ω̇ and T* alike
+    root: Array  # √(α − β/η)
+    wide: Array  # √(α − β/η + 4 ω̇_rms T*_rms/η)
     tau_min: Array
     tau_opt: Array
     tau_max: Array

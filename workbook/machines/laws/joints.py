@@ -10,12 +10,10 @@ RATES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
 ORDER = (
     "=IF(COUNTIF([joints.code],8*[no]+{0})>0,0,IF(COUNTIF([joints.code],8*[no]+{0}+1)>0,1,"
     "IF(COUNTIF([joints.code],8*[no]+{0}+2)>0,2,3)))"
-)
-"""the least order of a law's joints: between its pieces, or, of codes that are 4 more, at its ends"""
+)  # the least order of a law's joints: between its pieces, or, of codes that are 4 more, at its ends
 PIECE = "=IF([k]>COUNTIF(piece_number,[no]),MATCH(1,piece_number,0),MATCH([no],piece_number,0)+[k]-1)"
 """behind the last piece the dwell's, law 1"""
-ORDERS = {"a": 0, "j": 1}
-"""of derivatives of the acceleration"""
+ORDERS = {"a": 0, "j": 1}  # of derivatives of the acceleration
 SINES = {
     "a": "+INDEX(piece_P{n},[q])*SIN({x})",
     "j": "+INDEX(piece_pj{n},[q])*COS({x})",
@@ -59,12 +57,10 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
              "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [row.one.law.coefficients.ca for row in rows]),
         calc("order", "highest continuous derivative", "", "",
              ORDERED, [row.at.order for row in rows], format="0", source="0 s, 1 v, 2 a, 3 j"),
-        calc("outer", "is an end of the law", "", "",
-             "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)", [int(row.at.outer) for row in rows],
-             format="0"),
-        calc("code", "law, end and order", "", "",
-             "=8*[no]+4*[outer]+[order]", [code(row.one.number, row.at) for row in rows], format="0",
-             source="8 · number + 4 at an end + order"),
+        calc("outer", "is an end of the law", "", "", "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)",
+             [int(row.at.outer) for row in rows], format="0"),
+        calc("code", "law, end and order", "", "", "=8*[no]+4*[outer]+[order]",
+             [code(row.one.number, row.at) for row in rows], format="0", source="8 · number + 4 at an end + order"),
         calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", [row.first for row in rows],
              format="0"),
     )  # fmt: skip

@@ -12,10 +12,8 @@ from workbook.machines.laws.view import Compared
 CURVES = range(1, MOST_CURVES + 1)
 NAMES = {"s": "Position", "v": "Velocity", "a": "Acceleration", "j": "Jerk"}
 VENDORS = {"siemens": "Siemens LCamHdl", "twincat": "TwinCAT", "codesys": "CODESYS", "sew": "SEW MOVI-C"}
-LEFT, RIGHT, TOP, BELOW = 9, 14, 5, 28
-"""columns and rows at which the charts begin"""
-NONE = "–"
-"""in place of a name"""
+LEFT, RIGHT, TOP, BELOW = 9, 14, 5, 28  # columns and rows at which the charts begin
+NONE = "–"  # in place of a name
 SPELLED = ",".join(f'"{word}"' for word in WORDS)
 
 
@@ -52,9 +50,8 @@ def chosen(sheet: Sheet, view: Compared) -> None:
         given("law", "law", "", "",
               filled(view.entered, MOST_CURVES, None), "comparison.curves.*.law", choices="=law_code"),
         constant("k", "curve", "k", "", list(range(1, MOST_CURVES + 1))),
-        calc("no", "number", "", "",
-             '=MATCH(IF([law]="",[curves.law.first],[law]),law_code,0)', [one.number for one in view.curves],
-             format="0", source="of a spare row that of the first"),
+        calc("no", "number", "", "", '=MATCH(IF([law]="",[curves.law.first],[law]),law_code,0)',
+             [one.number for one in view.curves], format="0", source="of a spare row that of the first"),
     )  # fmt: skip
 
 
@@ -104,9 +101,7 @@ def costs(sheet: Sheet, view: Compared) -> None:
     table = sheet.table(
         "costs", "Laws, in the order of the sheet Laws", len(laws),
         calc("law", "law", "", "", "=INDEX(law_code,[no])", [one.name for one in laws]),
-        calc("family", "family", "", "",
-             "=INDEX(law_name,[no])",
-             [one.words for one in laws], align="left"),
+        calc("family", "family", "", "", "=INDEX(law_name,[no])", [one.words for one in laws], align="left"),
         of("cv", "velocity", "C_v"),
         of("ca_max", "acceleration", "C_a+"),
         of("ca_min", "deceleration", "C_a−"),

@@ -18,10 +18,8 @@ class Joined(NamedTuple):
     one: NamedLaw
     k: int
     at: Meeting
-    row: int
-    """counted from 1: behind the last piece of a law the dwell's"""
-    first: int
-    """the row of the law's first piece in the table of joints, counted from 1"""
+    row: int  # counted from 1: behind the last piece of a law the dwell's
+    first: int  # the row of the law's first piece in the table of joints, counted from 1
 
 
 class Compared:
