@@ -1,22 +1,93 @@
-"""A cut: what a product length asks of the tool. Lengths in m along the line, speeds in m/s, angles in rad."""
+"""A tool that goes round or comes back, and a cut: what a product length asks of it.
+
+Lengths in m along the line, speeds in m/s, angles in rad.
+"""
 
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from engine.flying.tool import MOVES, WAITS, WORKS, CycleState, Tool, ToolMotion, require
 from engine.laws import Law
-from engine.laws.base import BREAK_TOLERANCE
+from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import is_monotone
 from engine.laws.sections import breaks, roots, velocity_extremes, velocity_peak
 
-Case = Literal["constant speed", "faster", "slower"]
 Beyond = Literal["standstill", "reversal"]
 SAME_LENGTH = 1e-12  # of the design length, the line speed: a smaller difference is none
+LONGER = 1.001  # times the tool length, the shortest product
+
+
+@dataclass(frozen=True)
+class Tool:
+    """What carries the tool: the length it covers a cycle, that at line speed, and metres per rad of its shaft.
+
+    ``design_length`` L_0 (0 of a tool that comes back), ``tool_length`` L_T, ``radius`` R_t.
+    Raises ValueError unless 0 ≤ L_0, L_T ≥ 0, R_t > 0, and L_T < L_0 where L_0 > 0.
+    """
+
+    design_length: float
+    tool_length: float
+    radius: float
+
+    def __post_init__(self) -> None:
+        require(self.radius > 0.0, "radius", self.radius, "more than 0")
+        require(self.design_length >= 0.0, "design length", self.design_length, "0 or more")
+        require(self.tool_length >= 0.0, "tool length", self.tool_length, "0 or more")
+        if 0.0 < self.design_length <= self.tool_length:
+            raise ValueError(f"tool length is {self.tool_length:g} m; expected less than {self.design_length:g} m")
+
+    @property
+    def repositioning_length(self) -> float:
+        """L_R = L_0 − L_T; negative for a tool that comes back."""
+        return self.design_length - self.tool_length
+
+    def angle(self, length: float) -> float:
+        """Return the angle of the shaft (rad) over a length (m): θ = L/R_t. Source: S5, 'Kinematic analysis'."""
+        return length / self.radius
+
+
+def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:
+    """Return a drum of n tools at radius R_t (m), in step with the line over the angle θ_T (rad).
+
+    θ_0 = 2π/n, L_0 = θ_0 R_t, L_T = θ_T R_t. Raises ValueError unless n ≥ 1 and 0 ≤ θ_T < θ_0.
+    Source: S5, 'Kinematic analysis'.
+    """
+    require(tools >= 1, "tools", tools, "1 or more")
+    pitch = 2.0 * math.pi / tools
+    if not 0.0 <= tool_angle < pitch:
+        found, limit = math.degrees(tool_angle), math.degrees(pitch)
+        raise ValueError(f"tool angle is {found:g} degrees; expected at least 0 and less than {limit:g}")
+    return Tool(pitch * radius, tool_angle * radius, radius)
+
+
+def flying_saw(tool_length: float, metres_per_radian: float) -> Tool:
+    """Return a saw on a slide: in step with the line over L_T (m), then back; the motor's mean speed is zero.
+
+    A transmission ratio with a mean that is not zero makes it the case L_0 = 0 of the drum's equations:
+    there is no design length, h = −L_p, and the tool always reverses. ``metres_per_radian`` of the shaft
+    that moves the slide: 1/(2πP) of a screw, the radius of a pinion.
+    Source: S5, 'Systems where τ_gx,mean ≠ 0'.
+    """
+    return Tool(0.0, tool_length, metres_per_radian)
+
+
+def require(holds: bool, name: str, value: float, expected: str) -> None:
+    """Raise ValueError, which says what was expected, unless the condition holds and the value is finite."""
+    if not (holds and math.isfinite(value)):
+        raise ValueError(f"{name} is {value:g}; expected {expected}")
+
+
+class ToolMotion(NamedTuple):
+    """Motion of the tool along its path over a cycle: m, m/s, m/s², m/s³."""
+
+    position: Array
+    speed: Array
+    acceleration: Array
+    jerk: Array
 
 
 @dataclass(frozen=True)
@@ -77,13 +148,6 @@ class Cut:
         """Displacement h = L_0 − L_p (m), the dynamic displacement; 0 where rounding alone tells them apart."""
         found = self.tool.design_length - self.product_length
         return found if abs(found) > SAME_LENGTH * self.tool.design_length else 0.0
-
-    @property
-    def case(self) -> Case:
-        """Whether the tool re-positions at line speed, faster or slower: by the sign of h."""
-        if not self.displacement:
-            return "constant speed"
-        return "faster" if self.displacement > 0.0 else "slower"
 
     @property
     def limit_length(self) -> float:
@@ -192,25 +256,19 @@ class Cut:
 
         At an event they are those behind it, at the end of the cycle those before it. Raises ValueError outside.
         """
-        t = np.asarray(time, dtype=np.float64)
-        part, waited, xi = self.state(t)
-        law, per = self.law.evaluate(xi), self.superimposed / self.moving_time
-        moved = self.superimposed * law.s - self.line_speed * waited
-        speed = np.select([part == WAITS, part == WORKS], [0.0, self.line_speed], self.line_speed + per * law.v)
-        rates = (np.where(part == MOVES, per / self.moving_time**n * x, 0.0) for n, x in ((1, law.a), (2, law.j)))
-        return ToolMotion(self.line_speed * t + moved, speed, *rates)
-
-    def state(self, time: ArrayLike) -> CycleState:
-        """Return where the cycle is at times (s) from 0 to t_C: on an event, behind it. Raises ValueError outside."""
         t, near = np.asarray(time, dtype=np.float64), self.time_tolerance
         if t.size and not (t.min() >= -near and t.max() <= self.cycle_time + near):
             raise ValueError(f"time reaches from {t.min():g} to {t.max():g} s; expected 0 to {self.cycle_time:g} s")
         begin, end = self.wait
-        waited = np.clip(t - begin, 0.0, self.waiting_time)
-        waiting = (t >= begin - near) & (t < end - near)
         works = (t >= self.repositioning_time - near) & (self.tool_time > near)
-        part = np.select([works, waiting], [WORKS, WAITS], MOVES)
-        return CycleState(part, waited, np.clip((t - waited) / self.moving_time, 0.0, 1.0))
+        waits = (t >= begin - near) & (t < end - near) & ~works
+        waited = np.clip(t - begin, 0.0, self.waiting_time)
+        law = self.law.evaluate(np.clip((t - waited) / self.moving_time, 0.0, 1.0))
+        per = self.superimposed / self.moving_time
+        moved = self.superimposed * law.s - self.line_speed * waited
+        speed = np.select([waits, works], [0.0, self.line_speed], self.line_speed + per * law.v)
+        rates = (np.where(waits | works, 0.0, per / self.moving_time**n * x) for n, x in ((1, law.a), (2, law.j)))
+        return ToolMotion(self.line_speed * t + moved, speed, *rates)
 
     @cached_property
     def fastest(self) -> float:

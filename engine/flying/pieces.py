@@ -3,7 +3,6 @@
 Source: S5, 'Model of dynamic system', T_M = (J_M/τ) ω̇_L + τ (T_L + J_L ω̇_L), and its step 7 for η and J_T.
 """
 
-import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -59,19 +58,15 @@ def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart,
     )  # fmt: skip
 
 
-def spans(cut: Cut) -> list[tuple[float, float]]:
-    """Return from where to where the motion has each of its pieces, counted from their origins (s)."""
-    found = cut_pieces(cut)
-    ends = [*(piece.begin for piece in found[1:]), cut.cycle_time]
-    return [(piece.begin - piece.origin, end - piece.origin) for piece, end in zip(found, ends, strict=True)]
-
-
 def cut_joints(cut: Cut, smooth: Smoothness) -> tuple[Joint, ...]:
     """Return where the pieces of the tool's motion begin, and what jumps there of what must not.
 
     Jumps are measured by the tool's highest speed and acceleration, and by this over the time of the law.
     """
-    return joints(cut_pieces(cut), rates_of(cut), smooth, spans=spans(cut))
+    pieces = cut_pieces(cut)
+    ends = [*(piece.begin for piece in pieces[1:]), cut.cycle_time]
+    spans = [(piece.begin - piece.origin, end - piece.origin) for piece, end in zip(pieces, ends, strict=True)]
+    return joints(pieces, rates_of(cut), smooth, spans=spans)
 
 
 def rates_of(cut: Cut) -> Rates:
@@ -90,7 +85,7 @@ def cut_pieces(cut: Cut, whole: bool = False) -> list[MotionPiece]:
 class CutCycle(Cycle):
     """The cycle of a cut: each piece of the tool's motion is an interval, those of no length too."""
 
-    standing: float = 0.0  # speed up to which the tool counts as at rest (m/s)
+    still: float = 0.0  # speed up to which the tool counts as at rest (m/s)
 
     @cached_property
     def intervals(self) -> list[Interval]:
@@ -98,11 +93,6 @@ class CutCycle(Cycle):
         begins = [piece.begin for piece in self.pieces]
         ends = [*begins[1:], self.drive_cycle.unshifted.total]
         return [Interval(*one) for one in zip(begins, ends, range(len(begins)), strict=True)]
-
-    @property
-    def still(self) -> float:
-        """The speed up to which the tool counts as at rest (m/s)."""
-        return self.standing
 
 
 def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Train:
@@ -137,27 +127,3 @@ def furthest(load: LoadPoints, still: float) -> tuple[Array, Array]:
     x = np.divide(v0, v0 - v, out=np.zeros(v.shape), where=turns)
     chord = s0 + v0 * x * step / 2.0
     return x, np.where(turns, chord + x**2 * (3.0 - 2.0 * x) * (s - s0 - (v0 + v) * step / 2.0), s)
-
-
-class Sizes(NamedTuple):
-    """Sizes in SI: of lengths, and of what the line speed over such a length makes of speeds, accelerations, β."""
-
-    length: float
-    speed: float
-    acceleration: float
-    angle: float
-    angular_speed: float
-    angular_acceleration: float
-    torque: float
-    power_rate: float
-
-
-def sizes(cut: Cut, inertia: float, torque: float) -> Sizes:
-    """Return the sizes for a load of J_L (kg m²) and T_L (Nm): a = v_L²/L, β = J_L (a/R_t)²."""
-    length, radius = max(cut.tool.design_length, cut.product_length), cut.tool.radius
-    acceleration = cut.line_speed**2 / length
-    turning = acceleration / radius
-    return Sizes(
-        length, cut.line_speed, acceleration, length / radius, cut.line_speed / radius, turning,
-        math.hypot(inertia * turning, torque), inertia * turning**2,
-    )  # fmt: skip

@@ -18,7 +18,7 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -26,13 +26,13 @@ from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.block import Block, Cell
 from workbook.book.limits import Guard, Limit, RowRule
-from workbook.book.quantity import Quantity, calc, check, constant, given, result
+from workbook.book.quantity import Quantity, calc, check, constant, entries_of, given, result
 from workbook.book.rows import as_rows
 from workbook.book.sheet import FIRST, Sheet, Text
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "RowRule", "Sheet", "Text",
-    "calc", "check", "constant", "given", "result",
+    "calc", "check", "constant", "entries_of", "given", "result",
 ]  # fmt: skip
 
 REFERENCE = re.compile(r"\[(\w+(?::\w+)?)(-1|\.\w+(?::\w+)?)?(\.first|\.last|\.same|\.\d+)?\]")
@@ -50,6 +50,7 @@ class Book:
     column_names: dict[str, tuple[str, str]] = field(default_factory=dict)
     limit: Callable[[str], Limit | None] = lambda key: None
     """the limits of the entry at a key of the description, if it has any"""
+    sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, the scale of quantities that name none
     guards: list[Guard] = field(default_factory=list)
     summed: dict[str, list[list[int]]] = field(default_factory=dict)
     """columns ``table.column`` that sum up some checks: of each row the places of these among all"""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from operator import attrgetter
 from typing import Any, Literal, NamedTuple
 
 from workbook.book.chart import in_scope
@@ -20,6 +21,7 @@ ROUNDED, MOST = 1e-9, 1e9  # of figures beside a limit: the share of it that rou
 
 LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))  # below each size: four digits that count
 NOISE = 1e-12  # rounding, of any unit and as a share of a value
+PLAIN = "0.0##"  # how numbers are shown that an engineer enters
 
 Role = Literal["input", "calculation", "result", "check", "constant", "sentence", "title"]
 
@@ -71,6 +73,17 @@ class Quantity(NamedTuple):
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:
     """Return an input: a cell that the engineer fills; of a column the value is a sequence."""
     return Quantity(name, label, symbol, unit, "input", None, value, key=key, **more)
+
+
+def entries_of(model: Any, place: str) -> Callable[..., Quantity]:
+    """Return what makes an input, as :func:`given` does, of the entry of a model at a key; the model is at a place."""
+
+    def entry(name: str, label: str, symbol: str, unit: str, key: str, source: str = "", **more: Any) -> Quantity:
+        value = attrgetter(key)(model)
+        own = {"format": "" if isinstance(value, str) else PLAIN, "source": source} | more
+        return given(name, label, symbol, unit, value, f"{place}.{key}", **own)
+
+    return entry
 
 
 def calc(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, **more: Any) -> Quantity:

@@ -259,7 +259,9 @@ class Sheet:
         self.row += height + 1
 
     def _own(self, quantities: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
-        return tuple(q.within(self.scope) for q in quantities) if self.scope else quantities
+        sizes = self.book.sizes
+        sized = (q if q.scale else q._replace(scale=sizes.get(q.unit, 0.0)) for q in quantities)
+        return tuple(q.within(self.scope) if self.scope else q for q in sized)
 
     def _place(self, block: Block) -> Block:
         if block.name in self.book.blocks or block.name in self.book.column_names:

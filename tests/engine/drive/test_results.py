@@ -11,9 +11,8 @@ from engine.drive import KINDS, Drive, Load, Part, Slide, Stage, cylinder, resis
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
-from engine.flying.cut import Cut
+from engine.flying.cut import Cut, rotary_drum
 from engine.flying.pieces import cut_pieces
-from engine.flying.tool import rotary_drum
 from engine.laws import Dwell, law
 from engine.motion import Motion, Phase
 from engine.selection.task import Task, ratio_ranges

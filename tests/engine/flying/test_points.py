@@ -11,9 +11,8 @@ from engine.drive import Load
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drive_points import DrivePoints
 from engine.drive.results import DriveResults
-from engine.flying.cut import Cut
+from engine.flying.cut import Cut, flying_saw, rotary_drum
 from engine.flying.pieces import cut_pieces, cycle_of, furthest, train_of
-from engine.flying.tool import flying_saw, rotary_drum
 from engine.laws import law
 from engine.selection.pair_matrix import PairMatrix, Wanted
 from engine.selection.point_load import PointLoad

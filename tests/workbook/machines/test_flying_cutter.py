@@ -4,8 +4,7 @@ from math import pi, radians, sqrt
 
 import pytest
 
-from engine.flying.cut import Cut
-from engine.flying.tool import flying_saw, rotary_drum
+from engine.flying.cut import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal
 from tests.engine.selection.tasks import sampled_task
 from tests.laws import MOVING

@@ -41,34 +41,28 @@ def joints_of(machine: Flying, rows: PieceRows) -> Joints:
 def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
     """Declare the sheet."""
     sheet = book.sheet("Cycle", "The tool over one cycle: it re-positions first, then works at line speed.")
-    cut, t, scale = machine.cut, machine.times, machine.scales
-    at, load, mm = cut.at(t), machine.load, shown(scale.length, MM)
+    cut, t = machine.cut, machine.times
+    at, load = cut.at(t), machine.load
     radius = machine.tool.radius
     speed, acceleration = at.speed / radius, at.acceleration / radius
     sheet.row += 1
     sheet.table(
         "cycle", f"Tool, shaft and load at {len(t) - 1} equal steps", len(t),
-        calc("t", "time", "t", "s", "=[k]*fly_tc/[cycle.k.last]", t, format="0.0000", scale=cut.cycle_time),
+        calc("t", "time", "t", "s", "=[k]*fly_tc/[cycle.k.last]", t, format="0.0000"),
         result("s", "position of the tool", "s", "mm",
-               f"=({sampled(rows, 0)})*1000", shown(at.position, MM), scale=mm, source=POSITION),
-        result("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", at.speed, scale=scale.speed, source="ds/dt"),
-        result("a", "its acceleration", "a", "m/s²",
-               f"={sampled(rows, 2)}", at.acceleration, scale=scale.acceleration, source="d²s/dt²"),
-        result("j", "its jerk", "j", "m/s³",
-               f"={sampled(rows, 3)}", at.jerk, scale=cut.size(3), source="d³s/dt³, between jumps"),
-        result("n", "speed of the shaft", "n", "rpm",
-               "=[w]*60/(2*PI())", shown(speed, RPM), scale=shown(scale.angular_speed, RPM)),
-        result("w", "speed of the shaft", "ω_L", "rad/s",
-               "=[v]*1000/fly_r", speed, scale=scale.angular_speed, source="v/R_t"),
-        result("dw", "its acceleration", "ω̇_L", "rad/s²",
-               "=[a]*1000/fly_r", acceleration, scale=scale.angular_acceleration, source="a/R_t"),
-        result("torque", "generalized load torque", "T*_L", "Nm",
-               "=fly_torque+fly_j*[dw]", load.torque + load.inertia * acceleration, scale=scale.torque,
-               source="T_L + J_L ω̇_L"),
+               f"=({sampled(rows, 0)})*1000", shown(at.position, MM), source=POSITION),
+        result("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", at.speed, source="ds/dt"),
+        result("a", "its acceleration", "a", "m/s²", f"={sampled(rows, 2)}", at.acceleration, source="d²s/dt²"),
+        result("j", "its jerk", "j", "m/s³", f"={sampled(rows, 3)}", at.jerk, source="d³s/dt³, between jumps"),
+        result("n", "speed of the shaft", "n", "rpm", "=[w]*60/(2*PI())", shown(speed, RPM)),
+        result("w", "speed of the shaft", "ω_L", "rad/s", "=[v]*1000/fly_r", speed, source="v/R_t"),
+        result("dw", "its acceleration", "ω̇_L", "rad/s²", "=[a]*1000/fly_r", acceleration, source="a/R_t"),
+        result("torque", "generalized load torque", "T*_L", "Nm", "=fly_torque+fly_j*[dw]",
+               load.torque + load.inertia * acceleration, source="T_L + J_L ω̇_L"),
         result("angle", "angle of the shaft", "θ", "°", "=DEGREES([s]/fly_r)", shown(at.position / radius, DEGREE),
-               scale=shown(scale.angle, DEGREE), source="s/R_t"),
+               source="s/R_t"),
         calc("product", "position of the product", "", "mm",
-             "=fly_v*[t]*1000", shown(cut.line_speed * t, MM), scale=mm, source="v_L t"),
+             "=fly_v*[t]*1000", shown(cut.line_speed * t, MM), source="v_L t"),
         calc("line", "line speed", "v_L", "m/s", "=fly_v", machine.line),
         constant("k", "sample", "k", "", list(range(len(t)))),
         *finding(rows, "t", t),
@@ -103,7 +97,6 @@ def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
 
 def parts_table(sheet: Sheet, machine: Flying, parts: tuple[CutPart, ...], rows: PieceRows) -> None:
     """Declare the parts of the cycle."""
-    scale, time = machine.cut.size, machine.cut.cycle_time
     of = [part.scaled for part in parts]
     law, none = "=MATCH(fly_no,piece_number,0)", "=MATCH(1,piece_number,0)"
     sheet.table(
@@ -111,18 +104,18 @@ def parts_table(sheet: Sheet, machine: Flying, parts: tuple[CutPart, ...], rows:
         constant("what", "the tool", "", "", list(PARTS), align="left"),
         constant("k", "row", "k", "", [1, 2, 3, 4]),
         calc("h", "displacement by the law", "h", "m",
-             ["=fly_h1/1000", "=0", "=fly_h1/1000", "=0"], [one.h for one in of], scale=scale(0)),
+             ["=fly_h1/1000", "=0", "=fly_h1/1000", "=0"], [one.h for one in of]),
         calc("span", "time of the law", "t", "s",
-             ["=fly_tm", "=fly_wait", "=fly_tm", "=fly_tt"], [one.duration for one in of], scale=time),
+             ["=fly_tm", "=fly_wait", "=fly_tm", "=fly_tt"], [one.duration for one in of]),
         calc("begin", "its time starts at", "", "s",
-             ["=0", "=fly_stop", "=fly_wait", "=fly_tr"], [one.x for one in of], scale=time),
+             ["=0", "=fly_stop", "=fly_wait", "=fly_tr"], [one.x for one in of]),
         calc("opens", "begins at", "", "s",
-             ["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"], [part.opens for part in parts], scale=time),
+             ["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"], [part.opens for part in parts]),
         calc("drift", "drift", "v", "m/s", ["=fly_v", "=0", "=fly_v", "=fly_v"], [one.drift for one in of]),
         calc("y0", "position there", "s", "m",
              ["=0", "=IF(fly_waits=1,fly_v*fly_stop+fly_h1/1000*[standing.s.1],0)", "=0",
               "=fly_v*fly_tm+fly_h1/1000*INDEX(law_s1,fly_no)"],
-             [one.y for one in of], scale=scale(0)),
+             [one.y for one in of]),
         *phase_table_columns(
             rows,
             [law, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_eps,1)')}", none],

@@ -170,9 +170,9 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
         calc("q", "piece of the motion", "q", "", "=MIN([k],fly_pieces)",
              filled([k + 1 for k in range(len(cycle.pieces))], room, len(cycle.pieces)), format="0"),
         calc("begin", "begins at", "t", "s", "=INDEX([tool_pieces.begin],[k])",
-             filled([one.begin for one in cycle.intervals], room, time), scale=time),
+             filled([one.begin for one in cycle.intervals], room, time)),
         calc("end", "ends at", "t", "s", "=IF([k]<fly_pieces,INDEX([tool_pieces.begin],[k]+1),fly_tc)",
-             filled([one.end for one in cycle.intervals], room, time), scale=time),
+             filled([one.end for one in cycle.intervals], room, time)),
         calc("dir", "direction in its middle", "", "",
              f"=IF([k]>fly_pieces,[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))",
              filled(cycle.direction, room, float(cycle.direction[-1])), format="0", source="1, −1; 0 at rest"),
@@ -195,7 +195,7 @@ def motor(view: ToolDrive) -> list[Quantity]:
 def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare tool, shaft and motor at the points of each interval."""
     load, of, room = view.load, view.by_point, view.machine.room
-    scale, numbers = view.machine.scales, list(range(room))
+    numbers = list(range(room))
     pieces = filled([piece for piece in rows.pieces for _ in SHARES], room * POINTS, rows.pieces[-1])
     u = np.array(of(load.x - np.array([[piece.origin] for piece in rows.pieces])))
     stands, reached = (one.reshape(load.x.shape) for one in view.turns)
@@ -207,17 +207,16 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         constant("s", "share of it", "", "", list(SHARES) * room),
         constant("g", "counts", "", "", list(WEIGHTS) * room),
         calc("t", "time", "t", "s", "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))",
-             of(load.x), scale=view.machine.cut.cycle_time),
+             of(load.x)),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])",
              [float(rows.pieces.index(piece) + 1) for piece in pieces], format="0"),
         *place_columns(rows, "", "within piece", "=[t]-INDEX([tool_pieces.origin],[q])", u, pieces, "[q]"),
-        calc("y", "position of the tool", "s", "m", f"={sampled(rows, 0)}", of(load.position), scale=scale.length),
-        calc("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", of(load.velocity), scale=scale.speed),
-        calc("a", "its acceleration", "a", "m/s²", f"={sampled(rows, 2)}", of(load.acceleration),
-             scale=scale.acceleration),
+        calc("y", "position of the tool", "s", "m", f"={sampled(rows, 0)}", of(load.position)),
+        calc("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", of(load.velocity)),
+        calc("a", "its acceleration", "a", "m/s²", f"={sampled(rows, 2)}", of(load.acceleration)),
         calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX([@iv.dir],[iv]))", of(load.direction),
              format="0"),
-        calc("w", "speed of the shaft", "ω_L", "rad/s", "=[v]*1000/fly_r", of(load.speed), scale=scale.angular_speed),
+        calc("w", "speed of the shaft", "ω_L", "rad/s", "=[v]*1000/fly_r", of(load.speed)),
         calc("al", "its acceleration", "ω̇_L", "rad/s²", "=[a]*1000/fly_r", of(load.shaft_acceleration),
              scale=view.turning),
         calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.output_torque), scale=view.torque,
@@ -232,7 +231,7 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
              scale=1.0, source="v_0/(v_0 − v); 0: not at all"),
         calc("far", "position there", "", "m",
              f"=IF([stop]=0,[y],[y-1]+[stop]*[v-1]*{step}/2"
-             f"+[stop]^2*(3-2*[stop])*([y]-[y-1]-([v-1]+[v])*{step}/2))", of(reached), scale=scale.length,
+             f"+[stop]^2*(3-2*[stop])*([y]-[y-1]-([v-1]+[v])*{step}/2))", of(reached),
              source="of the cubic through both points, to 0.1 %"),
         blank="[share]=0",
     )  # fmt: skip

@@ -30,9 +30,9 @@ class ToolDrive:
         cut, load, scales = machine.cut, machine.load, machine.scales
         bare = cycle_of(cut, train_of(cut, load)).points()
         self.asked = PointLoad(bare, cut.max_angular_speed, float(np.abs(bare.output_torque).max()), load.inertia)
-        self.torque = max(self.asked.torque, scales.torque, LEAST)  # the scale of torques of the shaft
+        self.torque = max(self.asked.torque, scales["Nm"], LEAST)  # the scale of torques of the shaft
         hardest = float(np.abs(bare.shaft_acceleration).max())
-        self.turning = max(hardest, scales.angular_acceleration)  # the scale of its accelerations
+        self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
         self.cycles = "3600/fly_tc", shown(1.0 / cut.cycle_time, PER_HOUR)  # an hour: the formula, and the figure
         self.before = Choosing(chosen, sizes, [self._shaft([*BEFORE, Figure("cycles", "", "", *self.cycles)])])
 

@@ -1,10 +1,10 @@
-"""The Lengths sheet: what every product length asks of the tool and its shaft."""
+"""What a product length asks of the tool and its shaft: the Lengths sheet, and both tables of it on Cutter."""
 
 from collections.abc import Sequence
 
-from engine.flying.cut import Cut
+from engine.flying.cut import Beyond, Cut
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, calc, constant, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.units import MM, shown
 from workbook.machines.flying.entries import DRUM
 from workbook.machines.flying.view import Flying
@@ -13,43 +13,42 @@ from workbook.machines.flying.view import does as what
 IS_DRUM = f'fly_kind="{DRUM}"'
 
 
+def waits(length: str, way: str) -> str:
+    """Return the formula, without =, of whether the drum waits with products of a length."""
+    return f'AND({IS_DRUM},{way}="standstill",{length}>fly_limit)'
+
+
 def lengths_columns(machine: Flying, cuts: Sequence[Cut], length: str, way: str) -> list[Quantity]:
     """Return what each cut asks for; ``length`` and ``way`` are the references to its length and its strategy."""
-    scale = machine.scales
-    longest_time = max(cut.cycle_time for cut in cuts)
-    longest_h = shown(max(scale.length, *(cut.product_length for cut in cuts)), MM)
 
     def of(name: str, unit: float = 1.0) -> list[float]:
         return [shown(getattr(cut, name), unit) for cut in cuts]
 
-    waits = f'=IF(AND({IS_DRUM},{way}="standstill",{length}>fly_limit),1,0)'
     does = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps moving"))'
     return [
         result("does", "the tool", "", "", does, [what(cut) for cut in cuts]),
-        result("low", "lowest speed", "v_min", "m/s",
-               "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts], scale=scale.speed),
-        result("high", "highest speed", "v_max", "m/s",
-               "=MAX(fly_v,fly_v+[dv])", [cut.speed_range[1] for cut in cuts], scale=scale.speed),
+        result("low", "lowest speed", "v_min", "m/s", "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts]),
+        result("high", "highest speed", "v_max", "m/s", "=MAX(fly_v,fly_v+[dv])", [cut.speed_range[1] for cut in cuts]),
         result("a", "peak acceleration", "a_max", "m/s²",
-               "=fly_ca*ABS([h1])/1000/[tm]^2", of("max_acceleration"), scale=scale.acceleration, source="C_a h/t_m²"),
+               "=fly_ca*ABS([h1])/1000/[tm]^2", of("max_acceleration"), source="C_a h/t_m²"),
         result("a_rms", "RMS acceleration", "a_rms", "m/s²",
                f"=fly_ca_rms*ABS([h1])/1000/[tm]^2*SQRT([tm]*fly_v/({length}/1000))", of("rms_acceleration"),
-               scale=scale.acceleration, source="C_a,rms h/t_m² √(t_m/t_C)"),
+               source="C_a,rms h/t_m² √(t_m/t_C)"),
         result("beta", "load factor", "β", "W/s", "=2*([dw]*SQRT(fly_torque^2+(fly_j*[dw])^2)+fly_j*[dw]^2)",
-               [machine.task(cut).load_factor for cut in cuts], scale=scale.power_rate, source="S5, eqs. (15), (19)"),
-        calc("h", "dynamic displacement", "h", "mm",
-             f"=fly_l0-{length}", of("displacement", MM), scale=longest_h, source="L_0 − L_p"),
+               [machine.task(cut).load_factor for cut in cuts], source="S5, eqs. (15), (19)"),
+        calc("h", "dynamic displacement", "h", "mm", f"=fly_l0-{length}", of("displacement", MM), source="L_0 − L_p"),
         calc("tr", "re-positioning time", "t_R", "s",
-             f"=({length}-fly_lt)/1000/fly_v", of("repositioning_time"), scale=longest_time, source="(L_p − L_T)/v_L"),
-        calc("waits", "waits", "", "", waits, [float(c.waits) for c in cuts], format="0", source="1: beyond L_p,lim"),
+             f"=({length}-fly_lt)/1000/fly_v", of("repositioning_time"), source="(L_p − L_T)/v_L"),
+        calc("waits", "waits", "", "", f"=IF({waits(length, way)},1,0)", [float(c.waits) for c in cuts], format="0",
+             source="1: beyond L_p,lim"),
         calc("tm", "motion time", "t_m", "s",
-             "=IF([waits]=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,[tr])", of("moving_time"), scale=longest_time),
+             "=IF([waits]=1,fly_cv/(fly_cv-1)*fly_lr/1000/fly_v,[tr])", of("moving_time")),
         calc("h1", "displacement by the law", "h", "mm",
-             "=IF([waits]=1,0-fly_v*1000*[tm]/fly_cv,[h])", of("superimposed", MM), scale=longest_h),
+             "=IF([waits]=1,0-fly_v*1000*[tm]/fly_cv,[h])", of("superimposed", MM)),
         calc("dv", "change of speed", "Δv_max", "m/s",
-             "=fly_cv*[h1]/1000/[tm]", of("speed_change"), scale=scale.speed, source="S5, eq. (10)"),
+             "=fly_cv*[h1]/1000/[tm]", of("speed_change"), source="S5, eq. (10)"),
         calc("dw", "RMS of the shaft", "ω̇_rms", "rad/s²", "=[a_rms]*1000/fly_r", of("rms_angular_acceleration"),
-             scale=scale.angular_acceleration, source="S5, eq. (13)"),
+             source="S5, eq. (13)"),
     ]  # fmt: skip
 
 
@@ -93,7 +92,6 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
 
 def line(book: Book, machine: Flying, cuts: Sequence[Cut]) -> None:
     """Declare the lines at the product entered, at L_0 and at L_p,lim, as drawn in the charts."""
-    scale = machine.scales
     low, high = min(c.speed_range[0] for c in cuts), max(c.speed_range[1] for c in cuts)
     peak, beta = max(c.max_acceleration for c in cuts), max(machine.task(c).load_factor for c in cuts)
     entered, e = machine.given.product_length, machine.given.lengths
@@ -111,7 +109,43 @@ def line(book: Book, machine: Flying, cuts: Sequence[Cut]) -> None:
         calc("x1", "limit", "L_p,lim", "mm",
              among.format("fly_limit"), within(machine.limit), source="L_p where it is not among these lengths"),
         calc("speed", "speed", "", "m/s",
-             "=IF([end]=0,MIN(0,MIN([lengths.low])),MAX([lengths.high]))", [min(0.0, low), high], scale=scale.speed),
-        calc("a", "acceleration", "", "m/s²", "=[end]*MAX([lengths.a])", [0.0, peak], scale=scale.acceleration),
-        calc("beta", "load factor", "", "W/s", "=[end]*MAX([lengths.beta])", [0.0, beta], scale=scale.power_rate),
+             "=IF([end]=0,MIN(0,MIN([lengths.low])),MAX([lengths.high]))", [min(0.0, low), high]),
+        calc("a", "acceleration", "", "m/s²", "=[end]*MAX([lengths.a])", [0.0, peak]),
+        calc("beta", "load factor", "", "W/s", "=[end]*MAX([lengths.beta])", [0.0, beta]),
+    )  # fmt: skip
+
+
+def cases(sheet: Sheet, machine: Flying) -> None:
+    """Declare the cases that the product length decides between."""
+    e, limit = machine.given, machine.limit
+    tool, whole = shown(machine.tool.tool_length, MM), shown(machine.tool.design_length, MM)
+    sheet.heading(
+        "The cases by product length", "S5, 'Variable length cut'; a saw has no design length, and always reverses."
+    )
+    sheet.table(
+        "cases", "From one length to the next", 4,
+        constant("case", "re-positioning", "", "",
+                 ["faster than the line", "in step with the line", "slower than the line", "waits, or reverses"],
+                 align="left"),
+        calc("low", "longer than", "", "mm", ["=MIN(fly_lt,fly_l0)", "=fly_l0", "=fly_l0", "=MAX(fly_lt,fly_limit)"],
+             [min(tool, whole), whole, whole, max(tool, limit)]),
+        calc("high", "up to", "", "mm", ["=fly_l0", "=fly_l0", "=fly_limit", "=MAX(fly_long,fly_length)"],
+             [whole, whole, limit, max(e.lengths.longest, e.product_length)]),
+        result("here", "the product", "", "", '=IF([k]=fly_row,"is here","-")',
+               ["is here" if k == machine.case else "-" for k in range(1, 5)], align="center"),
+        constant("k", "row", "k", "", [1, 2, 3, 4]),
+    )  # fmt: skip
+
+
+def strategies(sheet: Sheet, machine: Flying) -> None:
+    """Declare both ways with a product that is too long to keep moving."""
+    ways: tuple[Beyond, ...] = ("standstill", "reversal")
+    cuts = [machine.of(machine.given.product_length, way) for way in ways]
+    sheet.heading(
+        "Standstill or reversal", "What this product asks for either way; the same unless it is longer than L_p,lim."
+    )
+    sheet.table(
+        "strategies", "Both ways with products longer than L_p,lim", 2,
+        constant("way", "way", "", "", list(ways)),
+        *lengths_columns(machine, cuts, "fly_length", "[way]"),
     )  # fmt: skip

@@ -1,5 +1,8 @@
 """Flying machining (S5): a rotary drum or a flying saw that follows the line while it works."""
 
+from math import pi, radians
+from typing import Any
+
 from engine.cams.profile import profile_of
 from engine.flying.pieces import cut_pieces
 from workbook.axes import CamAxis
@@ -10,20 +13,21 @@ from workbook.entries.rules import limits
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.laws.library import laws
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.flying.check import check
+from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, single_humped, variations, vary_laws
 from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
 from workbook.machines.flying.driving import ToolDrive
-from workbook.machines.flying.entries import FlyingCutter
+from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
 from workbook.machines.flying.ratios import RatiosSheet
 from workbook.machines.flying.sheet import cutter_sheet
-from workbook.machines.flying.variations import variants
-from workbook.machines.flying.view import Flying
+from workbook.machines.flying.view import Flying, check
+from workbook.motion.asked import smoothness_for
 from workbook.motion.cells import PieceRows
 from workbook.motion.exported import Exportable, export_sheet
 from workbook.selection.catalogue_sheet import catalogue_sheet
 from workbook.selection.page import selection_sheet
+from workbook.selection.variations import vary_selection
 from workbook.template import Template, finish
 
 STROKE = 1e-3  # by which share the sheet states that the stroke may be off
@@ -34,7 +38,7 @@ def declare(given: FlyingCutter) -> Book:
     shelf = LawShelf(given.laws, given.sizes)
     view = Flying(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    cut, scale = view.cut, view.scales
+    cut, book.sizes = view.cut, view.scales
     fastest, beta = shown(cut.max_angular_speed, RPM), view.task(cut).load_factor
     about = (
         "A tool that follows the line while it works: the motion of its drum or slide, and what its drive must give."
@@ -44,8 +48,8 @@ def declare(given: FlyingCutter) -> Book:
             result("about_rate", "Products", "", "1/min", "=fly_rate", shown(cut.rate, PER_MINUTE)),
             result("about_n", "Greatest speed of the shaft", "n", "rpm", "=fly_w_max*60/(2*PI())", fastest),
             result("about_dw", "Peak acceleration of the shaft", "ω̇_max", "rad/s²", "=fly_dw",
-                   cut.max_angular_acceleration, scale=scale.angular_acceleration),
-            result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta, scale=scale.power_rate),
+                   cut.max_angular_acceleration),
+            result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta),
         ],
     )  # fmt: skip
     rows = rows_of(view, shelf.stack)
@@ -90,6 +94,51 @@ def truths(given: FlyingCutter) -> list[str]:
     if abs(told - exact) <= STROKE * exact:
         return []
     return [f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"]
+
+
+def variants(machine: FlyingCutter) -> list[FlyingCutter]:
+    """Return six machines of the same layout: every law, drum and saw, each case, each limit exceeded."""
+    return [FlyingCutter.model_validate(data) for data in variations(machine, varied, single_humped)]
+
+
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn."""
+    k = turn % SIX
+    entries, scale = data["cutter"], factors(k)
+    vary_laws(data["laws"], k, scale, data["sizes"]["pieces"])
+    law = law_for(turn + 4, single_humped(data["laws"]))
+    if law in own_in(data["laws"]):
+        data["laws"][law]["pieces"] = RISING
+    drum, saw, load = entries["drum"], entries["saw"], entries["load"]
+    drum |= {"tools": 1.0 + k, "radius": 90.0 + 17 * k, "tool_angle": (47.0, 0.0, 31.0, 22.0, 29.0, 17.0)[k]}
+    saw |= {"tool_length": 210.0 + 40 * k, "lead": 25.0 + 6 * k, "stroke": (60.0, 2000.0)[k % 2] * next(scale)}
+    load |= {"inertia": 100.0 * next(scale), "mass": 3.0 * k, "torque": (0.0, 2.5, -1.5, 0.0, 4.0, 0.7)[k]}
+    entries["limits"] = {  # of the shaft: kept or not, each in turn
+        "speed": (1e5, 3.0)[k % 2] * next(scale),
+        "acceleration": (1e6, 1e6, 2.0)[k % 3] * next(scale),
+    }
+    entries["line_speed"] = 35.0 + 21 * k
+    entries |= product(entries, k) | {"law": law, "smoothness": smoothness_for(turn)}
+    vary_selection(data["selection"], k, data["sizes"])
+    return data
+
+
+def product(entries: dict[str, Any], k: int) -> dict[str, Any]:
+    """Return kind of machine, product and strategy: shorter, longer, far too long, exactly the design length."""
+    kind = "saw" if k == 2 else DRUM
+    drum, saw = entries["drum"], entries["saw"]
+    if kind == DRUM:
+        whole = 2 * pi * drum["radius"] / drum["tools"]
+        least = radians(drum["tool_angle"]) * drum["radius"]
+    else:
+        whole, least = 3.0 * saw["tool_length"], saw["tool_length"]
+    share = (0.7, 9.0, 1.0, 1.0, 8.0, 1.7)[k]
+    return {
+        "kind": kind,
+        "product_length": least + share * (whole - least) if share != 1.0 else whole,
+        "beyond": ("standstill", "standstill", "reversal", "reversal", "reversal", "standstill")[k],
+        "lengths": {"shortest": least + 0.3 * (whole - least), "longest": least + (4.0 + 2 * k) * (whole - least)},
+    }
 
 
 SIZES = {
