@@ -227,11 +227,6 @@ class Cut:
         """Whether the tool moves against the line for part of the cycle."""
         return self.speed_range[0] < -SAME_LENGTH * self.line_speed
 
-    @property
-    def stops(self) -> bool:
-        """Whether the tool comes to a standstill, if only for an instant."""
-        return self.speed_range[0] <= SAME_LENGTH * self.line_speed
-
     def fastest_line(self, max_speed: float, max_acceleration: float) -> float:
         """Return the line speed (m/s) at which the shaft is at the first of its limits (rad/s, rad/s²).
 
