@@ -1,15 +1,12 @@
 """The Cycle sheet, one for each tool: both parts over the master angle, one after the other and with overlap."""
 
-from functools import cached_property
-
 from engine.laws.base import Array
 from engine.motion import Motion
 from engine.motion.pieces import Scaled
 from engine.overlap.picture import LANE_SHARE, lane
-from engine.overlap.schedule import Schedule, filled_turn, pieces_of_parts, size_of_parts
+from engine.overlap.schedule import filled_turn, pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
-from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws.sampling import ACCELERATION, VELOCITY, Pieces
 from workbook.machines.overlap.entries import ToolEntry, TransferEntry
@@ -42,10 +39,9 @@ class AtAngles:
 
     def __init__(self, station: Station, schedule: str, theta: Array, pieces: Pieces) -> None:
         """Take angles in degrees; ``schedule`` is a key of :data:`SCHEDULES`."""
-        self.station, self.at, self.row = station, OF_TOOL[schedule], SCHEDULES[schedule][0]
-        self.plan: Schedule = station.schedules[self.row - 1]
-        self.angle = si(theta, DEGREE)
-        self.travel = self.plan.travel(self.angle)
+        self.row, self.words = SCHEDULES[schedule]
+        self.plan, self.angle = station.schedules[self.row - 1], si(theta, DEGREE)
+        self.travel, self.rates = self.plan.travel(self.angle), self.plan.rates(self.angle, station.machine.rate)
         self.rows = tool_rows(station, schedule, pieces)
 
     def columns(self, suffix: str) -> list[Quantity]:
@@ -55,24 +51,17 @@ class AtAngles:
             calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
                  f"=({sampled(self.rows, 0, suffix)})*1000", shown(self.travel, MM), source=POSITION),
             calc(f"since{suffix}", "angle since its arrival", "", "°",
-                 f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_eps)", shown(since, DEGREE), scale=TURN),
+                 f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_eps)", shown(since, DEGREE)),
             *finding(self.rows, f"since{suffix}", since, suffix=suffix),
         ]  # fmt: skip
 
-    @cached_property
-    def rates(self) -> tuple[Array, Array, Array]:
-        """Velocity, acceleration and jerk of the tool."""
-        return self.plan.rates(self.angle, self.station.machine.rate)
-
     def rate(self, order: int, name: str, what: str, symbol: str, unit: str, suffix: str) -> Quantity:
         """Return the column of a derivative in time."""
-        label = f"{what}, {SCHEDULES[suffix][1]}"
         formula = f"=({sampled(self.rows, order, suffix)})*overlap_w^{order}"
-        return result(f"{name}{suffix}", label, symbol, unit, formula, self.rates[order - 1])
+        return result(f"{name}{suffix}", f"{what}, {self.words}", symbol, unit, formula, self.rates[order - 1])
 
 
 UNITS = tuple((f'"{unit}"', unit) for unit in ("m/rad", "m/rad²", "m/rad³"))
-MOVES = ("movement", "dwell")
 
 
 def joints_of(
@@ -120,7 +109,14 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         with sheet.scoped(station.scope):
             motions(sheet, station, pieces)
         if i == 1:
-            transfer_motion(sheet, machine, pieces)
+            theta = machine.angles
+            sheet.row += 1
+            sheet.table(
+                "transfer_motion", "Travel of the transfer over the master angle", len(theta),
+                constant("k", "sample", "k", "", list(range(len(theta)))),
+                calc("theta", "master angle", "θ", "°", "=[k]*360/[transfer_motion.k.last]", theta, format="0.0##"),
+                *transfer_columns(machine, theta, pieces),
+            )  # fmt: skip
         sheet.heading("Workings: the motions as pieces", ABOUT)
         if i == 1:
             sheet.rows(constant("overlap_lane", "Height of a part in the diagrams", "", "", LANE_SHARE, format="0.0",
@@ -177,26 +173,14 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     )  # fmt: skip
 
 
-def transfer_motion(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
-    """Declare the travel of the transfer over the cycle, for all tools."""
-    theta = machine.angles
-    sheet.row += 1
-    sheet.table(
-        "transfer_motion", "Travel of the transfer over the master angle", len(theta),
-        constant("k", "sample", "k", "", list(range(len(theta)))),
-        calc("theta", "master angle", "θ", "°", "=[k]*360/[transfer_motion.k.last]", theta, format="0.0##"),
-        *transfer_columns(machine, theta, pieces),
-    )  # fmt: skip
-
-
 def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> Joints:
     """Declare the phases of the transfer and their pieces."""
-    rows, parts = transfer_rows(machine, pieces), machine.transfer.parts
-    phases(sheet, "The transfer, from the start of the cycle", MOVES, parts, rows, no=["=[used.no.1]", "=1"],
+    rows, parts, moves = transfer_rows(machine, pieces), machine.transfer.parts, ("movement", "dwell")
+    phases(sheet, "The transfer, from the start of the cycle", moves, parts, rows, no=["=[used.no.1]", "=1"],
            h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
            begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"])  # fmt: skip
     joints = joints_of(rows, filled_turn(machine.transfer.phases), machine.given.transfer, "overlap_", "°",
-                       "overlap_transfer", MOVES)  # fmt: skip
+                       "overlap_transfer", moves)  # fmt: skip
     sheet.rows(*joints.order())
     sheet.row += 1
     pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts))
@@ -240,9 +224,9 @@ def phases(
         constant("k", "row", "k", "", [k for k, _ in enumerate(parts, 1)]),
         calc("no", "law number", "", "", formulas["no"], list(rows.numbers), format="0"),
         calc("h", "lift", "h", "m", formulas["h"], [part.h for part in parts], scale=size(0)),
-        calc("angle", "duration", "δ", "°", formulas["angle"], degrees, scale=TURN),
+        calc("angle", "duration", "δ", "°", formulas["angle"], degrees),
         calc("span", "duration", "δ", "rad", "=RADIANS([angle])", [part.duration for part in parts]),
-        calc("begin", "begins at", "", "°", formulas["begin"], [shown(part.x, DEGREE) for part in parts], scale=TURN),
+        calc("begin", "begins at", "", "°", formulas["begin"], [shown(part.x, DEGREE) for part in parts]),
         calc("y0", "start position", "y_0", "m", formulas["y0"], [part.y for part in parts], scale=size(0)),
         calc("v", "greatest velocity", "y'", "m/rad", VELOCITY, [part.fastest for part in parts]),
         calc("a", "greatest acceleration", "y''", "m/rad²", ACCELERATION, [part.hardest for part in parts]),

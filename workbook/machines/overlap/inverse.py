@@ -56,16 +56,6 @@ def inverse_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
     )
     wanted = [in_the_way(machine), *(one for station in machine.stations for one in heights(station))]
-    outcome(sheet, wanted)
-    laws_in_use(sheet, machine, pieces)
-    for one in wanted:
-        inversion(sheet, one, pieces)
-    for one in wanted:
-        points(sheet, one, pieces)
-
-
-def outcome(sheet: Sheet, wanted: list[Wanted]) -> None:
-    """Declare how well all heights are met."""
     worst = max(float(np.abs(one.residual).max()) for one in wanted)
     sheet.heading("Results", ABOUT)
     sheet.rows(
@@ -89,6 +79,11 @@ def outcome(sheet: Sheet, wanted: list[Wanted]) -> None:
              [f"=MAX(MAX([{one.name}_met.residual]),0-MIN([{one.name}_met.residual]))" for one in wanted],
              [float(np.abs(one.residual).max()) for one in wanted], format="0.0E+00"),
     )  # fmt: skip
+    laws_in_use(sheet, machine, pieces)
+    for one in wanted:
+        inversion(sheet, one, pieces)
+    for one in wanted:
+        points(sheet, one, pieces)
 
 
 def in_the_way(machine: Overlapping) -> Wanted:

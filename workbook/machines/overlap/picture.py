@@ -6,7 +6,6 @@ from engine.overlap.picture import BODY, FRAME, LANE_SHARE, PLATE, PUNCH, STEP, 
 from engine.overlap.plan import clearance, colliding
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
-from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
 from workbook.machines.overlap.cycle import ALLOWED, SCHEDULES, AtAngles, transfer_columns
@@ -126,14 +125,14 @@ def evaluated(sheet: Sheet, machine: Overlapping, states: States, pieces: sampli
     """Declare the rows that evaluate the laws at this angle, and the line that marks it in the diagrams."""
     sheet.table(
         "view", "The transfer's law at this angle", 1,
-        calc("theta", "master angle", "θ", "°", "=overlap_view", states.theta, scale=TURN),
+        calc("theta", "master angle", "θ", "°", "=overlap_view", states.theta),
         *transfer_columns(machine, states.theta, pieces),
     )  # fmt: skip
     for station, (before, after) in zip(machine.stations, states.pairs, strict=True):
         with sheet.scoped(station.scope):
             sheet.table(
                 "@view", "The tool's laws at this angle" if machine.alone else f"The laws of tool {station.number}", 1,
-                calc("theta", "master angle", "θ", "°", "=overlap_view", states.theta, scale=TURN),
+                calc("theta", "master angle", "θ", "°", "=overlap_view", states.theta),
                 *before.columns("b"),
                 *after.columns("a"),
             )  # fmt: skip
@@ -141,14 +140,24 @@ def evaluated(sheet: Sheet, machine: Overlapping, states: States, pieces: sampli
     sheet.table(
         "view_line", "The line in both timing diagrams", 2,
         constant("end", "end of the line", "", "", [0, 1]),
-        calc("theta", "master angle", "θ", "°", "=overlap_view", machine.given.view, scale=TURN),
+        calc("theta", "master angle", "θ", "°", "=overlap_view", machine.given.view),
         calc("height", "height", "", "", f"=[end]*({top}+overlap_lane)", [0.0, top + LANE_SHARE]),
     )  # fmt: skip
 
 
 def outlines(sheet: Sheet, machine: Overlapping, states: States) -> None:
-    """Declare the outlines of the parts: across, the transfer's way; upwards, the height of a tool."""
-    transfer(sheet, machine, states)
+    """Declare the outlines: at each station three walls of the transfer, seen in its frame; tools by their height."""
+    numbers, walls, sides, ups = zip(*((s.number, *corner) for s in machine.stations for corner in WALLS), strict=True)
+    outline = machine.scene.walls(states.moved)
+    sheet.table(
+        "outline", "Outline of the transfer", len(numbers),
+        constant("i", "tool", "", "", list(numbers)),
+        constant("wall", "wall", "", "", list(walls)),
+        constant("side", "right side", "", "", list(sides)),
+        constant("up", "upper side", "", "", list(ups)),
+        calc("x", "across", "X", "mm", [ACROSS.format(i) for i in numbers], shown(outline.x, MM)),
+        calc("y", "height", "z", "mm", [UPWARDS.format(i) for i in numbers], shown(outline.z, MM)),
+    )  # fmt: skip
     for station, before, after in zip(machine.stations, states.before, states.after, strict=True):
         with sheet.scoped(station.scope):
             punch(sheet, station, before, after)
@@ -160,21 +169,6 @@ def outlines(sheet: Sheet, machine: Overlapping, states: States) -> None:
         calc("x", "across", "X", "mm", "=IF([fx]=1,MAX([places.x])+overlap_pitch,0-overlap_pitch)", shown(frame.x, MM)),
         calc("y", "height", "z", "mm", "=IF([fy]=1,(1+picture_body)*MAX([places.h]),0-picture_plate*MAX([places.h]))",
              shown(frame.z, MM)),
-    )  # fmt: skip
-
-
-def transfer(sheet: Sheet, machine: Overlapping, states: States) -> None:
-    """Declare the outline of the transfer: at each station three walls, of which those in its frame are seen."""
-    numbers, walls, sides, ups = zip(*((s.number, *corner) for s in machine.stations for corner in WALLS), strict=True)
-    outline = machine.scene.walls(states.moved)
-    sheet.table(
-        "outline", "Outline of the transfer", len(numbers),
-        constant("i", "tool", "", "", list(numbers)),
-        constant("wall", "wall", "", "", list(walls)),
-        constant("side", "right side", "", "", list(sides)),
-        constant("up", "upper side", "", "", list(ups)),
-        calc("x", "across", "X", "mm", [ACROSS.format(i) for i in numbers], shown(outline.x, MM)),
-        calc("y", "height", "z", "mm", [UPWARDS.format(i) for i in numbers], shown(outline.z, MM)),
     )  # fmt: skip
 
 

@@ -8,12 +8,11 @@ from itertools import count
 from engine.overlap.schedule import ANGLE_TOLERANCE, movement_time
 from engine.timing import FULL_TURN, shaft_speed
 from workbook.book.chart import COLOURS, Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.entries.units import DEGREE, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap import tool
-from workbook.machines.overlap.check import BACKWARDS
-from workbook.machines.overlap.view import Overlapping
+from workbook.machines.overlap.view import BACKWARDS, Overlapping
 from workbook.motion.asked import ABOUT as CONTINUOUS
 
 BELOW_CHARTS = 45  # the row from which the sheet is free in its whole width
@@ -33,30 +32,16 @@ def overlap_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         sheet.note(APART)
     entries(sheet, machine)
     if machine.alone:
-        all_of_one(sheet, machine, pieces)
+        timing_diagrams(sheet, machine, RIGHT)
+        tool.declare(sheet, machine.stations[0], pieces, SECOND, BELOW_CHARTS, [rising()], workings(machine))
         return
     sums(sheet, machine)
     for station in machine.stations:
-        tool.tool_sheet(book, station, pieces)
-
-
-def all_of_one(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
-    """Declare the rest of the sheet for one tool."""
-    (station,) = machine.stations
-    with sheet.scoped(station.scope):
-        tool.entries(sheet, station)
-        tool.outcome(sheet, station)
-        sheet.checks(rising())
-        timing_diagrams(sheet, machine, RIGHT)
-        tool.charts(sheet, SECOND)
-        sheet.row = max(sheet.row, BELOW_CHARTS)
-        tool.schedules(sheet, station)
-        tool.margins(sheet, station)
-        sheet.not_printed_below()
-        sheet.heading("Workings")
-        sheet.rows(*workings(machine))
-        tool.steps(sheet, station)
-        tool.corners_table(sheet, station, pieces)
+        name = f"Tool {station.number}"
+        own = book.sheet(name, f"{name} and the transfer: how much longer its ways in and out may take.")
+        own.print_columns = 24
+        own.heading("Enter", "The rate and the transfer are entered on the sheet Overlap.")
+        tool.declare(own, station, pieces, 5, 38)
 
 
 def sums(sheet: Sheet, machine: Overlapping) -> None:
@@ -83,19 +68,15 @@ def sums(sheet: Sheet, machine: Overlapping) -> None:
 
 def entries(sheet: Sheet, machine: Overlapping) -> None:
     """Declare what the engineer enters of the machine and its transfer."""
-    e, t = machine.given, machine.given.transfer
+    entry = entries_of(machine.given, "overlap")
     sheet.rows(
-        given("overlap_rate", "Production rate", "N", "pieces/h",
-              e.rate, "overlap.rate", format="0.0##", source="one piece a turn of the master shaft; S2: 2000"),
-        given("overlap_transfer", "Transfer", "", "", t.name, "overlap.transfer.name"),
-        given("overlap_law", "its law", "", "",
-              t.law, "overlap.transfer.law", choices="=law_code", source="S2: cycloidal, CIC"),
-        given("overlap_pitch", "its stroke", "h_t", "mm",
-              t.stroke, "overlap.transfer.stroke", format="0.0##", source="S2: 100 mm"),
-        given("overlap_angle", "its angle", "B_t", "°",
-              t.angle, "overlap.transfer.angle", format="0.0##", source="S2: 150°"),
-        given("overlap_smooth", "what must be continuous", "", "",
-              t.smoothness, "overlap.transfer.smoothness", align="center", source=CONTINUOUS),
+        entry("overlap_rate", "Production rate", "N", "pieces/h", "rate",
+              "one piece a turn of the master shaft; S2: 2000"),
+        entry("overlap_transfer", "Transfer", "", "", "transfer.name"),
+        entry("overlap_law", "its law", "", "", "transfer.law", "S2: cycloidal, CIC", choices="=law_code"),
+        entry("overlap_pitch", "its stroke", "h_t", "mm", "transfer.stroke", "S2: 100 mm"),
+        entry("overlap_angle", "its angle", "B_t", "°", "transfer.angle", "S2: 150°"),
+        entry("overlap_smooth", "what must be continuous", "", "", "transfer.smoothness", CONTINUOUS, align="center"),
     )  # fmt: skip
 
 

@@ -1,6 +1,9 @@
 """Overlap of motions (S2): the indexing mill and its tools, one after the other and with overlap."""
 
-from engine.cams.profile import CamProfile, profile_of, turned
+from collections.abc import Iterable
+from typing import Any
+
+from engine.cams.profile import profile_of, turned
 from engine.motion.shifted import Shifted
 from engine.overlap.schedule import pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
@@ -8,18 +11,19 @@ from workbook.axes import CamAxis
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
+from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.library import laws
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.overlap.check import check
+from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, variations, vary_laws
 from workbook.machines.overlap.cycle import cycle_sheets, tool_rows, transfer_rows
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet
 from workbook.machines.overlap.picture import picture_sheet
 from workbook.machines.overlap.sheet import overlap_sheet
-from workbook.machines.overlap.variations import variants
-from workbook.machines.overlap.view import Overlapping, Station, laid_out
+from workbook.machines.overlap.view import Overlapping, check, laid_out
+from workbook.motion.asked import smoothness_for
 from workbook.motion.exported import Exportable, Later, export_sheet
 from workbook.template import Template, finish
 
@@ -32,6 +36,7 @@ def declare(given: IndexingOverlap) -> Book:
     shelf = LawShelf(given.laws, given.sizes)
     view = Overlapping(given, shelf.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
+    book.sizes = {"°": TURN}
     about = "Motions of one machine, one after the other and with overlap: how much the acceleration falls."
     summary_sheet(book, given, about, in_short(view))
     overlap_sheet(book, view, shelf.stack)
@@ -76,18 +81,55 @@ def exportables(view: Overlapping, pieces: Pieces) -> list[Exportable]:
 
 def axes(machine: IndexingOverlap) -> list[CamAxis]:
     """Return the transfer, which goes on every turn, and each tool as it is set."""
-    found = Overlapping(machine, laws(machine.laws))
-    x, y = shown(1.0, DEGREE), shown(1.0, MM)
-    transfer = profile_of(pieces_of_parts(found.transfer.parts, whole=True), FULL_TURN, x, y)
-    tools = [CamAxis(one.given.name, set_profile(one), "°", "mm") for one in found.stations]
-    return [CamAxis("transfer", transfer, "°", "mm"), *tools]
+    found, units = Overlapping(machine, laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
+    made = [CamAxis("transfer", profile_of(pieces_of_parts(found.transfer.parts, True), FULL_TURN, *units), "°", "mm")]
+    for one in found.stations:
+        profile = profile_of(pieces_of_parts(one.as_set.parts, True), FULL_TURN, *units)
+        made.append(CamAxis(one.given.name, turned(profile, shown(one.as_set.arrival, DEGREE)), "°", "mm"))
+    return made
 
 
-def set_profile(station: Station) -> CamProfile:
-    """Return a tool's profile as the master shaft sees it."""
-    schedule = station.as_set
-    fixed = profile_of(pieces_of_parts(schedule.parts, whole=True), FULL_TURN, shown(1.0, DEGREE), shown(1.0, MM))
-    return turned(fixed, shown(schedule.arrival, DEGREE))
+def variants(machine: IndexingOverlap) -> list[IndexingOverlap]:
+    """Return six machines of the same layout: every law, angles chosen and found, each limit, collisions."""
+    return [IndexingOverlap.model_validate(data) for data in variations(machine, varied)]
+
+
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+    """Return the variation of a turn."""
+    k, entries = turn % SIX, data["overlap"]
+    vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
+    entries["rate"] = 1700.0 + 310 * k
+    entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
+    entries["transfer"] |= {"law": law_for(turn, data["laws"]), "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k,
+                             "smoothness": smoothness_for(turn)}  # fmt: skip
+    for i, tool in enumerate(entries["tools"]):
+        vary_tool(tool, turn + i, i, data["laws"])
+    codes = [entries["transfer"]["law"], *(tool[law] for tool in entries["tools"] for law in ("law_in", "law_out"))]
+    for name in set(own_in(data["laws"])) & set(codes):
+        data["laws"][name]["pieces"] = RISING
+    return data
+
+
+def vary_tool(tool: dict[str, Any], turn: int, i: int, laws: Iterable[str]) -> None:
+    """Give the ``i``-th tool, from 0, the entries of a variation, and strokes that no other tool has."""
+    k = turn % SIX
+    chosen = (None, (107.0, None), (None, 88.0), (200.0, 70.0), None, (130.0, 140.0))[k]
+    tool["angle_in"], tool["angle_out"] = chosen or (None, None)
+    tool |= {
+        "law_in": law_for(turn + i + 2, laws),
+        "law_out": law_for(turn + i + 5, laws),
+        "stroke": 40.0 + 7 * k + 3 * i,
+        "smoothness": smoothness_for(turn + i + 1),
+        "dwell": (60.0, 85.0, 0.0, 33.0, 71.0, 50.0)[k],
+    }
+    clearance = (21.0, 13.0, 90.0, 17.0, 25.0, 9.0)[k]
+    tool["passage"] |= {
+        "remaining": (0.4, 1.7, 3.0, 0.0, 7.0, 2.2)[k],
+        "clearance": clearance,
+        "margin": clearance * (0.1, 0.35, 0.02, 0.2, 1.0, 0.0)[k],
+        "allowance": (0.0, 3.0, 4.5, 1.0, 2.0, 6.0)[k],
+        "split": (0.5, 0.42, 0.61, 0.55, 0.37, 0.48)[k],
+    }
 
 
 SIZES = {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1), "motion_pieces": ("tool1_a_pieces", 0)}

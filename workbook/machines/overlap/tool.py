@@ -3,13 +3,14 @@
 The names stand in the tool's scope: ``@stroke`` is ``tool2_stroke`` for the second (:mod:`workbook.book.declare`).
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from engine.overlap.plan import corners, rests, room
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.sentence import amount
-from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import AtAngles
@@ -17,28 +18,29 @@ from workbook.machines.overlap.entries import LEAST
 from workbook.machines.overlap.view import Station
 from workbook.motion.asked import ABOUT as CONTINUOUS
 
-BELOW_CHARTS = 38
+SHARES = {"in": "@split", "out": "(1-@split)"}  # of what is free for both ways
 CAPPED = "OR(@room*@split*@rest_in<@free_in,@room*(1-@split)*@rest_out<@free_out)"
 TAKEN = "([@schedules.in.3]+@dwell+[@schedules.out.3])"
 CORNERS = ("transfer gets in the way", "transfer is in place", "tool sets off", "tool arrives", "tool leaves",
            "tool is back")  # fmt: skip
 
 
-def tool_sheet(book: Book, station: Station, pieces: Pieces) -> None:
-    """Declare the sheet of one of several tools."""
-    name = f"Tool {station.number}"
-    sheet = book.sheet(name, f"{name} and the transfer: how much longer its ways in and out may take.")
-    sheet.print_columns = 24
-    sheet.heading("Enter", "The rate and the transfer are entered on the sheet Overlap.")
+def declare(
+    sheet: Sheet, station: Station, pieces: Pieces, beside: int, below: int, shared: Sequence[Quantity] = (),
+    workings: Sequence[Quantity] = (),
+) -> None:  # fmt: skip
+    """Declare a tool: charts from the row ``beside``, tables from ``below``; ``shared`` are checks of all tools."""
     with sheet.scoped(station.scope):
         entries(sheet, station)
         outcome(sheet, station)
-        charts(sheet, 5)
-        sheet.row = max(sheet.row, BELOW_CHARTS)
+        sheet.checks(*shared)
+        charts(sheet, beside)
+        sheet.row = max(sheet.row, below)
         schedules(sheet, station)
         margins(sheet, station)
         sheet.not_printed_below()
         sheet.heading("Workings")
+        sheet.rows(*workings)
         steps(sheet, station)
         corners_table(sheet, station, pieces)
 
@@ -52,33 +54,27 @@ def quoting(station: Station, *quantities: Quantity) -> list[Quantity]:
 
 def entries(sheet: Sheet, station: Station) -> None:
     """Declare what the engineer enters."""
-    tool, p, key = station.given, station.given.passage, station.key
+    entry = entries_of(station.given, station.key)
     sheet.rows(*quoting(
         station,
-        given("@name", "Tool", "", "", tool.name, f"{key}.name"),
-        given("@law_in", "its law, way in", "", "",
-              tool.law_in, f"{key}.law_in", choices="=law_code", source="S2: cycloidal, CIC"),
-        given("@law_out", "its law, way out", "", "",
-              tool.law_out, f"{key}.law_out", choices="=law_code", source="S2: cycloidal, CIC"),
-        given("@stroke", "its stroke", "h_m", "mm", tool.stroke, f"{key}.stroke", format="0.0##", source="S2: 50 mm"),
-        given("@dwell", "its dwell at the part", "", "°",
-              tool.dwell, f"{key}.dwell", format="0.0##", source="S2: 100°"),
-        given("@smooth", "what must be continuous", "", "",
-              tool.smoothness, f"{key}.smoothness", align="center", source=CONTINUOUS),
-        given("@remaining", "Share of the stroke that may remain", "s_r", "%", p.remaining, f"{key}.passage.remaining",
-              format="0.0000", source="while in; S2: 0.65 %, at a tenth of the time"),
-        given("@clearance", "Clearance between tool and transfer", "c", "mm", p.clearance, f"{key}.passage.clearance",
-              format="0.0##", source="travel of the tool before it touches; S2: 20 mm"),
-        given("@margin", "Margin that stays free", "m", "mm",
-              p.margin, f"{key}.passage.margin", format="0.0##", source="S2: 1 mm"),
-        given("@allowance", "Allowance for the setting of the cam", "", "°", p.allowance, f"{key}.passage.allowance",
-              format="0.0##", source="taken off the tool's angles; S2 advises 5°"),
-        given("@split", "Share of the free angle for the way in", "", "",
-              p.split, f"{key}.passage.split", format="0.0##", source="S2: divided equally"),
-        given("@set_in", "Angle of the way in, if you choose it", "", "°", tool.angle_in, f"{key}.angle_in",
-              format="0.0##", source="empty: the longest less the allowance; S2: 125°"),
-        given("@set_out", "Angle of the way out, if you choose it", "", "°",
-              tool.angle_out, f"{key}.angle_out", format="0.0##", source="empty: the longest less the allowance"),
+        entry("@name", "Tool", "", "", "name"),
+        entry("@law_in", "its law, way in", "", "", "law_in", "S2: cycloidal, CIC", choices="=law_code"),
+        entry("@law_out", "its law, way out", "", "", "law_out", "S2: cycloidal, CIC", choices="=law_code"),
+        entry("@stroke", "its stroke", "h_m", "mm", "stroke", "S2: 50 mm"),
+        entry("@dwell", "its dwell at the part", "", "°", "dwell", "S2: 100°"),
+        entry("@smooth", "what must be continuous", "", "", "smoothness", CONTINUOUS, align="center"),
+        entry("@remaining", "Share of the stroke that may remain", "s_r", "%", "passage.remaining",
+              "while in; S2: 0.65 %, at a tenth of the time", format="0.0000"),
+        entry("@clearance", "Clearance between tool and transfer", "c", "mm", "passage.clearance",
+              "travel of the tool before it touches; S2: 20 mm"),
+        entry("@margin", "Margin that stays free", "m", "mm", "passage.margin", "S2: 1 mm"),
+        entry("@allowance", "Allowance for the setting of the cam", "", "°", "passage.allowance",
+              "taken off the tool's angles; S2 advises 5°"),
+        entry("@split", "Share of the free angle for the way in", "", "", "passage.split", "S2: divided equally"),
+        entry("@set_in", "Angle of the way in, if you choose it", "", "°", "angle_in",
+              "empty: the longest less the allowance; S2: 125°"),
+        entry("@set_out", "Angle of the way out, if you choose it", "", "°", "angle_out",
+              "empty: the longest less the allowance"),
     ))  # fmt: skip
 
 
@@ -154,15 +150,20 @@ def schedules(sheet: Sheet, station: Station) -> None:
     time_in, time_out = np.array([plan.times(rate) for plan in plans]).T
     peak_in, peak_out = np.array([plan.movement_peaks(rate) for plan in plans]).T
     row_in, row_out = station.law_rows
+    ways = {
+        way: [f"=@free0*{share}", f"={longest(way, f'@rest_{way}')}",
+              f'=IF(@set_{way}="",[@schedules.{way}.2]-@allowance,@set_{way})']
+        for way, share in SHARES.items()
+    }  # fmt: skip
     arrives = "=IF([k]=1,overlap_angle+@free0*@split,@end+@free_in)"
     sheet.row += 1
     sheet.table(
         "@schedules", "The tool's angles", 3,
         constant("what", "schedule", "", "",
                  ["one after the other", "overlap, the longest", "overlap, as set"], align="left"),
-        result("in", "way in", "B_m", "°", way_formulas("in", "@split"), way_in, source="F_in/(1 − ξ)"),
-        result("out", "way out", "B_m", "°", way_formulas("out", "(1-@split)"), way_out, source="F_out/(1 − ξ)"),
-        calc("away", "sets off at", "", "°", "=[there]-[in]", away, scale=TURN),
+        result("in", "way in", "B_m", "°", ways["in"], way_in, source="F_in/(1 − ξ)"),
+        result("out", "way out", "B_m", "°", ways["out"], way_out, source="F_out/(1 − ξ)"),
+        calc("away", "sets off at", "", "°", "=[there]-[in]", away),
         calc("there", "arrives at", "", "°", arrives, there),
         calc("leaves", "leaves at", "", "°", "=[there]+@dwell", leaves),
         calc("back", "is back at", "", "°", "=[leaves]+[out]", back, source="above 360°: in the next turn"),
@@ -179,14 +180,10 @@ def schedules(sheet: Sheet, station: Station) -> None:
     )  # fmt: skip
 
 
-def way_formulas(way: str, share: str) -> list[str]:
-    """Return the angle of one way in each schedule: half of what the transfer leaves, longest, as set."""
-    most, rest = f"@room*{share}", f"@rest_{way}"
-    return [
-        f"=@free0*{share}",
-        f"=IF({rest}>0,MIN(@free_{way}/{rest},{most}),{most})",
-        f'=IF(@set_{way}="",[@schedules.{way}.2]-@allowance,@set_{way})',
-    ]
+def longest(way: str, rest: str) -> str:
+    """Return the formula, without =, of the longest angle of a way of which a share is left as the transfer moves."""
+    most = f"@room*{SHARES[way]}"
+    return f"IF({rest}>0,MIN(@free_{way}/{rest},{most}),{most})"
 
 
 def steps(sheet: Sheet, station: Station) -> None:
@@ -200,8 +197,8 @@ def steps(sheet: Sheet, station: Station) -> None:
         calc("@free0", "Free angle one after the other", "", "°", "=360-overlap_angle-@dwell",
              shown(before.angles, DEGREE), source="S2: 360° − 150° − 100° = 110°, 55° each way"),
         calc("@begin", "The transfer is in the way from", "", "°", f"=[inverse_transfer.xi.{first}]*overlap_angle",
-             begin, scale=TURN, source="s_r of its stroke done; S2: 15°"),
-        calc("@end", "to", "", "°", f"=[inverse_transfer.xi.{last}]*overlap_angle", end, scale=TURN,
+             begin, source="s_r of its stroke done; S2: 15°"),
+        calc("@end", "to", "", "°", f"=[inverse_transfer.xi.{last}]*overlap_angle", end,
              source="s_r of its stroke to go; S2: 135°"),
         calc("@effective", "Its effective angle", "", "°",
              "=@end-@begin", shown(left.end - left.begin, DEGREE), source="S2: 150° − 2 · 15° = 120°"),
@@ -215,7 +212,7 @@ def steps(sheet: Sheet, station: Station) -> None:
              "=[@inverse_out.xi.1]", float(rest_out), source="the same in reverse"),
         calc("@room", "Angle for both ways at most", "", "°", "=360-@dwell", both, source="the cycle"),
         calc("@least_left", "Left to the shorter way, one after the other", "", "°",
-             "=@free0*MIN(@split,1-@split)-@allowance", shown(shorter - station.passage.allowance, DEGREE), scale=TURN),
+             "=@free0*MIN(@split,1-@split)-@allowance", shown(shorter - station.passage.allowance, DEGREE)),
         constant("@least_way", "Least angle of a way", "", "°", LEAST, format="0.00", source="no cam moves in less"),
     ))  # fmt: skip
 
@@ -230,9 +227,8 @@ def corners_table(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         constant("what", "corner", "", "", list(CORNERS), align="left"),
         calc("raw", "angle", "", "°",
              ["=@begin", "=@end", *(f"=[@schedules.{c}.3]" for c in ("away", "there", "leaves", "back"))],
-             shown(at.raw, DEGREE), scale=TURN),
-        calc("theta", "master angle", "θ", "°",
-             "=[raw]-360*INT([raw]/360+break_eps)", theta, scale=TURN, source="within one turn"),
+             shown(at.raw, DEGREE)),
+        calc("theta", "master angle", "θ", "°", "=[raw]-360*INT([raw]/360+break_eps)", theta, source="within one turn"),
         calc("inside", "transfer in the way", "", "",
              "=IF(AND([theta]>=@begin-overlap_eps,[theta]<=@end+overlap_eps),1,0)", at.inside.astype(float),
              format="0"),
@@ -247,7 +243,19 @@ def margins(sheet: Sheet, station: Station) -> None:
     sheet.heading(
         "What a margin costs", "The longest angles less the allowance, for margins from 0 to the whole clearance."
     )
-    draw(sheet)
+    shown_over = (
+        ("Acceleration ratio", "times lower", "times lower", "ratio",
+         "How many times the peak acceleration falls, over the margin that stays free between the parts"),
+        ("Peak acceleration", "a_max [m/s²]", "peak acceleration", "a",
+         "Peak acceleration of the tool over the margin that stays free between the parts"),
+    )  # fmt: skip
+    sheet.chart_row(
+        *(Chart(f"{title} against margin", "margin m [mm]", unit, (
+            Series(name, "[@margins.margin]", f"[@margins.{y}]"),
+            Series("margin entered", "[@margin_line.x]", f"[@margin_line.{y}]", dashed=True)), about)
+          for title, unit, name, y, about in shown_over),
+        width=7,
+    )  # fmt: skip
     sweep, n = station.margins, station.machine.sizes.margins
     row_in, row_out = station.law_rows
     ways = f"MAX([used.ca.{row_in}]/[in]^2,[used.ca.{row_out}]/[out]^2)"
@@ -255,8 +263,10 @@ def margins(sheet: Sheet, station: Station) -> None:
     sheet.table(
         "@margins", "Ratio against margin", n + 1,
         calc("margin", "margin", "m", "mm", "=[k]/[@margins.k.last]*@clearance", shown(sweep.margin, MM)),
-        result("in", "way in", "B_m", "°", way("in", "@split"), shown(sweep.angle_in, DEGREE)),
-        result("out", "way out", "B_m", "°", way("out", "(1-@split)"), shown(sweep.angle_out, DEGREE)),
+        result("in", "way in", "B_m", "°", f"={longest('in', '(1-INDEX([@inverse_in.xi],[k]+2))')}-@allowance",
+               shown(sweep.angle_in, DEGREE)),
+        result("out", "way out", "B_m", "°", f"={longest('out', 'INDEX([@inverse_out.xi],[k]+2)')}-@allowance",
+               shown(sweep.angle_out, DEGREE)),
         result("a", "peak acceleration", "a_max", "m/s²", peak, sweep.acceleration, source="C_a h/t_m²"),
         result("ratio", "times lower", "", "", "=IF([a]>0,@a0/[a],0)", sweep.ratio),
         constant("k", "row", "k", "", list(range(n + 1))),
@@ -269,26 +279,3 @@ def margins(sheet: Sheet, station: Station) -> None:
         calc("a", "peak acceleration", "a_max", "m/s²",
              "=[end]*MAX([@margins.a])", [0.0, float(sweep.acceleration.max())]),
     )  # fmt: skip
-
-
-def draw(sheet: Sheet) -> None:
-    """Place both charts side by side."""
-    sheet.chart_row(
-        Chart("Acceleration ratio against margin", "margin m [mm]", "times lower", (
-            Series("times lower", "[@margins.margin]", "[@margins.ratio]"),
-            Series("margin entered", "[@margin_line.x]", "[@margin_line.ratio]", dashed=True)),
-            "How many times the peak acceleration falls, over the margin that stays free between the parts"),
-        Chart("Peak acceleration against margin", "margin m [mm]", "a_max [m/s²]", (
-            Series("peak acceleration", "[@margins.margin]", "[@margins.a]"),
-            Series("margin entered", "[@margin_line.x]", "[@margin_line.a]", dashed=True)),
-            "Peak acceleration of the tool over the margin that stays free between the parts"),
-        width=7,
-    )  # fmt: skip
-
-
-def way(which: str, share: str) -> str:
-    """Return the angle of one way at the margin of the row."""
-    xi = f"INDEX([@inverse_{which}.xi],[k]+2)"
-    rest = f"(1-{xi})" if which == "in" else xi
-    most = f"@room*{share}"
-    return f"=IF({rest}>0,MIN(@free_{which}/{rest},{most}),{most})-@allowance"

@@ -1,4 +1,4 @@
-"""The engine's view of a transfer and its tools."""
+"""The engine's view of a transfer and its tools, and what only the engine can say of their entries."""
 
 from collections.abc import Container
 from dataclasses import replace
@@ -8,16 +8,22 @@ from itertools import count
 import numpy as np
 
 from engine.laws import Law
+from engine.laws.inverse import is_monotone
 from engine.overlap.parts import Inverse, Passage, Tool, Transfer
 from engine.overlap.picture import Scene
 from engine.overlap.plan import Clearance, MarginSweep, clearance, one_after_the_other, overlap, sweep_margin
 from engine.overlap.points import inverse_by_points
 from workbook.book.chart import in_scope
+from workbook.book.sentence import figure
 from workbook.entries.turn import TURN
+from workbook.entries.types import ANGLE_TOLERANCE, END_TOLERANCE, DesignError
 from workbook.entries.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
-from workbook.machines.overlap.entries import MOST_TOOLS, IndexingOverlap, ToolEntry
+from workbook.laws.library import laws
+from workbook.laws.registry import RISING
+from workbook.machines.overlap.entries import LEAST, MOST_TOOLS, IndexingOverlap, ToolEntry
 
 SCOPE = "tool{}_"  # of the names of a tool's cells
+BACKWARDS = "a law moves backwards: see its sheet, or Laws"
 
 
 class Overlapping:
@@ -80,9 +86,7 @@ class Station:
         way_out = found.angle_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
         self.before = one_after_the_other(self.transfer, self.tool, p.split)
         self.longest = overlap(self.transfer, self.tool, replace(self.passage, allowance=0.0))
-        self.as_set = replace(
-            found, angle_in=way_in, angle_out=way_out
-        )  # as built: as entered, or the longest less a bit
+        self.as_set = replace(found, angle_in=way_in, angle_out=way_out)  # as entered, or the longest less a bit
         self.schedules = self.before, self.longest, self.as_set
         self.angles_set = shown(way_in, DEGREE), shown(way_out, DEGREE)
 
@@ -114,3 +118,24 @@ def laid_out(machine: IndexingOverlap, names: Container[str]) -> IndexingOverlap
     last = max((i for i in range(1, MOST_TOOLS + 1) if f"{SCOPE.format(i)}name" in names), default=1)
     tools = [given.tools[0] for _ in range(last)]
     return machine.model_copy(update={"overlap": given.model_copy(update={"tools": tools})})
+
+
+def check(machine: IndexingOverlap) -> None:
+    """Raise DesignError where a law moves backwards or does not end at 1, or a tool's schedule takes over a turn."""
+    given, library = machine.overlap, laws(machine.laws)
+    used = {"transfer.law": given.transfer.law}
+    for i, tool in enumerate(given.tools):
+        used |= {f"tools.{i}.law_in": tool.law_in, f"tools.{i}.law_out": tool.law_out}
+    for entry, name in used.items():
+        law = library[name]
+        if not is_monotone(law):
+            raise DesignError(f"overlap.{entry}", BACKWARDS, "rises", RISING[0])
+        if abs(law.end.s - 1) > END_TOLERANCE:
+            said = f"the law {name} ends at s = {law.end.s:g}; expected a law that ends at 1"
+            raise DesignError(f"overlap.{entry}", said, "reaches", RISING[0])
+    for station in Overlapping(machine, library).stations:
+        taken = sum(station.angles_set) + station.given.dwell
+        if taken > TURN + ANGLE_TOLERANCE:
+            name = "angle_in" if station.given.angle_in is not None else "angle_out"
+            said = f"way in, dwell and way out take {figure(taken)}°; expected at most 360°"
+            raise DesignError(f"{station.key}.{name}", said, f"turn{station.number}", LEAST)
