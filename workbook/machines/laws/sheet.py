@@ -1,50 +1,46 @@
 """The Comparison sheet: curves of up to four laws, and every law with what it costs."""
 
-from engine.laws.continuity import WORDS
+from engine.laws.continuity import WORDS, code
+from engine.laws.piece import POWERS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
+from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
 from workbook.book.rows import filled
 from workbook.laws.page import finite
 from workbook.machines.laws.entries import MOST_CURVES
-from workbook.machines.laws.joints import ORDER, joints_table
 from workbook.machines.laws.view import Compared
 
 CURVES = range(1, MOST_CURVES + 1)
 NAMES = {"s": "Position", "v": "Velocity", "a": "Acceleration", "j": "Jerk"}
 VENDORS = {"siemens": "Siemens LCamHdl", "twincat": "TwinCAT", "codesys": "CODESYS", "sew": "SEW MOVI-C"}
 LEFT, RIGHT, TOP, BELOW = 9, 14, 5, 28  # columns and rows at which the charts begin
+COSTS = (
+    "C_a,rms²/12: heat in the motor's copper for a pure inertia, against the cubic's, the least possible between two "
+    "rests; max |v·a|: the largest power; C_j: what shakes the machine."
+)
 NONE = "–"  # in place of a name
 SPELLED = ",".join(f'"{word}"' for word in WORDS)
+RATES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
+ORDER = (
+    "=IF(COUNTIF([joints.code],8*[no]+{0})>0,0,IF(COUNTIF([joints.code],8*[no]+{0}+1)>0,1,"
+    "IF(COUNTIF([joints.code],8*[no]+{0}+2)>0,2,3)))"
+)  # the least order of a law's joints: between its pieces, or, of codes that are 4 more, at its ends
+PIECE = "=IF([k]>COUNTIF(piece_number,[no]),MATCH(1,piece_number,0),MATCH([no],piece_number,0)+[k]-1)"
+"""behind the last piece the dwell's, law 1"""
+ORDERS = {"a": 0, "j": 1}  # of derivatives of the acceleration
+SINES = {
+    "a": "+INDEX(piece_P{n},[q])*SIN({x})",
+    "j": "+INDEX(piece_pj{n},[q])*COS({x})",
+}
+ORDERED = (
+    "=IF(ABS([dv])>check_zero*INDEX(law_cv,[no]),0,IF(ABS([da])>check_zero*[ca],1,IF(ABS([dj])>check_zero*[ca],2,3)))"
+)
 
 
 def comparison_sheet(book: Book, view: Compared) -> None:
     """Declare the sheet: the laws to draw and their curves, the table of all laws, then samples and joints."""
     sheet = book.sheet("Comparison", "Every law of the book side by side: curves, coefficients, and what each costs.")
     sheet.heading("Enter: up to four laws, whose curves are drawn over one another")
-    chosen(sheet, view)
-    sheet.heading("Results: the least, of laws whose acceleration does not jump")
-    summary(sheet, view)
-    draw(sheet)
-    sheet.heading("The laws, for unit rise and unit time", COSTS)
-    costs(sheet, view)
-    sheet.not_printed_below()
-    sheet.heading("Table of the curves")
-    named(sheet, view)
-    samples(sheet, view)
-    sheet.heading("Workings: what jumps where the pieces of a law meet, and against rest at its ends")
-    joints_table(sheet, view)
-    sheet.widths[FIRST + 1] = 24.0
-    sheet.print_columns = 18
-
-
-COSTS = (
-    "C_a,rms²/12: heat in the motor's copper for a pure inertia, against the cubic's, the least possible between two "
-    "rests; max |v·a|: the largest power; C_j: what shakes the machine."
-)
-
-
-def chosen(sheet: Sheet, view: Compared) -> None:
-    """Declare the laws that are drawn."""
     sheet.table(
         "curves", "One law each row; leave spare rows empty", MOST_CURVES,
         given("law", "law", "", "",
@@ -53,41 +49,32 @@ def chosen(sheet: Sheet, view: Compared) -> None:
         calc("no", "number", "", "", '=MATCH(IF([law]="",[curves.law.first],[law]),law_code,0)',
              [one.number for one in view.curves], format="0", source="of a spare row that of the first"),
     )  # fmt: skip
-
-
-def named(sheet: Sheet, view: Compared) -> None:
-    """Declare what the curves are called in the charts, and the numbers by which they are found."""
-    sheet.rows(
-        *(calc(f"curve{i}_name", f"Name of curve {i}", "", "",
-               f'=IF([curves.law.{i}]="","",INDEX(law_code,curve{i}_no))', name, align="center")
-          for i, name in zip(CURVES, filled(view.entered, MOST_CURVES, ""), strict=True)),
-        *(calc(f"curve{i}_no", f"Number of its law, of curve {i}", "", "", f"=[curves.no.{i}]", one.number, format="0")
-          for i, one in zip(CURVES, view.curves, strict=True)),
-    )  # fmt: skip
-    sheet.row += 1
-
-
-def draw(sheet: Sheet) -> None:
-    """Place the four charts beside what is entered, and go on below them."""
-    for d, column, row in (("s", LEFT, TOP), ("v", RIGHT, TOP), ("a", LEFT, BELOW), ("j", RIGHT, BELOW)):
-        sheet.chart(curves(d), column=column, row=row, width=RIGHT - LEFT, height=BELOW - TOP)
-    sheet.row = BELOW + BELOW - TOP + 1
-
-
-def curves(d: str) -> Chart:
-    """Return the chart of one derivative of the laws drawn."""
-    lines = tuple(Series(f"=curve{i}_name", f"[samples{i}.xi]", f"[samples{i}.{d}]") for i in CURVES)
-    title = f"{NAMES[d]} {d}(ξ)"
-    return Chart(title, "ξ = t / t_a", d, lines, f"{title} of the laws drawn, for unit rise and unit time", (0, 1, 0.1))
-
-
-def summary(sheet: Sheet, view: Compared) -> None:
-    """Declare the least of two costs, among the laws whose acceleration does not jump."""
+    sheet.heading("Results: the least, of laws whose acceleration does not jump")
     sheet.rows(
         *(result(f"least_{name}", f"Least {words}", "", "",
                  f"=MIN([costs_worked.{name}_of])", view.least(name), format="0.0000", source=source)
           for name, words, source in (("loss", "copper loss", "C_a,rms² / 12"), ("va", "largest power", "max |v·a|"))),
     )  # fmt: skip
+    draw(sheet)
+    sheet.heading("The laws, for unit rise and unit time", COSTS)
+    costs(sheet, view)
+    sheet.not_printed_below()
+    sheet.heading("Table of the curves")
+    samples(sheet, view)
+    sheet.heading("Workings: what jumps where the pieces of a law meet, and against rest at its ends")
+    joints_table(sheet, view)
+    sheet.widths[FIRST + 1] = 24.0
+    sheet.print_columns = 18
+
+
+def draw(sheet: Sheet) -> None:
+    """Place the four charts beside what is entered, and go on below them."""
+    for (d, name), column, row in zip(NAMES.items(), (LEFT, RIGHT, LEFT, RIGHT), (TOP, TOP, BELOW, BELOW), strict=True):
+        lines = tuple(Series(f"=curve{i}_name", f"[samples{i}.xi]", f"[samples{i}.{d}]") for i in CURVES)
+        title = f"{name} {d}(ξ)"
+        about = f"{title} of the laws drawn, for unit rise and unit time"
+        sheet.chart(Chart(title, "ξ = t / t_a", d, lines, about, (0, 1, 0.1)), column, row, RIGHT - LEFT, BELOW - TOP)
+    sheet.row = BELOW + BELOW - TOP + 1
 
 
 def costs(sheet: Sheet, view: Compared) -> None:
@@ -149,7 +136,15 @@ def names_sheet(book: Book, view: Compared) -> None:
 
 
 def samples(sheet: Sheet, view: Compared) -> None:
-    """Declare the sampled curves, a table each."""
+    """Declare what the curves are called and the numbers by which they are found, and each sampled in a table."""
+    sheet.rows(
+        *(calc(f"curve{i}_name", f"Name of curve {i}", "", "",
+               f'=IF([curves.law.{i}]="","",INDEX(law_code,curve{i}_no))', name, align="center")
+          for i, name in zip(CURVES, filled(view.entered, MOST_CURVES, ""), strict=True)),
+        *(calc(f"curve{i}_no", f"Number of its law, of curve {i}", "", "", f"=[curves.no.{i}]", one.number, format="0")
+          for i, one in zip(CURVES, view.curves, strict=True)),
+    )  # fmt: skip
+    sheet.row += 1
     n, stack = view.sizes.cycle, view.stack
     for i, one in zip(CURVES, view.curves, strict=True):
         values = dict(zip("svaj", one.law.evaluate(view.xi), strict=True))
@@ -161,3 +156,59 @@ def samples(sheet: Sheet, view: Compared) -> None:
             *stack.finding(f"curve{i}_no", "xi", stack.locate(one.number, view.xi)),
         )  # fmt: skip
         sheet.row += 1
+
+
+def joints_table(sheet: Sheet, view: Compared) -> None:
+    """Declare the table of joints: rates at both ends of each piece, what jumps before it, and what stays smooth."""
+    rows = view.joints
+
+    def rate(name: str, i: int, at_end: bool) -> Quantity:
+        words = f"{RATES[name]} at its {'end' if at_end else 'begin'}"
+        values = [(row.at.end if at_end else row.at.begin)[i] for row in rows]
+        formula = at_place(name, at_end, view.stack.second_sine)
+        return calc(f"{name}{int(at_end)}", words, f"{name}_{int(at_end)}", "", formula, values,
+                    scale=max(map(abs, values)))  # fmt: skip
+
+    sheet.table(
+        "joints", "Pieces of each law, and the rest behind it", len(rows),
+        calc("law", "law", "", "", "=INDEX(law_code,[no])", [row.one.name for row in rows]),
+        constant("no", "number", "", "", [row.one.number for row in rows], format="0"),
+        constant("k", "piece", "k", "", [row.k for row in rows], format="0"),
+        calc("q", "piece row", "q", "", PIECE, [row.row for row in rows], format="0", source="on the sheet Laws"),
+        calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", [row.at.duration for row in rows]),
+        calc("u", "its end", "u", "", f"=[d]{NOT_ZERO}", [row.at.duration + LEAST for row in rows],
+             source="never 0, so that u⁰ is 1"),
+        *(calc(f"x{n}", f"argument of sine{words} at its end", "", "rad",
+               f"=INDEX(piece_omega{n},[q])*[u]+INDEX(piece_phi{n},[q])", [row.at.angles[i] for row in rows])
+          for i, (n, words) in enumerate((("", ""), ("2", " 2"))[: 1 + view.stack.second_sine])),
+        *(rate(name, i, at_end) for at_end in (False, True) for i, name in enumerate(RATES)),
+        calc("p", "last before it that lasts", "", "",
+             "=IF([k]=1,0,IF([d-1]>0,[k-1],[p-1]))", [row.at.before for row in rows], format="0", source="0: rest"),
+        *(calc(f"d{name}", f"jump of {words}", f"Δ{name}", "",
+               f"=IF([d]>0,[{name}0]-IF([p]=0,0,INDEX([joints.{name}1],[first]+[p]-1)),0)",
+               [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
+          for i, (name, words) in enumerate(RATES.items())),
+        calc("ca", "largest |a| of its law", "C_a", "",
+             "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [row.one.law.coefficients.ca for row in rows]),
+        calc("order", "highest continuous derivative", "", "",
+             ORDERED, [row.at.order for row in rows], format="0", source="0 s, 1 v, 2 a, 3 j"),
+        calc("outer", "is an end of the law", "", "", "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)",
+             [int(row.at.outer) for row in rows], format="0"),
+        calc("code", "law, end and order", "", "", "=8*[no]+4*[outer]+[order]",
+             [code(row.one.number, row.at) for row in rows], format="0", source="8 · number + 4 at an end + order"),
+        calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", [row.first for row in rows],
+             format="0"),
+    )  # fmt: skip
+
+
+def at_place(name: str, at_end: bool, second: bool) -> str:
+    """Return the formula of v, a or j at the begin of a piece, or at its end."""
+    if name == "v":
+        return "=INDEX(piece_v,[q])" + ("+INDEX(piece_dv,[q])" if at_end else "")
+    order = ORDERS[name]
+    text = f"INDEX(piece_c{order},[q])"
+    if at_end:
+        text = polynomial(f"INDEX(piece_{'d' * order}ddy,[q],0)", "[u]", POWERS, order)
+    for n in ("", "2") if second else ("",):
+        text += SINES[name].format(n=n, x=f"[x{n}]" if at_end else f"INDEX(piece_phi{n},[q])")
+    return f"={text}"
