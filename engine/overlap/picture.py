@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.overlap.parts import Passage, Tool, Transfer
+from engine.overlap.schedule import Passage, Tool, Transfer
 
 LANE_SHARE = 0.8  # height of a part in a timing diagram, of its lane
 WIDTH = 0.3  # of a tool, in strokes of the transfer

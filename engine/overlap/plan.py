@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from engine.laws.base import Array
-from engine.overlap.parts import Passage, Tool, Transfer
 from engine.overlap.points import HEIGHT
-from engine.overlap.schedule import ANGLE_TOLERANCE, Limit, Schedule, turned
+from engine.overlap.schedule import ANGLE_TOLERANCE, Limit, Passage, Schedule, Tool, Transfer, turned
 from engine.timing import FULL_TURN
 
 

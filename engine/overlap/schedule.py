@@ -1,31 +1,131 @@
-"""Both motions over one turn of the master shaft: when the tool goes in and out, how fast, where it is."""
+"""The parts, a transfer that brings the work and a tool, and both over one turn of the master shaft."""
 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from engine.laws import Dwell, Law
-from engine.laws.base import BREAK_TOLERANCE, Array
+from engine.laws.base import BREAK_TOLERANCE, Array, require_finite
+from engine.laws.inverse import inverse
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, Scaled, pieces_of
-from engine.overlap.parts import Tool, Transfer, require_positive
 from engine.timing import FULL_TURN, shaft_speed
 
 Limit = Literal["clearance", "cycle"]
 ANGLE_TOLERANCE = FULL_TURN * BREAK_TOLERANCE  # rad: an angle this near to an event counts as on it
+Inverse = Callable[[Law, Array], Array]
+"""the shares of time at which a law reaches heights: exactly, or as a table of points gives them"""
 
 
-class Rates(NamedTuple):
-    """Velocity (m/s), acceleration (m/s²) and jerk (m/s³) of a tool."""
+@dataclass(frozen=True)
+class Transfer:
+    """The first motion: a law over ``stroke`` (m) in ``angle`` (rad), once a cycle, beginning at 0.
 
-    velocity: Array
-    acceleration: Array
-    jerk: Array
+    ``inverted`` says when its law has reached a height.
+    Raises ValueError unless the stroke is above 0 and the angle between 0 and 2π.
+    """
+
+    law: Law
+    stroke: float
+    angle: float
+    inverted: Inverse = inverse
+
+    def __post_init__(self) -> None:
+        require_positive(transfer_stroke=self.stroke, transfer_angle=self.angle)
+        if self.angle >= FULL_TURN:
+            raise ValueError(f"the transfer takes {math.degrees(self.angle):g} degrees; expected less than 360")
+
+    def travel(self, angle: Array) -> Array:
+        """Return its travel (m), h_t s(ξ), at angles from 0 to 2π; ξ is 1 from its arrival to the end of the cycle."""
+        return self.stroke * self.law.s(np.minimum(angle / self.angle, 1.0))
+
+    @property
+    def parts(self) -> tuple[Scaled, Scaled]:
+        """The movement, and the dwell to the end of the cycle (m, rad)."""
+        there = self.stroke * self.law.end.s
+        return (
+            Scaled(self.law, self.stroke, self.angle),
+            Scaled(Dwell(), 0.0, FULL_TURN - self.angle, self.angle, there),
+        )
+
+
+@dataclass(frozen=True)
+class Tool:
+    """The second motion: in over ``stroke`` (m), at the part for the angle ``dwell`` (rad), out again.
+
+    ``law_out`` is the law of the way out, that of the way in if None; ``inverted`` says when they have
+    reached a height. Raises ValueError unless the stroke is above 0 and the dwell at least 0.
+    """
+
+    law: Law
+    stroke: float
+    dwell: float
+    law_out: Law | None = None
+    inverted: Inverse = inverse
+
+    def __post_init__(self) -> None:
+        require_positive(tool_stroke=self.stroke)
+        require_finite(dwell=self.dwell)
+        if self.dwell < 0.0:
+            raise ValueError(f"the tool dwells for {math.degrees(self.dwell):g} degrees; expected 0 or more")
+
+    @property
+    def out(self) -> Law:
+        """The law of the way out."""
+        return self.law if self.law_out is None else self.law_out
+
+
+@dataclass(frozen=True)
+class Passage:
+    """What one part leaves to the other.
+
+    ``remaining``: share of the transfer's stroke that may be missing, at either end, while the tool is in
+    (S2: 0.65 %). ``clearance`` (m): travel of the tool before it would touch the transfer (S2: 20 mm).
+    ``margin`` (m): what of it is to stay free (S2: 1 mm). ``allowance`` (rad): taken off the tool's angles
+    for the setting of the cam (S2: 5°). ``split``: share of the free angle for the way in.
+    Raises ValueError unless 0 ≤ remaining < 1/2, 0 ≤ margin ≤ clearance, allowance ≥ 0 and 0 < split < 1.
+    """
+
+    remaining: float
+    clearance: float
+    margin: float = 0.0
+    allowance: float = 0.0
+    split: float = 0.5
+
+    def __post_init__(self) -> None:
+        require_finite(clearance=self.clearance, margin=self.margin, allowance=self.allowance)
+        if not 0.0 <= self.remaining < 0.5:
+            raise ValueError(f"remaining is {self.remaining:g} of the stroke; expected at least 0 and less than 0.5")
+        if not 0.0 <= self.margin <= self.clearance:
+            raise ValueError(f"margin is {self.margin:g} m; expected 0 to the clearance, {self.clearance:g} m")
+        if self.allowance < 0.0:
+            raise ValueError(f"allowance is {math.degrees(self.allowance):g} degrees; expected 0 or more")
+        if not 0.0 < self.split < 1.0:
+            raise ValueError(f"split is {self.split:g}; expected more than 0 and less than 1")
+
+    @property
+    def shares(self) -> tuple[float, float]:
+        """The shares of its stroke between which the transfer is too far from its ends."""
+        return self.remaining, 1.0 - self.remaining
+
+    def travelled_share(self, stroke: float, margin: ArrayLike) -> Array:
+        """Return the share of its stroke (m) that a tool may have gone when the transfer is in its way.
+
+        (clearance − margin)/stroke for margins (m), at most 1. Source: S2, s = (20 − 1)/50 = 0.38.
+        """
+        return np.minimum((self.clearance - np.asarray(margin, dtype=np.float64)) / stroke, 1.0)
+
+
+def require_positive(**quantities: float) -> None:
+    """Raise ValueError for the first quantity that is not a finite number above 0."""
+    for name, value in quantities.items():
+        if not (math.isfinite(value) and value > 0.0):
+            raise ValueError(f"{name.replace('_', ' ')} is {value:g}; expected a finite number above 0")
 
 
 @dataclass(frozen=True)
@@ -57,8 +157,7 @@ class Schedule:
     @cached_property
     def motion(self) -> Motion:
         """The tool over one turn, counted from its arrival: there no movement wraps."""
-        phases = [(part.law, part.h, part.duration) for part in self.parts]
-        return filled_turn(phases, position=self.tool.stroke)
+        return whole_turn(self.parts, self.tool.stroke)
 
     @property
     def parts(self) -> tuple[Scaled, Scaled, Scaled, Scaled]:
@@ -85,10 +184,10 @@ class Schedule:
         """Return how far the tool has gone (m) at any angle of the master shaft (rad)."""
         return self.motion.at((np.asarray(angle, dtype=np.float64) - self.arrival) % FULL_TURN).y
 
-    def rates(self, angle: ArrayLike, rate: float) -> Rates:
+    def rates(self, angle: ArrayLike, rate: float) -> tuple[Array, Array, Array]:
         """Return the tool's velocity, acceleration and jerk at angles (rad), at ``rate`` cycles per second."""
         at, speed = self.motion.at(np.clip(self.since(angle), 0.0, FULL_TURN)), shaft_speed(rate)
-        return Rates(at.y1 * speed, at.y2 * speed**2, at.y3 * speed**3)
+        return at.y1 * speed, at.y2 * speed**2, at.y3 * speed**3
 
     def times(self, rate: float) -> tuple[float, float]:
         """Return the times (s) of the ways in and out at ``rate`` cycles per second."""
@@ -99,11 +198,8 @@ class Schedule:
 
         Source: S2, 'Cycloid Cam Profile Analysis', a_max = 2π h_m/t_m² (cycloidal).
         """
-        peaks = [
-            law.coefficients.ca * self.tool.stroke / time**2
-            for law, time in zip((self.tool.law, self.tool.out), self.times(rate), strict=True)
-        ]
-        return peaks[0], peaks[1]
+        h, (way_in, way_out) = self.tool.stroke, self.times(rate)
+        return self.tool.law.coefficients.ca * h / way_in**2, self.tool.out.coefficients.ca * h / way_out**2
 
     def peak_acceleration(self, rate: float) -> float:
         """Return the tool's largest acceleration in m/s², at ``rate`` cycles per second."""
@@ -147,14 +243,11 @@ def turned(angle: Array) -> Array:
     return angle - FULL_TURN * np.floor(angle / FULL_TURN + BREAK_TOLERANCE)
 
 
-def filled_turn(phases: list[tuple[Law, float, float]], position: float = 0.0) -> Motion:
-    """Return the motion of these phases over one turn, without those of no length, filled up with a dwell."""
-    kept = [phase for phase in phases if phase[2] > 0.0]
-    edges = np.cumsum([0.0, *(duration for _, _, duration in kept)])
+def whole_turn(parts: Sequence[Scaled], position: float = 0.0) -> Motion:
+    """Return the motion of parts that fill one turn, without those of no length."""
+    kept = [part for part in parts if part.duration > 0.0]
+    edges = np.cumsum([0.0, *(part.duration for part in kept)])
     if edges[-1] > FULL_TURN + ANGLE_TOLERANCE:
         raise ValueError(f"the movements take {math.degrees(edges[-1]):g} degrees; expected at most 360")
-    if edges[-1] < FULL_TURN - ANGLE_TOLERANCE:
-        kept.append((Dwell(), 0.0, FULL_TURN - float(edges[-1])))
-        edges = np.append(edges, FULL_TURN)
     edges[-1] = FULL_TURN
-    return Motion.from_edges(edges, [lift for _, lift, _ in kept], [law for law, _, _ in kept], position)
+    return Motion.from_edges(edges, [part.h for part in kept], [part.law for part in kept], position)

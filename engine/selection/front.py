@@ -13,22 +13,11 @@ def front(points: ArrayLike) -> NDArray[np.intp]:
     values = np.asarray(points, dtype=np.float64)
     if not values.size:
         return np.zeros(0, dtype=np.intp)
-    order = np.lexsort(values.T[::-1])
-    ranked = values[order]
-    if values.shape[1] == 1:
-        return np.asarray(order[:1])
-    if values.shape[1] == 2:
-        lowest = np.minimum.accumulate(ranked[:, 1])
-        return np.asarray(order[np.concatenate([[True], ranked[1:, 1] < lowest[:-1]])])
-    return np.asarray(order[_unbeaten(ranked)])
-
-
-def _unbeaten(ranked: NDArray[np.float64]) -> list[int]:
-    """Return the rows of sorted points that no row above is nowhere more than; those below never beat one above."""
-    left = np.arange(len(ranked))
-    kept: list[int] = []
-    while left.size:
-        best = left[0]
-        kept.append(int(best))
-        left = left[(ranked[left] < ranked[best]).any(axis=1)]
-    return kept
+    left, kept = np.lexsort(values.T[::-1]), []
+    if values.shape[1] == 2:  # at once, as there may be very many
+        second = values[left, 1]
+        return np.asarray(left[np.append(True, second[1:] < np.minimum.accumulate(second)[:-1])])
+    while left.size:  # of points so sorted none beats the first
+        kept.append(left[0])
+        left = left[(values[left] < values[left[0]]).any(axis=1)]
+    return np.array(kept)

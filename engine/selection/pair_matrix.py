@@ -12,7 +12,6 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive import Motor
 from engine.drive.limits import factor_at
 from engine.laws.base import Array
 from engine.selection.catalogue import Motors, Reducers
@@ -71,8 +70,7 @@ def falling(load: PointLoad, pair: Pair, curve: Curve) -> float:
 def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: ArrayLike) -> Gears:
     """Return motors with their reducers in a line: J (kg m²), i, η, no-load torque (Nm)."""
     each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency, no_load)))
-    lined = [one.reshape(-1) for one in each]
-    return Gears(*lined)
+    return Gears(*(one.reshape(-1) for one in each))
 
 
 class Used(NamedTuple):
@@ -80,11 +78,6 @@ class Used(NamedTuple):
 
     speed: float
     torque: float
-
-
-def used(motor: Motor, speed: float, rms: float, mean: float) -> Used:
-    """Return what a speed (rad/s) and an RMS torque (Nm) at a mean speed use of a motor."""
-    return Used(speed / motor.max_speed, rms / float(motor.continuous(mean)))
 
 
 @dataclass(frozen=True)
@@ -114,9 +107,7 @@ class PairMatrix:
 
     def pair(self, motor: int, reducer: int) -> Pair:
         """Return J, i, η and no-load torque of a pair."""
-        _, ratio, efficiency, no_load = self.gears
-        own = (float(one.reshape(self.inertias.shape)[motor, reducer]) for one in (ratio, efficiency, no_load))
-        return Pair(float(self.inertias[motor, reducer]), *own)
+        return Pair(*(float(one.reshape(self.inertias.shape)[motor, reducer]) for one in self.gears))
 
     @cached_property
     def rms(self) -> Array:
@@ -188,22 +179,22 @@ class PairMatrix:
     def verdicts(self) -> NDArray[np.str_]:
         """What each pair fails first, or that it is usable."""
         m, wanted = self.motors, self.wanted
-        fails = (
-            (np.broadcast_to(~self.fits, self.rms.shape), "reducer"),
-            (self.speed * wanted.least_speed > m.max_speed[:, None], "speed"),
-            (self.peak * wanted.least_peak > m.peak_torque[:, None], "peak"),
-        )
-        return np.select([one for one, _ in fails], [word for _, word in fails], self.wanted_verdicts)
+        fails = {
+            "reducer": np.broadcast_to(~self.fits, self.rms.shape),
+            "speed": self.speed * wanted.least_speed > m.max_speed[:, None],
+            "peak": self.peak * wanted.least_peak > m.peak_torque[:, None],
+        }
+        return np.select(list(fails.values()), list(fails), self.wanted_verdicts)
 
     @cached_property
     def wanted_verdicts(self) -> NDArray[np.str_]:
         """What each pair fails of margins and inertia ratio, or that it is usable."""
-        fails = (
-            (self.uses * self.wanted.least_margin > 1.0, "RMS"),
-            (self.uses * self.wanted.greatest_margin < 1.0, "large"),
-            (self.inertia_ratio > self.wanted.inertia_ratio, "inertia"),
-        )
-        return np.select([one for one, _ in fails], [word for _, word in fails], "yes")
+        fails = {
+            "RMS": self.uses * self.wanted.least_margin > 1.0,
+            "large": self.uses * self.wanted.greatest_margin < 1.0,
+            "inertia": self.inertia_ratio > self.wanted.inertia_ratio,
+        }
+        return np.select(list(fails.values()), list(fails), "yes")
 
     @cached_property
     def balance(self) -> Array:

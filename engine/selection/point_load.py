@@ -31,10 +31,11 @@ class Gears(NamedTuple):
     efficiency: Array
     no_load: Array
 
-    def parts(self, width: int) -> Iterator[slice]:
-        """Yield which of them follow each other with no more than :data:`AT_ONCE` values, ``width`` for each."""
+    def parts(self, width: int) -> Iterator[tuple[slice, "Gears"]]:
+        """Yield some at a time, and which: with no more than :data:`AT_ONCE` values, ``width`` for each."""
         step = max(1, AT_ONCE // width)
-        yield from (slice(begin, begin + step) for begin in range(0, len(self.inertia), step))
+        for some in (slice(begin, begin + step) for begin in range(0, len(self.inertia), step)):
+            yield some, Gears(*(values[some] for values in self))
 
 
 class Points(NamedTuple):
@@ -88,11 +89,8 @@ class PointLoad:
     def mean_torque(self) -> float:
         """The mean torque of the shaft, ³√(mean |ω||S|³/mean |ω|) (Nm), by which gears are rated; 0 where it stands."""
         weight = self.load.share * np.abs(self.load.speed)
-        return (
-            math.cbrt(float((weight * np.abs(self.load.output_torque) ** 3).sum() / weight.sum()))
-            if weight.any()
-            else 0.0
-        )
+        cubes = weight * np.abs(self.load.output_torque) ** 3
+        return math.cbrt(float(cubes.sum() / weight.sum())) if weight.any() else 0.0
 
     @cached_property
     def mean_speed(self) -> float:
@@ -137,8 +135,8 @@ class PointLoad:
 
     def peak(self, some: Gears) -> Array:
         """Return the largest torque of motors at the points (Nm)."""
-        parts = (Gears(*(values[one] for values in some)) for one in some.parts(self.points.speed.size))
-        return np.concatenate([np.abs(self.torques(one)).max(axis=1) for one in parts])
+        parts = some.parts(self.points.speed.size)
+        return np.concatenate([np.abs(self.torques(one)).max(axis=1) for _, one in parts])
 
 
 def shares_of(limit: Array, value: Array) -> Array:
@@ -181,8 +179,7 @@ class DriveBatch:
     def _parts(self) -> Iterator[tuple[slice, Array, Array, Array]]:
         """Yield some at a time, with their torques (Nm), speeds (rad/s) and powers (W): motors down, points across."""
         speed = self.load.load.speed.ravel()
-        for some in self.gears.parts(speed.size):
-            one = Gears(*(values[some] for values in self.gears))
+        for some, one in self.gears.parts(speed.size):
             torque, fast = self.load.torques(one), one.ratio[:, None] * speed
             yield some, torque, fast, torque * (fast + self.limits.copper[some, None] * torque)
 
@@ -221,8 +218,3 @@ def tops(values: Array, place: Array) -> Array:
     over = np.where(bend, 4.0 * (rise + fall) * (before + after), 1.0)
     lean = (rise * after - fall * before) ** 2 / over
     return np.asarray(values[rows, k] + np.where(bend, lean, 0.0))
-
-
-def mean_power(works: Energy, time: Array) -> Array:
-    """Return the mean power at the shafts of motors over cycles of so long (W)."""
-    return np.asarray((works.driving - works.regenerated) / time)

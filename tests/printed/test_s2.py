@@ -10,9 +10,8 @@ import pytest
 
 from engine.laws import Cycloidal
 from engine.laws.inverse import inverse
-from engine.overlap.parts import Passage, Tool, Transfer
 from engine.overlap.plan import blocked, clearance, one_after_the_other, overlap, sweep_margin
-from engine.overlap.schedule import Schedule, movement_time
+from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time
 
 RATE = 2000 / 3600  # pieces a second
 MILL = Transfer(Cycloidal(), stroke=0.1, angle=radians(150))

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
 from engine.laws.inverse import inverse
 from engine.motion.pieces import evaluated, located
-from engine.overlap.parts import Passage, Tool, Transfer
 from engine.overlap.plan import (
     blocked,
     clearance,
@@ -23,7 +22,7 @@ from engine.overlap.plan import (
     sweep_margin,
 )
 from engine.overlap.points import HEIGHT, inverse_by_points
-from engine.overlap.schedule import Schedule, movement_time
+from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time
 from tests.engine.motion.junctions import runs_smoothly
 
 TURN = np.linspace(0.0, 2 * pi, 1441)
@@ -99,7 +98,7 @@ def test_the_transfer_stays_where_it_has_come_to_until_the_next_cycle():
 def test_peaks_are_those_of_the_motion():
     schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
     assert schedule.peak_acceleration(0.5) == pytest.approx(schedule.motion.peaks.y2 * pi**2, rel=1e-12)
-    assert np.abs(schedule.rates(TURN, 0.5).acceleration).max() == pytest.approx(
+    assert np.abs(schedule.rates(TURN, 0.5)[1]).max() == pytest.approx(
         schedule.peak_acceleration(0.5), rel=1e-3
     )
 
@@ -112,7 +111,7 @@ def test_acceleration_is_the_second_derivative_of_the_travel(law_in, law_out, sp
     schedule = overlap(transfer, Tool(law_in, 0.05, radians(100), law_out), Passage(0.01, 0.02, 0.001, split=split))
     step = 2 * pi / 20_000
     angle = schedule.arrival + step * (np.arange(20_000) + 0.5)
-    speed = np.cumsum(schedule.rates(angle, 1.0).acceleration) * step / (2 * pi)
+    speed = np.cumsum(schedule.rates(angle, 1.0)[1]) * step / (2 * pi)
     travel = 0.05 + np.cumsum(speed) * step / (2 * pi)
     assert travel == pytest.approx(schedule.travel(angle + step / 2), abs=5e-4)
 

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import Cycloidal
-from engine.overlap.parts import Passage, Tool, Transfer
 from engine.overlap.picture import Scene, lane
+from engine.overlap.schedule import Passage, Tool, Transfer
 
 TOOLS = (0.05, 0.03, 0.08)  # strokes
 SCENE = Scene(

@@ -13,7 +13,7 @@ from engine.drive.train import Train, Window
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.pair_matrix import RANKS, Curve, Pair, PairMatrix, Wanted, reserve, used
+from engine.selection.pair_matrix import RANKS, Curve, Pair, PairMatrix, Wanted, reserve
 from engine.selection.point_load import PointLoad, Points
 from tests.engine.drive.test_quadrature import points_of
 
@@ -58,7 +58,8 @@ def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
     assert one.inertia_ratio[motor, r] == pytest.approx(drive.train.drive.inertia_ratio, rel=1e-12)
     m, points = MOTORS, points_of(drive)
     limits = (float(each[motor]) for each in (m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to))
-    of_motor = used(Motor(m.inertia[motor], *limits), found.speed.peak, points.rms_torque, found.mean_speed)
+    own = Motor(m.inertia[motor], *limits)
+    of_motor = found.speed.peak / own.max_speed, points.rms_torque / float(own.continuous(found.mean_speed))
     assert one.use(motor, r) == pytest.approx(of_motor, rel=1e-9)
 
 

@@ -4,7 +4,7 @@ from engine.laws.base import Array
 from engine.motion import Motion
 from engine.motion.pieces import Scaled
 from engine.overlap.picture import LANE_SHARE, lane
-from engine.overlap.schedule import filled_turn, pieces_of_parts, size_of_parts
+from engine.overlap.schedule import pieces_of_parts, size_of_parts, whole_turn
 from engine.timing import FULL_TURN
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.entries.units import DEGREE, MM, shown, si
@@ -179,7 +179,7 @@ def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> Joint
     phases(sheet, "The transfer, from the start of the cycle", moves, parts, rows, no=["=[used.no.1]", "=1"],
            h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
            begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"])  # fmt: skip
-    joints = joints_of(rows, filled_turn(machine.transfer.phases), machine.given.transfer, "overlap_", "°",
+    joints = joints_of(rows, whole_turn(parts), machine.given.transfer, "overlap_", "°",
                        "overlap_transfer", moves)  # fmt: skip
     sheet.rows(*joints.order())
     sheet.row += 1

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
-from engine.selection.point_load import mean_power, shares_of
+from engine.selection.point_load import shares_of
 from workbook.entries.units import KG_CM2, KW, shown
 from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.by_angle import ends_in_place
@@ -32,7 +32,7 @@ ASKED: dict[str, Callable[[Studied], Any]] = {
     "smean": lambda one: one.behind(1),
     "energy": lambda one: one.works.driving,
     "returned": lambda one: one.works.regenerated,
-    "power": lambda one: shown(mean_power(one.works, one.time), KW),
+    "power": lambda one: shown((one.works.driving - one.works.regenerated) / one.time, KW),
     "pmax": lambda one: shown(np.maximum(0.0, one.extremes.power), KW),
     "pmin": lambda one: shown(np.minimum(0.0, one.extremes.power_low), KW),
     "highest": lambda one: one.highest,
