@@ -17,7 +17,7 @@ from workbook.judging.layout import titled
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import LAYOUT, Finding
 from workbook.reading.files import BookFile, find_places
-from workbook.reading.package import tag
+from workbook.reading.rows import tag
 
 
 class Way(NamedTuple):

@@ -46,10 +46,8 @@ def fill(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
         else:
             cell._value, cell.data_type = formula(held, shared), "f"
     for row, looks in rows.looks.items():
-        own: dict[str, Any] = {name: text for name, text in looks.items() if ":" not in name}
-        if "s" in own:
-            own["s"] = styles[int(own["s"])]
-        sheet.row_dimensions[row] = RowDimension(sheet, **{**own, "r": row})
+        style = {"s": styles[int(looks["s"])]} if "s" in looks else {}
+        sheet.row_dimensions[row] = RowDimension(sheet, **{**looks, **style, "r": row})
 
 
 def placed(sheet: Worksheet, held: Written, style: Any) -> Any:

@@ -1,19 +1,17 @@
 """What lies over the cells of a sheet: charts, pictures, shapes, and notes that are always shown."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
-from xml.etree.ElementTree import Element, ParseError, fromstring
+from xml.etree.ElementTree import Element
 
-from workbook.reading.count import SAVE_AS, Refusal, shown
-from workbook.reading.package import Link, links, tag, without_points
-from workbook.reading.rows import LAST_COLUMN, LAST_ROW
+from workbook.reading.package import links
+from workbook.reading.rows import LAST_COLUMN, LAST_ROW, tag
 
 OPAQUE = ("graphicFrame", "pic", "sp")
 """what an anchor may hold that hides the cells behind it (ISO/IEC 29500-1, 20.5.2)"""
 PIXEL = 9525
 """EMU"""
-Read = Callable[[str], bytes]
-"""gives a part of the file, empty for one that there is not"""
+NOTHING = Element("nothing")
 
 
 class Corner(NamedTuple):
@@ -34,32 +32,23 @@ class Anchor(NamedTuple):
     chart: Element | None = None
 
 
-def anchored(parts: Mapping[str, bytes], sheet: str, read: Read) -> list[Anchor]:
+def anchored(parts: Mapping[str, Element], sheet: str) -> list[Anchor]:
     """Return the drawings of a sheet that hide what is behind them, the lowest first.
 
-    ``sheet`` is its part, and ``parts`` are those with relationships.
+    ``sheet`` is its part, and ``parts`` has the root of each.
     """
     found = []
     for link in links(parts, sheet):
         if link.kind == "drawing":
-            charts = {one.id: one for one in links(parts, link.target)}
-            found += list(anchors(parsed(link, read), charts, read))
+            charts = {one.id: parts.get(one.target, NOTHING) for one in links(parts, link.target)}
+            found += list(anchors(parts.get(link.target, NOTHING), charts))
         elif link.kind == "vmlDrawing":
-            found += notes(read(link.target))
+            found += notes(parts.get(link.target, NOTHING))
     return found
 
 
-def parsed(link: Link, read: Read) -> Element:
-    """Return the root of a drawing or a chart; raise Refusal where it is no XML."""
-    data = read(link.target)
-    try:
-        return fromstring(without_points(link.target, data)) if data else Element("nothing")
-    except ParseError:
-        raise Refusal(f"damaged: the {link.kind} in {shown(link.target)} is no XML; {SAVE_AS}") from None
-
-
-def anchors(root: Element, charts: Mapping[str, Link], read: Read) -> Iterator[Anchor]:
-    """Yield the anchors of a drawing that hold what hides."""
+def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
+    """Yield the anchors of a drawing that hold what hides; ``charts`` are the roots to which its links lead."""
     for element in root.iter():  # one that newer programs alone know stands within an alternative
         if not tag(element).endswith("Anchor"):
             continue
@@ -69,12 +58,11 @@ def anchors(root: Element, charts: Mapping[str, Link], read: Read) -> Iterator[A
         if not any(tag(one) in OPAQUE and not see_through(one) for one in element.iter()):
             continue
         ids = [value for one in element.iter() if tag(one) == "chart" for value in one.attrib.values()]
-        chart = next((charts[name] for name in ids if name in charts), None)
         yield Anchor(
             corner(held["from"]) if "from" in held else Corner(0, 0, *pair(held.get("pos"), "x", "y")),
             corner(held["to"]) if "to" in held else None,
             pair(held.get("ext"), "cx", "cy"),
-            parsed(chart, read) if chart is not None else None,
+            next((charts[name] for name in ids if name in charts), None),
         )
 
 
@@ -86,12 +74,8 @@ def see_through(shape: Element) -> bool:
     return look is not None and any(tag(child) == "noFill" for child in look)
 
 
-def notes(data: bytes) -> Iterator[Anchor]:
+def notes(root: Element) -> Iterator[Anchor]:
     """Yield where the notes and buttons of a sheet lie that are always shown (VML; ISO/IEC 29500-4, 19.4)."""
-    try:
-        root = fromstring(data)
-    except ParseError:  # programs read more than XML here, and openpyxl none of it
-        return
     for shape in root.iter():
         if tag(shape) != "shape" or "visibility:hidden" in shape.get("style", "").replace(" ", ""):
             continue

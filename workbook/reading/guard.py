@@ -1,24 +1,23 @@
 """What a workbook file must not hold: checked on its zip and its XML before a parser builds anything from them.
 
-A workbook is a zip of XML from anywhere. Each part is unpacked here under a limit and read once by expat, which
-keeps nothing. The limits let a machine of 24 axes with a drive each pass, at 720 samples; most are at or below
-Excel's own.
+A workbook is a zip of XML from anywhere. Each part is unpacked here under a limit and read once, and counted while it
+is read. The limits let a machine of 24 axes with a drive each pass, at 720 samples; most are at or below Excel's own.
 """
 
 import zipfile
 import zlib
 from collections import Counter
+from collections.abc import Iterable
 from copy import copy
-from dataclasses import dataclass
 from pathlib import Path
-from typing import IO
-from xml.etree.ElementTree import Element, fromstring
+from typing import IO, NamedTuple
+from xml.etree.ElementTree import Element
 
 from workbook.errors import ReadError
 from workbook.reading.count import SAVE_AS, Count, Refusal, shown
 from workbook.reading.drawings import Anchor, anchored
-from workbook.reading.package import needed, package, tag, without_points, without_rows
-from workbook.reading.rows import Rows
+from workbook.reading.package import package, without_points
+from workbook.reading.rows import Rows, tag
 from workbook.reading.scan import Scan
 
 MEGABYTE = 1_000_000
@@ -36,23 +35,17 @@ NOTES = {
 }
 
 
-@dataclass(frozen=True)
-class Inspected:
-    """What is known of a file before it is parsed.
+class Inspected(NamedTuple):
+    """What is known of a file before it is parsed."""
 
-    That is what an engineer should know of it, the rows of each sheet by its title, those of each part, the part
-    with the texts that several cells share, the drawings of each sheet, all of a sheet but its rows, the
-    workbook's own part, and the fonts within shared texts that have several, by their numbers.
-    """
-
-    notes: list[str]
-    sheets: dict[str, Rows]
-    parts: dict[str, Rows]
-    strings: str
-    drawings: dict[str, list[Anchor]]
-    pages: dict[str, Element]
-    book: Element
-    fonts: dict[int, list[Element]]
+    notes: list[str]  # what an engineer should know of it
+    sheets: dict[str, Rows]  # the rows of each sheet, by its title
+    pages: dict[str, Element]  # all of a sheet but its rows
+    parts: dict[str, Element]  # the same by the names of their parts
+    strings: str  # the part with the texts that several cells share
+    fonts: dict[int, list[Element]]  # within those of these texts that have several, by their numbers
+    drawings: dict[str, list[Anchor]]  # of each sheet
+    book: Element  # the workbook's own part
 
 
 def guard(path: Path) -> Inspected:
@@ -80,51 +73,45 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
     with zipfile.ZipFile(file) as archive:
         infos = archive.infolist()
         refuse_odd_parts(infos, size)
-        rows, parts = scanned(archive, infos)
-        names = {info.filename: info for info in infos}
-        found = package(parts, names)
-
-        def read(name: str) -> bytes:
-            return unpacked(archive, names[name]) if name in names else b""
-
-        drawings = {title: anchored(parts, part, read) for title, part in found.sheets.items()}
-        fonts = fonts_within(read(found.strings))
+        scans = scanned(archive, infos)
+    names = [info.filename for info in infos]
+    roots = {name: scan.root for name, scan in scans.items()}
+    found = package(roots, names)
+    sheets: dict[str, Rows] = {}
     for title, part in found.sheets.items():
-        if part not in rows:
+        if part not in scans or (rows := scans[part].rows) is None:
             raise Refusal(f"its sheet {shown(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
-    notes = [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)]
-    sheets = {title: rows[part] for title, part in found.sheets.items()}
-    pages = {title: fromstring(parts[part]) for title, part in found.sheets.items()}
-    return Inspected(notes, sheets, rows, found.strings, drawings, pages, fromstring(parts[found.workbook]), fonts)
+        sheets[title] = rows
+    return Inspected(
+        [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)],
+        sheets,
+        {title: roots[part] for title, part in found.sheets.items()},
+        {part: roots[part] for part in found.sheets.values()},
+        found.strings,
+        fonts_within(roots.get(found.strings, ())),
+        {title: anchored(roots, part) for title, part in found.sheets.items()},
+        roots[found.workbook],
+    )
 
 
-def fonts_within(strings: bytes) -> dict[int, list[Element]]:
+def fonts_within(strings: Iterable[Element]) -> dict[int, list[Element]]:
     """Return the fonts within shared texts, of those that have any, by their numbers (ISO/IEC 29500-1, 18.4.7)."""
-    if b"rPr" not in strings:
-        return {}
-    texts = [one for one in fromstring(strings) if tag(one) == "si"]
+    texts = (one for one in strings if tag(one) == "si")
     found = {n: [font for font in text.iter() if tag(font) == "rPr"] for n, text in enumerate(texts)}
     return {n: fonts for n, fonts in found.items() if fonts}
 
 
-def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> tuple[dict[str, Rows], dict[str, bytes]]:
-    """Read every part once; return the rows of worksheets, and the other parts of use, with the rest of worksheets."""
-    count = Count()
-    rows: dict[str, Rows] = {}
-    parts: dict[str, bytes] = {}
+def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> dict[str, Scan]:
+    """Read every part once that is XML, or may be read as such; return what was read by name."""
+    count, scans = Count(), dict[str, Scan]()
     for info in infos:
         data = unpacked(archive, info)
         start = data[:200].lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n")
         if not (start.startswith(b"<") or info.filename.lower().endswith((".xml", ".rels"))):
             continue  # no XML, nor to be read as such: relations may call any part a sheet, whatever its name
-        scan = Scan(info.filename, count)
-        scan.read(without_points(info.filename, data))
-        if scan.rows is not None:
-            rows[info.filename] = scan.rows
-            parts[info.filename] = without_rows(data, scan.rows)
-        if needed(info.filename):
-            parts[info.filename] = data
-    return rows, parts
+        scans[info.filename] = Scan(info.filename, count)
+        scans[info.filename].read(without_points(info.filename, data))
+    return scans
 
 
 def refuse_other_kinds(file: IO[bytes]) -> None:

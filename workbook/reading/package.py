@@ -12,10 +12,10 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from posixpath import basename, dirname, join, normpath
 from typing import IO, Any, NamedTuple
-from xml.etree.ElementTree import Element, fromstring
+from xml.etree.ElementTree import Element, tostring
 
 from workbook.reading.count import SAVE_AS, Refusal, shown
-from workbook.reading.rows import MAIN, Rows
+from workbook.reading.rows import MAIN, tag
 
 TYPES = "[Content_Types].xml"
 WORKBOOKS = (".sheet.main+xml", ".template.main+xml", "sheet.macroEnabled.main+xml", "template.macroEnabled.main+xml")
@@ -40,14 +40,8 @@ class Package(NamedTuple):
     strings: str
 
 
-def needed(name: str) -> bool:
-    """Whether the text of a part is needed to say which part is what."""
-    lower = name.lower()
-    return name == TYPES or lower.endswith(".rels") or basename(lower).startswith("workbook")
-
-
-def package(parts: Mapping[str, bytes], names: Iterable[str]) -> Package:
-    """Return what is what; ``parts`` are those that are :func:`needed`, ``names`` of all. Raises Refusal."""
+def package(parts: Mapping[str, Element], names: Iterable[str]) -> Package:
+    """Return what is what; ``parts`` are the roots of those that are XML, ``names`` of all. Raises Refusal."""
     there = set(names)
     types = content_types(parts[TYPES], there)
     roots = [link for link in links(parts, "") if link.kind == "officeDocument"]
@@ -62,10 +56,10 @@ def package(parts: Mapping[str, bytes], names: Iterable[str]) -> Package:
     return Package(main, sheets(parts[main], relations, types), strings)
 
 
-def content_types(data: bytes, names: set[str]) -> dict[str, str]:
+def content_types(root: Element, names: set[str]) -> dict[str, str]:
     """Return the content type of each part; Refusal where one is declared twice, or has a type of another case."""
-    root = fromstring(data)
-    overrides = [(part(e.get("PartName", "")), e.get("ContentType", "")) for e in root if tag(e) == "Override"]
+    overrides = [(e.get("PartName", "").removeprefix("/"), e.get("ContentType", ""))
+                 for e in root if tag(e) == "Override"]  # fmt: skip
     defaults = [(e.get("Extension", "").lower(), e.get("ContentType", "")) for e in root if tag(e) == "Default"]
     refuse_twice("declares the content type of {} twice", (name.lower() for name, _ in overrides))
     refuse_twice("declares the content type of the ending {} twice", (ending for ending, _ in defaults))
@@ -77,14 +71,12 @@ def content_types(data: bytes, names: set[str]) -> dict[str, str]:
     return {name: known.get(name, by_ending.get(name.rpartition(".")[2].lower(), "")) for name in names}
 
 
-def links(parts: Mapping[str, bytes], of: str) -> list[Link]:
+def links(parts: Mapping[str, Element], of: str) -> list[Link]:
     """Return the relationships of a part, or of the package; Refusal where two have one name."""
     name = join(dirname(of), "_rels", f"{basename(of)}.rels")
-    if name not in parts:
-        return []
     found = []
-    for e in (e for e in fromstring(parts[name]) if tag(e) == "Relationship"):
-        target = part(normpath(join("/", dirname(of), e.get("Target", ""))))
+    for e in (e for e in parts.get(name, ()) if tag(e) == "Relationship"):
+        target = normpath(join("/", dirname(of), e.get("Target", ""))).removeprefix("/")
         inside = e.get("TargetMode", "Internal") == "Internal"
         found.append(Link(e.get("Id", ""), e.get("Type", "").rpartition("/")[2], target if inside else ""))
     refuse_twice(f"has two relationships of the name {{}} in {shown(name)}", (one.id for one in found))
@@ -110,9 +102,8 @@ def typed(types: Mapping[str, str], endings: tuple[str, ...]) -> list[str]:
     return [name for name, kind in types.items() if kind.endswith(endings)]
 
 
-def sheets(data: bytes, relations: list[Link], types: Mapping[str, str]) -> dict[str, str]:
+def sheets(root: Element, relations: list[Link], types: Mapping[str, str]) -> dict[str, str]:
     """Return the part of each sheet by its title; Refusal where names differ in case only, or a sheet has no part."""
-    root = fromstring(data)
     listed = list(only(root, "sheets"))
     refuse_twice("has two sheets named {}", (e.get("name", "").casefold() for e in listed))
     names = [(e.get("localSheetId"), e.get("name", "").casefold()) for e in only(root, "definedNames")]
@@ -135,7 +126,7 @@ def leads_to(element: Element, by_id: Mapping[str, Link], types: Mapping[str, st
 def only(root: Element, name: str) -> Element | list[Element]:
     """Return the one child of this name, wherever it stands below the root; nothing where there is none."""
     found = [e for e in root.iter() if tag(e) == name]
-    if len(found) > 1 or (found and (found[0] not in list(root) or found[0].tag != f"{{{MAIN}}}{name}")):
+    if len(found) > 1 or (found and (found[0] not in list(root) or found[0].tag != f"{MAIN}{name}")):
         raise Refusal(f"damaged: its workbook holds <{name}> more than once, or in another place; {SAVE_AS}")
     return found[0] if found else []
 
@@ -145,16 +136,6 @@ def refuse_twice(words: str, names: Iterable[str]) -> None:
     for name, times in Counter(names).items():
         if times > 1:
             raise Refusal(f"{words.format(shown(name))}; once is expected; {SAVE_AS}")
-
-
-def part(name: str) -> str:
-    """Return a part's name as the zip has it."""
-    return name.removeprefix("/")
-
-
-def tag(element: Element) -> str:
-    """Return an element's name without its namespace."""
-    return str(element.tag).rpartition("}")[2]
 
 
 CHART = re.compile(r"/?xl/charts/[^/]*\.xml")
@@ -168,29 +149,16 @@ def without_points(part: str, data: bytes) -> bytes:
     return POINT.sub(b"", data) if CHART.fullmatch(part) else data
 
 
-def without_rows(data: bytes, rows: Rows) -> bytes:
-    """Return a worksheet's part without its rows; as it is where they do not lie where the guard met them."""
-    tag = rows.own[1].encode()
-    begin, end = rows.span
-    if data[begin : begin + 1 + len(tag)] != b"<" + tag or data[end : end + 2 + len(tag)] != b"</" + tag:
-        return data
-    return data[:begin] + b"<" + tag + b">" + data[end:]
-
-
 class Bare(zipfile.ZipFile):
-    """A workbook's archive whose sheets hold neither rows nor drawings."""
+    """A workbook's archive whose sheets hold neither drawings nor rows: ``pages`` are the sheets without these."""
 
-    def __init__(self, path: Path, rows: Mapping[str, Rows]) -> None:
+    def __init__(self, path: Path, pages: Mapping[str, Element]) -> None:
         super().__init__(path)
-        self.rows = rows
+        self.pages = pages
 
     def open(self, name: str | zipfile.ZipInfo, *args: Any, **how: Any) -> IO[bytes]:
         """Open a part for reading."""
         part = name if isinstance(name, str) else name.filename
         if DRAWING.fullmatch(part):
             return io.BytesIO(NOTHING_DRAWN)
-        stream = super().open(name, *args, **how)
-        if part not in self.rows:
-            return stream
-        with stream:
-            return io.BytesIO(without_rows(stream.read(), self.rows[part]))
+        return io.BytesIO(tostring(self.pages[part])) if part in self.pages else super().open(name, *args, **how)

@@ -1,13 +1,20 @@
-"""One pass over the XML of a workbook's part with expat, which builds nothing: counts, lengths, and no entities."""
+"""One pass over the XML of a workbook's part: counts, lengths, rows one cell after the other, and no entities."""
 
 import re
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from posixpath import dirname, join, normpath
+from typing import Any
+from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 from xml.parsers import expat
 
 from workbook.reading.count import MOST_DEPTH, MOST_IN_TAG, MOST_LONG, SAVE_AS, Count, Refusal, shown
-from workbook.reading.plain import OPEN, rows_between, taken
-from workbook.reading.rows import MAIN, Rows, corner, refuse_two_texts
+from workbook.reading.rows import FREE, MAIN, Rows, corner, refuse_two_texts, tag, text_of
 
+CHUNK = 65_536  # bytes that are parsed before what they make is looked at
+DATA, ROW, CELL = f"{MAIN}sheetData", f"{MAIN}row", f"{MAIN}c"
+PLACES = {DATA: [f"{MAIN}worksheet"], ROW: [f"{MAIN}worksheet", DATA], CELL: [f"{MAIN}worksheet", DATA, ROW]}
+"""the elements of a worksheet that stand in one place only, and what they stand in"""
 FILLED = frozenset({"mergeCell", "hyperlink", "comment"})  # openpyxl visits every cell of their ranges
 # openpyxl parses a part anew for each reference to it, and pivot caches anew for each sheet
 REFERRING = frozenset({"sheet", "chart", "tablePart"})
@@ -22,145 +29,112 @@ def size_of(ref: str) -> int:
     return (abs(bottom - top) + 1) * (abs(right - left) + 1)
 
 
+def refuse_declared(data: bytes, part: str) -> None:
+    """Refuse a document type, which stands before the root of a part, and with it every entity."""
+
+    def begun(*element: object) -> None:
+        raise StopIteration
+
+    def declared(*doctype: object) -> None:
+        raise Refusal(f"{part} declares a document type or entities, which no spreadsheet program writes")
+
+    parser = expat.ParserCreate()
+    parser.StartDoctypeDeclHandler, parser.StartElementHandler = declared, begun
+    with suppress(StopIteration, expat.ExpatError, LookupError, ValueError):  # what else is wrong, reading tells
+        parser.Parse(data, True)
+
+
 class Scan:
-    """One pass over one part; ``rows`` are those of a worksheet."""
+    """One pass over one part: its ``root``, and the ``rows`` of a worksheet, whose root is without them."""
 
     def __init__(self, name: str, count: Count) -> None:
         self.part, self.name, self.count = name, shown(name), count
+        self.root = Element("nothing")
         self.rows: Rows | None = None
-        self.pivot = False
-        self.path: list[str] = []  # the elements that are open, with their prefixes
-        self.inside = ""  # the element whose text is measured
-        self.length = 0
-        self.texts: list[str] = []  # the elements met in a shared string
-        self.unicode = True
-        self._parser = expat.ParserCreate()
+        self._pivot = self._in_row = self._met = False
+        self._path: list[str] = []  # the elements that are open
 
     def read(self, data: bytes) -> None:
         """Read the part; raise Refusal where it is not well-formed, or not what a workbook may hold."""
-        parser = self._parser
-        parser.buffer_text = True
-        parser.StartDoctypeDeclHandler, parser.XmlDeclHandler = self.doctype, self.declared
-        self.listen()
+        refuse_declared(data, self.name)
+        parser: XMLPullParser[Any] = XMLPullParser(("start", "end", "start-ns", "comment", "pi"))
+        take: dict[str, Callable[[Any], None]] = {"start": self.start, "end": self.end}
         try:
-            parser.Parse(data[self.begun(data) :], True)
-        except (expat.ExpatError, LookupError, UnicodeError) as error:  # the last two: an unknown encoding
+            for begin in range(0, max(len(data), 1), CHUNK):
+                parser.feed(data[begin : begin + CHUNK])
+                events: Iterator[Any] = parser.read_events()
+                for event, element in events:
+                    take.get(event, self.aside)(element)
+            parser.close()
+        except (ParseError, LookupError, ValueError) as error:  # the last two: an unknown encoding
             raise Refusal(f"damaged: {self.name} is not well-formed XML ({error}); {SAVE_AS}") from None
         if self.rows:
             self.count.area(self.rows.size)
-            self.count.range(self.rows.cells)
+            self.count.range(len(self.rows.written))
 
-    def begun(self, data: bytes) -> int:
-        """Read the part up to its rows, and these where they are plain; return where the parser is to go on."""
-        begin, end = rows_between(data)
-        self._parser.Parse(data[:begin], False)
-        if self.rows is None or self.rows.span[0] + len(OPEN) != begin or not self.unicode:
-            return begin
-        try:
-            plain = taken(self.rows, data[begin:end].decode())
-        except UnicodeDecodeError:
-            return begin
-        if plain:
-            self.rows.span = (begin - len(OPEN), end)
-        return end if plain else begin
-
-    def declared(self, version: str, encoding: str | None, standalone: int) -> None:
-        """Note whether the part is written in UTF-8."""
-        self.unicode = (encoding or "utf-8").lower() == "utf-8"
-
-    def listen(self) -> None:
-        """Let the parser tell what stands outside of rows."""
-        parser = self._parser
-        parser.StartElementHandler, parser.EndElementHandler = self.start, self.end
-        parser.CharacterDataHandler = self.characters
-        parser.CommentHandler = parser.ProcessingInstructionHandler = None
-
-    def doctype(self, *declared: object) -> None:
-        """Refuse a document type, and with it every entity."""
-        raise Refusal(f"{self.name} declares a document type or entities, which no spreadsheet program writes")
-
-    def start(self, tag: str, attributes: dict[str, str]) -> None:
-        """Check an element by its name, whatever its prefix."""
-        if len(self.path) >= MOST_DEPTH:
-            raise Refusal(f"{self.name} is nested more than {MOST_DEPTH} deep")
+    def start(self, element: Element) -> None:
+        """Begin an element: check and count it."""
+        path, attributes = self._path, element.attrib
         if attributes and sum(map(len, attributes.values())) > MOST_IN_TAG:
             raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
-        prefix, _, name = tag.rpartition(":")
-        if not self.path:
-            self.root(prefix, name, attributes)
-        if self.rows is not None:
-            self.data(self.rows, name, tag, attributes)
-        elif name == "si":
-            self.texts = []
-        elif self.path and self.path[-1].rpartition(":")[2] == "si":
-            refuse_two_texts(name, self.texts, self.name)
-        self.outside(name, attributes)
-        self.path.append(tag)
-        if name in MOST_LONG:
-            self.inside, self.length = name, 0
-        elif name in FILLED and "ref" in attributes:
-            self.count.range(size_of(attributes["ref"]))
+        if not path:
+            self.root, self._pivot = element, tag(element).startswith("pivotCache")
+            self.rows = Rows(self.name, self.count) if element.tag == f"{MAIN}worksheet" else None
+        elif element.tag in PLACES and self.rows is not None:
+            self._place(self.rows, element)
+        if self._in_row and 2 < len(path) < 5:
+            self.count.in_row(1 + len(attributes))
+        else:
+            self._outside(tag(element), attributes)
+        path.append(element.tag)
+        if len(path) > MOST_DEPTH:
+            raise Refusal(f"{self.name} is nested more than {MOST_DEPTH} deep")
 
-    def root(self, prefix: str, name: str, attributes: dict[str, str]) -> None:
-        """Begin the part; a worksheet is known by its root."""
-        self.pivot = name.startswith("pivotCache")
-        space = attributes.get(f"xmlns:{prefix}" if prefix else "xmlns")
-        if name == "worksheet" and space == MAIN:
-            self.rows = Rows(self.name, self.count, f"{prefix}:" if prefix else "")
+    def _place(self, rows: Rows, element: Element) -> None:
+        """Begin a worksheet's data, which it has once, or a row or a cell in it; refuse them anywhere else."""
+        if self._path != PLACES[element.tag] or (element.tag == DATA and self._met):
+            raise Refusal(f"damaged: {self.name} holds <{tag(element)}> twice or out of its place; {SAVE_AS}")
+        self._met = True
+        if element.tag == ROW:
+            rows.begin(element.attrib)
+            self._in_row = True
 
-    def data(self, rows: Rows, name: str, tag: str, attributes: dict[str, str]) -> None:
-        """Begin a worksheet's data, which it has once, or a row in it; refuse rows and cells anywhere else."""
-        if self.path and MAIN in attributes.values():
-            raise Refusal(f"damaged: {self.name} names its namespace anew within; {SAVE_AS}")
-        if tag not in rows.own:
-            return
-        place = [rows.own[0], rows.own[1]]
-        if tag == rows.own[1] and self.path == place[:1] and not rows.met:
-            rows.met = True
-            rows.span = (self._parser.CurrentByteIndex, 0)
-        elif tag == rows.own[2] and self.path == place:
-            rows.begin(attributes)
-            self.hand_over(rows)
-        elif self.path:
-            raise Refusal(f"damaged: {self.name} holds <{name}> twice or out of its place; {SAVE_AS}")
-
-    def hand_over(self, rows: Rows) -> None:
-        """Let the parser tell what stands within a row."""
-        parser = self._parser
-
-        def leave(tag: str) -> None:
-            self.listen()
-            self.end(tag)
-
-        rows.leave = leave
-        parser.StartElementHandler, parser.EndElementHandler = rows.start, rows.end
-        parser.CharacterDataHandler = rows.characters
-        parser.CommentHandler = parser.ProcessingInstructionHandler = rows.aside
-
-    def outside(self, name: str, attributes: dict[str, str]) -> None:
+    def _outside(self, name: str, attributes: dict[str, str]) -> None:
         """Count an element outside of rows, and what it refers to."""
-        self.count.element(name, 1 + len(attributes) + len(attributes.get("sqref", "")) // 3, self.pivot)
+        self.count.element(name, 1 + len(attributes) + len(attributes.get("sqref", "")) // 3, self._pivot)
+        if name in FILLED and "ref" in attributes:
+            self.count.range(size_of(attributes["ref"]))
         if name == "Relationship" and RELATIONS.fullmatch(attributes.get("Type", "")):
             folder = dirname(dirname(self.part))
             self.count.reference(normpath(join("/", folder, attributes.get("Target", ""))))
         elif name in REFERRING:
             for key, value in attributes.items():
-                if key.rpartition(":")[2] == "id":
+                if key.rpartition("}")[2] == "id":
                     self.count.reference(self.part, name, value)
 
-    def end(self, tag: str) -> None:
-        """Leave an element; count a name's formula."""
-        self.path.pop()
-        if self.rows is not None and self.rows.met and not self.rows.span[1] and tag == self.rows.own[1]:
-            self.rows.span = (self.rows.span[0], self._parser.CurrentByteIndex)
-        if self.inside == "definedName":
-            self.count.formula(self.length)
-        self.inside = ""
+    def end(self, element: Element) -> None:
+        """End an element: take a cell, measure a text."""
+        self._path.pop()
+        if self._in_row and self.rows is not None:
+            if element.tag == CELL:
+                self.rows.cell(element)
+                element.clear()
+            elif element.tag == ROW:
+                self.rows.require_within(element)
+                self._in_row = False
+                element.clear()
+            return
+        name = tag(element)
+        length = len(text_of(element, name, self.name)) if name in MOST_LONG else 0
+        if name == "definedName":
+            self.count.formula(length)
+        elif name == "si":
+            refuse_two_texts(element, self.name)
+        elif element.tag == DATA:
+            element.clear()
 
-    def characters(self, text: str) -> None:
-        """Measure a text."""
-        if self.inside:
-            self.length += len(text)
-            if self.length > MOST_LONG[self.inside]:
-                raise Refusal(f"{self.name} holds a text of more than {MOST_LONG[self.inside]:,} characters in one "
-                              f"<{self.inside}>")  # fmt: skip
+    def aside(self, said: object) -> None:
+        """Refuse a comment, or a namespace, within a row: some readers take what stands before it only."""
+        if self._in_row and FREE.isdisjoint(self._path):
+            what = "a namespace of its own" if isinstance(said, tuple) else "a comment"
+            raise Refusal(f"damaged: {self.name} holds {what} within a row; {SAVE_AS}")

@@ -12,8 +12,6 @@ from openpyxl.styles import Font
 from openpyxl.worksheet.formula import ArrayFormula
 
 from workbook.reading.files import open_book
-from workbook.reading.package import without_rows
-from workbook.reading.rows import Rows
 
 BOOKS = sorted(path for path in Path("templates").glob("*.xlsx") if "functions" not in path.name)
 
@@ -128,13 +126,3 @@ def test_a_number_with_a_date_as_its_format_stays_one(odd: Path) -> None:
     workbook.save(odd)
     sheet = open_book(odd).workbook["Sheet"]
     assert (sheet["A1"].value, sheet["I1"].value) == (1, 1e300)
-
-
-def test_rows_that_lie_elsewhere_than_the_guard_met_them_are_left() -> None:
-    rows = Rows("sheet", None, "")  # type: ignore[arg-type]
-    data = b"<worksheet><sheetData><row/></sheetData></worksheet>"
-    rows.span = (11, 28)
-    assert without_rows(data, rows) == b"<worksheet><sheetData></sheetData></worksheet>"
-    for span in ((10, 28), (11, 27), (0, 0)):
-        rows.span = span
-        assert without_rows(data, rows) == data

@@ -5,7 +5,8 @@ import zipfile
 import pytest
 
 from workbook.reading.files import open_book
-from workbook.reading.package import tag, without_points
+from workbook.reading.package import without_points
+from workbook.reading.rows import tag
 from workbook.template import FOLDER
 
 BOOK = FOLDER / "motion-composer.xlsx"

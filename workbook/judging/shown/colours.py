@@ -7,7 +7,7 @@ from xml.etree.ElementTree import ParseError, fromstring
 from openpyxl import Workbook
 from openpyxl.styles.colors import COLOR_INDEX
 
-from workbook.reading.package import tag
+from workbook.reading.rows import tag
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 GREEN = (75 / 360, 165 / 360)  # hues

@@ -10,7 +10,7 @@ from workbook.book.formula import Area, FormulaError, reference
 from workbook.judging.matching import Match
 from workbook.judging.shown import taste
 from workbook.judging.shown.colours import WHITE, Colour, contrast, parsed
-from workbook.reading.package import tag
+from workbook.reading.rows import tag
 
 Name = Area | str
 """a text, or the cell that has it"""

@@ -22,7 +22,7 @@ from workbook.judging.shown.looks import Seen, Told
 from workbook.judging.shown.words import sheet_of
 from workbook.reading.contents import Cells
 from workbook.reading.drawings import PIXEL, Anchor
-from workbook.reading.package import tag
+from workbook.reading.rows import tag
 
 POINT = 12700  # EMU
 WIDTH, HEIGHT = 8.43, 15.0  # of a column, in characters of 7 pixels, and of a row, in points, where none is given
