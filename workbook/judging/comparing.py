@@ -3,8 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
@@ -12,59 +11,31 @@ from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
 from workbook.errors import TooLargeError, WitnessError
 from workbook.judging.compare import TOLERANCE, difference, is_error
-from workbook.judging.matching import Column, Match, Pair
+from workbook.judging.matching import Match, Pair
 from workbook.judging.report import CAUSES, Finding, Ran, Report
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.templates import AnyTemplate
-from workbook.witnesses.witness import Answers, CellWitness, Model, Turn, Witness
-
-
-class Stated(NamedTuple):
-    """What a declaration has in columns of cells, one after the other, and what deviations in each are measured by."""
-
-    values: list[Any]
-    peaks: list[float]
-
-
-@dataclass(frozen=True)
-class Variation:
-    """Another machine of a book's layout: what its declaration has, in a process that knows nothing but this."""
-
-    template: AnyTemplate
-    machine: Machine
-    columns: Sequence[Column]
-
-    def __call__(self) -> Stated:
-        """Declare its book, and return what that has."""
-        return stated(self.template.declare(self.machine), self.columns)
-
-
-def stated(book: Book, columns: Sequence[Column]) -> Stated:
-    """Return what a book has in columns: the engine's values, entries, constants; and the peak of each column.
-
-    That is the greatest size in the column, or the declared scale where that is greater.
-    """
-    values: list[Any] = []
-    peaks = []
-    for name, number, rows in columns:
-        block = book.blocks[name]
-        q = block.quantities[number]
-        column = as_rows(q.value, block.size, q.name)
-        values += column[:rows]
-        peaks.append(max(greatest(column), q.floor))
-    return Stated(values, peaks)
+from workbook.witnesses.witness import CellWitness, Model, Witness
 
 
 class Right:
     """What should stand in the cells of a matched file, by a declaration of the same layout.
 
-    That is the engine's value in a formula cell, what was entered in an input, and what is declared in a constant.
+    ``values`` are the engine's in formula cells, what was entered in inputs, and what is declared in constants;
+    ``peaks`` are the greatest sizes of columns, or the declared scales where these are greater.
     """
 
-    def __init__(self, match: Match, declared: Book | Stated) -> None:
-        self.values, self.peaks = declared if isinstance(declared, Stated) else stated(declared, match.columns)
+    def __init__(self, match: Match, declared: Book) -> None:
         self._match = match
+        self.values: list[Any] = []
+        self.peaks: list[float] = []
+        for name, number, rows in match.columns:
+            block = declared.blocks[name]
+            q = block.quantities[number]
+            column = as_rows(q.value, block.size, q.name)
+            self.values += column[:rows]
+            self.peaks.append(max(greatest(column), q.floor))
 
     def get(self, address: Address, default: Any = None) -> Any:
         """Return what should stand in a cell; ``default`` for one that is not declared."""
@@ -92,16 +63,15 @@ class Comparison:
     Witnesses are asked of ``bare``: the file, or a copy without the engineer's own cells.
     """
 
-    def __init__(self, match: Match, bare: BookFile, single: CellWitness, report: Report) -> None:
-        self.match, self.bare, self.single, self.report = match, bare, single, report
-        self.model: Model = single.model(bare)
+    def __init__(self, match: Match, bare: BookFile, single: CellWitness, model: Model, report: Report) -> None:
+        self.match, self.bare, self.single, self.model, self.report = match, bare, single, model, report
         self.right = Right(match, match.declared)
         formulas = set(match.file.contents.formula_cells)
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
         self.values: Cells = {}  # of the first witness that computed any
         self._first_wrong: set[Address] = set()  # by that one
-        self._turns: list[list[Address]] = []  # the cells that are looked at, at each of the other inputs
-        self._answers: Callable[[], Answers] = lambda: iter(())
+        self._turns: list[tuple[list[Address], Right, Callable[[], Sequence[Any]]]] = []
+        """of each of the other inputs, the cells that are looked at, what should stand in them, and what does"""
         report.cells |= Counter(pair.address.sheet for pair in match.pairs if pair.declared_formula)
 
     def ask(self, witness: Witness) -> None:
@@ -172,10 +142,10 @@ class Comparison:
     def _faults(self, wrong: list[Address]) -> set[Address]:
         """Return the cells that are wrong even when all that they refer to is right."""
         numbers = [self.match.numbers[a] for a in wrong]
-        values = self.model.each(numbers, self.match.strips, self.right.values) if wrong else []
+        values = self.model.each(numbers, self.match.strips, self.right.values)() if wrong else []
         return {a for a, value in zip(wrong, values, strict=True) if differs(self.right, a, value)}
 
-    def ask_elsewhere(self, variations: Sequence[Variation], suspects: set[Address]) -> None:
+    def ask_elsewhere(self, template: AnyTemplate, machines: Sequence[Machine], suspects: set[Address]) -> None:
         """Begin to ask at variations of the inputs, for each cell with the right values around it.
 
         Formulas that are not the declared ones are evaluated at every variation, the others in turn.
@@ -184,21 +154,18 @@ class Comparison:
             return
         readable = self.match.file.contents.formulas
         pairs = {a: pair for a, pair in self.pairs.items() if a in readable}
-        self._turns = turns(pairs, suspects, len(variations))
-        asked = [
-            Turn([self.match.numbers[a] for a in turn], variation)
-            for turn, variation in zip(self._turns, variations, strict=True)
-        ]
-        self._answers = self.model.elsewhere(self.match.strips, asked)
+        for turn, machine in zip(turns(pairs, suspects, len(machines)), machines, strict=True):
+            right = Right(self.match, template.declare(machine))
+            answer = self.model.each([self.match.numbers[a] for a in turn], self.match.strips, right.values)
+            self._turns.append((turn, right, answer))
 
     def elsewhere(self, before: int) -> None:
         """Enter what differs at the variations, behind so many findings."""
         known = {(f.sheet, f.cell) for f in self.report.findings[:before]}
         found = Report(self.report.path, self.report.template)
-        for k, (turn, (values, stated)) in enumerate(zip(self._turns, self._answers(), strict=True), 1):
-            right = Right(self.match, stated)
+        for k, (turn, right, answer) in enumerate(self._turns, 1):
             by = f"{self.single.name}, at variation {k} of the inputs"
-            for a, value in zip(turn, values, strict=True):
+            for a, value in zip(turn, answer(), strict=True):
                 if differs(right, a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))
                     expected = right.get(a)

@@ -12,7 +12,7 @@ from workbook.book.quantity import SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.compare import is_error
-from workbook.judging.comparing import Comparison, Variation, count
+from workbook.judging.comparing import Comparison, count
 from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match, Pair
 from workbook.judging.moved import put_back
@@ -59,8 +59,6 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | N
     names, absent = present(witnesses)
     file = open_book(path)
     entries = Entries(file, agreed, in_order)
-    if beside is not None:
-        beside.prepare(Variation, entries.template)
     report = Report(path, entries.template.name, notes=list(file.notes))
     for found in entries.moved:
         (report.notices if found.kind == NOTICE else report.findings).append(found)
@@ -109,15 +107,16 @@ def judge(
     own = own_cells(match, report, given)
     with without(file, own, given) as bare:
         require_little_work(bare, file.path)
-        asked = witnesses_named(witnesses, beside)
+        asked = witnesses_named(witnesses)
         single = next((w for w in asked if isinstance(w, CellWitness)), None) or by_cell()
-        comparison = Comparison(match, bare, single, report)
+        model = single.model(bare) if beside is None else beside.model(single, bare)
+        comparison = Comparison(match, bare, single, model, report)
         try:
             variants = template.variants(machine)
         except ValidationError:  # numbers so large that no neighbour of theirs is one
             report.notes.append("the values entered leave no room for other ones: compared at these alone")
         else:
-            comparison.ask_elsewhere([Variation(template, m, match.columns) for m in variants], suspects)
+            comparison.ask_elsewhere(template, variants, suspects)
         for witness in asked:
             comparison.ask(witness)
         comparison.require_answers(named)
@@ -153,12 +152,10 @@ def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[A
     return aside
 
 
-def witnesses_named(names: Sequence[str], beside: Beside | None) -> list[Witness]:
+def witnesses_named(names: Sequence[str]) -> list[Witness]:
     """Return the witnesses of these names, and then those that keep values, whether they were named or not."""
     asked: list[Witness] = [WITNESSES[name]() for name in names]
     asked += [w for w in (make() for name, make in WITNESSES.items() if name not in names) if w.kept]
-    if beside is not None:
-        asked = list(map(beside.witness, asked))
     return sorted(asked, key=lambda w: w.kept)
 
 

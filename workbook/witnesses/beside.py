@@ -8,29 +8,24 @@ file, or cannot be started, the first computes for itself, and finds the same.
 from __future__ import annotations
 
 import hashlib
+import multiprocessing
 import os
-import subprocess
-import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager, suppress
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from workbook.witnesses.line import Line
-
 if TYPE_CHECKING:  # what the first process begins with must load in no time
     from workbook.book.address import Address, Strip
     from workbook.reading.contents import Cells
     from workbook.reading.files import BookFile
-    from workbook.witnesses.witness import Answers, CellWitness, Model, Turn, Witness
+    from workbook.witnesses.witness import CellWitness, Model
 
-Key = tuple[str, int]
-EVALUATED = ("evaluated", 0)
 NAME = "pycel"
 """the witness that evaluates beside"""
 LARGEST = 20_000_000  # bytes of a file: both processes hold it
-BEGIN = "import sys; sys.path[:] = {path!r}; from workbook.witnesses.beside import main; main({book!r})"
 
 
 class Beside:
@@ -38,73 +33,37 @@ class Beside:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        code = BEGIN.format(path=sys.path, book=str(path))
-        self.process = subprocess.Popen(
-            [sys.executable, *flags(), "-c", code],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-        )  # fmt: skip
-        self._line = Line(self.process.stdout, self.process.stdin)
-        self._asked = False
+        self._pool = ProcessPoolExecutor(1, initializer=begin)
+        self._read = self.ask(read, path)
+        self.evaluated = self.ask(evaluate)
 
-    def witness(self, witness: Witness) -> Witness:
-        """Return the witness that this process evaluates with as one that is asked there; any other as it is."""
-        return Evaluating(witness, self) if witness.name == NAME else witness
+    def ask(self, task: Callable[..., Any], *arguments: Any) -> Future[Any] | None:
+        """Let the process do something after all that it was asked before; None where it is gone."""
+        with suppress(RuntimeError, OSError):
+            return self._pool.submit(task, *arguments)
+        return None
 
-    def prepare(self, *needed: Any) -> None:
-        """Let the process load, once it has evaluated, what it will need for what is said to it later."""
-        with suppress(OSError):
-            self._line.say(("load", needed))
+    def model(self, witness: CellWitness, file: BookFile) -> Model:
+        """Return the formulas of a file as a witness has them: evaluated there, if the process has read the same file.
 
-    def line(self, file: BookFile) -> Line | None:
-        """Return the line to the process, once, if it has read the same file; None where it has not."""
-        asked, self._asked = self._asked, True
-        try:
-            same = not asked and file.path == self.path and not file.mended and self._line.hear() == digest(file.path)
-        except (EOFError, OSError):
-            return None
-        return self._line if same else None
+        Only one witness evaluates there.
+        """
+        same = witness.name == NAME and file.path == self.path and not file.mended
+        return Asked(self, file, witness) if same and answer(self._read) == digest(file.path) else witness.model(file)
 
     def end(self) -> None:
         """End the process, whatever it does."""
-        self.process.kill()
-        self.process.wait()
-        for pipe in (self.process.stdin, self.process.stdout):
-            with suppress(OSError):
-                if pipe is not None:
-                    pipe.close()
-
-
-class Evaluating:
-    """A witness whose models are evaluated by the second process."""
-
-    def __init__(self, witness: Any, beside: Beside) -> None:
-        self.name, self.kept = witness.name, witness.kept
-        self._witness, self._beside = witness, beside
-
-    def version(self) -> str | None:
-        """Return the witness's version."""
-        said: str | None = self._witness.version()
-        return said
-
-    def values(self, file: BookFile) -> Cells:
-        """Return the value of every formula cell."""
-        return self.model(file).evaluate()
-
-    def model(self, file: BookFile) -> Model:
-        """Return the formulas of a file."""
-        line = self._beside.line(file)
-        model: Model = self._witness.model(file) if line is None else Asked(line, file, self._witness)
-        return model
+        self._pool.shutdown(wait=False, cancel_futures=True)
+        for process in multiprocessing.active_children():
+            process.kill()
 
 
 class Asked:
     """A file's formulas as the second process has them; as this one has them from when it does not answer."""
 
-    def __init__(self, line: Line, file: BookFile, witness: CellWitness) -> None:
-        self._line, self._file, self._witness = line, file, witness
+    def __init__(self, beside: Beside, file: BookFile, witness: CellWitness) -> None:
+        self._beside, self._file, self._witness = beside, file, witness
         self._problems: Mapping[Address, str] | None = None
-        self._heard: dict[Key, Any] = {}
-        self._asked = 0
 
     @cached_property
     def here(self) -> Model:
@@ -118,78 +77,30 @@ class Asked:
 
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
-        answer = self.answer(EVALUATED)
-        if answer is None:
+        said = answer(self._beside.evaluated)
+        if said is None:
             return self.here.evaluate()
-        values, self._problems = answer
+        values, self._problems = said
         return dict(zip(self._file.contents.formula_cells, values, strict=True))
 
-    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Sequence[Any]:
-        """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``."""
-        self._asked += 1
-        self.say("each", self._asked, wanted, strips, values)
-        answer: Sequence[Any] | None = self.answer(("each", self._asked))
-        return self.here.each(wanted, strips, values) if answer is None else answer
+    def each(
+        self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
+    ) -> Callable[[], Sequence[Any]]:
+        """Begin with the values of formula cells, each by itself; return what gives them."""
+        asked = self._beside.ask(each, wanted, strips, values)
 
-    def elsewhere(self, strips: Sequence[Strip], turns: Sequence[Turn]) -> Callable[[], Answers]:
-        """Begin with what :meth:`each` gives at each of ``turns``; return what yields it."""
-        return Shared(self, strips, turns).answers
+        def given() -> Sequence[Any]:
+            found: Sequence[Any] | None = answer(asked)
+            return self.here.each(wanted, strips, values)() if found is None else found
 
-    def say(self, *message: Any) -> None:
-        """Say something to the other process, if it is still there."""
-        with suppress(OSError):
-            self._line.say(message)
-
-    def has(self, key: Key) -> bool:
-        """Whether the other process has said something."""
-        with suppress(EOFError):
-            while self._line.waits:
-                self._hear()
-        return key in self._heard
-
-    def answer(self, key: Key) -> Any:
-        """Wait for what the other process says; return None where it is gone before that."""
-        with suppress(EOFError):
-            while key not in self._heard:
-                self._hear()
-        return self._heard.get(key)
-
-    def _hear(self) -> None:
-        key, said = self._line.hear()
-        self._heard[key] = said
+        return given
 
 
-class Shared:
-    """Turns that both processes take: this one from the first of them on, the other from the last."""
-
-    def __init__(self, asked: Asked, strips: Sequence[Strip], turns: Sequence[Turn]) -> None:
-        self._asked, self._strips, self._turns = asked, strips, turns
-        self._mine: list[Any] = []  # what is stated at those that this process has taken
-        asked.say("turns", strips, turns)
-        while not asked.has(EVALUATED) and self._take():
-            pass
-
-    def answers(self) -> Answers:
-        """Yield what the cells of each turn compute, and what is stated there."""
-        while self._take():
-            pass
-        for n, turn in enumerate(self._turns):
-            mine = self._mine[n] if n < len(self._mine) else None
-            results, theirs = self._asked.answer(("turn", n)) or (None, None)
-            stated = mine or theirs or turn.stated()
-            if results is None:
-                results = self._asked.here.each(turn.wanted, self._strips, stated.values)
-            yield results, stated
-
-    def _take(self) -> bool:
-        """Take the next turn; return whether there was one that the other process had not begun."""
-        n = len(self._mine)
-        if n == len(self._turns) or self._asked.has(("begun", n)):
-            return False
-        self._asked.say("mine", n)
-        self._mine.append(self._turns[n].stated())
-        self._asked.say("at", n, self._mine[n].values)
-        return True
+def answer(asked: Future[Any] | None) -> Any:
+    """Wait for what the second process says; return None where it is gone before that, or could not do it."""
+    with suppress(Exception):
+        return asked.result() if asked is not None else None
+    return None
 
 
 def digest(path: Path) -> bytes:
@@ -219,60 +130,40 @@ def wanted(books: Sequence[Path], witnesses: Sequence[str] | None, jobs: int | N
     return alone and (not witnesses or NAME in witnesses) and min(cores, jobs or cores) > 1
 
 
-def flags() -> list[str]:
-    """Return the options with which Python was started that a process of its own should have too."""
-    return [option for option in ("-B",) if sys.flags.dont_write_bytecode]
+# What the second process does
+
+held: dict[str, Any] = {}  # its file and its model
 
 
-def main(book: str) -> None:
-    """Read a book, evaluate it and answer, until nobody asks any more: the second process."""
+def begin() -> None:
+    """Prepare the process, which lives until the first ends it."""
     import gc
     import signal
 
     gc.disable()
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process ends this one
-    heard, said = sys.stdin.buffer, sys.stdout.buffer
-    sys.stdout = sys.stderr
-    with suppress(EOFError, OSError):
-        answer(Path(book), Line(heard, said))
-    os._exit(0)  # the memory need not be tidied
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def answer(path: Path, line: Line) -> None:
-    """Evaluate a book, and then whatever is asked for."""
+def read(path: Path) -> bytes:
+    """Read a book; return what tells its state."""
     from workbook.reading.files import open_book, require_little_work
+
+    held["file"] = open_book(path, shown=False)
+    require_little_work(held["file"], path)
+    return digest(path)
+
+
+def evaluate() -> tuple[list[Any], Mapping[Address, str]]:
+    """Return the value of each of its formula cells, and why some could not be evaluated."""
     from workbook.witnesses.pycel.model import PycelModel
 
-    file = open_book(path, shown=False)
-    require_little_work(file, path)
-    line.say(digest(path))
-    model = PycelModel(file.contents)
-    values = model.evaluate()
-    line.say((EVALUATED, ([values[a] for a in file.contents.formula_cells], model.problems)))
-    serve(model, line)
+    contents = held.pop("file").contents
+    held["model"] = PycelModel(contents)
+    values = held["model"].evaluate()
+    return [values[a] for a in contents.formula_cells], held["model"].problems
 
 
-def serve(model: Model, line: Line) -> None:
-    """Answer what is asked, first what has come; meanwhile take turns, from the last, that the first process has not.
-
-    It says which it begins, and what is stated there.
-    """
-    strips: Sequence[Strip] = ()
-    turns: Sequence[Turn] = ()
-    left: list[int] = []
-    while True:
-        if left and not line.waits:
-            n = left.pop()
-            line.say((("begun", n), True))
-            stated = turns[n].stated()
-            line.say((("turn", n), (model.each(turns[n].wanted, strips, stated.values), stated)))
-            continue
-        match line.hear():
-            case "turns", strips, turns:
-                left = list(range(len(turns)))
-            case "mine", n:
-                left = [other for other in left if other != n]
-            case "at", n, values:
-                line.say((("turn", n), (model.each(turns[n].wanted, strips, values), None)))
-            case "each", n, wanted_cells, within, values:
-                line.say((("each", n), model.each(wanted_cells, within, values)))
+def each(wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Sequence[Any]:
+    """Return the values of formula cells, each by itself."""
+    found: Sequence[Any] = held["model"].each(wanted, strips, values)()
+    return found

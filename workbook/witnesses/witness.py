@@ -1,8 +1,8 @@
 """What a witness is: something that takes a workbook file and says what each formula cell computes."""
 
 import io
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple, Protocol, runtime_checkable
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Protocol, runtime_checkable
 
 from workbook.book.address import Address, Strip
 from workbook.errors import WitnessError
@@ -28,24 +28,6 @@ class Witness(Protocol):
         """Return the value of every formula cell; raise WitnessError where that cannot be had."""
 
 
-class Stated(Protocol):
-    """What stands in strips of cells, one after the other."""
-
-    @property
-    def values(self) -> Sequence[Any]:
-        """The values, as many as the strips have cells."""
-
-
-class Turn(NamedTuple):
-    """Cells to be computed at other inputs, by their numbers within strips, and what gives the values in these."""
-
-    wanted: Sequence[int]
-    stated: Callable[[], Any]  # a Stated: it may be called in another process
-
-
-Answers = Iterator[tuple[Sequence[Any], Any]]  # of each turn: what its cells compute, and the Stated
-
-
 class Model(Protocol):
     """A file's formulas as a witness holds them, to be evaluated again and again."""
 
@@ -56,15 +38,14 @@ class Model(Protocol):
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
 
-    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Sequence[Any]:
-        """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
+    def each(
+        self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
+    ) -> Callable[[], Sequence[Any]]:
+        """Begin with the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
 
-        ``wanted`` are the numbers of the cells within ``strips``; a cell that is in none holds what it has without a
-        formula.
+        Return what gives them. ``wanted`` are the numbers of the cells within ``strips``; a cell that is in none holds
+        what it has without a formula.
         """
-
-    def elsewhere(self, strips: Sequence[Strip], turns: Sequence[Turn]) -> Callable[[], Answers]:
-        """Begin with what :meth:`each` gives at each of ``turns``; return what yields it."""
 
 
 @runtime_checkable

@@ -1,5 +1,6 @@
 """A second process evaluates one book beside the judge: it changes no verdict, whatever becomes of it."""
 
+import multiprocessing
 import os
 import shutil
 import signal
@@ -13,25 +14,18 @@ import pytest
 from tests.workbook.composed import small
 from workbook.build import build
 from workbook.errors import MotionbookError
-from workbook.judging.comparing import Variation
+from workbook.judging.comparing import Comparison
 from workbook.judging.verify import verify
 from workbook.witnesses import beside
-from workbook.witnesses.beside import EVALUATED, Asked, Beside, Shared, wanted
-
-KNOWN = """import sys
-sys.path[:] = {path!r}
-from tests.workbook import press
-known = press.registered()
-known.__enter__()
-"""
+from workbook.witnesses.beside import Asked, Beside, wanted
 
 
 @pytest.fixture(scope="module")
 def good(press):
-    """A small workbook as built; second processes know its template."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(beside, "BEGIN", KNOWN + beside.BEGIN)
-        yield press.path
+    """A small workbook as built; second processes know its template, as they are copies of this one."""
+    if multiprocessing.get_start_method() != "fork":
+        pytest.skip("a second process that is begun anew does not know the press")
+    return press.path
 
 
 @pytest.fixture(scope="module")
@@ -81,77 +75,61 @@ def test_it_changes_nothing_of_a_report(name, request, begun):
 
 
 def test_it_is_what_evaluates(good, begun, monkeypatch):
-    monkeypatch.setattr("workbook.witnesses.pycel.witness.Pycel.model", None)
+    monkeypatch.setattr("workbook.witnesses.pycel.witness.Pycel.model", unasked)
     report = verify(good, beside=begun(good))
     assert report.compared == report.declared > 200
     assert not report.findings
 
 
+def unasked(witness, file):
+    raise AssertionError("the first process evaluates")
+
+
+def kill():
+    for process in multiprocessing.active_children():
+        process.kill()
+        process.join()
+
+
 def test_killed_before_it_answers_it_is_not_missed(wrong, begun):
     helper = begun(wrong)
-    helper.process.kill()
+    kill()
     assert verify(wrong, beside=helper) == verify(wrong)
 
 
-def test_killed_before_the_other_inputs_their_findings_are_not_lost(wrong, begun, monkeypatch):
-    helper, evaluate = begun(wrong), Asked.evaluate
+@pytest.mark.parametrize("when", ["asked", "answered"])
+def test_killed_before_the_other_inputs_their_findings_are_not_lost(wrong, begun, monkeypatch, when):
+    """As soon as it has evaluated the book, or when all turns were handed to it."""
+    helper, evaluate, ask = begun(wrong), Asked.evaluate, Comparison.ask_elsewhere
 
     def then_killed(asked):
         values = evaluate(asked)
-        helper.process.kill()
-        helper.process.wait()
+        kill()
         return values
 
-    monkeypatch.setattr(Asked, "evaluate", then_killed)
-    monkeypatch.setattr(Asked, "answer", patient(Asked.answer))
-    assert verify(wrong, beside=helper) == verify(wrong)
+    def handed_and_killed(*arguments):
+        ask(*arguments)
+        kill()
 
-
-def patient(answer):
-    """Return what passes on the first answer, and loses those that follow, as a process that ends in between would."""
-    return lambda asked, key: answer(asked, key) if key == EVALUATED else None
-
-
-@pytest.mark.parametrize("killed", [False, True])
-def test_a_turn_that_it_has_begun_is_left_to_it_and_not_lost(wrong, begun, monkeypatch, killed):
-    helper, take, answer, declared = begun(wrong), Shared._take, Asked.answer, []
-
-    def when_it_has_begun(shared):
-        last = len(shared._turns) - 1
-        assert shared._asked.answer(("begun", last))
-        if killed:
-            helper.process.kill()
-            helper.process.wait()
-        return take(shared)
-
-    def unless_killed(asked, key):
-        """It may have ended the turn before it was killed."""
-        return None if killed and key[0] == "turn" else answer(asked, key)
-
-    monkeypatch.setattr(Shared, "_take", when_it_has_begun)
-    monkeypatch.setattr(Asked, "answer", unless_killed)
-    monkeypatch.setattr(Variation, "__call__", counted(Variation.__call__, declared))
+    if when == "answered":
+        monkeypatch.setattr(Asked, "evaluate", then_killed)
+        monkeypatch.setattr(Asked, "each", lazily(Asked.each))
+    else:
+        monkeypatch.setattr(Comparison, "ask_elsewhere", handed_and_killed)
     report = verify(wrong, beside=helper)
-    shared = len(declared)
+    monkeypatch.undo()
     assert report == verify(wrong)
-    assert shared == 2 if killed else shared < 2
 
 
-def counted(call, calls):
-    """Return what calls, and notes that it did."""
-
-    def noting(variation):
-        calls.append(variation)
-        return call(variation)
-
-    return noting
+def lazily(each):
+    """Return what asks only when the answer is wanted, so that a process that was killed before does not answer."""
+    return lambda asked, *wanted: lambda: each(asked, *wanted)()
 
 
 def test_a_file_that_was_replaced_meanwhile_is_read_by_the_judge_alone(good, wrong, tmp_path, begun):
     path = shutil.copy(good, tmp_path / "book.xlsx")
     helper = begun(path)
-    while helper._line._messages.empty():
-        time.sleep(0.01)
+    assert helper.evaluated.result()
     shutil.copy(wrong, path)
     found, expected = verify(path, beside=helper), verify(path)
     assert found == expected

@@ -6,6 +6,7 @@ recursion. Every value is computed by pycel's functions and operators.
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from workbook.reading.contents import Cells, Contents, entered
 from workbook.witnesses.pycel.compiled import Compiled, compiled
 from workbook.witnesses.pycel.limits import Crossed
 from workbook.witnesses.pycel.steps import FormulaStep, Numbering, RangeStep, ordered
-from workbook.witnesses.witness import CYCLE, Answers, Turn
+from workbook.witnesses.witness import CYCLE
 
 Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
 PLAIN = frozenset((float, int, str, bool, type(None)))
@@ -81,13 +82,18 @@ class PycelModel:
                 values[number] = self._result(number, values)
         return self._failed | {address: values[number] for number, address in self._cells.items()}
 
-    @np.errstate(all="ignore")
-    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
-        """Return the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
+    def each(
+        self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
+    ) -> Callable[[], Sequence[Any]]:
+        """Return what gives the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
 
         ``wanted`` are the numbers of the cells within ``strips``. With the right values around it, a fault shows in its
         own cell only.
         """
+        return partial(self._each, wanted, strips, values)
+
+    @np.errstate(all="ignore")
+    def _each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
         cells = self._within(strips)
         known = list(self._numbers.values)  # without formulas: each is what its cell holds
         for number, address in self._cells.items():
@@ -98,16 +104,6 @@ class PycelModel:
             known[number] = value if type(value) in PLAIN else entered(value)
         Crossed.cells = 0
         return [self._by_itself(cells[n], known) for n in wanted]
-
-    def elsewhere(self, strips: Sequence[Strip], turns: Sequence[Turn]) -> Callable[[], Answers]:
-        """Return what yields, of each of ``turns``, the result of :meth:`each` and the values at which that is."""
-
-        def answers() -> Answers:
-            for turn in turns:
-                stated = turn.stated()
-                yield self.each(turn.wanted, strips, stated.values), stated
-
-        return answers
 
     def _by_itself(self, number: int, values: list[Any]) -> Any:
         """Return what a formula cell computes of the values known; ranges are entered among these."""
@@ -124,7 +120,7 @@ class PycelModel:
 
     def _within(self, strips: Sequence[Strip]) -> list[int]:
         """Return the numbers of the cells of strips; ranges that passed over one as empty now hold it."""
-        if strips is not self._strips:
+        if strips != self._strips:
             columns = [(sheet, c, self._numbers.column(sheet, c), rows) for sheet, c, rows in strips]
             cells = [
                 known.get(row) or self._numbers.cell(Address(sheet, row, column))
