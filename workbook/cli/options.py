@@ -9,7 +9,7 @@ from typer import Argument, Option
 from workbook import __version__
 from workbook.controllers.registry import TARGETS
 from workbook.errors import AGREES
-from workbook.witnesses.names import ALL, NAMES
+from workbook.witnesses.registry import ALL, WITNESSES
 
 app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
@@ -40,8 +40,8 @@ def to(metavar: str, words: str, *names: str) -> Any:
 
 def witness_named(name: str) -> str:
     """Return the name of a witness; raise BadParameter where there is none of that name."""
-    if name not in (*NAMES, ALL):
-        raise typer.BadParameter(f"no witness is named {name!r}; expected one of {', '.join((*NAMES, ALL))}")
+    if name not in (*WITNESSES, ALL):
+        raise typer.BadParameter(f"no witness is named {name!r}; expected one of {', '.join((*WITNESSES, ALL))}")
     return name
 
 
@@ -67,7 +67,7 @@ With = Annotated[
     list[str] | None,
     Option(
         "--with",
-        metavar="|".join((*NAMES, ALL)),
+        metavar="|".join((*WITNESSES, ALL)),
         parser=witness_named,
         help="Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that are "
         "on this machine.",

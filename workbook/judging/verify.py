@@ -25,11 +25,9 @@ from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book, require_little_work
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreed import agreed
-from workbook.witnesses.bare import without
 from workbook.witnesses.beside import Beside
-from workbook.witnesses.names import ALL
-from workbook.witnesses.registry import WITNESSES, by_cell
-from workbook.witnesses.witness import CellWitness, Witness
+from workbook.witnesses.registry import ALL, WITNESSES
+from workbook.witnesses.witness import CellWitness, Witness, without
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | None = None) -> Report:
@@ -121,7 +119,7 @@ def judge(
             comparison.ask(witness)
         comparison.require_answers(named)
         if any(map(is_empty_row, report.notices)):
-            unlike(values_as_they_stand(file.path), match, comparison.values, report)
+            unlike(by_cell().values(open_book(file.path)), match, comparison.values, report)
         computed = len(report.findings)
         report.checks = checks(match, comparison.values)
         displayed(match, type(machine), comparison.values, report)
@@ -131,9 +129,9 @@ def judge(
     count(match, report)
 
 
-def values_as_they_stand(path: Path) -> Cells:
-    """Return the values of the formula cells of a file whose entries are not put in order."""
-    return by_cell().model(open_book(path)).evaluate()
+def by_cell() -> CellWitness:
+    """Return the first witness that evaluates each cell by itself too."""
+    return next(w for w in (make() for make in WITNESSES.values()) if isinstance(w, CellWitness))
 
 
 def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:

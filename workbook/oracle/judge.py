@@ -17,7 +17,6 @@ from workbook.oracle.findings import Looks, Wrong
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreed import UNKNOWN
-from workbook.witnesses.bare import varied
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.witnesses.registry import WITNESSES
 
@@ -131,7 +130,7 @@ class Judge:
             yield from (self.values(case) for case in tried)
         else:
             constants = self.file.contents.constants
-            for given, values in varied(WITNESSES[name](), self.file, map(self.given, tried)):
+            for given, values in WITNESSES[name]().varied(self.file, map(self.given, tried)):
                 yield constants | given | values
 
     def given(self, case: Case) -> Cells:

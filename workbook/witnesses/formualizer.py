@@ -1,33 +1,25 @@
 """formualizer, a spreadsheet engine in Rust: the fast independent evaluator."""
 
 from collections.abc import Iterable, Iterator
-from importlib.metadata import version
 from typing import Any
 
 import formualizer
 
-from workbook.book.address import Address
 from workbook.errors import TooLargeError, WitnessError
 from workbook.reading.contents import Cells, entered
 from workbook.reading.files import BookFile
-from workbook.witnesses.bare import bare
-from workbook.witnesses.witness import cached_values
+from workbook.witnesses.witness import Witness, bare, cached_values
 
 TOO_LARGE = "cell count limit"
 ERRORS = {"Div": "#DIV/0!", "Na": "#N/A", "Name": "#NAME?", "Null": "#NULL!", "Num": "#NUM!", "Ref": "#REF!"}
 
 
-class Formualizer:
+class Formualizer(Witness):
     """Evaluates a copy of the file, and reads the results back."""
 
     name = "formualizer"
-    kept = False
 
-    def version(self) -> str | None:
-        """Return the version of the package."""
-        return version("formualizer")
-
-    def values(self, file: BookFile) -> dict[Address, Any]:
+    def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell."""
         try:
             filled = formualizer.recalculate_xlsx_bytes(file.path.read_bytes())["bytes"]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING, Any
 
 from workbook.book.address import Address
 from workbook.errors import WitnessError
+from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
+from workbook.witnesses.witness import Witness
 
 if TYPE_CHECKING:
     from formulon import Value, Workbook
@@ -15,20 +16,12 @@ if TYPE_CHECKING:
 EVERYWHERE = (0, 0, 2**20 - 1, 2**14 - 1)  # first row and column, last row and column
 
 
-class Formulon:
+class Formulon(Witness):
     """Loads the file, recalculates every formula, and reads the results."""
 
     name = "formulon"
-    kept = False
 
-    def version(self) -> str | None:
-        """Return the version of the package, or None where it is not installed."""
-        try:
-            return version("formulon")
-        except PackageNotFoundError:
-            return None
-
-    def values(self, file: BookFile) -> dict[Address, Any]:
+    def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell, None where it is empty or no single value."""
         import formulon  # optional
 
@@ -41,7 +34,7 @@ class Formulon:
         return {address: found.get(address) for address in file.contents.formula_cells}
 
 
-def cells(book: Workbook) -> dict[Address, Any]:
+def cells(book: Workbook) -> Cells:
     """Return what every cell of a book holds."""
     from formulon import MergeRange
 

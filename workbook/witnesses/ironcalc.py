@@ -1,30 +1,19 @@
 """IronCalc, a spreadsheet engine in Rust; optional to install."""
 
-from importlib.metadata import PackageNotFoundError, version
-from typing import Any
-
-from workbook.book.address import Address
 from workbook.errors import WitnessError
+from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
-from workbook.witnesses.bare import bare
+from workbook.witnesses.witness import Witness, bare
 
 LANGUAGE, ZONE = "en", "UTC"
 
 
-class IronCalc:
+class IronCalc(Witness):
     """Loads the file, evaluates every formula, and reads the results."""
 
     name = "ironcalc"
-    kept = False
 
-    def version(self) -> str | None:
-        """Return the version of the package, or None where it is not installed."""
-        try:
-            return version("ironcalc")
-        except PackageNotFoundError:
-            return None
-
-    def values(self, file: BookFile) -> dict[Address, Any]:
+    def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell."""
         import ironcalc  # optional
 

@@ -8,13 +8,11 @@ import sys
 import tempfile
 from functools import cache
 from pathlib import Path
-from typing import Any
 
-from workbook.book.address import Address
 from workbook.errors import WitnessError
+from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
-from workbook.witnesses.bare import bare
-from workbook.witnesses.witness import cached_values
+from workbook.witnesses.witness import Witness, bare, cached_values
 
 TIMEOUT = 300  # seconds
 PLACES = (
@@ -80,18 +78,17 @@ def version_of(soffice: str) -> str:
     return found.group() if found else "unknown version"
 
 
-class LibreOffice:
+class LibreOffice(Witness):
     """Recalculates a bare copy of the file, which has nothing to fetch, and reads the results back."""
 
     name = "libreoffice"
-    kept = False
 
     def version(self) -> str | None:
         """Return LibreOffice's own version, or None where it is absent."""
         soffice = program()
         return None if soffice is None else version_of(soffice)
 
-    def values(self, file: BookFile) -> dict[Address, Any]:
+    def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell."""
         with bare(file) as copy, tempfile.TemporaryDirectory() as folder:
             return cached_values(convert(copy.path, "xlsx", Path(folder)).read_bytes(), file)

@@ -1,25 +1,30 @@
-"""The witnesses by name; the slowest before the one that only reads."""
+"""The witnesses by name, each loaded where it is made; the slowest before the one that only reads."""
+
+from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
+from importlib import import_module
+from typing import TYPE_CHECKING
 
-from workbook.witnesses.formualizer import Formualizer
-from workbook.witnesses.formulon import Formulon
-from workbook.witnesses.ironcalc import IronCalc
-from workbook.witnesses.libreoffice import LibreOffice
-from workbook.witnesses.pycel.witness import Pycel
-from workbook.witnesses.saved import Saved
-from workbook.witnesses.witness import CellWitness, Witness
+if TYPE_CHECKING:
+    from workbook.witnesses.witness import Witness
+
+ALL = "all"
+"""all of them that are on this machine"""
+
+
+def made(module: str, name: str) -> Witness:
+    """Return a new witness of a module and class."""
+    witness: Witness = getattr(import_module(f"workbook.witnesses.{module}"), name)()
+    return witness
+
 
 WITNESSES: dict[str, Callable[[], Witness]] = {
-    "pycel": Pycel,
-    "formualizer": Formualizer,
-    "formulon": Formulon,
-    "ironcalc": IronCalc,
-    "libreoffice": LibreOffice,  # the slowest
-    "saved": Saved,
+    "pycel": partial(made, "pycel.model", "Pycel"),
+    "formualizer": partial(made, "formualizer", "Formualizer"),
+    "formulon": partial(made, "formulon", "Formulon"),
+    "ironcalc": partial(made, "ironcalc", "IronCalc"),
+    "libreoffice": partial(made, "libreoffice", "LibreOffice"),  # the slowest
+    "saved": partial(made, "saved", "Saved"),
 }
-
-
-def by_cell() -> CellWitness:
-    """Return the first witness that evaluates each cell by itself too."""
-    return next(w for w in (make() for make in WITNESSES.values()) if isinstance(w, CellWitness))

@@ -3,9 +3,10 @@
 from workbook.errors import WitnessError
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
+from workbook.witnesses.witness import Witness
 
 
-class Saved:
+class Saved(Witness):
     """Reads the results that stand in the file."""
 
     name = "saved"

@@ -1,31 +1,55 @@
-"""What a witness is: something that takes a workbook file and says what each formula cell computes."""
+"""What a witness is: something that takes a workbook file and says what each formula cell computes.
+
+It may be given a copy of the file without some of its cells. A table, a newer function, a name that leads nowhere keep
+some programs from opening a file, or from ending in time; what a book's declared formulas compute does not depend on
+them.
+"""
 
 import io
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Protocol, runtime_checkable
+import tempfile
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, Protocol
+
+from openpyxl import Workbook
+from openpyxl.workbook.defined_name import DefinedName, DefinedNameDict
 
 from workbook.book.address import Address, Strip
 from workbook.errors import WitnessError
 from workbook.reading.cells import values_within
 from workbook.reading.contents import Cells
 from workbook.reading.count import Refusal
-from workbook.reading.files import BookFile
+from workbook.reading.files import BookFile, find_places
 
 CYCLE = "#CYCLE!"
 """what a witness has for a cell that computes from itself, or from cells that do: no program shows it"""
 
 
-class Witness(Protocol):
+class Witness:
     """One way to evaluate a workbook, independent of the others; one that only kept values is always asked."""
 
     name: str
-    kept: bool
+    kept = False
 
     def version(self) -> str | None:
-        """Return the version of the program that evaluates, or None where it is not on this machine."""
+        """Return the version of what evaluates, here of the package of this name; None where it is not installed."""
+        try:
+            return version(self.name)
+        except PackageNotFoundError:
+            return None
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell; raise WitnessError where that cannot be had."""
+        raise NotImplementedError
+
+    def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
+        """Yield each set of values with what the formula cells compute at it, each in a copy of the file."""
+        for given in sets:
+            with without(file, given=given) as copy:
+                yield given, self.values(copy)
 
 
 class Model(Protocol):
@@ -48,12 +72,16 @@ class Model(Protocol):
         """
 
 
-@runtime_checkable
-class CellWitness(Witness, Protocol):
+class CellWitness(Witness):
     """A witness that can also evaluate each cell by itself: so a fault shows in its own cell only."""
+
+    def values(self, file: BookFile) -> Cells:
+        """Return the value of every formula cell."""
+        return self.model(file).evaluate()
 
     def model(self, file: BookFile) -> Model:
         """Return the formulas of a file."""
+        raise NotImplementedError
 
 
 def cached_values(data: bytes, file: BookFile) -> Cells:
@@ -63,3 +91,74 @@ def cached_values(data: bytes, file: BookFile) -> Cells:
     except Refusal as refusal:
         raise WitnessError(f"what it wrote cannot be read: {refusal}") from None
     return {a: held.get(a) for a in file.contents.formula_cells}
+
+
+# Copies of a book
+
+
+@contextmanager
+def without(
+    file: BookFile, own: Collection[Address] = (), given: Mapping[Address, Any] = MappingProxyType({})
+) -> Iterator[BookFile]:
+    """Give ``file`` itself, or a copy of one that was mended, without the cells ``own`` or with the values ``given``.
+
+    The copy holds contents of cells and the names that lead to cells, and lies in a folder that goes away.
+    """
+    if own or given or file.mended:
+        with written(file, own, given) as copy:
+            yield copy
+    else:
+        yield file
+
+
+@contextmanager
+def bare(file: BookFile) -> Iterator[BookFile]:
+    """Give a copy of ``file`` for a program that would follow what else a workbook holds, such as a linked picture.
+
+    It holds what :func:`without` copies, and no styled empty cells; a file that is such a copy is given itself.
+    """
+    if file.bare:
+        yield file
+    else:
+        with written(file, (), {}) as copy:
+            yield copy
+
+
+@contextmanager
+def written(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Iterator[BookFile]:
+    """Give a copy, as :func:`without` says."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "book.xlsx"
+        workbook = copied(file, own, given)
+        workbook.save(path)
+        yield BookFile(path, workbook, find_places(workbook), bare=True)
+
+
+def copied(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Workbook:
+    """Return a workbook with the same sheets, names that lead to cells, and contents, as :func:`without` says."""
+    made = Workbook()
+    made.remove(made.worksheets[0])
+    made.epoch = file.workbook.epoch
+    for sheet in file.workbook.worksheets:
+        page = made.create_sheet(sheet.title)
+        for (row, column), cell in sheet._cells.items():
+            address = Address(sheet.title, row, column)
+            if cell.value is not None and address not in own:
+                copy = page.cell(row, column)
+                if address in given:
+                    copy.value = given[address]
+                else:  # as it is: a text that looks like a formula stays one, and a date is a number
+                    copy.value = file.contents.constants.get(address, cell.value)
+                    copy.data_type = cell.data_type.replace("d", "n")
+        page.defined_names = led(sheet.defined_names, file)
+    made.defined_names = led(file.workbook.defined_names, file)
+    return made
+
+
+def led(names: Mapping[str, DefinedName], file: BookFile) -> DefinedNameDict:
+    """Return those of the names that lead to cells in the book, or are called like one that does."""
+    kept = DefinedNameDict()
+    for name, defined in names.items():
+        if name in file.places:
+            kept[name] = DefinedName(name, attr_text=defined.attr_text)
+    return kept

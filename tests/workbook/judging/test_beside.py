@@ -75,7 +75,7 @@ def test_it_changes_nothing_of_a_report(name, request, begun):
 
 
 def test_it_is_what_evaluates(good, begun, monkeypatch):
-    monkeypatch.setattr("workbook.witnesses.pycel.witness.Pycel.model", unasked)
+    monkeypatch.setattr("workbook.witnesses.pycel.model.Pycel.model", unasked)
     report = verify(good, beside=begun(good))
     assert report.compared == report.declared > 200
     assert not report.findings

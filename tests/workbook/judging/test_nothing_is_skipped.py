@@ -16,8 +16,7 @@ from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import libreoffice
 from workbook.witnesses.agreed import agreed
-from workbook.witnesses.names import ALL, NAMES
-from workbook.witnesses.registry import WITNESSES
+from workbook.witnesses.registry import ALL, WITNESSES
 
 
 def sums(report):
@@ -236,7 +235,7 @@ def test_one_asked_by_name_and_absent_is_refused(press, monkeypatch):
         verify(press.path, ["pycel", "libreoffice"])
     with pytest.raises(WitnessError):
         present(["all", "libreoffice"])
-    with pytest.raises(MotionbookError, match=f"expected {', '.join(NAMES)}, {ALL}"):
+    with pytest.raises(MotionbookError, match=f"expected {', '.join(WITNESSES)}, {ALL}"):
         verify(press.path, ["excel"])
 
 

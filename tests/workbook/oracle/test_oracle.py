@@ -14,7 +14,6 @@ from workbook.oracle.declared import load
 from workbook.oracle.draft import draft
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
-from workbook.witnesses.bare import varied
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.witnesses.registry import WITNESSES
 
@@ -150,7 +149,7 @@ def test_every_witness_is_asked_at_other_inputs(tmp_path, name):
         pytest.skip(f"{name} does not evaluate here")
     file = open_book(build(tmp_path / "p.xlsx"))
     flow, power = Address("Sheet", 1, 2), Address("Sheet", 6, 2)
-    said = [values[power] for _, values in varied(witness, file, [{flow: 20}, {flow: 40}])]
+    said = [values[power] for _, values in witness.varied(file, [{flow: 20}, {flow: 40}])]
     assert said == pytest.approx([1000 * 9.81 * q / 3600 * 20 / 0.7 / 1000 for q in (20, 40)], rel=1e-12)
 
 

@@ -12,8 +12,7 @@ from workbook.book.address import Address
 from workbook.errors import DisputedError, WitnessError
 from workbook.reading.files import BookFile, open_book
 from workbook.witnesses import agreed as module
-from workbook.witnesses.agreed import agreed, same
-from workbook.witnesses.spread import spreads
+from workbook.witnesses.agreed import agreed, same, spreads
 from workbook.witnesses.witness import CYCLE
 
 CELL = Address("Timing", 1, 1)

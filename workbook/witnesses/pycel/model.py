@@ -5,8 +5,10 @@ called once for each shape (:mod:`workbook.witnesses.pycel.compiled`), and cells
 recursion. Every value is computed by pycel's functions and operators.
 """
 
+import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import partial
+from importlib.metadata import version
 from typing import Any
 
 import numpy as np
@@ -17,15 +19,30 @@ from workbook.book.address import Address, Strip
 from workbook.book.columns import Moved, Moving, Pattern
 from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.reading.contents import Cells, Contents, entered
+from workbook.reading.files import BookFile
 from workbook.witnesses.pycel.compiled import Compiled, compiled
 from workbook.witnesses.pycel.limits import Crossed
 from workbook.witnesses.pycel.steps import FormulaStep, Numbering, RangeStep, ordered
-from workbook.witnesses.witness import CYCLE
+from workbook.witnesses.witness import CYCLE, CellWitness, Model
 
 Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
 PLAIN = frozenset((float, int, str, bool, type(None)))
 UNKNOWN = object()  # the value of a range that is not filled
 MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
+
+
+class Pycel(CellWitness):
+    """The witness of that name."""
+
+    name = "pycel"
+
+    def version(self) -> str:
+        """Return pycel's version and Python's, on which it rests."""
+        return f"{version('pycel')} (Python {sys.version_info.major}.{sys.version_info.minor})"
+
+    def model(self, file: BookFile) -> Model:
+        """Return the formulas of a file, to be evaluated at other values, and cell by cell."""
+        return PycelModel(file.contents)
 
 
 class PycelModel:
