@@ -97,13 +97,15 @@ def in_units(values: MotionValues[V], x: float, y: float) -> MotionValues[V]:
     return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
 
 
-def turned(of: CamProfile, by: float) -> CamProfile:
+def turned(of: CamProfile, by: float, travel: float | None = None) -> CamProfile:
     """Return the profile that a master sees which is ``by`` further on where it begins, over the same range.
 
-    What runs over the end of the cycle is parted there, and goes on from the cycle before by its travel; of more than
-    a cycle, each whole one is a travel less.
+    What runs over the end of the cycle is parted there, and goes on from the cycle before by its ``travel``, the
+    profile's own unless told: a motion whose last law does not end at 1 jumps there to the sum of its lifts. Of more
+    than a cycle, each whole one is a travel less.
     """
-    begin, end, total, travel = float(of.edges[0]), float(of.edges[-1]), of.total, of.travel
+    begin, end, total = float(of.edges[0]), float(of.edges[-1]), of.total
+    travel = of.travel if travel is None else travel
     whole = math.floor(by / total + SAME)
     by -= whole * total
     c = np.concatenate([of.c, of.c])  # of the cycle before, and of this one

@@ -93,6 +93,14 @@ def test_what_is_read_back_lies_within_the_certificates_bound(seed, names):
         assert any(done)
 
 
+@pytest.mark.parametrize("seed", ["0, 29", "0, 38", 1, 2])  # the first two end with an own law that misses 1
+def test_a_cam_is_the_motion_as_late_as_entered(seed):
+    machine, x = random_machine(seed), np.linspace(0.3, 359.7, PLACES)
+    for one, cam in zip(whole(machine), TEMPLATE.axes(machine), strict=True):
+        size = np.ptp(cam.profile.at(cam.profile.edges).y)
+        np.testing.assert_allclose(cam.profile.at(x).y, closed(one, x)[0], rtol=0, atol=1e-9 * size)
+
+
 def test_the_bound_is_one_that_can_be_missed():
     """A certificate of another motion does not hold: the test above can fail."""
     machine, draw = random_machine(1), np.random.default_rng(0)

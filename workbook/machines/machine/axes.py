@@ -33,7 +33,8 @@ def cam(one: MovingAxis, machine: AnyMachine) -> CamAxis:
 
 def profile(one: MovingAxis, over: Abscissa, y: float) -> CamProfile:
     """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
-    return turned(profile_of_motion(one.motion, over.shown(shown(1.0, DEGREE)), y), one.typed.shift)
+    unshifted = profile_of_motion(one.motion, over.shown(shown(1.0, DEGREE)), y)
+    return turned(unshifted, one.typed.shift, one.motion.lifts_sum * y)
 
 
 def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
