@@ -2,7 +2,8 @@
 
 from typing import Any
 
-from engine.laws.base import Coefficients, Kinematics, Law
+from engine.laws.base import Coefficients, Kinematics
+from engine.laws.family import Law
 from engine.laws.piece import Piece
 from engine.laws.pieces import PieceLaw
 from engine.laws.registry import CATALOGUE, UnknownLawError, law

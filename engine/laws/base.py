@@ -1,17 +1,11 @@
-"""What every motion law offers: s, v, a, j over ξ in [0, 1], exact coefficients, names and source."""
+"""What laws are told in: s, v, a and j, coefficients, how near counts as the same, what numbers have to be."""
 
 import math
-from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from functools import cached_property
-from itertools import accumulate
-from typing import TYPE_CHECKING, Any, ClassVar, Generic, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from engine.laws.piece import Piece
 
 BREAK_TOLERANCE = 2e-9
 """A sample this near to a break, in units of ξ, counts as on it: twice what a look-up may hang on.
@@ -24,8 +18,6 @@ Laws are right-continuous: at a break they have the value of the later stage, at
 
 ROUNDING = 1e-12
 """By so much of its range an abscissa may lie outside it."""
-
-BLOCK = 8192  # samples evaluated at a time, so that what lies between stays in the cache
 
 Array = NDArray[np.float64]
 Real = TypeVar("Real", float, Array)
@@ -73,107 +65,6 @@ class Coefficients:
     def loss(self) -> float:
         """C_a,rms²/12: copper loss of a pure inertia, against the cubic's, the least between two rests."""
         return self.ca_rms**2 / 12.0
-
-
-class Vendors(NamedTuple):
-    """What a law is called where cams are made, with its number there; empty where there is none, or none is sure.
-
-    Sources: simatic-ax/lcamhdl, LCamHdl_ProfileConstants; Beckhoff Infosys, MC_MotionFunctionType; CODESYS, segment
-    types of SM3_CamBuilder; SEW 27800520, aCamSegment.
-    """
-
-    siemens: str = ""
-    twincat: str = ""
-    codesys: str = ""
-    sew: str = ""
-
-
-class Law(ABC):
-    """A motion law: position s(ξ) of the abscissa ξ = t/t_a in [0, 1], from s = 0, with derivatives by ξ.
-
-    A law states its names and source, its closed form and, from its parameters, what else is known of it: one test
-    measures that all of it is true of the closed form (tests/engine/laws/test_claims.py).
-    """
-
-    code: ClassVar[str]
-    """three letters"""
-    name: ClassVar[str]
-    aliases: ClassVar[tuple[str, ...]] = ()
-    """other names that documents give it"""
-    source: ClassVar[str]
-    vendors: ClassVar[Vendors] = Vendors()
-
-    @abstractmethod
-    def _block(self, xi: Array) -> tuple[Array | float, Array | float, Array | float, Array | float]:
-        """Return s, v, a, j of a flat array of ξ in [0, 1]."""
-
-    @abstractmethod
-    def _coefficients(self) -> Coefficients:
-        """Return the coefficients in closed form."""
-
-    @cached_property
-    def breaks(self) -> tuple[float, ...]:
-        """Every ξ between 0 and 1 at which the formula changes, in order; a stage of no duration repeats one."""
-        return tuple(accumulate(piece.duration for piece in self.as_pieces()[:-1]))
-
-    @abstractmethod
-    def as_pieces(self) -> "tuple[Piece, ...]":
-        """Return the law as pieces, each a polynomial and a sine: what the cells of its page must hold."""
-
-    def monotone_pieces(self) -> "tuple[Piece, ...]":
-        """Return the pieces cut where the acceleration is largest or lowest: it is monotone on each.
-
-        Sines are cut at their quarters, polynomials at their peaks. What is entered piece by piece, and a polynomial
-        between prescribed ends, stays as it is.
-        """
-        return self.as_pieces()
-
-    def evaluate(self, xi: Real) -> Kinematics[Real]:
-        """Return s, v, a, j at ξ: floats of a number, arrays of ξ's shape of an array.
-
-        Raises ValueError where ξ is not a number from 0 to 1.
-        """
-        x = np.asarray(xi, dtype=np.float64)
-        require_within("xi", x, 0.0, 1.0, ROUNDING)
-        flat = x.reshape(-1)
-        table = np.empty((4, flat.size))
-        for begin in range(0, flat.size, BLOCK):
-            here = slice(begin, begin + BLOCK)
-            inside = np.minimum(np.maximum(flat[here], 0.0), 1.0)
-            for row, values in zip(table, self._block(inside), strict=True):
-                row[here] = values
-        return Kinematics(*unwrap(xi, [row.reshape(x.shape) for row in table]))
-
-    def s(self, xi: Real) -> Real:
-        """Return the position s(ξ)."""
-        return self.evaluate(xi).s
-
-    def v(self, xi: Real) -> Real:
-        """Return the velocity v = ds/dξ."""
-        return self.evaluate(xi).v
-
-    def a(self, xi: Real) -> Real:
-        """Return the acceleration a = dv/dξ."""
-        return self.evaluate(xi).a
-
-    def j(self, xi: Real) -> Real:
-        """Return the jerk j = da/dξ, within the stages: a jump of a adds no value."""
-        return self.evaluate(xi).j
-
-    @cached_property
-    def coefficients(self) -> Coefficients:
-        """The exact coefficients C_v, C_a, C_a,rms, C_j, max(v·a)."""
-        return self._coefficients()
-
-    @cached_property
-    def start(self) -> Kinematics[float]:
-        """Values at ξ = 0."""
-        return self.evaluate(0.0)
-
-    @cached_property
-    def end(self) -> Kinematics[float]:
-        """Values at ξ = 1, from the left."""
-        return self.evaluate(1.0)
 
 
 def stage_of(xi: Array, starts: Array) -> NDArray[np.intp]:

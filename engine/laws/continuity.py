@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.laws.base import Law
+from engine.laws.family import Law
 from engine.laws.piece import Piece, gains
 
 JUMP = 1e-9

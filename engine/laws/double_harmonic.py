@@ -4,10 +4,9 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-import numpy as np
-
-from engine.laws.base import Array, Coefficients, Law, Vendors
-from engine.laws.piece import Piece, cut, reversed_pieces
+from engine.laws.family import Law, Vendors
+from engine.laws.piece import Piece, reversed_pieces
+from engine.laws.piece_extremes import at_peaks
 
 HALF_PI = math.pi / 2.0
 FROM_REST = Piece(
@@ -42,36 +41,10 @@ class DoubleHarmonic(Law):
         if self.reversal not in ("start", "end"):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'start' or 'end'")
 
-    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        ahead = self.reversal == "end"
-        x = HALF_PI * (xi if ahead else 1.0 - xi)
-        sin, cos = np.sin(x), np.cos(x)
-        square = sin * sin
-        s, v = square * square, 2.0 * math.pi * square * sin * cos
-        a = math.pi**2 * square * (4.0 * cos * cos - 1.0)  # 3 cos² − sin²
-        j = math.pi**3 * sin * cos * (4.0 * cos * cos - 1.0 - 4.0 * square)
-        return (s, v, a, j) if ahead else (1.0 - s, v, -a, j)
-
-    def _coefficients(self) -> Coefficients:
-        greatest, power, braking = 9.0 / 16.0 * math.pi**2, math.pi**3 / 4.0, 675.0 * math.sqrt(15.0) / 8192.0
-        up, down = (greatest, power), (math.pi**2, braking * math.pi**3)
-        if self.reversal == "start":
-            up, down = down, up
-        return Coefficients(
-            cv=3.0 * math.sqrt(3.0) * math.pi / 8.0,
-            ca_max=up[0],
-            ca_min=-down[0],
-            ca_rms=math.pi**2 / 2.0,
-            cj=math.inf,
-            va_max=up[1],
-            va_min=-down[1],
-        )
-
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return one piece of two sines."""
         return (FROM_REST,) if self.reversal == "end" else reversed_pieces((FROM_REST,))
 
     def monotone_pieces(self) -> tuple[Piece, ...]:
         """Return two pieces, which meet where the acceleration at the end at rest is largest: cos πξ = ¼."""
-        peak = math.acos(0.25) / math.pi
-        return tuple(cut(self.as_pieces()[0], [peak if self.reversal == "end" else 1.0 - peak]))
+        return tuple(at_peaks(self.as_pieces()[0]))

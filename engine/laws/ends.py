@@ -4,7 +4,8 @@ from abc import abstractmethod
 from dataclasses import astuple, dataclass, replace
 from typing import ClassVar, NamedTuple
 
-from engine.laws.base import Law, require_finite
+from engine.laws.base import require_finite
+from engine.laws.family import Law
 
 NAMES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
 STILL = 1e-9
@@ -68,6 +69,11 @@ class EndedLaw(Law):
     TAKES: ClassVar[str] = "v"
 
     ends: Ends
+
+    @property
+    def entry(self) -> float:
+        """The velocity that it begins with."""
+        return self.ends.v0
 
     @property
     def takes(self) -> str:

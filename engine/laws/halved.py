@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
-from engine.laws.base import Vendors
 from engine.laws.ends import REST, Ends
+from engine.laws.family import Vendors
 from engine.laws.pulse import CONSTANT, FALLING_SINE, HALF_SINE, Pulse
 from engine.laws.pulse_law import PulseLaw, TwoPulses, require_share
 

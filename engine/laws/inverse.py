@@ -4,7 +4,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from engine.laws.base import ROUNDING, Array, Law, Real, require_within, unwrap
+from engine.laws.base import ROUNDING, Array, Real, require_within, unwrap
+from engine.laws.family import Law
 from engine.laws.sections import breaks, velocity_extremes
 
 KNOTS = 65  # a stage, between which a height is first located

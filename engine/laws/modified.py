@@ -6,8 +6,9 @@ from typing import Literal
 
 import numpy as np
 
-from engine.laws.base import Vendors, require_finite
+from engine.laws.base import require_finite
 from engine.laws.ends import REST, EndError, Ends, require_ends
+from engine.laws.family import Vendors
 from engine.laws.pulse import FALLING_SINE, SUM_TOLERANCE, sine_edged
 from engine.laws.pulse_law import (
     PulseLaw,

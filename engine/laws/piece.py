@@ -1,13 +1,15 @@
-"""One piece of a law, a(u) = polynomial(u) + sines, and its integrals."""
+"""Pieces of a law, a(u) = polynomial(u) + sines: their integrals, what is carried from piece to piece, where ξ lies."""
 
 import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from engine.laws.base import Array, require_finite
+from engine.laws.base import Array, require_finite, stage_of
 
 POWERS = 6
 """coefficients of the polynomial, at most"""
@@ -16,6 +18,8 @@ SINES = (POWERS, POWERS + 4)
 """where the two sines stand in :attr:`Piece.row`"""
 
 Columns = Sequence[Array] | Array
+Sine = tuple[float, float, float]
+"""P, ω, φ of P sin(ωu + φ)"""
 
 
 @dataclass(frozen=True)
@@ -59,17 +63,20 @@ class Piece:
         object.__setattr__(self, "c", tuple(float(c) for c in self.c))
 
     @property
-    def sines(self) -> tuple[tuple[float, float, float], ...]:
+    def both(self) -> tuple[Sine, Sine]:
+        """P, ω, φ of either sine."""
+        return (self.amplitude, self.omega, self.phase), (self.amplitude2, self.omega2, self.phase2)
+
+    @property
+    def sines(self) -> tuple[Sine, ...]:
         """P, ω, φ of each sine that is not 0."""
-        both = (self.amplitude, self.omega, self.phase), (self.amplitude2, self.omega2, self.phase2)
-        return tuple(sine for sine in both if sine[0])
+        return tuple(sine for sine in self.both if sine[0])
 
     @property
     def row(self) -> tuple[float, ...]:
         """c0 … c5, then P, ω, sin φ, cos φ of either sine: what :func:`gains` needs."""
         c = self.c + (0.0,) * (POWERS - len(self.c))
-        first = self.amplitude, self.omega, math.sin(self.phase), math.cos(self.phase)
-        return (*c, *first, self.amplitude2, self.omega2, math.sin(self.phase2), math.cos(self.phase2))
+        return (*c, *(x for p, w, phi in self.both for x in (p, w, math.sin(phi), math.cos(phi))))
 
 
 def gains(u: Array, row: Array) -> tuple[Array, Array, Array, Array]:
@@ -116,6 +123,69 @@ def gains_at(piece: Piece, u: float) -> tuple[float, float]:
     """Return ∬a and ∫a of a piece from its begin to one u."""
     s, v, _, _ = gains(np.array([u]), np.array(piece.row)[:, None])
     return float(s[0]), float(v[0])
+
+
+class Carried(NamedTuple):
+    """A piece at its place in a law: its begin ξ_k, s_k and v_k there, and what s and v gain over it.
+
+    The position on a piece is S0 + u (S1 + polynomial) − P/ω² sin(ωu + φ), its velocity S1 + polynomial −
+    P/ω cos(ωu + φ), of two sines less both: one formula each for every piece of every law.
+    """
+
+    piece: Piece
+    begin: float
+    s: float
+    v: float
+    ds: float
+    dv: float
+
+    @property
+    def amplitudes(self) -> list[tuple[float, float, float]]:
+        """P/ω², P/ω and P ω of either sine, the amplitudes in position, velocity and jerk; 0 without a frequency."""
+        return [(p / w**2, p / w, p * w) if w > 0.0 else (0.0, 0.0, p * w) for p, w, _ in self.piece.both]
+
+    @property
+    def constants(self) -> tuple[float, float]:
+        """S0 = s_k + P/ω² sin φ and S1 = v_k + P/ω cos φ, with those of both sines."""
+        sines = [(s, v, phi) for (s, v, _), (_, _, phi) in zip(self.amplitudes, self.piece.both, strict=True)]
+        return (
+            self.s + sum(s * math.sin(phi) for s, _, phi in sines),
+            self.v + sum(v * math.cos(phi) for _, v, phi in sines),
+        )
+
+
+def begins(pieces: Sequence[Piece]) -> list[float]:
+    """Return ξ_k at which each piece begins, at most 1."""
+    return [min(xi, 1.0) for xi in itertools.accumulate((piece.duration for piece in pieces[:-1]), initial=0.0)]
+
+
+def carried(pieces: Sequence[Piece], v: float = 0.0) -> list[Carried]:
+    """Return pieces one after the other, from s = 0 with a velocity, with s and v at their begins."""
+    found, s = [], 0.0
+    for piece, begin in zip(pieces, begins(pieces), strict=False):  # of no pieces, none
+        gained, dv = gains_at(piece, piece.duration)
+        found.append(Carried(piece, begin, s, v, v * piece.duration + gained, dv))
+        s, v = s + found[-1].ds, v + dv
+    return found
+
+
+class Located(NamedTuple):
+    """Where abscissae lie among the pieces of a law: piece (from 0), u from its begin, ωu + φ of both sines (rad)."""
+
+    piece: NDArray[np.intp]
+    u: Array
+    angle: Array
+    angle2: Array
+
+
+def located(pieces: Sequence[Piece], xi: Array) -> Located:
+    """Return the piece of each ξ: the last that begins at or before it; ξ = 1 is in the last."""
+    starts = np.array(begins(pieces))
+    k = stage_of(xi, starts)
+    u = xi - starts[k]
+    rates = np.array([(piece.omega, piece.phase, piece.omega2, piece.phase2) for piece in pieces]).T
+    omega, phi, omega2, phi2 = rates[:, k]
+    return Located(k, u, omega * u + phi, omega2 * u + phi2)
 
 
 def lag(h: Array, sin: Array, cos: Array) -> Array:

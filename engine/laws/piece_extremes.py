@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
-from engine.laws.ladder import Curve, Sine, narrowed, zeros
-from engine.laws.piece import Piece, gains
+from engine.laws.ladder import Curve, narrowed, zeros
+from engine.laws.piece import Piece, Sine, carried, cut, gains
 
 CELLS = 512  # at least, in which the power of a mixed piece is searched for changes of sign
 ROUNDS = 4  # of narrowing a cell: a stationary value is then right to the last digit
 JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
+EDGE = 1e-7  # of a piece: a peak so near to its end lies at it
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
@@ -80,6 +81,13 @@ def stationary_points(piece: Piece) -> list[float]:
     return [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
 
 
+def at_peaks(piece: Piece) -> list[Piece]:
+    """Return the parts of a piece between which its acceleration is largest or lowest."""
+    d = piece.duration
+    peaks = [u / d for u in zeros(acceleration(piece).derivative(), d)] if d else []
+    return cut(piece, [share for share in peaks if EDGE < share < 1.0 - EDGE])
+
+
 def turning_points(piece: Piece, v0: float) -> list[float]:
     """Return where v, a polynomial with sines as a is, changes its sign."""
     a = acceleration(piece)
@@ -95,20 +103,13 @@ def along(
 
     The pieces follow each other from 0, with the velocity ``v0``.
     """
-    found, s0 = [], 0.0
-    for piece in pieces:
-        if piece.duration > 0.0:
-            u = np.array([0.0, *inside(piece, v0), piece.duration])
-            s, v, a, j = gains(u, np.array(piece.row)[:, None])
-            found.append((s0 + v0 * u + s, v0 + v, a, j))
-            s0, v0 = float(found[-1][0][-1]), float(found[-1][1][-1])
+    found = []
+    for one in carried(pieces, v0):
+        if one.piece.duration > 0.0:
+            u = np.array([0.0, *inside(one.piece, one.v), one.piece.duration])
+            s, v, a, j = gains(u, np.array(one.piece.row)[:, None])
+            found.append((one.s + one.v * u + s, one.v + v, a, j))
     return found
-
-
-def power_extremes(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
-    """Return the largest and the lowest v·a of pieces one after the other, entered with velocity ``v0``."""
-    _, v, a, _ = np.concatenate(along(pieces, v0, stationary_power_points), axis=1)
-    return float((v * a).max()), float((v * a).min())
 
 
 def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:

@@ -13,12 +13,12 @@ import numpy as np
 from numpy.polynomial import Legendre, Polynomial
 from numpy.typing import NDArray
 
-from engine.laws.base import Array, Coefficients, Law
-from engine.laws.piece import Piece, bends, gains
+from engine.laws.base import Array, Coefficients
+from engine.laws.family import Law
+from engine.laws.piece import Piece, begins, bends, carried, gains
 from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.laws.pieces import PieceLaw
 from engine.laws.sections import velocity_peak
-from engine.laws.table import begins, carried
 
 
 class Ends(NamedTuple):
@@ -70,7 +70,7 @@ class Points:
     either sine (rad). ``rates`` are s, v, a, j, the slope b of j, v·a and its slope g.
     """
 
-    def __init__(self, law: Law, pieces: Sequence[Piece]) -> None:
+    def __init__(self, pieces: Sequence[Piece]) -> None:
         self.pieces = tuple(pieces)
         self.piece: NDArray[np.intp] = np.repeat(np.arange(len(pieces)), POINTS)
         self.share, self.weight = np.tile(SHARES, len(pieces)), np.tile(WEIGHTS, len(pieces))
@@ -80,7 +80,7 @@ class Points:
         self.xi = np.array(begins(pieces))[self.piece] + self.u
         self.angles = [omega * self.u + phi, omega2 * self.u + phi2]
         row = np.array([one.row for one in pieces]).T[:, self.piece]
-        s0, v0 = np.array([(place.s, place.v) for place in carried(law, pieces)]).T[:, self.piece]
+        s0, v0 = np.array([(place.s, place.v) for place in carried(pieces)]).T[:, self.piece]
         s, gained, a, j = gains(self.u, row)
         v = v0 + gained
         b = bends(self.u, row)
@@ -152,9 +152,11 @@ class PointedLaw(PieceLaw):
     @cached_property
     def points(self) -> Points:
         """The points on its pieces."""
-        return Points(self, self.pieces)
+        return Points(self.pieces)
 
-    def _coefficients(self) -> Coefficients:
+    @property
+    def coefficients(self) -> Coefficients:
+        """Those by its points."""
         return self.points.coefficients
 
 

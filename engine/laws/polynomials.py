@@ -1,33 +1,35 @@
 """Polynomials between prescribed ends: cubic (y, v), quintic (y, v, a) and septic (y, v, a, j): CUB, PO5, PO7."""
 
-from abc import abstractmethod
 from dataclasses import dataclass
-from functools import cached_property
 from typing import ClassVar
 
-from engine.laws.base import Array, Coefficients, Vendors
+import numpy as np
+
 from engine.laws.ends import REST, EndedLaw, EndError, Ends, require_ends
+from engine.laws.family import Vendors
 from engine.laws.halved import HalvedLaw
 from engine.laws.piece import Piece
-from engine.laws.piece_extremes import coefficients_of
 from engine.laws.pulse import HALF_345, HALF_4567, LINE_DOWN
-from engine.laws.stages import Staged, carried
+
+Table = tuple[tuple[int, ...], ...]
 
 
 @dataclass(frozen=True)
 class EndedPolynomial(EndedLaw):
-    """The polynomial of least degree between the given ends, in closed form from Hermite's conditions.
+    """The polynomial of least degree between the given ends, by Hermite's conditions.
 
-    Its extremes are at zeros of its derivatives, found one from the other: those of a of a quintic in closed form
-    too, as its jerk is a parabola.
+    ``TABLE`` has what stroke, v0, v1, a0, a1, j0 and j1 add to c0, c1, … of a(ξ), a row a coefficient.
     """
+
+    TABLE: ClassVar[Table]
 
     ends: Ends
 
     @property
-    @abstractmethod
     def polynomial(self) -> tuple[float, ...]:
         """c0, c1, … of a(ξ)."""
+        table = np.array(self.TABLE)
+        return tuple((table @ self.ends.values[: table.shape[1]]).tolist())
 
     @property
     def own_acceleration(self) -> tuple[bool, bool]:
@@ -35,22 +37,14 @@ class EndedPolynomial(EndedLaw):
         follows = "a" not in self.takes
         return follows, follows
 
+    @property
+    def asked(self) -> tuple[float, float]:
+        """Those that it begins and ends with: also where they follow from stroke and velocities."""
+        return self.start.a, self.end.a
+
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return one piece."""
         return (Piece(1.0, self.polynomial),)
-
-    @cached_property
-    def _staged(self) -> Staged:
-        return Staged([*carried(self.as_pieces(), 1.0, 0.0, 0.0, self.ends.v0)])
-
-    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        return self._staged(xi)
-
-    def _coefficients(self) -> Coefficients:
-        e = self.ends
-        own = self.start.a, self.end.a
-        a0, a1 = (e.a0, e.a1) if "a" in self.takes else own
-        return coefficients_of(self.as_pieces(), e.v0, a0, a1)
 
 
 class EndedLine(EndedPolynomial):
@@ -58,11 +52,7 @@ class EndedLine(EndedPolynomial):
 
     code = "LIN"
     name = "Straight line"
-
-    @property
-    def polynomial(self) -> tuple[float, ...]:
-        """c0 … c3, all of them 0."""
-        return (0.0,) * 4
+    TABLE = ((0,),) * 4
 
 
 class EndedCubic(EndedPolynomial):
@@ -74,65 +64,38 @@ class EndedCubic(EndedPolynomial):
 
     code = "CUB"
     name = "Cubic"
-
-    @property
-    def polynomial(self) -> tuple[float, ...]:
-        """c0, c1."""
-        e = self.ends
-        return 6.0 * e.stroke - 4.0 * e.v0 - 2.0 * e.v1, -12.0 * e.stroke + 6.0 * (e.v0 + e.v1), 0.0, 0.0
+    TABLE = ((6, -4, -2), (-12, 6, 6), (0, 0, 0), (0, 0, 0))
 
 
 class EndedQuintic(EndedPolynomial):
     """c0 = a0, and c1, c2, c3 that meet stroke, v1 and a1.
 
-    c1 = 3[20H − 12v0 − 8v1 − 3a0 + a1], c2 = 6[−30H + 16v0 + 14v1 + 3a0 − 2a1],
-    c3 = 10[12H − 6(v0 + v1) + a1 − a0].
     Source: LCamHdl, ProfileTypes, POLY_5; TwinCAT, POLYNOM5_MM; CODESYS, Poly5.
     """
 
     code = "PO5"
     name = "Polynomial 3-4-5"
     TAKES = "va"
-
-    @property
-    def polynomial(self) -> tuple[float, ...]:
-        """c0 … c3."""
-        h, v0, v1, a0, a1, *_ = self.ends.values
-        return (
-            a0,
-            3.0 * (20.0 * h - 12.0 * v0 - 8.0 * v1 - 3.0 * a0 + a1),
-            6.0 * (-30.0 * h + 16.0 * v0 + 14.0 * v1 + 3.0 * a0 - 2.0 * a1),
-            10.0 * (12.0 * h - 6.0 * (v0 + v1) + a1 - a0),
-        )
+    TABLE = ((0, 0, 0, 1, 0), (60, -36, -24, -9, 3), (-180, 96, 84, 18, -12), (120, -60, -60, -10, 10))
 
 
 class EndedSeptic(EndedPolynomial):
     """c0 = a0, c1 = j0, and c2 … c5 that meet stroke, v1, a1 and j1.
 
-    With what the begin leaves to be done, h = H − v0 − a0/2 − j0/6, w = v1 − v0 − a0 − j0/2, α = a1 − a0 − j0 and
-    β = j1 − j0: c2 = 12[35h − 15w + 5α/2 − β/6], c3 = 20[−84h + 39w − 7α + β/2],
-    c4 = 30[70h − 34w + 13α/2 − β/2], c5 = 42[−20h + 10w − 2α + β/6].
     Source: LCamHdl, ProfileTypes, POLY_7; TwinCAT, POLYNOM7_MM; CODESYS, Poly7.
     """
 
     code = "PO7"
     name = "Polynomial 4-5-6-7"
     TAKES = "vaj"
-
-    @property
-    def polynomial(self) -> tuple[float, ...]:
-        """c0 … c5."""
-        stroke, v0, v1, a0, a1, j0, j1 = self.ends.values
-        h, w = stroke - v0 - a0 / 2.0 - j0 / 6.0, v1 - v0 - a0 - j0 / 2.0
-        alpha, gamma = a1 - a0 - j0, j1 - j0
-        return (
-            a0,
-            j0,
-            12.0 * (35.0 * h - 15.0 * w + 2.5 * alpha - gamma / 6.0),
-            20.0 * (-84.0 * h + 39.0 * w - 7.0 * alpha + 0.5 * gamma),
-            30.0 * (70.0 * h - 34.0 * w + 6.5 * alpha - 0.5 * gamma),
-            42.0 * (-20.0 * h + 10.0 * w - 2.0 * alpha + gamma / 6.0),
-        )
+    TABLE = (
+        (0, 0, 0, 1, 0, 0, 0),
+        (0, 0, 0, 0, 0, 1, 0),
+        (420, -240, -180, -60, 30, -8, -2),
+        (-1680, 900, 780, 200, -140, 20, 10),
+        (2100, -1080, -1020, -225, 195, -20, -15),
+        (-840, 420, 420, 84, -84, 7, 7),
+    )
 
 
 @dataclass(frozen=True)

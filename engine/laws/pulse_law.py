@@ -6,12 +6,11 @@ from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import ClassVar, NamedTuple
 
-from engine.laws.base import Array, Coefficients, require_finite
+from engine.laws.base import require_finite
 from engine.laws.ends import EndedLaw
-from engine.laws.piece import Piece, cut, scaled_piece
-from engine.laws.piece_extremes import JUMP, power_extremes
-from engine.laws.pulse import SUM_TOLERANCE, Edge, Pulse
-from engine.laws.stages import Staged, carried
+from engine.laws.piece import Carried, Piece, carried, scaled_piece
+from engine.laws.piece_extremes import at_peaks
+from engine.laws.pulse import SUM_TOLERANCE, Pulse
 
 
 def require_share(name: str, value: float) -> None:
@@ -58,6 +57,28 @@ class TwoPulses(NamedTuple):
     fall_time: float
 
 
+class Edge(NamedTuple):
+    """The edge on which a pulse falls to 0: the velocity v2 at its begin, the velocity g gained on it.
+
+    On a quarter sine v = v2 + g sin x and a = A cos x; on a straight line v = v2 + g(1 − y²) and a = A y.
+    ``at`` is sin x, or y, where v·a is greatest: 2g sin²x + v2 sin x = g, or 3g y² = v2 + g, at most 1.
+    """
+
+    velocity: float
+    gain: float
+    sine: bool
+    at: float
+
+    @classmethod
+    def of(cls, pulse: Pulse, size: float) -> "Edge":
+        """Return the inner edge of a pulse whose height times its duration is ``size``."""
+        last = carried(pulse.pieces)[-1]
+        v, g, sine = size * last.v, size * last.dv, bool(last.piece.amplitude)
+        if sine:
+            return cls(v, g, sine, 2.0 * g / (v + math.hypot(v, math.sqrt(8.0) * g)))
+        return cls(v, g, sine, min(1.0, math.sqrt((v + g) / (3.0 * g))) if g else 1.0)
+
+
 class PulseLaw(EndedLaw):
     """From v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H.
 
@@ -67,8 +88,8 @@ class PulseLaw(EndedLaw):
         A = (V − v0)/(w₁ T₁)      B = (V − v1)/(w₂ T₂)
 
     w = ∫p and κ = ∫(1 − x)p dx/w of each pulse, the second told backwards. A and B are the heights of the
-    pulses, a = A p and then a = −B p, and may have either sign: ∫a² = A² q₁ T₁ + B² q₂ T₂, the extremes of v are
-    among v0, V and v1, and the travel T (v + κ (V − v)) of the pulses and V T_c add up to H.
+    pulses, a = A p and then a = −B p, and may have either sign: the travel T (v + κ (V − v)) of the pulses and V T_c
+    add up to H.
     """
 
     STAGES: ClassVar[tuple[int, ...] | None] = None
@@ -108,13 +129,10 @@ class PulseLaw(EndedLaw):
         return (self.top - self.ends.v1) / (self.pulses.fall.gain * self.pulses.fall_time)
 
     @property
-    def inner_edges(self) -> tuple[Edge | None, Edge | None]:
+    def inner_edges(self) -> tuple[Edge, Edge]:
         """The edges of both pulses next to V, told from either end: where v·a of a law between rests is greatest."""
-        c, sizes = self.pulses, (self.acceleration * self.pulses.rise_time, self.deceleration * self.pulses.fall_time)
-        one, other = (
-            pulse.edge and pulse.edge.scaled(size) for pulse, size in zip((c.rise, c.fall), sizes, strict=True)
-        )
-        return one, other
+        c = self.pulses
+        return Edge.of(c.rise, self.acceleration * c.rise_time), Edge.of(c.fall, self.deceleration * c.fall_time)
 
     @property
     def own_acceleration(self) -> tuple[bool, bool]:
@@ -124,62 +142,36 @@ class PulseLaw(EndedLaw):
     @property
     def early(self) -> int:
         """How many of its monotone pieces are of the first pulse."""
-        rise = self.pulses.rise
-        stages = range(len(rise.pieces)) if self.STAGES is None else self.STAGES
-        return sum(k < len(rise.pieces) for k in stages) + len(rise.peaks)
+        return sum(len(parts) for k, parts in self._stages(at_peaks) if k < len(self.pulses.rise.pieces))
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the pieces of the first pulse, of the cruise, and of the second pulse from its inner end."""
-        return self._cut((), ())
+        return tuple(piece for _, parts in self._stages(lambda piece: [piece]) for piece in parts)
 
     def monotone_pieces(self) -> tuple[Piece, ...]:
         """Return the same, each pulse cut at its peak: at shares of its time, so between prescribed ends too."""
-        return self._cut(self.pulses.rise.peaks, self.pulses.fall.turned_peaks)
+        return tuple(piece for _, parts in self._stages(at_peaks) for piece in parts)
 
-    def _cut(self, rising: Sequence[float], falling: Sequence[float]) -> tuple[Piece, ...]:
-        """Return the pieces of the stages that the family has, cut at these shares of the pulses."""
-        c = self.pulses
-        rise = [cut(scaled_piece(piece, self.acceleration, c.rise_time), rising) for piece in c.rise.pieces]
-        fall = [cut(scaled_piece(piece, -self.deceleration, c.fall_time), falling) for piece in c.fall.turned_pieces]
-        stages = [*rise, [Piece(c.cruise)], *fall]
-        return tuple(part for k in self.STAGES or range(len(stages)) for part in stages[k])
-
-    @cached_property
-    def _staged(self) -> Staged:
-        """The first pulse and the cruise from the begin, the second pulse backwards from the end."""
+    @property
+    def _told(self) -> tuple[list[Carried], list[Carried], float]:
+        """The first pulse and the cruise, which has V exactly, from the begin; the second pulse from the end."""
         c, e = self.pulses, self.ends
         rise = [scaled_piece(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
         fall = [scaled_piece(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces]
+        *early, cruise = carried([*rise, Piece(c.cruise)], e.v0)
         travel = c.rise_time * (e.v0 + c.rise.lead * (self.top - e.v0))
-        coast = carried([Piece(c.cruise)], 1.0, c.rise_time, travel, self.top)
-        backwards = [*carried(fall, -1.0, c.rise_time + c.cruise + c.fall_time, e.stroke, e.v1)]
-        return Staged([*carried(rise, 1.0, 0.0, 0.0, e.v0), *coast, *backwards[::-1]])
+        return [*early, cruise._replace(s=travel, v=self.top)], carried(fall, e.v1), e.stroke
 
-    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        return self._staged(xi)
-
-    def _coefficients(self) -> Coefficients:
-        """Return them of the pulses alone between rests, v·a piece by piece between other ends.
-
-        a jumps at an end, where it should be 0, or between the pulses and the cruise.
-        """
-        c, e, up, down = self.pulses, self.ends, self.acceleration, self.deceleration
-        a = [up, up * min(c.rise.outer, c.rise.inner), -down, -down * min(c.fall.outer, c.fall.inner)]
-        inner = [up * c.rise.inner + down * c.fall.inner]
-        if c.cruise > 0.0:
-            a, inner = [*a, 0.0], [up * c.rise.inner, down * c.fall.inner]
-        jump = max(map(abs, (up * c.rise.outer, down * c.fall.outer, *inner)))
-        jerk = max(abs(up) * c.rise.jerk / c.rise_time, abs(down) * c.fall.jerk / c.fall_time)
-        if e.v0 or e.v1:
-            va_max, va_min = power_extremes(self.as_pieces(), e.v0)
-        else:
-            va_max = up**2 * c.rise_time * c.rise.power
-            va_min = -(down**2) * c.fall_time * c.fall.power
-        return Coefficients(
-            cv=max(abs(e.v0), abs(self.top), abs(e.v1)), ca_max=max(a), ca_min=min(a),
-            ca_rms=math.sqrt(up**2 * c.rise.square * c.rise_time + down**2 * c.fall.square * c.fall_time),
-            cj=math.inf if jump > JUMP * max(abs(up), abs(down)) else jerk, va_max=va_max, va_min=va_min,
-        )  # fmt: skip
+    def _stages(self, parted: Callable[[Piece], list[Piece]]) -> list[tuple[int, list[Piece]]]:
+        """Return the stages that the family has, by number, in parts."""
+        c = self.pulses
+        sides = (c.rise.pieces, self.acceleration, c.rise_time), (c.fall.turned, -self.deceleration, c.fall_time)
+        rise, fall = (
+            [[scaled_piece(part, height, time) for part in parted(piece)] for piece in pieces]
+            for pieces, height, time in sides
+        )
+        stages = [*rise, [Piece(c.cruise)], *fall]
+        return [(k, stages[k]) for k in self.STAGES or range(len(stages))]
 
 
 def pulses_of(durations: tuple[float, ...], edged: Callable[[float, float, float], Pulse]) -> TwoPulses:

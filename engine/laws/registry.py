@@ -7,8 +7,8 @@ variations, tests) goes through the catalogue.
 from collections.abc import Sequence
 from typing import Any
 
-from engine.laws.base import Law
 from engine.laws.double_harmonic import DoubleHarmonic
+from engine.laws.family import Law
 from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from engine.laws.modified import (
     HarmonicCombination,

@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, Array, Law
+from engine.laws.base import BREAK_TOLERANCE, Array
+from engine.laws.family import Law
 from engine.laws.ladder import narrowed
 
 SAMPLES = 257

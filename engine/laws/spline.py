@@ -8,10 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
-from engine.laws.base import Array, Coefficients, Vendors, require_finite, stage_of
+from engine.laws.base import Array, require_finite
 from engine.laws.ends import REST, EndedLaw, Ends
+from engine.laws.family import Vendors
 from engine.laws.piece import Piece
-from engine.laws.piece_extremes import coefficients_of
 
 MOST = 100
 NARROWEST = 1e-6  # of the time, between two points
@@ -108,20 +108,10 @@ class Spline(EndedLaw):
         v = np.diff(s) / d - d * (2.0 * a[:-1] + a[1:]) / 6.0
         return np.array([xi[:-1], s[:-1], v, a[:-1], np.diff(a) / d])
 
-    def _block(self, xi: Array) -> tuple[Array, Array, Array, Array]:
-        k = stage_of(xi, self.table[0])
-        start, s, v, a, j = self.table.take(k, axis=1)
-        u = xi - start
-        bend = u * j
-        return s + u * (v + u * (a / 2.0 + bend / 6.0)), v + u * (a + bend / 2.0), a + bend, j
-
-    def _coefficients(self) -> Coefficients:
-        return coefficients_of(self.as_pieces(), float(self.table[2, 0]))
-
     @property
-    def breaks(self) -> tuple[float, ...]:
-        """The points between the first and the last."""
-        return tuple(xi for xi, _ in self.points[1:-1])
+    def entry(self) -> float:
+        """The velocity at the first point."""
+        return float(self.table[2, 0])
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return one cubic an interval."""

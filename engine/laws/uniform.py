@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from engine.laws.base import Array, Coefficients, Law, Vendors
+from engine.laws.family import Law, Vendors
 from engine.laws.piece import Piece
 
 
@@ -14,12 +14,6 @@ class Dwell(Law):
     name = "Dwell"
     aliases = ("rest",)
     source = "S3, function motionlaw, 'Dwell'"
-
-    def _block(self, xi: Array) -> tuple[float, float, float, float]:
-        return 0.0, 0.0, 0.0, 0.0
-
-    def _coefficients(self) -> Coefficients:
-        return Coefficients(cv=0.0, ca_max=0.0, ca_min=0.0, ca_rms=0.0, cj=0.0, va_max=0.0, va_min=0.0)
 
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return one piece without acceleration."""
@@ -36,12 +30,11 @@ class StraightLine(Law):
     source = "LCamHdl, ProfileTypes, CONST_VELO"
     vendors = Vendors(siemens="CONST_VELO (3)", twincat="POLYNOM1 (1)", codesys="Line", sew="LINEAR")
 
-    def _block(self, xi: Array) -> tuple[Array, float, float, float]:
-        return xi, 1.0, 0.0, 0.0
-
-    def _coefficients(self) -> Coefficients:
-        return Coefficients(cv=1.0, ca_max=0.0, ca_min=0.0, ca_rms=0.0, cj=0.0, va_max=0.0, va_min=0.0)
-
     def as_pieces(self) -> tuple[Piece, ...]:
-        """Return one piece without acceleration, entered with the velocity 1."""
+        """Return one piece without acceleration."""
         return (Piece(1.0),)
+
+    @property
+    def entry(self) -> float:
+        """The velocity 1."""
+        return 1.0

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from engine.laws import Law, Piece
 from engine.laws.base import BREAK_TOLERANCE, Array
-from engine.laws.piece import POWERS
-from engine.laws.table import begins
+from engine.laws.piece import POWERS, begins
 from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 

@@ -1,4 +1,4 @@
-"""What is said of a law, measured at its closed form: breaks, pieces, coefficients, the place of its peak.
+"""What is said of a law, measured at its values: breaks, coefficients, the place of its peak.
 
 Each function returns what disagrees, in words; nothing where all is true.
 """
@@ -9,7 +9,6 @@ from itertools import pairwise
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from engine.laws import PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.sections import breaks, roots, velocity_peak
 from tests.engine.integrals import integral
@@ -45,26 +44,8 @@ def wrong_breaks(law):
     return found
 
 
-def wrong_pieces(law):
-    """Where the pieces of a law, carried on from its first velocity, are another law."""
-    xi = np.union1d(within(law, np.linspace(0, 1, 101)).ravel(), np.linspace(0, 1, 1001))
-    made = PieceLaw(law.as_pieces())
-    found = [
-        f"pieces: none begins at the break {edge:.15g}"  # nearer than samples can tell
-        for edge in breaks(law)
-        if np.abs(np.cumsum([0.0, *(piece.duration for piece in made.pieces)]) - edge).min() > SAME
-    ]
-    carried = made.evaluate(xi)
-    carried = carried._replace(s=carried.s + law.start.v * xi, v=carried.v + law.start.v)
-    for name, peak, one, other in zip("svaj", peaks(law), law.evaluate(xi), carried, strict=True):
-        off = np.abs(one - other) / peak
-        if off.max() > 10 * SAME:
-            found.append(f"pieces: {name} at {xi[off.argmax()]:.6g} is off by {off.max():.1e}")
-    return found
-
-
 def coefficients(law):
-    """The coefficients of a law's closed form, from its stages and the zeros of its derivatives within them."""
+    """The coefficients of a law, from its stages and the zeros of its derivatives within them."""
     edges = breaks(law)
     at = law.evaluate(within(law, np.linspace(0, 1, 2001)))
     turns = [roots(f, edges) for f in (law.a, law.j, lambda xi: law.a(xi) ** 2 + law.v(xi) * law.j(xi))]
@@ -80,7 +61,7 @@ def coefficients(law):
 
 
 def wrong_coefficients(law):
-    """Coefficients that are not those of the closed form."""
+    """Coefficients that are not those of the law."""
     stated = law.coefficients
     return [
         f"coefficients: {name} is {getattr(stated, name):.9g}, measured {value:.9g}"
@@ -98,5 +79,5 @@ def wrong_peak(law):
 
 def complaints(entry):
     """All that is said of a law, and is not so, at every set of parameters."""
-    measures = (wrong_breaks, wrong_pieces, wrong_coefficients, wrong_peak)
+    measures = (wrong_breaks, wrong_coefficients, wrong_peak)
     return [f"{entry.code} {law}: {words}" for law in entry.examples for measure in measures for words in measure(law)]

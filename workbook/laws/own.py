@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from engine import laws as engine
 from engine.laws import Law
-from engine.laws.mended import ALIKE, Groups, groups, misses
+from engine.laws.pieces import ALIKE, Groups, groups, misses
 from engine.laws.points import SLOPES, Points
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import SHARES, WEIGHTS

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from engine.laws import Law
-from engine.laws.table import begins
+from engine.laws.piece import begins
 from engine.motion import Phase
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result

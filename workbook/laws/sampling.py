@@ -15,7 +15,7 @@ import numpy as np
 
 from engine.laws import Law, Piece
 from engine.laws.base import Array
-from engine.laws.table import located
+from engine.laws.piece import located
 from engine.motion import Phase
 from workbook.book.declare import Quantity, calc
 from workbook.book.polynomial import LEAST, NOT_ZERO, constants

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from engine.laws import Piece
 from engine.laws.base import BREAK_TOLERANCE
+from engine.laws.piece import Carried, carried
 from engine.laws.points import reach, slowest
-from engine.laws.table import Carried, carried
 from engine.motion.handover import end_mode
 from workbook.book.again import again
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
@@ -85,7 +85,7 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     rows = []
     for one in laws:
         found = one.page.stacked(one.law, sizes)
-        places = carried(one.law, [piece for piece, _ in found])
+        places = carried([piece for piece, _ in found], one.law.entry)
         for k, ((piece, entered), place) in enumerate(zip(found, places, strict=True), 1):
             formulas = {name: one.own(text) for name, text in entered.items()}
             rows.append(Row(one.name, one.number, k, piece, formulas, worked_out(one.number, place)))

@@ -14,14 +14,12 @@ from engine.laws import (
     CATALOGUE,
     ConstantAcceleration,
     Cubic,
-    Cycloidal,
     ModifiedTrapezoidal,
-    Piece,
     TrapezoidalVelocity,
     UnknownLawError,
     law,
 )
-from engine.laws.base import Law
+from engine.laws.family import Law
 from engine.laws.modified import CLASSIC
 from engine.laws.registry import by_name
 from tests.engine.families import ENTRIES
@@ -155,7 +153,7 @@ def law_entry(code):
 
 
 @LAWS
-def test_breaks_pieces_and_coefficients_are_those_of_the_closed_form(entry):
+def test_breaks_and_coefficients_are_those_of_the_law(entry):
     assert complaints(entry) == []
 
 
@@ -181,35 +179,15 @@ class ABreakAtTheWrongPlace(TrapezoidalVelocity):
         return self.rise_end, self.fall_start + 1e-6
 
 
-class AHigherPiece(Cycloidal):
-    def as_pieces(self):
-        first, second = super().as_pieces()
-        return replace(first, amplitude=first.amplitude * (1 + 1e-10)), second
-
-
-class APieceTooShort(TrapezoidalVelocity):
-    def as_pieces(self):
-        first, second, *others = super().as_pieces()
-        moved = first.duration * 1e-9
-        return (
-            replace(first, duration=first.duration - moved), replace(second, duration=second.duration + moved), *others
-        )  # fmt: skip
-
-
-class ASineForALine(Cubic):
-    def as_pieces(self):
-        return (Piece(1.0, amplitude=6.0, omega=math.pi, phase=math.pi / 2),)
-
-
 class AGreaterCoefficient(ModifiedTrapezoidal):
-    def _coefficients(self):
-        found = super()._coefficients()
+    @property
+    def coefficients(self):
+        found = super().coefficients
         return replace(found, va_max=found.va_max * (1 + 1e-5))
 
 
 WRONG = {
     "breaks": (NoBreaks, ABreakTooFew, BreaksOfTheDefault, ABreakAtTheWrongPlace),
-    "pieces": (AHigherPiece, APieceTooShort, ASineForALine),
     "coefficients": (AGreaterCoefficient,),
 }
 
@@ -226,12 +204,6 @@ class Unsaid(Law):
     """A law that leaves out what every law must state."""
 
     code, name = "XYZ", "Unsaid"
-
-    def _block(self, xi):
-        return 0.0, 0.0, 0.0, 0.0
-
-    def _coefficients(self):
-        return ConstantAcceleration().coefficients
 
 
 @pytest.mark.parametrize(

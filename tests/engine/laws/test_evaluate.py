@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from engine.laws import CATALOGUE, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
-from engine.laws.base import BLOCK, BREAK_TOLERANCE, ROUNDING
+from engine.laws.base import BREAK_TOLERANCE, ROUNDING
+from engine.laws.family import BLOCK
 
 LAWS = pytest.mark.parametrize("law", [e() for e in CATALOGUE], ids=[e.code for e in CATALOGUE])
 

@@ -8,9 +8,8 @@ from hypothesis import strategies as st
 
 from engine.laws import Piece, PieceLaw
 from engine.laws.halved import Cycloidal
-from engine.laws.mended import Misses, mended, misses
 from engine.laws.modified import ModifiedSine, ModifiedTrapezoidal
-from engine.laws.pieces import POLYNOMIAL_345
+from engine.laws.pieces import POLYNOMIAL_345, Misses, mended, misses
 from engine.laws.ramps import SCurve
 
 factor = st.floats(0.2, 5.0)

@@ -72,8 +72,7 @@ def test_a_step_the_wrong_way_is_found():
         Piece(0.2, (8.0, 0, 0, 0)),
         Piece(0.3, (-10, 0, 0, 0)),
     ]
-    law = PieceLaw(pieces)
-    at = Points(law, pieces)
+    at = Points(pieces)
     assert at.peak == pytest.approx(0.7)
     assert at.wrong_way.max() > 0.1
     assert float(np.sum(at.wrong_way)) == pytest.approx(0.8)

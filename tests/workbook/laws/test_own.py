@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from engine.laws.mended import mended, misses
+from engine.laws.pieces import mended, misses
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import MACHINE, composed
 

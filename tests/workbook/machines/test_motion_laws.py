@@ -3,7 +3,7 @@
 import pytest
 
 from engine.laws import CATALOGUE
-from engine.laws.base import Vendors
+from engine.laws.family import Vendors
 from tests.workbook.cells import computed
 from workbook.laws.registry import FAMILY
 from workbook.reading.descriptions import read_machine

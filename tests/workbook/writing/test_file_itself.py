@@ -14,7 +14,7 @@ from openpyxl.utils import get_column_letter
 from openxml_audit import FileFormat, OpenXmlValidator
 from spreadsheet_auditor.audit import main as audit
 
-from engine.laws.mended import NONE
+from engine.laws.pieces import NONE
 from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as, small
 from workbook.book.limits import EXPECTED, MESSAGES

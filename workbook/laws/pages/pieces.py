@@ -10,8 +10,8 @@ from pydantic import AfterValidator, Field
 
 from engine import laws as engine
 from engine.laws import Law, PieceLaw
+from engine.laws.piece import begins
 from engine.laws.points import PointedLaw, Points, ends
-from engine.laws.table import begins
 from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given
 from workbook.book.rows import filled
@@ -163,7 +163,7 @@ class OwnPage(Page):
 
 def spread_of(law: Law, room: int) -> Points:
     """Return the points on the pieces of a law in a table of ``room`` rows."""
-    return Points(law, filled(law.as_pieces(), room, engine.Piece(0.0)))
+    return Points(filled(law.as_pieces(), room, engine.Piece(0.0)))
 
 
 PAGE = OwnPage(

@@ -1,0 +1,162 @@
+"""What every motion law offers: s, v, a, j over ξ in [0, 1], coefficients, names and source; all by its pieces."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import accumulate
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from engine.laws.base import ROUNDING, Array, Coefficients, Kinematics, Real, require_within, stage_of, unwrap
+from engine.laws.piece import POWERS, Carried, Piece, carried
+from engine.laws.piece_extremes import coefficients_of
+
+BLOCK = 8192  # samples evaluated at a time, so that what lies between stays in the cache
+
+
+class Vendors(NamedTuple):
+    """What a law is called where cams are made, with its number there; empty where there is none, or none is sure.
+
+    Sources: simatic-ax/lcamhdl, LCamHdl_ProfileConstants; Beckhoff Infosys, MC_MotionFunctionType; CODESYS, segment
+    types of SM3_CamBuilder; SEW 27800520, aCamSegment.
+    """
+
+    siemens: str = ""
+    twincat: str = ""
+    codesys: str = ""
+    sew: str = ""
+
+
+class Law(ABC):
+    """A motion law: position s(ξ) of the abscissa ξ = t/t_a in [0, 1], from s = 0, with derivatives by ξ.
+
+    A law states its names, its source and its pieces; all else follows from these in closed form.
+    """
+
+    code: ClassVar[str]
+    """three letters"""
+    name: ClassVar[str]
+    aliases: ClassVar[tuple[str, ...]] = ()
+    """other names that documents give it"""
+    source: ClassVar[str]
+    vendors: ClassVar[Vendors] = Vendors()
+
+    @abstractmethod
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return the law as pieces, each a polynomial and a sine: what the cells of its page must hold."""
+
+    def monotone_pieces(self) -> tuple[Piece, ...]:
+        """Return the pieces cut where the acceleration is largest or lowest: it is monotone on each.
+
+        Sines are cut at their quarters, polynomials at their peaks. What is entered piece by piece, and a polynomial
+        between prescribed ends, stays as it is.
+        """
+        return self.as_pieces()
+
+    @property
+    def entry(self) -> float:
+        """The velocity that it begins with."""
+        return 0.0
+
+    @property
+    def asked(self) -> tuple[float, float]:
+        """The accelerations beside it: where it has others at its ends, a jumps."""
+        return 0.0, 0.0
+
+    @cached_property
+    def breaks(self) -> tuple[float, ...]:
+        """Every ξ between 0 and 1 at which the formula changes, in order; a stage of no duration repeats one."""
+        return tuple(accumulate(piece.duration for piece in self.as_pieces()[:-1]))
+
+    def evaluate(self, xi: Real) -> Kinematics[Real]:
+        """Return s, v, a, j at ξ: floats of a number, arrays of ξ's shape of an array.
+
+        Raises ValueError where ξ is not a number from 0 to 1.
+        """
+        x = np.asarray(xi, dtype=np.float64)
+        require_within("xi", x, 0.0, 1.0, ROUNDING)
+        flat = x.reshape(-1)
+        table = np.empty((4, flat.size))
+        for begin in range(0, flat.size, BLOCK):
+            here = slice(begin, begin + BLOCK)
+            inside = np.minimum(np.maximum(flat[here], 0.0), 1.0)
+            for row, values in zip(table, self._block(inside), strict=True):
+                row[here] = values
+        return Kinematics(*unwrap(xi, [row.reshape(x.shape) for row in table]))
+
+    def _block(self, xi: Array) -> Sequence[Array]:
+        """Return s, v, a, j of a flat array of ξ in [0, 1].
+
+        With ± for pieces from the begin and from the end, u their own time and x = ωu + φ,
+        s = S0 ± (u (S1 + Σ c_i uⁱ⁺¹/((i + 1)(i + 2))) − Σ P/ω² sin x).
+        """
+        starts, columns, powers = self._table
+        sign, origin, s0, s1, *more = columns.take(stage_of(xi, starts), axis=1) if len(starts) > 1 else columns
+        u = sign * xi + origin
+        s, v, a, j = (np.zeros_like(u) for _ in range(4))
+        for i in range(powers - 1, -1, -1):
+            s = s * u + more[i] * (1.0 / ((i + 1) * (i + 2)))
+            v = v * u + more[i] * (1.0 / (i + 1))
+            j = j * u + a if i < powers - 1 else j
+            a = a * u + more[i]
+        s, v = u * (s1 + u * s), s1 + u * v
+        for k in range(powers, len(more), 4):
+            p, r, w, phi = more[k : k + 4]
+            x = w * u + phi
+            sin, cos = p * np.sin(x), p * np.cos(x)
+            s, v, a, j = s - r * r * sin, v - r * cos, a + sin, j + w * cos
+        return s0 + sign * s, v, sign * a, j
+
+    @property
+    def _told(self) -> tuple[list[Carried], list[Carried], float]:
+        """The pieces told from the begin, those told backwards from the end, which it then meets exactly, and s(1)."""
+        return carried(self.as_pieces(), self.entry), [], 1.0
+
+    @cached_property
+    def _table(self) -> tuple[Array, Array, int]:
+        """Begins of the pieces; columns of ±1, origin, S0, S1, the powers in use, and P, 1/ω, ω, φ of the sines in use.
+
+        A piece from the end at the time t is s(1) − s'(t), of what s' is of the law told backwards.
+        """
+        early, back, end = self._told
+        pieces = [*early, *(late := back[::-1])]
+        c = np.array([one.piece.row[:POWERS] for one in pieces]).T
+        powers = int(np.flatnonzero(c.any(axis=1)).max(initial=-1)) + 1
+        waves = [[(p, 1.0 / w, w, phi) if w else (0.0,) * 4 for p, w, phi in one.piece.both] for one in pieces]
+        where = [(1.0, -one.begin, *one.constants) for one in early]
+        where += [(-1.0, 1.0 - one.begin, end - one.constants[0], one.constants[1]) for one in late]
+        starts = [one.begin for one in early] + [1.0 - one.begin - one.piece.duration for one in late]
+        sines = (sine for sine in np.array(waves).transpose(1, 2, 0) if sine[0].any())
+        return np.array(starts), np.vstack([np.array(where).T, c[:powers], *sines]), powers
+
+    def s(self, xi: Real) -> Real:
+        """Return the position s(ξ)."""
+        return self.evaluate(xi).s
+
+    def v(self, xi: Real) -> Real:
+        """Return the velocity v = ds/dξ."""
+        return self.evaluate(xi).v
+
+    def a(self, xi: Real) -> Real:
+        """Return the acceleration a = dv/dξ."""
+        return self.evaluate(xi).a
+
+    def j(self, xi: Real) -> Real:
+        """Return the jerk j = da/dξ, within the stages: a jump of a adds no value."""
+        return self.evaluate(xi).j
+
+    @cached_property
+    def coefficients(self) -> Coefficients:
+        """The exact coefficients C_v, C_a, C_a,rms, C_j, max(v·a)."""
+        return coefficients_of(self.as_pieces(), self.entry, *self.asked)
+
+    @cached_property
+    def start(self) -> Kinematics[float]:
+        """Values at ξ = 0."""
+        return self.evaluate(0.0)
+
+    @cached_property
+    def end(self) -> Kinematics[float]:
+        """Values at ξ = 1, from the left."""
+        return self.evaluate(1.0)
