@@ -4,8 +4,7 @@ Lengths in m along the line, speeds in m/s, angles in rad.
 """
 
 import math
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -90,151 +89,66 @@ class ToolMotion(NamedTuple):
     jerk: Array
 
 
-@dataclass(frozen=True)
 class Cut:
-    """A product length L_p (m) at line speed v_L (m/s), the law of the superimposed motion.
+    """A product length L_p (m) at line speed v_L (m/s), and what it asks of the tool, in the order of S5.
 
-    ``beyond`` says what a drum does with products longer than ``limit_length``: come to a standstill, wait
-    at the law's fastest instant and go on, or reverse. ``peak`` is the ξ of that instant, or None for the first
-    at which the law is exactly at its fastest. Raises ValueError unless L_p > L_T and v_L > 0, and
-    for a law that moves backwards or does not end at rest at 1.
+    ``law`` is that of the superimposed motion. ``beyond`` says what a drum does with products longer than
+    ``limit_length``: come to a standstill, wait at the law's fastest instant and go on, or reverse. ``peak`` is the ξ
+    of that instant, or None for the first at which the law is exactly at its fastest. Raises ValueError unless
+    L_p > L_T and v_L > 0, and for a law that moves backwards or does not end at rest at 1.
     """
 
-    tool: Tool
-    product_length: float
-    line_speed: float
-    law: Law
-    beyond: Beyond = "standstill"
-    peak: float | None = None
-
-    def __post_init__(self) -> None:
-        require(self.line_speed > 0.0, "line speed", self.line_speed, "more than 0")
-        if not (math.isfinite(self.product_length) and self.product_length > self.tool.tool_length):
-            least = self.tool.tool_length
-            raise ValueError(f"product length is {self.product_length:g} m; expected more than L_T, {least:g} m")
-        if self.beyond not in ("standstill", "reversal"):
-            raise ValueError(f"beyond is {self.beyond!r}; expected 'standstill' or 'reversal'")
-        end = self.law.end
-        if not is_monotone(self.law) or abs(end.s - 1.0) > 1e-9 or max(abs(end.v), abs(self.law.start.v)) > 1e-9:
-            raise ValueError(f"{self.law.name}: expected a law that rises from rest at 0 to rest at 1")
-
-    @property
-    def cycle_time(self) -> float:
-        """t_C = L_p/v_L (s). Source: S5, eq. (4)."""
-        return self.product_length / self.line_speed
-
-    @property
-    def rate(self) -> float:
-        """Products a second, v_L/L_p."""
-        return self.line_speed / self.product_length
-
-    @property
-    def time_tolerance(self) -> float:
-        """A time (s) this near to an event counts as on it."""
-        return BREAK_TOLERANCE * self.cycle_time
-
-    @property
-    def tool_time(self) -> float:
-        """t_T = L_T/v_L (s)."""
-        return self.tool.tool_length / self.line_speed
-
-    @property
-    def repositioning_time(self) -> float:
-        """t_R = t_C − t_T (s)."""
-        return (self.product_length - self.tool.tool_length) / self.line_speed
-
-    @property
-    def displacement(self) -> float:
-        """Displacement h = L_0 − L_p (m), the dynamic displacement; 0 where rounding alone tells them apart."""
-        found = self.tool.design_length - self.product_length
-        return found if abs(found) > SAME_LENGTH * self.tool.design_length else 0.0
-
-    @property
-    def limit_length(self) -> float:
-        """L_p,lim = (C_v L_0 − L_T)/(C_v − 1) (m): longer, and the drum cannot but stop or reverse.
-
-        For a tool that comes back it is below L_T. Source: S5, 'Variable length cut'.
-        """
-        cv = self.law.coefficients.cv
-        return (cv * self.tool.design_length - self.tool.tool_length) / (cv - 1.0)
-
-    @property
-    def waits(self) -> bool:
-        """Whether the drum stands still for part of the cycle."""
-        drum = self.tool.design_length > 0.0
-        return drum and self.beyond == "standstill" and self.product_length > self.limit_length
-
-    @cached_property
-    def moving_time(self) -> float:
-        """Time of the superimposed motion without the wait (s): t_R, or C_v L_R/((C_v − 1) v_L) with a wait.
-
-        The latter brings the slowest instant of the motion to standstill exactly.
-        """
-        if not self.waits:
-            return self.repositioning_time
-        cv = self.law.coefficients.cv
-        return cv * self.tool.repositioning_length / ((cv - 1.0) * self.line_speed)
-
-    @property
-    def waiting_time(self) -> float:
-        """Time at standstill (s)."""
-        return self.repositioning_time - self.moving_time
-
-    @property
-    def superimposed(self) -> float:
-        """Displacement by the law (m): h, or what remains of it beside the wait, −v_L t/C_v."""
-        return -self.line_speed * self.moving_time / self.law.coefficients.cv if self.waits else self.displacement
-
-    @property
-    def speed_change(self) -> float:
-        """Δv_max = C_v h/t_R (m/s), with the sign of h. Source: S5, eq. (10)."""
-        return self.law.coefficients.cv * self.superimposed / self.moving_time
-
-    @property
-    def max_acceleration(self) -> float:
-        """a_max = C_a |h|/t_R² (m/s²)."""
-        return self.law.coefficients.ca * abs(self.superimposed) / self.moving_time**2
-
-    @property
-    def max_angular_acceleration(self) -> float:
-        """ω̇_L,max = a_max/R_t (rad/s²). Source: S5, eq. (12)."""
-        return self.max_acceleration / self.tool.radius
-
-    @property
-    def rms_acceleration(self) -> float:
-        """a_rms = C_a,rms |h|/t_R² sqrt(t_R/t_C) (m/s²), over the whole cycle."""
-        share = math.sqrt(self.moving_time / self.cycle_time)
-        return self.law.coefficients.ca_rms * abs(self.superimposed) / self.moving_time**2 * share
-
-    @property
-    def rms_angular_acceleration(self) -> float:
-        """ω̇_L,rms = a_rms/R_t (rad/s²). Source: S5, eq. (13)."""
-        return self.rms_acceleration / self.tool.radius
-
-    @property
-    def speed_range(self) -> tuple[float, float]:
-        """Lowest and highest speed of the tool over the cycle (m/s)."""
-        ends = (self.line_speed, self.line_speed + self.speed_change)
-        return min(ends), max(ends)
-
-    @property
-    def max_angular_speed(self) -> float:
-        """Largest |ω_L| (rad/s)."""
-        return max(abs(v) for v in self.speed_range) / self.tool.radius
-
-    @property
-    def reverses(self) -> bool:
-        """Whether the tool moves against the line for part of the cycle."""
-        return self.speed_range[0] < -SAME_LENGTH * self.line_speed
+    def __init__(
+        self, tool: Tool, product_length: float, line_speed: float, law: Law, beyond: Beyond = "standstill",
+        peak: float | None = None,
+    ) -> None:  # fmt: skip
+        require(line_speed > 0.0, "line speed", line_speed, "more than 0")
+        if not (math.isfinite(product_length) and product_length > tool.tool_length):
+            raise ValueError(f"product length is {product_length:g} m; expected more than L_T, {tool.tool_length:g} m")
+        if beyond not in ("standstill", "reversal"):
+            raise ValueError(f"beyond is {beyond!r}; expected 'standstill' or 'reversal'")
+        if not is_monotone(law) or abs(law.end.s - 1.0) > 1e-9 or max(abs(law.end.v), abs(law.start.v)) > 1e-9:
+            raise ValueError(f"{law.name}: expected a law that rises from rest at 0 to rest at 1")
+        self.tool, self.product_length, self.line_speed, self.law = tool, product_length, line_speed, law
+        cv, ca, ca_rms = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca_rms
+        self.rate = line_speed / product_length  # products a second
+        self.cycle_time = product_length / line_speed  # t_C (s): eq. (4)
+        self.tool_time = tool.tool_length / line_speed  # t_T (s)
+        self.repositioning_time = (product_length - tool.tool_length) / line_speed  # t_R (s)
+        self.time_tolerance = BREAK_TOLERANCE * self.cycle_time  # a time (s) this near to an event counts as on it
+        h, same = tool.design_length - product_length, SAME_LENGTH * tool.design_length
+        self.displacement = h if abs(h) > same else 0.0  # h = L_0 − L_p (m), the dynamic displacement
+        # L_p,lim (m): longer, and a drum cannot but stop or reverse; of a tool that comes back it is below L_T
+        self.limit_length = (cv * tool.design_length - tool.tool_length) / (cv - 1.0)
+        self.waits = tool.design_length > 0.0 and beyond == "standstill" and product_length > self.limit_length
+        # of the law's motion: time (s), with a wait such that the tool just comes to a standstill, and displacement (m)
+        self.moving_time, self.superimposed = self.repositioning_time, self.displacement
+        if self.waits:
+            self.moving_time = cv * tool.repositioning_length / ((cv - 1.0) * line_speed)
+            self.superimposed = -line_speed * self.moving_time / cv
+        self.waiting_time = self.repositioning_time - self.moving_time  # s
+        self.fastest = velocity_peak(law) if peak is None else peak  # ξ at which the law is fastest: there a drum waits
+        begin = self.fastest * self.moving_time if self.waits else self.repositioning_time
+        self.wait = begin, begin + self.waiting_time  # standstill from and to (s); both t_R where it does not wait
+        self.speed_change = cv * self.superimposed / self.moving_time  # Δv_max (m/s), with the sign of h: eq. (10)
+        ends = line_speed, line_speed + self.speed_change
+        self.speed_range = min(ends), max(ends)  # m/s
+        self.reverses = self.speed_range[0] < -SAME_LENGTH * line_speed  # moves against the line for part of the cycle
+        pace, share = abs(self.superimposed) / self.moving_time**2, math.sqrt(self.moving_time / self.cycle_time)
+        self.max_acceleration = ca * pace  # a_max = C_a |h|/t_R² (m/s²)
+        self.rms_acceleration = ca_rms * pace * share  # a_rms = C_a,rms |h|/t_R² √(t_R/t_C), over the whole cycle
+        self.max_angular_speed = max(abs(v) for v in self.speed_range) / tool.radius  # |ω_L| (rad/s)
+        self.max_angular_acceleration = self.max_acceleration / tool.radius  # ω̇_L,max (rad/s²): eq. (12)
+        self.rms_angular_acceleration = self.rms_acceleration / tool.radius  # ω̇_L,rms (rad/s²): eq. (13)
 
     def fastest_line(self, max_speed: float, max_acceleration: float) -> float:
         """Return the line speed (m/s) at which the shaft is at the first of its limits (rad/s, rad/s²).
 
         Of one product and law, ω grows with v_L, ω̇ with v_L²: S5, eqs. (11), (12) with t_R = (L_p − L_T)/v_L.
         """
-        unit = replace(self, line_speed=1.0)
-        by_speed, asked = max_speed / unit.max_angular_speed, unit.max_angular_acceleration
-        return min(by_speed, math.sqrt(max_acceleration / asked)) if asked > 0.0 else by_speed
+        v, asked = self.line_speed, self.max_angular_acceleration
+        by_speed = v * max_speed / self.max_angular_speed
+        return min(by_speed, v * math.sqrt(max_acceleration / asked)) if asked > 0.0 else by_speed
 
     @property
     def stroke(self) -> float:
@@ -264,17 +178,6 @@ class Cut:
         speed = np.select([waits, works], [0.0, self.line_speed], self.line_speed + per * law.v)
         rates = (np.where(waits | works, 0.0, per / self.moving_time**n * x) for n, x in ((1, law.a), (2, law.j)))
         return ToolMotion(self.line_speed * t + moved, speed, *rates)
-
-    @cached_property
-    def fastest(self) -> float:
-        """ξ at which the law is at its fastest: there a drum waits."""
-        return velocity_peak(self.law) if self.peak is None else self.peak
-
-    @property
-    def wait(self) -> tuple[float, float]:
-        """When the drum comes to a standstill, and when it goes on (s); both t_R where it does not wait."""
-        begin = self.fastest * self.moving_time if self.waits else self.repositioning_time
-        return begin, begin + self.waiting_time
 
     def size(self, order: int) -> float:
         """Return how large the n-th derivative of the tool's position is: v_L tⁿ⁻¹ and |h|/tⁿ, of t_m or t_C."""

@@ -86,19 +86,23 @@ def entries_of(model: Any, place: str) -> Callable[..., Quantity]:
     return entry
 
 
-def calc(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, **more: Any) -> Quantity:
+def calc(
+    name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "", **more: Any
+) -> Quantity:  # fmt: skip
     """Return a working: a formula cell on the way to a result; its value comes by other means than the formula."""
-    return Quantity(name, label, symbol, unit, "calculation", formula, value, **more)
+    return Quantity(name, label, symbol, unit, "calculation", formula, value, source, **more)
 
 
-def result(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, **more: Any) -> Quantity:
+def result(
+    name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "", **more: Any
+) -> Quantity:  # fmt: skip
     """Return a result: a formula cell that the engineer came for."""
-    return Quantity(name, label, symbol, unit, "result", formula, value, **more)
+    return Quantity(name, label, symbol, unit, "result", formula, value, source, **more)
 
 
-def constant(name: str, label: str, symbol: str, unit: str, value: Any, **more: Any) -> Quantity:
+def constant(name: str, label: str, symbol: str, unit: str, value: Any, source: str = "", **more: Any) -> Quantity:
     """Return a number or text that belongs to the method and not to the machine: locked, and verified."""
-    return Quantity(name, label, symbol, unit, "constant", None, value, **more)
+    return Quantity(name, label, symbol, unit, "constant", None, value, source, **more)
 
 
 def check(

@@ -68,22 +68,22 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
                scale=size),
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", "=MIN([@pt.T])", float(points.torque.min()), scale=size),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
-               points.rms_torque, scale=size, source="√(Σ share T²), to 0.1 %"),
+               points.rms_torque, "√(Σ share T²), to 0.1 %", scale=size),
         result("@margin", "Margin", "", "", "=IF(@rms>0,@continuous/@rms,0)", held.rms_torque.reserve,
-               source="continuous torque / T_rms"),
+               "continuous torque / T_rms"),
         result("@speed", "Motor speed, largest", "n", "rpm", "=fly_n*@i", shown(view.speed, RPM)),
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
-               shown(points.mean_speed, RPM), source="of |n| over the cycle"),
+               shown(points.mean_speed, RPM), "of |n| over the cycle"),
         continuous(view.motor, points.mean_speed),
         result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])",
-               float(view.left.min()), scale=max(size, view.motor.peak_torque), source="at the points"),
+               float(view.left.min()), "at the points", scale=max(size, view.motor.peak_torque)),
         result("@smax", "Output torque of the reducer, peak", "", "Nm", "=MAX(MAX([@pt.S]),0-MIN([@pt.S]))",
                view.asked.torque, scale=view.torque),
         result("@smean", "Output torque of the reducer, mean", "", "Nm", CUBIC, view.asked.mean_torque,
-               scale=view.torque, source="³√(∫|v||S|³ dt/∫|v| dt)"),
+               "³√(∫|v||S|³ dt/∫|v| dt)", scale=view.torque),
         result("@balance", "Ratio over the best ratio", "τ/τ_opt", "",
                "=IF(sel_moves=1,1/@i/SQRT(@j*sel_wrms*@eta/sel_trms),0)", view.balance,
-               source="1: motor and load balanced, with the reducer's η and inertia"),
+               "1: motor and load balanced, with the reducer's η and inertia"),
     )  # fmt: skip
 
 
@@ -121,18 +121,18 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
     def row(kind: str, table: str, column: str, found: int) -> Quantity:
         listed = f"SUMPRODUCT(([{kind}s.name]=@{kind}_name)*[sel_{kind}s.k])"
         return calc(f"@{kind}_row", f"{kind.capitalize()}: row of the catalogue", "", "",
-                    f'=IF(@{kind}_name="",MAX(1,INDEX([sel_order.{column}],@place)),{listed})', found, format="0",
-                    source="0: not in it")  # fmt: skip
+                    f'=IF(@{kind}_name="",MAX(1,INDEX([sel_order.{column}],@place)),{listed})', found, "0: not in it",
+                    format="0")  # fmt: skip
 
     def of(name: str, label: str, symbol: str, unit: str, column: str, value: float, source: str = "") -> Quantity:
         kind, figure = column.split(".")
         return calc(name, label, symbol, unit, f"=INDEX([sel_{kind}s.{figure}],MAX(1,@{kind}_row))", value,
-                    source=source)  # fmt: skip
+                    source)  # fmt: skip
 
     sheet.rows(
         calc("@place", "Place of the proposed pair", "", "",
-             "=IF(SUM([sel_best.holds])=0,1,MATCH(1,[sel_best.holds],0))", place if ranked else 1, format="0",
-             source="among the best pairs"),
+             "=IF(SUM([sel_best.holds])=0,1,MATCH(1,[sel_best.holds],0))", place if ranked else 1,
+             "among the best pairs", format="0"),
         row("motor", "motors", "m", m + 1),
         row("reducer", "reducers", "r", r + 1),
         of("@jm", "Inertia of the motor", "J_M", "kg m²", "motor.jm", motor.inertia),
@@ -175,7 +175,7 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
              filled([one.end for one in cycle.intervals], room, time)),
         calc("dir", "direction in its middle", "", "",
              f"=IF([k]>fly_pieces,[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))",
-             filled(cycle.direction, room, float(cycle.direction[-1])), format="0", source="1, −1; 0 at rest"),
+             filled(cycle.direction, room, float(cycle.direction[-1])), "1, −1; 0 at rest", format="0"),
         blank="[k]>fly_pieces",
     )  # fmt: skip
 
@@ -184,11 +184,10 @@ def motor(view: ToolDrive) -> list[Quantity]:
     """Return speed and torque of the motor at the points."""
     drive, of = view.points, view.by_point
     return [
-        result("n", "speed of the motor", "n", "rpm", "=@i*[w]*30/PI()", of(shown(drive.speed, RPM)),
-               scale=shown(view.speed, RPM), source="ω_L/τ"),
-        result("T", "torque of the motor", "T", "Nm",
-               "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]+@no_load*[dir]", of(drive.torque),
-               scale=view.motor_torque, source="τ T*/η + J ω̇/τ ± T_nl; τ T* η where the load drives"),
+        result("n", "speed of the motor", "n", "rpm", "=@i*[w]*30/PI()", of(shown(drive.speed, RPM)), "ω_L/τ",
+               scale=shown(view.speed, RPM)),
+        result("T", "torque of the motor", "T", "Nm", "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]+@no_load*[dir]",
+               of(drive.torque), "τ T*/η + J ω̇/τ ± T_nl; τ T* η where the load drives", scale=view.motor_torque),
     ]  # fmt: skip
 
 
@@ -219,19 +218,19 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         calc("w", "speed of the shaft", "ω_L", "rad/s", "=[v]*1000/fly_r", of(load.speed)),
         calc("al", "its acceleration", "ω̇_L", "rad/s²", "=[a]*1000/fly_r", of(load.shaft_acceleration),
              scale=view.turning),
-        calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.output_torque), scale=view.torque,
-             source="T_L + J_L ω̇_L"),
+        calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.output_torque), "T_L + J_L ω̇_L",
+             scale=view.torque),
         *motor(view),
         calc("share", "share of the cycle", "", "", "=[g]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/fly_tc",
-             of(load.share, 0.0), scale=1.0, source="what it counts in a mean"),
+             of(load.share, 0.0), "what it counts in a mean", scale=1.0),
         calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
-             of(view.left), scale=max(view.motor_torque, view.motor.peak_torque), source="T_max − f (n − n_1) − |T|"),
+             of(view.left), "T_max − f (n − n_1) − |T|", scale=max(view.motor_torque, view.motor.peak_torque)),
         calc("stop", "stands at this share of the step", "w", "",
              "=IF([s]=0,0,IF(AND([v]*[v-1]<0,ABS([v])>@still,ABS([v-1])>@still),[v-1]/([v-1]-[v]),0))", of(stands),
-             scale=1.0, source="v_0/(v_0 − v); 0: not at all"),
+             "v_0/(v_0 − v); 0: not at all", scale=1.0),
         calc("far", "position there", "", "m",
              f"=IF([stop]=0,[y],[y-1]+[stop]*[v-1]*{step}/2"
              f"+[stop]^2*(3-2*[stop])*([y]-[y-1]-([v-1]+[v])*{step}/2))", of(reached),
-             source="of the cubic through both points, to 0.1 %"),
+             "of the cubic through both points, to 0.1 %"),
         blank="[share]=0",
     )  # fmt: skip

@@ -47,12 +47,12 @@ def comparison_sheet(book: Book, view: Compared) -> None:
               filled(view.entered, MOST_CURVES, None), "comparison.curves.*.law", choices="=law_code"),
         constant("k", "curve", "k", "", list(range(1, MOST_CURVES + 1))),
         calc("no", "number", "", "", '=MATCH(IF([law]="",[curves.law.first],[law]),law_code,0)',
-             [one.number for one in view.curves], format="0", source="of a spare row that of the first"),
+             [one.number for one in view.curves], "of a spare row that of the first", format="0"),
     )  # fmt: skip
     sheet.heading("Results: the least, of laws whose acceleration does not jump")
     sheet.rows(
         *(result(f"least_{name}", f"Least {words}", "", "",
-                 f"=MIN([costs_worked.{name}_of])", view.least(name), format="0.0000", source=source)
+                 f"=MIN([costs_worked.{name}_of])", view.least(name), source, format="0.0000")
           for name, words, source in (("loss", "copper loss", "C_a,rms² / 12"), ("va", "largest power", "max |v·a|"))),
     )  # fmt: skip
     draw(sheet)
@@ -83,7 +83,7 @@ def costs(sheet: Sheet, view: Compared) -> None:
 
     def of(name: str, label: str, symbol: str, source: str = "") -> Quantity:
         values = [finite(getattr(each, name)) for each in found]
-        return result(name, label, symbol, "", f"=INDEX(law_{name},[no])", values, format="0.0000", source=source)
+        return result(name, label, symbol, "", f"=INDEX(law_{name},[no])", values, source, format="0.0000")
 
     table = sheet.table(
         "costs", "Laws, in the order of the sheet Laws", len(laws),
@@ -97,19 +97,19 @@ def costs(sheet: Sheet, view: Compared) -> None:
         of("va_max", "largest v·a", "max(v·a)"),
         of("va_min", "lowest v·a", "min(v·a)"),
         result("loss", "copper loss", "", "",
-               "=[ca_rms]^2/12", [each.loss for each in found], format="0.0000", source="C_a,rms² / 12"),
+               "=[ca_rms]^2/12", [each.loss for each in found], "C_a,rms² / 12", format="0.0000"),
         result("va", "largest power", "max |v·a|", "",
                "=MAX([va_max],-[va_min])", [each.va for each in found], format="0.0000"),
         result("at_ends", "continuous at its ends", "", "",
-               f"=CHOOSE([ends]+1,{SPELLED})", [WORDS[ends] for ends, _ in view.smooth], source="against rest"),
+               f"=CHOOSE([ends]+1,{SPELLED})", [WORDS[ends] for ends, _ in view.smooth], "against rest"),
         result("within", "and between them", "", "",
                f"=CHOOSE([inside]+1,{SPELLED})", [WORDS[inside] for _, inside in view.smooth]),
     )  # fmt: skip
     sheet.workings(
         table, "costs_worked", "Workings", RIGHT + RIGHT - LEFT + 1,
         constant("no", "number", "", "", [one.number for one in laws], format="0"),
-        calc("ends", "order at its ends", "", "", ORDER.format(4), [ends for ends, _ in view.smooth], format="0",
-             source="highest continuous derivative"),
+        calc("ends", "order at its ends", "", "", ORDER.format(4), [ends for ends, _ in view.smooth],
+             "highest continuous derivative", format="0"),
         calc("inside", "order between them", "", "", ORDER.format(0), [inside for _, inside in view.smooth],
              format="0"),
         *(calc(f"{name}_of", f"{words}, if it does not jump", "", "", f'=IF(MIN([ends],[inside])>1,[{name}],"∞")',
@@ -151,7 +151,7 @@ def samples(sheet: Sheet, view: Compared) -> None:
         sheet.table(
             f"samples{i}", f"Curve {i} over ξ = t / t_a", n + 1,
             constant("k", "sample", "k", "", list(range(n + 1))),
-            calc("xi", "abscissa", "ξ", "", f"=[k]/[samples{i}.k.last]", view.xi, source="k / N", format="0.0000"),
+            calc("xi", "abscissa", "ξ", "", f"=[k]/[samples{i}.k.last]", view.xi, "k / N", format="0.0000"),
             *stack.columns(values, "svaj", result),
             *stack.finding(f"curve{i}_no", "xi", stack.locate(one.number, view.xi)),
         )  # fmt: skip
@@ -174,16 +174,16 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
         calc("law", "law", "", "", "=INDEX(law_code,[no])", [row.one.name for row in rows]),
         constant("no", "number", "", "", [row.one.number for row in rows], format="0"),
         constant("k", "piece", "k", "", [row.k for row in rows], format="0"),
-        calc("q", "piece row", "q", "", PIECE, [row.row for row in rows], format="0", source="on the sheet Laws"),
+        calc("q", "piece row", "q", "", PIECE, [row.row for row in rows], "on the sheet Laws", format="0"),
         calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", [row.at.duration for row in rows]),
         calc("u", "its end", "u", "", f"=[d]{NOT_ZERO}", [row.at.duration + LEAST for row in rows],
-             source="never 0, so that u⁰ is 1"),
+             "never 0, so that u⁰ is 1"),
         *(calc(f"x{n}", f"argument of sine{words} at its end", "", "rad",
                f"=INDEX(piece_omega{n},[q])*[u]+INDEX(piece_phi{n},[q])", [row.at.angles[i] for row in rows])
           for i, (n, words) in enumerate((("", ""), ("2", " 2"))[: 1 + view.stack.second_sine])),
         *(rate(name, i, at_end) for at_end in (False, True) for i, name in enumerate(RATES)),
         calc("p", "last before it that lasts", "", "",
-             "=IF([k]=1,0,IF([d-1]>0,[k-1],[p-1]))", [row.at.before for row in rows], format="0", source="0: rest"),
+             "=IF([k]=1,0,IF([d-1]>0,[k-1],[p-1]))", [row.at.before for row in rows], "0: rest", format="0"),
         *(calc(f"d{name}", f"jump of {words}", f"Δ{name}", "",
                f"=IF([d]>0,[{name}0]-IF([p]=0,0,INDEX([joints.{name}1],[first]+[p]-1)),0)",
                [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
@@ -191,11 +191,11 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
         calc("ca", "largest |a| of its law", "C_a", "",
              "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [row.one.law.coefficients.ca for row in rows]),
         calc("order", "highest continuous derivative", "", "",
-             ORDERED, [row.at.order for row in rows], format="0", source="0 s, 1 v, 2 a, 3 j"),
+             ORDERED, [row.at.order for row in rows], "0 s, 1 v, 2 a, 3 j", format="0"),
         calc("outer", "is an end of the law", "", "", "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)",
              [int(row.at.outer) for row in rows], format="0"),
         calc("code", "law, end and order", "", "", "=8*[no]+4*[outer]+[order]",
-             [code(row.one.number, row.at) for row in rows], format="0", source="8 · number + 4 at an end + order"),
+             [code(row.one.number, row.at) for row in rows], "8 · number + 4 at an end + order", format="0"),
         calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", [row.first for row in rows],
              format="0"),
     )  # fmt: skip

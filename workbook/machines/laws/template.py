@@ -25,9 +25,9 @@ def declare(given: MotionLaws) -> Book:
         [
             calc("about_laws", "Laws compared", "", "", "=COUNT([costs_worked.no])", len(view.moving), format="0"),
             result("about_loss", "Least copper loss without a jump of acceleration", "", "", "=least_loss",
-                   view.least("loss"), format="0.0000", source="C_a,rms² / 12"),
+                   view.least("loss"), "C_a,rms² / 12", format="0.0000"),
             result("about_va", "Least power without a jump of acceleration", "", "", "=least_va",
-                   view.least("va"), format="0.0000", source="max |v·a|"),
+                   view.least("va"), "max |v·a|", format="0.0000"),
         ],
     )  # fmt: skip
     comparison_sheet(book, view)

@@ -49,7 +49,7 @@ class AtAngles:
         since, there = self.plan.since(self.angle), f"[@schedules.there.{self.row}]"
         return [
             calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
-                 f"=({sampled(self.rows, 0, suffix)})*1000", shown(self.travel, MM), source=POSITION),
+                 f"=({sampled(self.rows, 0, suffix)})*1000", shown(self.travel, MM), POSITION),
             calc(f"since{suffix}", "angle since its arrival", "", "°",
                  f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_eps)", shown(since, DEGREE)),
             *finding(self.rows, f"since{suffix}", since, suffix=suffix),
@@ -92,7 +92,7 @@ def transfer_columns(machine: Overlapping, theta: Array, pieces: Pieces) -> list
     angle, rows = si(theta, DEGREE), transfer_rows(machine, pieces)
     return [
         result("yt", "travel of the transfer", "y_t", "mm", f"=({sampled(rows, 0, 't')})*1000",
-               shown(machine.transfer.travel(angle), MM), source=POSITION),
+               shown(machine.transfer.travel(angle), MM), POSITION),
         *finding(rows, "theta", angle, suffix="t"),
     ]  # fmt: skip
 
@@ -119,8 +119,8 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
             )  # fmt: skip
         sheet.heading("Workings: the motions as pieces", ABOUT)
         if i == 1:
-            sheet.rows(constant("overlap_lane", "Height of a part in the diagrams", "", "", LANE_SHARE, format="0.0",
-                                source="as a share of its lane"))  # fmt: skip
+            sheet.rows(constant("overlap_lane", "Height of a part in the diagrams", "", "", LANE_SHARE,
+                                "as a share of its lane", format="0.0"))  # fmt: skip
             sheet.row += 1
             moved = transfer_pieces(sheet, machine, pieces)
         with sheet.scoped(station.scope):
@@ -154,12 +154,11 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         "@motions", "Travel, acceleration and clearance over the master angle", len(theta),
         calc("theta", "master angle", "θ", "°", "=[k]*360/[@motions.k.last]", theta, format="0.0##"),
         result("yt", "travel of the transfer", "y_t", "mm", "=INDEX([transfer_motion.yt],[k]+1)",
-               shown(moved.travel(at), MM), source="as worked out beside the first tool"),
+               shown(moved.travel(at), MM), "as worked out beside the first tool"),
         first, second,
         result("limit", "travel allowed to the tool", "", "mm",
-               ALLOWED, shown(found.allowed, MM), source="c while the transfer is in the way, else h"),
-        result("free", "free with overlap", "", "mm", "=[limit]-[ya]", shown(found.free, MM),
-               source="below 0: collision"),
+               ALLOWED, shown(found.allowed, MM), "c while the transfer is in the way, else h"),
+        result("free", "free with overlap", "", "mm", "=[limit]-[ya]", shown(found.free, MM), "below 0: collision"),
         before.rate(2, "acc", "acceleration", "a", "m/s²", "b"),
         after.rate(2, "acc", "acceleration", "a", "m/s²", "a"),
         *([lane_t] if i == 1 else []),

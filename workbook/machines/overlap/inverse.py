@@ -60,11 +60,11 @@ def inverse_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
     sheet.heading("Results", ABOUT)
     sheet.rows(
         result("inverse_residual", "Largest residual", "|s(ξ) − s|", "",
-               "=MAX([residuals.most])", worst, format="0.0E+00", source="of the rise, in all tables below"),
+               "=MAX([residuals.most])", worst, "of the rise, in all tables below", format="0.0E+00"),
         constant("inverse_bound", "Heights are met to", "", "",
-                 HEIGHT, format="0E+00", source="of the rise; of 100 mm, 0.1 µm"),
+                 HEIGHT, "of the rise; of 100 mm, 0.1 µm", format="0E+00"),
         constant("inverse_slow", "Slower than this: no correction", "v_0", "",
-                 REST, format="0E+00", source="beside a point at which the law rests"),
+                 REST, "beside a point at which the law rests", format="0E+00"),
     )  # fmt: skip
     sheet.checks(
         check("inverse_ok", "Inverse: every height is met", "inverse_residual<=inverse_bound", worst <= HEIGHT,
@@ -106,7 +106,7 @@ def heights(station: Station) -> tuple[Wanted, Wanted]:
     tool, p, n = station.tool, station.passage, station.machine.sizes.margins
     margins = np.array([p.margin, *station.margins.margin])
     gone = p.travelled_share(tool.stroke, margins)
-    k = constant("k", "row", "k", "", list(range(n + 2)), source="0: as entered; then the table of margins")
+    k = constant("k", "row", "k", "", list(range(n + 2)), "0: as entered; then the table of margins")
     margin = calc("margin", "margin", "", "mm",
                   f"=IF([k]=0,{station.scope}margin,INDEX([{station.scope}margins.margin],MAX([k],1)))",
                   shown(margins, MM))  # fmt: skip
@@ -138,15 +138,15 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         constant("what", "motion", "", "", motions, align="left"),
         calc("code", "law", "", "", cells, codes),
         calc("no", "law number", "", "", "=MATCH([code],law_code,0)", numbers, format="0"),
-        calc("first", "row of its first piece", "", "", FIRST, [pieces.first[n] for n in numbers], format="0",
-             source="on Laws"),
+        calc("first", "row of its first piece", "", "", FIRST, [pieces.first[n] for n in numbers], "on Laws",
+             format="0"),
         calc("count", "pieces", "", "", f"={last_before('[no]', '1')}-[first]+1",
-             [len(law_pieces(law)) for law in laws], format="0", source="that begin before its end"),
+             [len(law_pieces(law)) for law in laws], "that begin before its end", format="0"),
         calc("n", "intervals on each piece", "n", "", "=INT(inverse_intervals/[count])",
              [points_of(law).n for law in laws], format="0"),
         calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])", [slowest(law) for law in laws]),
         calc("ca", "acceleration coefficient", "C_a", "", "=MAX(INDEX(law_ca_max,[no]),0-INDEX(law_ca_min,[no]))",
-             [law.coefficients.ca for law in laws], source="max |a|"),
+             [law.coefficients.ca for law in laws], "max |a|"),
     )  # fmt: skip
     sheet.row += 1
 
@@ -161,10 +161,10 @@ def points(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         constant("k", "point", "k", "", list(range(len(at.xi)))),
         calc("p", "piece", "p", "", f"=MIN(INT([k]/{n})+1,{count})", at.piece, format="0"),
         calc("share", "share of the piece", "", "", f"=IF([k]>={n}*{count},1,(1-COS(PI()*([k]/{n}-[p]+1)))/2)",
-             at.share, source="(1 − cos(πi/n))/2: closer towards its ends"),
+             at.share, "(1 − cos(πi/n))/2: closer towards its ends"),
         calc("m", "row on Laws", "", "", f"=[used.first.{i}]+[p]-1", rows, format="0"),
         calc("xi", "share of time", "ξ", "", "=INDEX(piece_xi,[m])+[share]*INDEX(piece_d,[m])", at.xi,
-             source="begin of the piece and its share"),
+             "begin of the piece and its share"),
         *pieces.finding(f"[used.no.{i}]", "xi", pieces.locate(number, at.xi)),
         *pieces.columns({"s": at.s, "v": at.v}, "sv"),
     )  # fmt: skip
@@ -184,9 +184,9 @@ def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         *wanted.head,
         calc("wanted", "height wanted", "s", "", wanted.formula, wanted.s),
         result("xi", "share of time", "ξ", "", "=IF([wanted]<=0,0,IF([wanted]>=1,1,[near]+[more]))", found.xi,
-               source="s(ξ) = s", format="0.00000000"),
+               "s(ξ) = s", format="0.00000000"),
         calc("k0", "point below", "", "", f"=MATCH(MIN([wanted]+break_eps,1-break_eps),[points{i}.s],1)",
-             found.point, format="0", source="last not above s"),
+             found.point, "last not above s", format="0"),
         calc("x0", "its share of time", "ξ", "", at("xi", "[k0]"), low.xi),
         calc("x1", "that of the next", "ξ", "", at("xi", "[k0]+1"), high.xi),
         calc("s0", "its height", "s", "", at("s", "[k0]"), low.s),
@@ -195,12 +195,12 @@ def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         calc("v0", "its velocity", "v", "", at("v", "[k0]"), low.v),
         calc("v1", "that of the next", "v", "", at("v", "[k0]+1"), high.v),
         calc("acc", "acceleration between", "a", "", "=2*([s1]-[s0]-[v0]*([x1]-[x0]))/([x1]-[x0])^2",
-             found.acceleration, source="as if constant: 2(Δs − vΔξ)/Δξ²"),
-        calc("near", "share of time by it", "ξ", "", NEAR, found.near, source="2Δs/(v + √(v² + 2aΔs)) after the point"),
+             found.acceleration, "as if constant: 2(Δs − vΔξ)/Δξ²"),
+        calc("near", "share of time by it", "ξ", "", NEAR, found.near, "2Δs/(v + √(v² + 2aΔs)) after the point"),
         *pieces.finding(f"[used.no.{i}]", "near", pieces.locate(number, found.near)),
         *pieces.columns({"s": found.s, "v": found.v}, "sv"),
         calc("more", "correction", "Δξ", "", "=IF(MIN([v0],[v1])>inverse_slow,([wanted]-[s])/[v],0)",
-             found.correction, source="what is missing of s, over the velocity"),
+             found.correction, "what is missing of s, over the velocity"),
     )  # fmt: skip
     sheet.row += 1
     sheet.table(
@@ -210,6 +210,6 @@ def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         *pieces.finding(f"[used.no.{i}]", "xi", pieces.locate(number, found.xi)),
         *pieces.columns({"s": law.s(found.xi)}, "s"),
         calc("residual", "residual", "s(ξ) − s", "", f"=[s]-INDEX([{wanted.name}.wanted],[k]+1)", wanted.residual,
-             format="0.0E+00", source="how far the law is from the height wanted"),
+             "how far the law is from the height wanted", format="0.0E+00"),
     )  # fmt: skip
     sheet.row += 1

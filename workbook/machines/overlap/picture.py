@@ -71,9 +71,9 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
         result("b", "travel, one after the other", "y", "mm", machine.each("=[@view.yb]"), shown(states.before, MM)),
         result("a", "travel, with overlap", "y", "mm", machine.each("=[@view.ya]"), shown(states.after, MM)),
         result("limit", "travel allowed", "", "mm",
-               machine.each(allowing), shown(states.allowed, MM), source="c if in the way, else h"),
+               machine.each(allowing), shown(states.allowed, MM), "c if in the way, else h"),
         result("free", "free, with overlap", "", "mm", "=[limit]-[a]", shown(states.free, MM),
-               source="below 0 the parts collide"),
+               "below 0 the parts collide"),
         result("says", "the transfer is", "", "", machine.each(SAYS), states.says()),
     )  # fmt: skip
 
@@ -100,12 +100,12 @@ def dimensions(sheet: Sheet, machine: Overlapping) -> None:
     stations, scene = machine.stations, machine.scene
     sheet.rows(
         constant("picture_width", "Width of a tool", "", "",
-                 WIDTH, format="0.0##", source="as a share of the transfer's stroke"),
-        constant("picture_body", "Length of a tool", "", "", BODY, format="0.0##", source="as a share of its stroke"),
+                 WIDTH, "as a share of the transfer's stroke", format="0.0##"),
+        constant("picture_body", "Length of a tool", "", "", BODY, "as a share of its stroke", format="0.0##"),
         constant("picture_plate", "Thickness of the plate below the part", "", "",
-                 PLATE, format="0.0##", source="as a share of the longest stroke of a tool"),
+                 PLATE, "as a share of the longest stroke of a tool", format="0.0##"),
         constant("picture_step", "From station to station", "", "",
-                 STEP, format="0.0##", source="as a multiple of the transfer's stroke"),
+                 STEP, "as a multiple of the transfer's stroke", format="0.0##"),
     )  # fmt: skip
     sheet.row += 1
     sheet.table(
@@ -114,9 +114,9 @@ def dimensions(sheet: Sheet, machine: Overlapping) -> None:
         calc("x", "middle of the station", "X", "mm", "=([i]-1)*picture_step*overlap_pitch", shown(scene.middles, MM)),
         calc("open", "opening of the transfer", "", "mm",
              machine.each("=overlap_pitch*(picture_width+2*@remaining/100)"), shown(scene.openings, MM),
-             source="the tool, and s_r of the stroke on both sides"),
+             "the tool, and s_r of the stroke on both sides"),
         calc("top", "height of the transfer above the part", "", "mm",
-             machine.each("=MAX(@stroke-@clearance,0)"), shown(scene.tops, MM), source="h − c"),
+             machine.each("=MAX(@stroke-@clearance,0)"), shown(scene.tops, MM), "h − c"),
         calc("h", "stroke", "h", "mm", machine.each("=@stroke"), shown(scene.strokes, MM)),
     )  # fmt: skip
 

@@ -53,7 +53,7 @@ def sums(sheet: Sheet, machine: Overlapping) -> None:
         result("overlap_a1", "Largest peak acceleration with overlap", "a_max", "m/s²",
                "=MAX([tools.a1])", machine.peaks[1]),
         result("overlap_least", "Least clearance over the cycle", "", "mm",
-               "=MIN([tools.least])", machine.least, source="of any tool"),
+               "=MIN([tools.least])", machine.least, "of any tool"),
     )  # fmt: skip
     sheet.checks(rising())
     sheet.row += 1
@@ -90,11 +90,11 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
     """Return the workings that all tools share."""
     return (
         calc("overlap_tc", "Time of one turn", "t_c", "s",
-             "=3600/overlap_rate", movement_time(FULL_TURN, machine.rate), source="3600 / N"),
+             "=3600/overlap_rate", movement_time(FULL_TURN, machine.rate), "3600 / N"),
         calc("overlap_eps", "Tolerance of an angle", "ε", "°", "=360*break_eps", shown(ANGLE_TOLERANCE, DEGREE),
-             format="0E+00", source="an angle this close to an event is taken as the event"),
+             "an angle this close to an event is taken as the event", format="0E+00"),
         calc("overlap_w", "Speed of the master shaft", "ω", "rad/s",
-             "=2*PI()/overlap_tc", shaft_speed(machine.rate), source="2π/t_c"),
+             "=2*PI()/overlap_tc", shaft_speed(machine.rate), "2π/t_c"),
     )  # fmt: skip
 
 

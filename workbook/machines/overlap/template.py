@@ -54,12 +54,11 @@ def in_short(view: Overlapping) -> list[Quantity]:
     before, after, lower = PRINTED if view.alone else ("", "", "")
     first = view.stations[0]
     ratio = result("about_ratio", "The acceleration falls by a factor of", "", "", "=tool1_ratio",
-                   first.as_set.times_lower(first.before), source=lower)  # fmt: skip
+                   first.as_set.times_lower(first.before), lower)  # fmt: skip
     return [
         result("about_a0", f"{which} acceleration one after the other", "a_max", "m/s²", f"={of}_a0", view.peaks[0],
-               source=before),
-        result("about_a1", f"{which} acceleration with overlap", "a_max", "m/s²", f"={of}_a1", view.peaks[1],
-               source=after),
+               before),
+        result("about_a1", f"{which} acceleration with overlap", "a_max", "m/s²", f"={of}_a1", view.peaks[1], after),
         *([ratio] if view.alone else []),
         result("about_least", "Least clearance over the cycle", "", "mm", f"={of}_least", view.least),
     ]  # fmt: skip
