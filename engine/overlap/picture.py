@@ -4,8 +4,6 @@ The sizes that no entry gives are shares of the strokes: what is drawn shows whe
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -34,33 +32,16 @@ class Outline(NamedTuple):
     z: Array
 
 
-@dataclass(frozen=True)
 class Scene:
-    """A transfer, and each tool with its passage at a station of its own."""
+    """A transfer, and each tool with its passage at a station of its own (m)."""
 
-    transfer: Transfer
-    stations: Sequence[tuple[Tool, Passage]]
-
-    @cached_property
-    def strokes(self) -> Array:
-        """Of the tools (m)."""
-        return np.array([tool.stroke for tool, _ in self.stations], dtype=np.float64)
-
-    @cached_property
-    def middles(self) -> Array:
-        """Where the stations are, across (m)."""
-        return self.transfer.stroke * STEP * np.arange(len(self.stations), dtype=np.float64)
-
-    @cached_property
-    def openings(self) -> Array:
-        """What the transfer leaves open at each station: the tool, and what may remain of its stroke on both sides."""
-        remaining = np.array([passage.remaining for _, passage in self.stations], dtype=np.float64)
-        return self.transfer.stroke * (WIDTH + 2.0 * remaining)
-
-    @cached_property
-    def tops(self) -> Array:
-        """Height of the transfer above the work at each station, h − c (m)."""
-        return np.array([max(tool.stroke - passage.clearance, 0.0) for tool, passage in self.stations])
+    def __init__(self, transfer: Transfer, stations: Sequence[tuple[Tool, Passage]]) -> None:
+        self.transfer, pitch = transfer, transfer.stroke
+        self.strokes = np.array([tool.stroke for tool, _ in stations], dtype=np.float64)
+        self.middles = pitch * STEP * np.arange(len(stations), dtype=np.float64)  # of the stations, across
+        # what the transfer leaves open at each: the tool, and what may remain of its stroke on both sides
+        self.openings = pitch * (WIDTH + 2.0 * np.array([passage.remaining for _, passage in stations]))
+        self.tops = np.array([max(tool.stroke - passage.clearance, 0.0) for tool, passage in stations])  # of it, h − c
 
     def punch(self, i: int, travel: float) -> Outline:
         """Return the outline of the ``i``-th tool, from 0, that has gone ``travel`` (m)."""

@@ -149,11 +149,6 @@ class Schedule:
         leaves = self.arrival + self.tool.dwell
         return self.arrival - self.angle_in, self.arrival, leaves, leaves + self.angle_out
 
-    @property
-    def angles(self) -> float:
-        """The tool's angles in and out together (rad)."""
-        return self.angle_in + self.angle_out
-
     @cached_property
     def motion(self) -> Motion:
         """The tool over one turn, counted from its arrival: there no movement wraps."""
@@ -170,11 +165,6 @@ class Schedule:
             Scaled(Dwell(), 0.0, lasting(rest), dwell + out),
             Scaled(self.tool.law, h, into, FULL_TURN - into),
         )
-
-    @property
-    def pieces(self) -> list[MotionPiece]:
-        """The same motion as pieces."""
-        return pieces_of_parts(self.parts)
 
     def since(self, angle: ArrayLike) -> Array:
         """Return the angles since the tool's arrival, within one turn, at angles of the master shaft (rad)."""

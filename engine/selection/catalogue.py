@@ -1,7 +1,7 @@
 """Catalogues of motors and reducers as arrays. SI units."""
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from engine.laws.base import Array
 NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)  # of every product
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class Motors:
     """A catalogue of motors, one array each: J_M (kg m²), T_M,N, T_M,max (Nm), ω_M,max (rad/s); size (kg), cost.
 
@@ -43,38 +43,24 @@ class Motors:
         _require_each("motor", self.names, "end_torque", halves, self.end_torque, "wherever full_torque_to is one")
         falls = ~(self.full_torque_to >= self.max_speed)
         _require_each("motor", self.names, "full_torque_to", falls, self.full_torque_to, "below max_speed")
+        self.stall: Array = np.fmax(self.rated_torque, self.stall_torque)  # at rest, all the time (Nm)
+        unknown = np.isnan(self.rated_speed)
+        self.falls_to = np.where(unknown, self.max_speed, self.rated_speed)  # where that is the rated torque (rad/s)
+        self.knee = np.where(np.isnan(self.full_torque_to), self.max_speed, self.full_torque_to)  # of the peak torque
+        change = np.nan_to_num(self.end_torque - self.peak_torque)
+        beyond, none = self.max_speed - self.knee, np.zeros(change.shape)
+        self.slope = np.divide(change, beyond, out=none, where=change != 0.0)  # beyond the knee (Nm per rad/s)
 
     def derated(self, share: float) -> "Motors":
         """Return them with a share of rated and stall torque left: see :func:`engine.drive.derating`."""
         return replace(self, rated_torque=self.rated_torque * share, stall_torque=self.stall_torque * share)
 
-    @cached_property
-    def stall(self) -> Array:
-        """The torque that each can give all the time at no speed (Nm)."""
-        return np.fmax(self.rated_torque, self.stall_torque)
-
-    @cached_property
-    def falls_to(self) -> Array:
-        """The speed (rad/s) at which the continuous torque is the rated one."""
-        return np.where(np.isnan(self.rated_speed), self.max_speed, self.rated_speed)
-
     def continuous(self, k: Any, speed: ArrayLike) -> Array:
         """Return what motors ``k`` can give all the time at mean speeds (rad/s), in Nm."""
         return continuous(self.rated_torque[k], self.stall[k], self.falls_to[k], speed)
 
-    @cached_property
-    def knee(self) -> Array:
-        """The speed (rad/s) up to which the peak torque holds."""
-        return np.where(np.isnan(self.full_torque_to), self.max_speed, self.full_torque_to)
 
-    @cached_property
-    def slope(self) -> Array:
-        """Change of the peak torque beyond the knee, in Nm per rad/s; 0 where it holds."""
-        change = np.nan_to_num(self.end_torque - self.peak_torque)
-        return np.divide(change, self.max_speed - self.knee, out=np.zeros(change.shape), where=change != 0.0)
-
-
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class Reducers:
     """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), limits, size and cost.
 
@@ -104,11 +90,7 @@ class Reducers:
         _require_each("reducer", self.names, "efficiency", self.efficiency <= 1.0, self.efficiency, "at most 1")
         factor = self.cycle_factor
         _require_each("reducer", self.names, "cycle_factor", factor >= 1.0, factor, "1 or more")
-
-    @cached_property
-    def ratio(self) -> Array:
-        """τ = ω_L/ω_M = 1/i."""
-        return 1.0 / self.reduction
+        self.ratio = 1.0 / self.reduction  # τ = ω_L/ω_M
 
 
 def _columns(
@@ -116,13 +98,13 @@ def _columns(
 ) -> None:
     """Turn what is given into arrays, one value a name, and refuse what cannot be; ``known`` may be NaN."""
     names = tuple(catalogue.names)
-    object.__setattr__(catalogue, "names", names)
+    catalogue.names = names
     for column in (*positive, *other, *known):
         values = np.asarray(getattr(catalogue, column), dtype=np.float64)
         if values.shape not in ((), (len(names),)):
             raise ValueError(f"{len(names)} {kind}s are named and {values.size} values of {column} given")
         values = np.broadcast_to(values, (len(names),))
-        object.__setattr__(catalogue, column, values)
+        setattr(catalogue, column, values)
         holds, expected = (values > 0.0, "above 0") if column in positive else (values >= 0.0, "0 or more")
         if column in known:
             holds = ~(values < 0.0)

@@ -80,7 +80,7 @@ class Used(NamedTuple):
     torque: float
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class PairMatrix:
     """Every motor of a catalogue (down) behind every reducer (across).
 
@@ -94,16 +94,20 @@ class PairMatrix:
     wanted: Wanted
     rate: float = 0.0
 
-    @cached_property
-    def inertias(self) -> Array:
-        """J of each pair (kg m²)."""
-        return self.motors.inertia[:, None] + self.beside_motor
-
-    @cached_property
-    def gears(self) -> Gears:
-        """J, i, η and no-load torque of each pair, motor by motor."""
-        r = self.reducers
-        return gears(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)
+    def __post_init__(self) -> None:
+        r, rated = self.reducers, self.motors.rated_torque
+        self.beside_motor: Array = r.inertia + self.beside  # what turns with a motor before each reducer (kg m²)
+        self.inertias: Array = self.motors.inertia[:, None] + self.beside_motor  # J of each pair (kg m²)
+        self.gears = gears(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)  # of each pair, motor by motor
+        self.speed: Array = self.load.speed / r.ratio  # largest speed of the motor before each reducer (rad/s)
+        self.at_motor: Array = self.beside_motor + self.load.inertia * r.ratio**2  # inertia that each drives (kg m²)
+        self.inertia_ratio: Array = self.at_motor / self.motors.inertia[:, None]  # the same over each motor's
+        self.output_torque = self.wanted.torque_factor * self.load.torque  # that a reducer must hold (Nm)
+        held = r.max_output_torque / factor_at(self.rate, r.full_rate, r.cycle_factor)
+        self.most_output_torque: Array = held  # of each reducer at these cycles (Nm)
+        strong = (self.output_torque <= held) & (self.load.mean_torque <= r.max_mean_torque)
+        self.fits: NDArray[np.bool_] = strong & (self.speed <= r.max_input_speed)  # whether a reducer holds the load
+        self.smaller: NDArray[np.int_] = (rated < rated[:, None]).sum(axis=1)  # how many motors are rated less, of each
 
     def pair(self, motor: int, reducer: int) -> Pair:
         """Return J, i, η and no-load torque of a pair."""
@@ -119,26 +123,6 @@ class PairMatrix:
         """Largest torque of each motor (Nm)."""
         return self.load.peak(self.gears).reshape(self.inertias.shape)
 
-    @cached_property
-    def speed(self) -> Array:
-        """Largest speed of the motor before each reducer (rad/s)."""
-        return np.asarray(self.load.speed / self.reducers.ratio)
-
-    @cached_property
-    def at_motor(self) -> Array:
-        """Inertia at the motor without it (kg m²), of each reducer."""
-        return np.asarray(self.beside_motor + self.load.inertia * self.reducers.ratio**2)
-
-    @cached_property
-    def inertia_ratio(self) -> Array:
-        """The same over each motor's."""
-        return np.asarray(self.at_motor / self.motors.inertia[:, None])
-
-    @property
-    def beside_motor(self) -> Array:
-        """What turns with a motor before each reducer (kg m²)."""
-        return self.reducers.inertia + self.beside
-
     @property
     def task(self) -> Task:
         """What the cycle asks for behind the reducer, as S5 tells it; a mean past ±ω̇_rms T*_rms is rounding."""
@@ -146,24 +130,6 @@ class PairMatrix:
         acceleration, torque = math.sqrt(means.own), math.sqrt(means.load + means.load_back)
         most = acceleration * torque
         return Task(acceleration, torque, max(-most, min(most, means.mixed + means.mixed_back)), self.load.speed)
-
-    @cached_property
-    def output_torque(self) -> float:
-        """The torque that a reducer must hold (Nm)."""
-        return self.wanted.torque_factor * self.load.torque
-
-    @cached_property
-    def most_output_torque(self) -> Array:
-        """The largest output torque of each reducer at these cycles (Nm)."""
-        r = self.reducers
-        return np.asarray(r.max_output_torque / factor_at(self.rate, r.full_rate, r.cycle_factor))
-
-    @cached_property
-    def fits(self) -> NDArray[np.bool_]:
-        """Whether each reducer holds torque and speed."""
-        r = self.reducers
-        strong = (self.output_torque <= self.most_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
-        return strong & (self.speed <= r.max_input_speed)
 
     def use(self, motor: int, reducer: int) -> Used:
         """Return what a pair uses of its motor."""
@@ -220,12 +186,6 @@ class PairMatrix:
             return np.where(x > 0.0, np.exp(np.abs(np.log(x, out=np.zeros(x.shape), where=x > 0.0)) / 2.0), 0.0)
         name = "size" if rank == "mass" else "cost"
         return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))
-
-    @cached_property
-    def smaller(self) -> NDArray[np.int_]:
-        """How many motors have a smaller rated torque, of each."""
-        rated = self.motors.rated_torque
-        return np.asarray((rated < rated[:, None]).sum(axis=1))
 
     def keys(self, rank: Rank, across: int, rooms: int) -> Array:
         """Return whole numbers that rise as pairs rank, NaN of those that do not: equals in the order of the table.

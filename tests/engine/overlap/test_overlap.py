@@ -22,7 +22,7 @@ from engine.overlap.plan import (
     sweep_margin,
 )
 from engine.overlap.points import HEIGHT, inverse_by_points
-from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time
+from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time, pieces_of_parts
 from tests.engine.motion.junctions import runs_smoothly
 
 TURN = np.linspace(0.0, 2 * pi, 1441)
@@ -122,20 +122,20 @@ def test_pieces_give_the_same_motion(law_in, law_out, split):
     transfer, _ = mill_and_die()
     tool = Tool(law_in, 0.05, radians(100), law_out)
     schedule = overlap(transfer, tool, Passage(0.01, 0.02, 0.001, split=split))
-    found = evaluated(schedule.pieces, schedule.since(TURN), 0.0, 2 * pi)
+    found = evaluated(pieces_of_parts(schedule.parts), schedule.since(TURN), 0.0, 2 * pi)
     assert found.y == pytest.approx(schedule.travel(TURN), abs=1e-12)
     for order, values in enumerate(schedule.rates(TURN, 1.0), 1):
         assert found[order] * (2 * pi) ** order == pytest.approx(values, abs=1e-11 * np.abs(values).max())
     rests = schedule.parts[2].duration > 0.0
-    assert {piece.phase for piece in schedule.pieces} == ({0, 1, 2, 3} if rests else {0, 1, 3})
+    assert {piece.phase for piece in pieces_of_parts(schedule.parts)} == ({0, 1, 2, 3} if rests else {0, 1, 3})
 
 
 def test_just_below_a_whole_turn_counts_as_on_it():
     schedule = one_after_the_other(*mill_and_die())
     found = schedule.since(np.array([schedule.arrival - 1e-9, schedule.arrival, schedule.arrival - 1e-7]))
     assert found == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
-    place = located(schedule.pieces, found, 0.0, 2 * pi)
-    assert [schedule.pieces[k].phase for k in place.piece] == [0, 0, 3]
+    place = located(pieces_of_parts(schedule.parts), found, 0.0, 2 * pi)
+    assert [pieces_of_parts(schedule.parts)[k].phase for k in place.piece] == [0, 0, 3]
 
 
 def test_a_gain_is_that_of_the_peaks_at_any_rate():

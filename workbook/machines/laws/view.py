@@ -1,6 +1,5 @@
 """The engine's view of the laws that are compared."""
 
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -33,22 +32,13 @@ class Compared:
         self.curves = [known[name] for name in chosen]
         self.moving = [one for one in laws if not isinstance(one.law, Dwell)]
         self.xi = np.arange(self.sizes.cycle + 1) / self.sizes.cycle
-
-    @cached_property
-    def smooth(self) -> list[tuple[int, int]]:
-        """The highest derivative of s that is continuous, of each law at its ends and between them."""
-        return [continuity(one.law) for one in self.moving]
-
-    @cached_property
-    def joints(self) -> list[Joined]:
-        """The begin of each piece of each law, and of the rest behind it."""
-        found: list[Joined] = []
+        self.smooth = [continuity(one.law) for one in self.moving]  # the order of each at its ends and between them
+        self.joints: list[Joined] = []  # the begin of each piece of each law, and of the rest behind it
         for one in self.moving:
-            pieces, begun, first = self.stack.pieces[one.number], self.stack.first[one.number], len(found) + 1
+            pieces, begun, first = stack.pieces[one.number], stack.first[one.number], len(self.joints) + 1
             for k, at in enumerate(meetings(one.law, pieces), 1):
-                row = begun + k - 1 if k <= len(pieces) else self.stack.first[1]
-                found.append(Joined(one, k, at, row, first))
-        return found
+                row = begun + k - 1 if k <= len(pieces) else stack.first[1]
+                self.joints.append(Joined(one, k, at, row, first))
 
     def least(self, figure: str) -> float:
         """Return the least of a coefficient among the laws whose acceleration does not jump; 0 where there is none."""

@@ -78,7 +78,7 @@ def joints_of(
 def tool_rows(station: Station, schedule: str, pieces: Pieces) -> PieceRows:
     """Return the pieces of a tool in a schedule, from its arrival."""
     plan = station.schedules[SCHEDULES[schedule][0] - 1]
-    return rows_of_parts(OF_TOOL[schedule], plan.parts, plan.pieces, pieces, FULL_TURN)
+    return rows_of_parts(OF_TOOL[schedule], plan.parts, pieces_of_parts(plan.parts), pieces, FULL_TURN)
 
 
 def transfer_rows(machine: Overlapping, pieces: Pieces) -> PieceRows:

@@ -195,7 +195,7 @@ def steps(sheet: Sheet, station: Station) -> None:
     sheet.rows(*quoting(
         station,
         calc("@free0", "Free angle one after the other", "", "°", "=360-overlap_angle-@dwell",
-             shown(before.angles, DEGREE), "S2: 360° − 150° − 100° = 110°, 55° each way"),
+             shown(before.angle_in + before.angle_out, DEGREE), "S2: 360° − 150° − 100° = 110°, 55° each way"),
         calc("@begin", "The transfer is in the way from", "", "°", f"=[inverse_transfer.xi.{first}]*overlap_angle",
              begin, "s_r of its stroke done; S2: 15°"),
         calc("@end", "to", "", "°", f"=[inverse_transfer.xi.{last}]*overlap_angle", end,
