@@ -33,8 +33,8 @@ from workbook.selection.entries import MOST_PRODUCTS, Products
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed
+from workbook.writing.archive import same_book
 from workbook.writing.place import refuse_existing, replace
-from workbook.writing.same import same_book
 from workbook.writing.write import save
 
 LARGE = 10_000_000  # bytes of a file: one below is far within the limits of reading

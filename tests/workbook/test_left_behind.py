@@ -17,7 +17,7 @@ from workbook.commands import make
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.writing.same import same_book
+from workbook.writing.archive import same_book
 
 DESCRIPTION = FOLDER / "motion-composer.toml"
 

@@ -16,7 +16,7 @@ from workbook.reading.descriptions import read_machine, write_machine
 from workbook.reading.files import open_book
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.writing.same import same_book
+from workbook.writing.archive import same_book
 
 MOVED, FEED = ("axes", 1, "phases"), ("axes", 0)
 ONLY = ("axes", 0, "phases")

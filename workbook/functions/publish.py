@@ -14,7 +14,7 @@ from workbook.functions.page import declare
 from workbook.functions.shown import EXAMPLE, Shown
 from workbook.template import FOLDER
 from workbook.writing import archive
-from workbook.writing.same import same_book
+from workbook.writing.archive import same_book
 from workbook.writing.write import pack, parts
 
 SHEET = "xl/worksheets/sheet1.xml"

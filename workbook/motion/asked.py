@@ -20,33 +20,25 @@ def smoothness_for(turn: int) -> str:
 
 @dataclass(frozen=True)
 class Asked:
-    """How smooth a motion must be.
-
-    ``entry`` is the formula of what is entered, ``order`` the name of the cell that counts the derivatives, ``largest``
-    are the formulas of the largest |y'| and |y''|. In sentences stand the motion's name ``of``, the unit of the
-    abscissa behind a ``place`` and those of the derivatives: each a formula, and the text that it gives. ``wraps`` is
-    the condition under which the motion repeats, which it does if it is ``periodic``. Where its phases do not stand in
-    the rows in which they are entered, sentences give no ``rows``; where they have ``names``, in the column ``what``
-    of their table, these stand in place of numbers. Of a motion in degrees that is told over time, ``speed`` is the
-    name of the cell that says how fast it goes, and that in rad/s; ``lift`` the end of a formula that shows a lift in
-    another unit than the motion's, and what that is in it. ``quickest`` is the
-    formula of the greatest 1/δ by which jerks are measured: by default that of all phases.
-    """
+    """How smooth a motion must be, and how sentences tell of it: pairs are a formula, and the text that it gives."""
 
     smooth: Smoothness
-    entry: str
-    order: str
-    largest: tuple[str, str]
-    place: tuple[str, str]
-    units: tuple[tuple[str, str], ...]
-    of: tuple[str, str] = ("", "")
-    wraps: str = ""
-    periodic: bool = True
-    rows: bool = True
-    names: tuple[str, ...] = ()
-    speed: tuple[str, float] | None = None
-    lift: tuple[str, float] = ("", 1.0)
-    quickest: str = ""
+    entry: str  # the formula of what is entered
+    order: str  # the name of the cell that counts the derivatives
+    largest: tuple[str, str]  # the formulas of the largest |y'| and |y''|
+    place: tuple[str, str]  # the unit of the abscissa, behind a place
+    units: tuple[tuple[str, str], ...]  # of the derivatives
+    of: tuple[str, str] = ("", "")  # the motion's name
+    wraps: str = ""  # the condition under which the motion repeats
+    periodic: bool = True  # whether it does
+    rows: bool = True  # whether its phases stand in the rows in which they are entered, so that sentences give these
+    names: tuple[str, ...] = ()  # of its phases, in the column ``what`` of their table, in place of numbers
+    speed: tuple[str, float] | None = None  # of a motion in degrees told over time: the cell of its speed, and rad/s
+    lift: tuple[str, float] = (
+        "",
+        1.0,
+    )  # the end of a formula that shows a lift in another unit, and what that is in it
+    quickest: str = ""  # the formula of the greatest 1/δ by which jerks are measured: by default that of all phases
 
 
 def in_time(asked: Asked, degrees: str, size: str, order: str) -> tuple[str, str]:

@@ -19,18 +19,6 @@ from workbook.laws.sampling import Pieces
 RAISED = ("", "", "²", "³", "⁴", "⁵", "⁶", "⁷")
 
 
-class Sine(NamedTuple):
-    """A sine in the stack by its columns: P/ω², ω, φ; ``mark`` ends the names of the motion's columns of it."""
-
-    ps: str
-    omega: str
-    phi: str
-    mark: str
-
-
-SINES = (Sine("ps", "omega", "phi", ""), Sine("ps2", "omega2", "phi2", "2"))
-
-
 FIRST = "=MATCH([no],piece_number,0)"  # the row of the first piece of a phase's law
 
 
@@ -48,28 +36,21 @@ def of_law(column: str) -> str:
 class Cells:
     """Where a motion stands in a book.
 
-    ``phases`` is the table of its phases, with the columns ``k``, ``no``, ``h``, ``span``, ``begin`` and ``y0``, in
-    units of the motion, beside those that this room adds; ``pieces`` is the table of its pieces. ``count`` and ``end``
-    are what says how many pieces there are and where the abscissa ends; it begins at 0. With ``degrees``, begins and
-    samples are in degrees, and the motion per radian; ``near`` is then what says how near to a begin counts as on it.
-    In units of its own a motion may be of any length: a sample finds its piece by the share of the whole. With
-    ``drifts``, phases have a column ``drift``, a velocity that is added; with ``opens``, one of where they begin, if in
-    the middle of a piece. ``ends`` is the table of what phases take from their neighbours, in books that have it,
-    ``peaks`` the columns of the greatest |y'| and |y''| of a phase.
+    In units of its own a motion may be of any length: a sample finds its piece by the share of the whole.
     """
 
-    phases: str
-    pieces: str
-    count: str
-    end: str
+    phases: str  # the table of its phases: ``k``, ``no``, ``h``, ``span``, ``begin``, ``y0``, in units of the motion
+    pieces: str  # the table of its pieces
+    count: str  # what says how many pieces there are
+    end: str  # what says where the abscissa ends; it begins at 0
     y: str = ""
     x: str = ""
-    degrees: bool = False
-    near: str = ""
-    drifts: bool = False
-    opens: bool = False
-    ends: str = ""
-    peaks: tuple[str, str] = ("y1", "y2")
+    degrees: bool = False  # whether begins and samples are in degrees, and the motion per radian
+    near: str = ""  # what says how near to a begin counts as on it, in degrees
+    drifts: bool = False  # whether phases have a column ``drift``, a velocity that is added
+    opens: bool = False  # whether they have one of where they begin, if in the middle of a piece
+    ends: str = ""  # the table of what phases take from their neighbours, in books that have it
+    peaks: tuple[str, str] = ("y1", "y2")  # the columns of the greatest |y'| and |y''| of a phase
 
     def of_phase(self, column: str) -> str:
         """Return the formula of a figure of a piece's phase."""
@@ -83,11 +64,6 @@ class Cells:
     def asked(self) -> str:
         """The table of what is asked for at the ends of phases."""
         return self.ends.replace("_ends", "_asked")
-
-    @property
-    def lift(self) -> str:
-        """The formula of what the law of a piece is multiplied by."""
-        return "[hp]"
 
     @property
     def base(self) -> str:
@@ -124,27 +100,23 @@ class Found(NamedTuple):
 
 @dataclass(frozen=True)
 class PieceRows:
-    """A motion ``at`` its place: the engine's pieces of it, each with its row in the stack of all laws' pieces.
-
-    ``numbers``, ``firsts``, ``lifts`` and ``rates`` are, for each row of phases, the number of its law, the row of the
-    first piece that it has of it, its lift, and 1/δ (0 of a spare row).
-    """
+    """A motion ``at`` its place: the engine's pieces of it, each with its row in the stack of all laws' pieces."""
 
     at: Cells
     stack: Pieces
     pieces: Sequence[MotionPiece]
     rows: Sequence[int]
-    numbers: Sequence[int]
-    firsts: Sequence[int]
-    lifts: Sequence[float]
-    rates: Sequence[float]
-    begin: float
-    end: float
+    numbers: Sequence[int]  # for each row of phases: the number of its law,
+    firsts: Sequence[int]  # the row of the first piece that it has of it,
+    lifts: Sequence[float]  # its lift,
+    rates: Sequence[float]  # and 1/δ; 0 of a spare row
+    end: float  # of the abscissa, which begins at 0
 
     @cached_property
-    def sines(self) -> tuple[Sine, ...]:
-        """The sines that a piece may have: two where any law of the book has a second."""
-        return SINES if any(piece.omega2 for pieces in self.stack.pieces.values() for piece in pieces) else SINES[:1]
+    def marks(self) -> tuple[str, ...]:
+        """The ends of the names of columns of each sine that a piece may have: two where any law has a second."""
+        second = any(piece.omega2 for pieces in self.stack.pieces.values() for piece in pieces)
+        return ("", "2") if second else ("",)
 
     @cached_property
     def powers(self) -> int:
@@ -169,11 +141,11 @@ class PieceRows:
     @property
     def shares(self) -> list[float]:
         """Where each piece begins, as a share of the whole motion."""
-        return shares(self.pieces, self.begin, self.end)
+        return shares(self.pieces, 0.0, self.end)
 
     def found(self, x: Array) -> Found:
         """Return where samples of the abscissa lie."""
-        place = located(self.pieces, x, self.begin, self.end)
+        place = located(self.pieces, x, 0.0, self.end)
         omegas, phases = np.array([[sine[1:] for sine in piece.sines] for piece in self.pieces]).T
         angles = [om[place.piece] * place.u + phi[place.piece] for om, phi in zip(omegas, phases, strict=True)]
         return Found((place.piece + 1).astype(float), place.u, angles)
@@ -194,7 +166,7 @@ def rows_of_parts(
     firsts = [start + first for start, first in zip(starts, begun, strict=True)] if begun else starts
     rows = [starts[piece.phase] + piece.number for piece in pieces]
     lifts, rates = [part.h for part in parts], [part.rate for part in parts]
-    return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, 0.0, end)
+    return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, end)
 
 
 def rows_of(
@@ -211,4 +183,4 @@ def rows_of(
         numbers[row], lifts[row], rates[row] = number_of(stack, phase.named), phase.lift, phase.rate
     firsts = [stack.first[number] for number in numbers]
     rows = [firsts[piece.phase] + piece.number for piece in pieces]
-    return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, *motion.edges[[0, -1]].tolist())
+    return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, float(motion.edges[-1]))

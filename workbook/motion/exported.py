@@ -14,42 +14,34 @@ from workbook.book.declare import Book, Quantity, calc, constant, result
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.exported import Exporting, named
 from workbook.motion.cells import PieceRows
-from workbook.motion.sampled import POSITION, finding, sampled
+from workbook.motion.pieces import POSITION, finding, sampled
 
 TITLE = "Export"
 
 
 class Later(NamedTuple):
-    """By how much a motion is later than its pieces say: the cells that tell it, and the engine's figures.
-
-    ``travel`` is what a cycle goes on by, nothing where it always comes back.
-    """
+    """By how much a motion is later than its pieces say: the cells that tell it, and the engine's figures."""
 
     by: str
     near: str
-    travel: str
+    travel: str  # what a cycle goes on by, nothing where it always comes back
     told: Callable[[Array], Unshifted]
     lifts: float
 
 
 class Exportable(NamedTuple):
-    """An axis that the sheet may have.
-
-    ``called`` is the formula of its name, ``units`` are those shown of x, y, y' and y''; ``unit`` is what one of the
-    motion's x and y is in them, ``turned`` the formula of that for y; ``size`` how large each derivative grows,
-    ``scope`` what the names of its cells begin with, ``over`` what a motion in degrees is shown over.
-    """
+    """An axis that the sheet may have."""
 
     name: str
-    called: str
+    called: str  # the formula of its name
     rows: PieceRows
-    units: tuple[str, str, str, str]
-    unit: tuple[float, float]
-    turned: str
-    size: Callable[[int], float]
+    units: tuple[str, str, str, str]  # those shown of x, y, y' and y''
+    unit: tuple[float, float]  # what one of the motion's x and y is in them
+    turned: str  # the formula of that for y
+    size: Callable[[int], float]  # how large each derivative grows
     later: Later | None = None
-    scope: str = ""
-    over: Abscissa = ANGLE
+    scope: str = ""  # what the names of its cells begin with
+    over: Abscissa = ANGLE  # what a motion in degrees is shown over
 
 
 def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> None:
@@ -76,9 +68,9 @@ def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> No
 def columns(axis: Exportable, n: int) -> list[Quantity]:
     """Return x, y, y' and y'', then how each sample finds its piece."""
     rows, later = axis.rows, axis.later
-    at = np.linspace(rows.begin, rows.end, n + 1)
+    at = np.linspace(0.0, rows.end, n + 1)
     told = later.told(at) if later else Unshifted(np.zeros(n + 1), at)
-    found = evaluated(rows.pieces, told.x, rows.begin, rows.end)
+    found = evaluated(rows.pieces, told.x, 0.0, rows.end)
     x, y, v, a, _ = (at, *found)
     shown = in_units(MotionValues(y + told.cycles * (later.lifts if later else 0.0), v, a, found.y3), *axis.unit)
     sizes = in_units(MotionValues(*(axis.size(order) for order in range(4))), *axis.unit)

@@ -1,16 +1,20 @@
-"""The table of a motion's pieces, and what a table of phases adds for it."""
+"""The table of a motion's pieces, what a table of phases adds for it, and the columns of samples.
+
+A sample tells which piece it has, and y, y', y'', y''' by one formula each.
+"""
 
 from collections.abc import Callable, Sequence
-from functools import partial
 from math import perm
 
+from engine.laws.base import Array
 from engine.motion.pieces import MotionPiece
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
+from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
 from workbook.book.rows import filled
 from workbook.book.sentence import quoted
 from workbook.entries.units import DEGREE, shown
-from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, Sine, last_before, of_law
+from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, last_before, of_law
 from workbook.motion.room import CROWDED, rule_of
 
 TITLE = "The motion as pieces"
@@ -21,6 +25,10 @@ ABOUT = (
 NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of sixth degree", "of seventh degree")
 DERIVATIVES = ("y'", "y''", "y'''")
 ROOM = "as sizes.motion_pieces says"
+POSITION = "c0 + c1 u + … + A sin ζ"
+SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"  # the same by the amplitude of each derivative
+FROM_START = "from its start; never 0, so that u⁰ is 1"
+
 Column = Callable[[Callable[[MotionPiece], float]], list[float]]
 Sizes = Callable[[int], float]  # of the n-th derivative of the motion: what deviations are measured by at least
 
@@ -54,10 +62,9 @@ def pieces_in_all(rows: PieceRows) -> Quantity:
 def room_check(name: str, at: Cells, number: int = 1, of: str = "", cuts: str = "") -> Quantity:
     """Return the check that the table of pieces has room for all ``of`` the axis of a number, with ``cuts`` in them."""
     label = f"{of}: the table of pieces has room for all" if of else "The table of pieces has room for all"
-    rows = f"[{at.pieces}.r.last]"
-    before, between, after = CROWDED.split("{}")
-    count = f"{at.count}+{cuts}" if cuts else at.count
-    says = "&".join([*([quoted(before)] if before else []), count, quoted(between), rows, quoted(after)])
+    rows, count = f"[{at.pieces}.r.last]", f"{at.count}+{cuts}" if cuts else at.count
+    _, between, after = CROWDED.split("{}")
+    says = f"{count}&{quoted(between)}&{rows}&{quoted(after)}"
     return check(name, label, f"{count}<={rows}", True, ROOM, f":{rule_of(number)}", says)
 
 
@@ -102,15 +109,16 @@ def pieces_table(
         *scaled(rows, of),
         *taken,
         *(power(rows, i, of, sizes) for i in range(rows.powers)),
-        *(column for k, one in enumerate(rows.sines) for column in sine(at, one, k, of, sizes)),
+        *(column for k, mark in enumerate(rows.marks) for column in sine(at, mark, k, of, sizes)),
         *more,
         blank=f"[r]>{at.count}",
     )  # fmt: skip
     columns = {"at": "begin"} | ({"origin": "origin"} if at.opens else {})
-    columns |= {from_power(order): f"c{order}:c{rows.powers - 1}" for order in range(len(DERIVATIVES) + 1)}
-    columns |= {name: name for one in rows.sines for name in of_sine(one.mark)}
-    names = {at.named(name): column for name, column in columns.items()}
-    sheet.book.name(block.name, **{in_scope(name, sheet.scope): column for name, column in names.items()})
+    columns |= {from_power(order): f"c{order}:c{rows.powers - 1}" for order in range(4)}
+    for mark in rows.marks:
+        names = [f"om{mark}", f"ph{mark}", *(amplitude(order, mark) for order in range(4))]
+        columns |= dict(zip(names, names, strict=True))
+    sheet.book.name(block.name, **{in_scope(at.named(name), sheet.scope): of for name, of in columns.items()})
 
 
 def scaled(rows: PieceRows, of: Column) -> list[Quantity]:
@@ -127,22 +135,17 @@ def from_power(order: int) -> str:
     return f"c{order}" if order else "c"
 
 
-def of_sine(mark: str) -> list[str]:
-    """Return the names of the columns of a sine."""
-    return [f"om{mark}", f"ph{mark}", *(amplitude(order, mark) for order in range(len(DERIVATIVES) + 1))]
-
-
 def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
     """Return a coefficient of the polynomial."""
     at = rows.at
-    h, per, velocity = at.lift, "[per]", at.drift
+    h, per, velocity = "[hp]", "[per]", at.drift
     if i == 0:
         drift = f"+{velocity}*{at.of_phase('span')}*{of_law('xi')}" if velocity else ""
-        sines = "".join(f"-[A{one.mark}]*SIN([ph{one.mark}])" for one in rows.sines)
+        sines = "".join(f"-[A{mark}]*SIN([ph{mark}])" for mark in rows.marks)
         formula, source = f"={at.base}+{h}*{of_law('s')}{drift}{sines}", "y_0 + h s_k − A sin φ"
     elif i == 1:
         drift = f"+{velocity}" if velocity else ""
-        sines = "".join(f"-[A{one.mark}]*[om{one.mark}]*COS([ph{one.mark}])" for one in rows.sines)
+        sines = "".join(f"-[A{mark}]*[om{mark}]*COS([ph{mark}])" for mark in rows.marks)
         formula, source = f"={h}*{of_law('v')}*{per}{drift}{sines}", "h v_k/δ − A ω cos φ"
     else:
         share = perm(i, 2)
@@ -152,33 +155,105 @@ def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
                 source=source)  # fmt: skip
 
 
-def turned(order: int, k: int, piece: MotionPiece) -> float:
-    """Return the amplitude of a piece's sine in a derivative."""
-    a, omega, _ = piece.sines[k]
-    return a * omega**order
-
-
 def amplitude(order: int, mark: str) -> str:
     """Return the name of the column of a sine's amplitude in y, or in a derivative."""
     return f"{'d' * order}A{mark}"
 
 
-def sine(at: Cells, one: Sine, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, ...]:
+def sine(at: Cells, mark: str, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, ...]:
     """Return amplitude, frequency and phase of a sine, and its amplitude in each derivative."""
-    h, per, words = at.lift, "[per]", " of the second sine" if one.mark else ""
+    h, per, words = "[hp]", "[per]", " of the second sine" if mark else ""
 
     def of_a_sine(formula: str) -> str:
         return f"=IF({at.of_end('mode')}>1,0,{formula})" if at.ends else f"={formula}"
 
+    def turned(order: int) -> list[float]:
+        return of(lambda piece: piece.sines[k][0] * piece.sines[k][1] ** order)
+
     return (
-        calc(f"A{one.mark}", f"amplitude{words}", f"A{one.mark}", at.y,
-             f"=0-{h}*{of_law(one.ps)}", of(lambda piece: piece.sines[k][0]), scale=sizes(0), source="−h P/ω²"),
-        calc(f"om{one.mark}", f"frequency{words}", f"ω{one.mark}", f"rad/{at.x}" if at.x else "",
-             of_a_sine(f"{of_law(one.omega)}*{per}"), of(lambda piece: piece.sines[k][1]), source="ω/δ"),
-        calc(f"ph{one.mark}", f"phase{words}", f"φ{one.mark}", "rad",
-             of_a_sine(of_law(one.phi)), of(lambda piece: piece.sines[k][2])),
-        *(calc(amplitude(order, one.mark), f"amplitude of {symbol}{words}", "", at.unit(order),
-               f"=[{amplitude(order - 1, one.mark)}]*[om{one.mark}]",
-               of(partial(turned, order, k)), scale=sizes(order), source=f"A{one.mark} ω{RAISED[order]}")
+        calc(f"A{mark}", f"amplitude{words}", f"A{mark}", at.y,
+             f"=0-{h}*{of_law(f'ps{mark}')}", of(lambda piece: piece.sines[k][0]), scale=sizes(0), source="−h P/ω²"),
+        calc(f"om{mark}", f"frequency{words}", f"ω{mark}", f"rad/{at.x}" if at.x else "",
+             of_a_sine(f"{of_law(f'omega{mark}')}*{per}"), of(lambda piece: piece.sines[k][1]), source="ω/δ"),
+        calc(f"ph{mark}", f"phase{words}", f"φ{mark}", "rad",
+             of_a_sine(of_law(f"phi{mark}")), of(lambda piece: piece.sines[k][2])),
+        *(calc(amplitude(order, mark), f"amplitude of {symbol}{words}", "", at.unit(order),
+               f"=[{amplitude(order - 1, mark)}]*[om{mark}]",
+               turned(order), scale=sizes(order), source=f"A{mark} ω{RAISED[order]}")
           for order, symbol in enumerate(DERIVATIVES, 1)),
     )  # fmt: skip
+
+
+def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
+    """Return the workings of samples: the piece, u in it, and the argument of its sine.
+
+    ``x`` is the column that holds the abscissa, ``values`` what it is in units of the motion; labels begin with ``of``
+    and names end with ``suffix``.
+    """
+    at, found = rows.at, rows.found(values)
+    q = f"q{suffix}"
+    local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},[{q}])"
+    return [
+        calc(q, f"{of}piece", "q", "",
+             f"={at.piece(x)}", found.row, format="0", source="last start at or below"),
+        calc(f"u{suffix}", f"{of}within piece", "u", at.x,
+             f"={f'RADIANS({local})' if at.degrees else local}{NOT_ZERO}", found.u + LEAST, source=FROM_START),
+        *arguments(rows, suffix, f"[{q}]", found.angles, of),
+    ]  # fmt: skip
+
+
+def arguments(
+    rows: PieceRows, suffix: str, q: str, angles: Sequence[Sequence[float] | Array], of: str = ""
+) -> list[Quantity]:  # fmt: skip
+    """Return the columns of the arguments of the sines at places u of pieces, whose row ``q`` names."""
+    return [
+        calc(f"x{mark}{suffix}", f"{of}argument of the {which}sine", "ζ", "rad",
+             f"={of_row(rows, f'om{mark}', q)}*[u{suffix}]+{of_row(rows, f'ph{mark}', q)}", angles[k],
+             source="ωu + φ")
+        for k, (mark, which) in enumerate(zip(rows.marks, ("", "second "), strict=False))
+    ]  # fmt: skip
+
+
+def of_row(rows: PieceRows, name: str, q: str = "") -> str:
+    """Return the formula of a figure of a piece, whose row ``q`` names; where it is empty, of that of the same row."""
+    return f"INDEX({rows.at.named(name)},{q})" if q else f"[{rows.at.pieces}.{name}.same]"
+
+
+def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
+    """Return the formula, without its =, of a derivative at a sample: coefficients times powers of u, and sines."""
+    return at_place(rows, order, suffix, f"[q{suffix}]")
+
+
+def place_columns(
+    rows: PieceRows, suffix: str, of: str, formula: str, u: Array, pieces: Sequence[MotionPiece], q: str = ""
+) -> list[Quantity]:  # fmt: skip
+    """Return the columns of a place in each piece, that ``formula`` gives: u, and the arguments of the sines.
+
+    ``q`` names the row of the piece; where it is empty, it is the piece of the same row.
+    """
+    both = list(zip(pieces, u, strict=True))
+    angles = [[one.sines[k][1] * place + one.sines[k][2] for one, place in both] for k in range(len(rows.marks))]
+    return [
+        calc(f"u{suffix}", f"{of}: u", "u", rows.at.x, f"{formula}{NOT_ZERO}", u + LEAST, scale=rows.end,
+             source=FROM_START),
+        *arguments(rows, suffix, q, angles, f"{of}: "),
+    ]  # fmt: skip
+
+
+def at_place(rows: PieceRows, order: int, suffix: str, q: str = "") -> str:
+    """Return the formula, without its =, of a derivative at a place in a piece, whose row ``q`` names."""
+    name, last = from_power(order), rows.powers - 1
+    several = f"INDEX({rows.at.named(name)},{q},0)" if q else of_row(rows, f"c{order}:c{last}")
+    text = polynomial(several, f"[u{suffix}]", rows.powers, order)
+    for mark in rows.marks:
+        text += SINES[order].format(of_row(rows, amplitude(order, mark), q), f"[x{mark}{suffix}]")
+    return text
+
+
+def at_begin(rows: PieceRows, order: int) -> str:
+    """Return the formula, without its =, of a derivative where the piece of the same row begins."""
+    text = f"{perm(order)}*" if order > 1 else ""
+    text += of_row(rows, f"c{order}")
+    for mark in rows.marks:
+        text += SINES[order].format(of_row(rows, amplitude(order, mark)), of_row(rows, f"ph{mark}"))
+    return text

@@ -16,7 +16,7 @@ from workbook.book.sentence import Said, Sentence, figure
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.asked import ABOUT, Asked, in_time, timed
 from workbook.motion.cells import PieceRows
-from workbook.motion.sampled import at_begin, at_place, place_columns
+from workbook.motion.pieces import at_begin, at_place, place_columns
 
 RATES = ("v", "a", "j")
 NOTHING: dict[str, Any] = {  # what is told of a jump, by the names of its cells, where nothing jumps

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
-from workbook.book.declare import Block, Sheet
+from workbook.book.declare import Sheet
 from workbook.writing.widths import COLUMN_WIDTH
 
 MARGINS = {"left": 0.4, "right": 0.4, "top": 0.45, "bottom": 0.6, "header": 0.25, "footer": 0.3}
@@ -34,9 +34,14 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
     ``wide`` and ``high`` are the widths of its columns (digits) and the heights of its rows (points), where they
     are not the usual ones. The fewest and least cuts, by what they cost; none where all is one page.
     """
-    ends = list(accumulate(heights(sheet, last, high), initial=0.0))
-    room = SPARE * HEIGHT / scale(columns, wide) - ends[sheet.head]
-    costs = cutting(sheet, last, ends)
+    tall = {1: TALL["title"]} | {text.row: TALL[text.style] for text in sheet.texts if text.style in TALL}
+    ends = list(accumulate((high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)), initial=0.0))
+    scale = min(1.0, WIDTH / sum(DIGIT * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))
+    room = SPARE * HEIGHT / scale - ends[sheet.head]
+    costs = [0] * (last + 1)  # of a page that ends with a row
+    for whole in wholes(sheet, last, ends):
+        for row in range(whole.first, min(whole.last, last + 1)):
+            costs[row] += whole.cost
     best: dict[int, tuple[int, int]] = {sheet.head: (0, 0)}  # by the row that a page ends with: cost, page before
     for row in range(sheet.head + 1, last + 1):
         found = [
@@ -46,40 +51,12 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
         ]
         if found:
             best[row] = min(found, key=lambda one: (one[0], -one[1]))
-    return list(reversed(list(back(best, last, sheet.head))))
-
-
-def whole_on_one(sheet: Sheet, last: int) -> bool:
-    """Return whether what is printed is one page: as asked, or as a sample of a table that goes on below."""
-    return sheet.one_page or any(block.row <= last < block.row + block.size - 1 for block in sheet.blocks)
-
-
-def back(best: Mapping[int, tuple[int, int]], last: int, head: int) -> Iterator[int]:
-    """Yield the rows that pages end with, from the last page but one."""
-    row = best[last][1] if last in best else head
-    while row > head:
-        yield row
+    made: list[int] = []
+    row = best[last][1] if last in best else sheet.head
+    while row > sheet.head:
+        made.append(row)
         row = best[row][1]
-
-
-def scale(columns: int, wide: Mapping[int, float]) -> float:
-    """Return how much smaller than on the screen so many columns are printed."""
-    return min(1.0, WIDTH / sum(DIGIT * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))
-
-
-def heights(sheet: Sheet, last: int, high: Mapping[int, float]) -> list[float]:
-    """Return the heights of rows in points."""
-    tall = {1: TALL["title"]} | {text.row: TALL[text.style] for text in sheet.texts if text.style in TALL}
-    return [high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)]
-
-
-def cutting(sheet: Sheet, last: int, ends: list[float]) -> list[int]:
-    """Return what it costs that a page ends with a row, of each row."""
-    costs = [0] * (last + 1)
-    for whole in wholes(sheet, last, ends):
-        for row in range(whole.first, min(whole.last, last + 1)):
-            costs[row] += whole.cost
-    return costs
+    return made[::-1]
 
 
 def wholes(sheet: Sheet, last: int, ends: list[float]) -> Iterator[Whole]:
@@ -93,7 +70,8 @@ def wholes(sheet: Sheet, last: int, ends: list[float]) -> Iterator[Whole]:
     judged = {block.row for block in sheet.blocks if block.quantities[0].role == "check"}
     for block in sheet.blocks:
         if block.is_table:
-            title, end = block.row - titled(block, sheet), block.row + block.size - 1
+            titles = [text.row for text in sheet.texts if text.style == "subheading" and text.row < block.row]
+            title, end = max(titles, default=block.row), block.row + block.size - 1
             yield Whole(title, end + 2 if end + 2 in judged else end, TABLE)
             yield Whole(title, block.row + CLOSE - 1, TABLE)
     for head, behind in pairwise([*heads, last + 1]):
@@ -106,9 +84,3 @@ def runs(rows: list[int]) -> Iterator[tuple[int, int]]:
     begins = [row for before, row in pairwise([-1, *rows]) if row > before + 1]
     finishes = [row for row, behind in pairwise([*rows, 10**9]) if behind > row + 1]
     yield from zip(begins, finishes, strict=True)
-
-
-def titled(block: Block, sheet: Sheet) -> int:
-    """Return how many rows before a table its title is."""
-    rows = [text.row for text in sheet.texts if text.style == "subheading" and text.row < block.row]
-    return block.row - max(rows, default=block.row)

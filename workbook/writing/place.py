@@ -18,19 +18,14 @@ def refuse_existing(path: Path, overwrite: bool) -> None:
             raise WriteError(f"{path}: the file exists; it is left as it is (--force replaces it, -o names another)")
         kind = odd(path)
     except FileNotFoundError:
-        refuse_no_folder(path)
+        above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
+        if above is not None and not os.path.isdir(above):
+            raise WriteError(f"{path}: cannot be written: {above} is no folder") from None
         return  # or a link to a file that is not there yet, when told to write
     except (OSError, ValueError) as error:
         raise unwritten(path, error) from error
     if kind:
         raise WriteError(f"{path}: {kind}; expected the name of a file")
-
-
-def refuse_no_folder(path: Path) -> None:
-    """Raise WriteError where the nearest thing above ``path`` is none in which a folder could be made."""
-    above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
-    if above is not None and not os.path.isdir(above):
-        raise WriteError(f"{path}: cannot be written: {above} is no folder")
 
 
 def refuse_one_for_two(*paths: Path | None) -> None:

@@ -186,7 +186,8 @@ def free_columns(page: Worksheet, first: int, last: int) -> None:
 def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float], high: dict[int, float]) -> None:
     """Set what is printed, and where its pages end."""
     columns, last = sheet.print_columns or max(used, LAST_PAGE_COLUMN), sheet.print_rows or max(sheet.row, 30)
-    whole = pages.whole_on_one(sheet, last)
+    goes_on = any(block.row <= last < block.row + block.size - 1 for block in sheet.blocks)  # below what is printed
+    whole = sheet.one_page or goes_on
     page.page_setup.orientation, page.page_setup.paperSize = "portrait" if sheet.portrait else "landscape", 9
     page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(whole)
     page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)

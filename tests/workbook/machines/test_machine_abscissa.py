@@ -16,7 +16,7 @@ from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.machines.machine.time_based import TimedMachine
 from workbook.reading.descriptions import checked, counted
-from workbook.writing.same import same_book
+from workbook.writing.archive import same_book
 
 LINE = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
 TO_AND_FRO = (("CIC", 20.0, 30.0), ("DWL", 0.0, 10.0), ("CIC", -20.0, 60.0))

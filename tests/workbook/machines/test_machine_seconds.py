@@ -18,7 +18,7 @@ from workbook.judging.verify import verify
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
 from workbook.reading.descriptions import checked, counted, read_machine
 from workbook.templates import TEMPLATES
-from workbook.writing.same import same_book
+from workbook.writing.archive import same_book
 
 MACHINE = TEMPLATES["machine"]
 SMALL = {"cycle": 12, "law": 4, "phases": 3}

@@ -17,7 +17,7 @@ from workbook.build import build, inputs
 from workbook.judging.verify import verify
 from workbook.machines.machine.time_based import told_in_seconds
 from workbook.reading.descriptions import checked
-from workbook.writing.same import same_book
+from workbook.writing.archive import same_book
 
 SCREW = {"kind": "lead screw", "lead": 10.0, "efficiency": 1.0}
 TURNING = {"kind": "rotary table", "efficiency": 0.8}

@@ -20,7 +20,7 @@ from workbook.reports.study import figure as figure_of
 from workbook.serve.live import design, short
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
-from workbook.writing.same import same_book
+from workbook.writing.archive import same_book
 
 SAVED = {"name": "cutting.toml", "as": "cutting.toml", "then": "build"}
 

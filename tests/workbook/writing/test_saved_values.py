@@ -27,8 +27,8 @@ from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 from workbook.writing import archive
+from workbook.writing.archive import same_part
 from workbook.writing.cells import Cells, Strings, result
-from workbook.writing.same import same_part
 
 CHART = "{http://schemas.openxmlformats.org/drawingml/2006/chart}"
 

@@ -9,8 +9,7 @@ from workbook.laws.sampling import Pieces
 from workbook.machines.flying.view import Flying
 from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, last_before, rows_of_parts
-from workbook.motion.pieces import ABOUT, phase_table_columns, pieces_in_all, pieces_table
-from workbook.motion.sampled import POSITION, finding, sampled
+from workbook.motion.pieces import ABOUT, POSITION, finding, phase_table_columns, pieces_in_all, pieces_table, sampled
 from workbook.motion.smooth import Joints
 
 AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "m", "s", drifts=True, opens=True)

@@ -11,7 +11,7 @@ from workbook.drive.motor import below_curve, continuous, limit_checks, limits_t
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.machines.flying.driving import ToolDrive
 from workbook.motion.cells import PieceRows
-from workbook.motion.sampled import place_columns, sampled
+from workbook.motion.pieces import place_columns, sampled
 
 BELOW_CHARTS = 45
 UNLISTED = "a name is not in the catalogue; expected one of its names, or an empty cell"

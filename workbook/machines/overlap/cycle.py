@@ -13,8 +13,7 @@ from workbook.machines.overlap.entries import ToolEntry, TransferEntry
 from workbook.machines.overlap.view import Overlapping, Station
 from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
-from workbook.motion.pieces import ABOUT, ROOM, phase_columns, pieces_in_all, pieces_table
-from workbook.motion.sampled import POSITION, finding, sampled
+from workbook.motion.pieces import ABOUT, POSITION, ROOM, finding, phase_columns, pieces_in_all, pieces_table, sampled
 from workbook.motion.smooth import Joints
 
 TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}

@@ -8,7 +8,7 @@ from workbook.book.sentence import Said, amount
 from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.clearance.gap import Apart
-from workbook.motion.sampled import finding, sampled
+from workbook.motion.pieces import finding, sampled
 
 ABOUT = (
     "The gap is worked out where a piece of either axis begins or has its middle; between two of these places it is "

@@ -22,7 +22,7 @@ from workbook.machines.machine.drive.entered import acting
 from workbook.machines.machine.drive.mechanisms import press_crank
 from workbook.machines.machine.drive.mechanisms.registry import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
-from workbook.motion.sampled import FROM_START, arguments, sampled
+from workbook.motion.pieces import FROM_START, arguments, sampled
 
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
 LOSS1 = "IF({0}*[dir]<0,@in1,@out1)*{0}"
@@ -96,7 +96,7 @@ def motion(view: DriveView) -> list[Quantity]:
     pieces, base = view.cycle.pieces, axis.base
     local = load.x - np.array([pieces[one.piece].begin for one in view.cycle.intervals])[:, None]
     sines = np.array([one.sines for one in pieces])[numbers[:, 0]]
-    angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.sines))]
+    angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.marks))]
     return [
         calc("theta", "angle of its phases", "θ", "°",
              "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])",

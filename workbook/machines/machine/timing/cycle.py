@@ -10,7 +10,7 @@ from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.timing.sheet import LANE_SHARE
 from workbook.machines.machine.view import Whole
 from workbook.motion.exported import Exportable, Later
-from workbook.motion.sampled import POSITION, finding, sampled
+from workbook.motion.pieces import POSITION, finding, sampled
 
 RATES = (
     ("v", "velocity", "omega", "y' ω", "dy/dx"),
