@@ -110,8 +110,7 @@ def laws_sheet(
     sheet.heading("Results: the laws and their coefficients")
     summary(sheet, laws, sizes, hands_over)
     sheet.heading(
-        "Workings: the stacked pieces",
-        "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k.",
+        "Workings: the stacked pieces", "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k."
     )
     sheet.rows(
         constant("break_eps", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",

@@ -83,11 +83,7 @@ class SmoothRamps(BreakPoints):
 
 
 SINE_RAMPS = edged(
-    {
-        2: Stage(HALF_SINE, "=@av"),
-        4: Stage(None, "=@aw-@av"),
-        6: Stage(HALF_SINE, "=1-@aw"),
-    },
+    {2: Stage(HALF_SINE, "=@av"), 4: Stage(None, "=@aw-@av"), 6: Stage(HALF_SINE, "=1-@aw")},
     source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'",
     entries=SmoothRamps,
     law=SineRamps,
