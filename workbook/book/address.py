@@ -46,19 +46,15 @@ class Strip(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where a block lies in a file.
-
-    ``rows_at`` and ``columns_at`` have the offsets of its rows and columns where others lie between them; a column that
-    is gone has None there.
-    """
+    """Where a block lies in a file."""
 
     sheet: str
     row: int
     column: int
     rows: int
     columns: int
-    rows_at: tuple[int, ...] = ()
-    columns_at: tuple[int | None, ...] = ()
+    rows_at: tuple[int, ...] = ()  # the offsets of its rows where others lie between them
+    columns_at: tuple[int | None, ...] = ()  # and of its columns; None of one that is gone
 
     def cell(self, i: int, j: int) -> Address:
         """Return the address of the cell in row ``i`` and column ``j`` of the block, from 0; column 0 if it is gone."""
@@ -95,19 +91,14 @@ class Place(NamedTuple):
 
 
 class Fit(NamedTuple):
-    """Where a table lies, and what was done to it.
-
-    ``inserted`` rows and ``added`` columns of the sheet lie within; ``lost`` counts the rows that are gone before a row
-    of the sheet; ``gone`` are the numbers of the columns that are. ``named`` is where the name of a single cell leads
-    that leads to more than one.
-    """
+    """Where a table lies, and what was done to it."""
 
     place: Place
-    inserted: tuple[int, ...] = ()
-    added: tuple[int, ...] = ()
-    lost: tuple[tuple[int, int], ...] = ()
-    gone: tuple[int, ...] = ()
-    named: Place | None = None
+    inserted: tuple[int, ...] = ()  # rows of the sheet that lie within
+    added: tuple[int, ...] = ()  # columns of the sheet that lie within
+    lost: tuple[tuple[int, int], ...] = ()  # before a row of the sheet: how many rows are gone
+    gone: tuple[int, ...] = ()  # the numbers of the columns that are
+    named: Place | None = None  # where the name of a single cell leads that leads to more than one
 
     @property
     def size(self) -> int:

@@ -76,10 +76,7 @@ class Block:
         return span(self.row, self.column, self.row + self.size - 1, self.column + len(self.quantities) - 1)
 
     def reference(self, quantity: str, end: str = "", fixed: str = "$") -> str:
-        """Return the range of one column, or of several (``c0:c5``), or one row of it; ``fixed`` stands before columns.
-
-        The row is ``.first``, ``.last``, or its number.
-        """
+        """Return the range of a column or of ``c0:c5``, or of its row ``.first``, ``.last`` or ``.3``."""
         top, bottom = self.row, self.row + self.size - 1
         if end:
             row = {".first": 1, ".last": self.size}.get(end) or int(end[1:])

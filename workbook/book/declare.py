@@ -65,10 +65,7 @@ class Book:
         return self.sheets[-1]
 
     def name(self, table: str, **columns: str) -> None:
-        """Give columns of a table defined names, for those that others look up.
-
-        ``name("laws", law_cv="cv")`` names a column, ``name("pieces", piece_c="c0:c5")`` several side by side.
-        """
+        """Give columns of a table defined names: ``name("laws", law_cv="cv")``, ``name("pieces", piece_c="c0:c5")``."""
         if twice := sorted(name for name in columns if name in self.column_names or name in self.blocks):
             raise ValueError(f"{', '.join(twice)} is declared twice")
         self.column_names |= {name: (table, column) for name, column in columns.items()}
@@ -81,8 +78,7 @@ class Book:
     def resolve(self, text: str, at: Block, fixed: str = "") -> str:
         """Turn the reference notation into A1 references, with ``{0}`` for this row and ``{0[n]}`` for one n below.
 
-        ``fixed`` is ``$`` where the columns stay the same as the formula is copied to the right. Raises KeyError where
-        a block or column does not exist.
+        ``fixed`` is ``$`` where columns stay the same as the formula is copied to the right. KeyError: no such name.
         """
 
         def reference(found: re.Match[str]) -> str:

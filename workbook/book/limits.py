@@ -29,10 +29,7 @@ class Limit(NamedTuple):
     number: bool = True
 
     def holds(self, cell: str, short: bool = False) -> str:
-        """Return the condition that a cell obeys; a text is greater than any number, and so beyond an upper bound.
-
-        ``short`` takes a text where there is only a lower bound.
-        """
+        """Return the condition that a cell obeys; ``short`` takes a text, greater than all numbers, as within."""
         if not self.number:
             return f'{cell}<>""'
         parts = [f"{cell}{sign}{bound:.12g}" for sign, bound in self.bounds]
@@ -43,14 +40,11 @@ class Limit(NamedTuple):
 
 
 class RowRule(NamedTuple):
-    """A rule between the entries of a row: its name, its condition in cells, the entry that is shown, if any; words.
-
-    It holds in a row that has no entry at all: ``[used]`` is 0 there.
-    """
+    """A rule between the entries of a row; it holds in a row that has no entry at all."""
 
     rule: str
-    condition: str
-    column: str
+    condition: str  # in cells
+    column: str  # the entry that is shown, if any
     words: str
 
 
@@ -139,10 +133,7 @@ def all_empty(inputs: Sequence[Quantity]) -> str:
 
 
 def of_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) -> tuple[list[Quantity], Quantity]:
-    """Return the messages of a table of ``inputs``, a column for each entry and each rule, and the check.
-
-    ``filled`` says that one row at least must be.
-    """
+    """Return a table's messages, a column for each entry and rule, and the check; ``filled``: one row must be."""
     table = f"{guard.table}{MESSAGES}"
     columns = [*used(guard, inputs), *messages(guard), first_of(guard)]
     message, row = f"[{table}.{MESSAGE}]", '"row 1, "&'

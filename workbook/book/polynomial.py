@@ -14,10 +14,9 @@ WEIGHTS = (0.0138888888888889, 0.0827476807804028, 0.137269356250081, 0.17321425
 
 
 def polynomial(coefficients: str, x: str, count: int, order: int = 0) -> str:
-    """Return the formula, without its =, of a polynomial or of a derivative of it.
+    """Return the formula, without its =, of a derivative of a polynomial of ``count`` coefficients in a row.
 
-    The polynomial has ``count`` coefficients, side by side in a row; ``coefficients`` are those from that of
-    x^``order`` on. x is the place, and never 0: see :data:`NOT_ZERO`. ``order`` is 0 for the polynomial itself.
+    ``coefficients`` are those from that of x^``order`` on; x is never 0: see :data:`NOT_ZERO`.
     """
     powers = constants(range(count - order))
     factors = f"{constants(perm(k, order) for k in range(order, count))}," if order else ""

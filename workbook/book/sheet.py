@@ -95,10 +95,7 @@ class Sheet:
         self.row += 1
 
     def rows(self, *quantities: Quantity) -> None:
-        """Place quantities one below the other: label, symbol, value, unit, source.
-
-        Beside an input with limits stands what is expected where it is beyond them, and below all a check.
-        """
+        """Place quantities one below the other; beside inputs with limits what is expected, below all a check."""
         own = self._own(quantities)
         watched = self._limited(own)
         self._rows(own, {q.name: limits.beside(q, limit) for q, limit in watched})
@@ -135,10 +132,7 @@ class Sheet:
         self._place(Block(quantity.name, self, row, column, (quantity,), 1, is_table=False))
 
     def checks(self, *quantities: Quantity) -> None:
-        """Place checks, and enter them in the book's list, on which the overall verdict rests.
-
-        Beside each stands what it says.
-        """
+        """Place checks and what each says, and enter them in the book's list, on which the overall verdict rests."""
         for q in self._own(quantities):
             here = q._replace(label=self._without(q.label))
             said = sentence(here)
@@ -157,9 +151,8 @@ class Sheet:
     ) -> Block:  # fmt: skip
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
 
-        A table of inputs gets messages to its right, and a check below that counts them: which entries are beyond their
-        limits or break one of ``rules``. A row without any entry shows nothing, of other tables one for which ``blank``
-        holds.
+        A table of inputs gets messages to its right on entries beyond their limits or against ``rules``, and a check
+        below that counts them. A row without any entry shows nothing, of other tables one for which ``blank`` holds.
         """
         if size > LONG and not self.print_rows:
             above = self.section if self.row < self.section + 4 else self.row
@@ -199,10 +192,7 @@ class Sheet:
             self.workings(block, f"{block.name}{limits.MESSAGES}", "What is expected", column, *columns)
 
     def _free(self, block: Block, wide: int, runs: int) -> int:
-        """Return the first column right of a table from which on so many are free, ``runs`` left for its texts.
-
-        It is one that is not printed, if the sheet has such.
-        """
+        """Return the first column right of a table with ``wide`` free behind ``runs`` for texts, not printed if any."""
         top, end = block.row - 4, block.row + block.size
         blocks = (one for one in self.blocks if one.row - 4 < end and top < one.row + one.size)
         charts = (range(left, left + width) for _, row, left, width, height in self.charts
@@ -235,10 +225,7 @@ class Sheet:
         block.workings = block.workings or placed
 
     def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
-        """Place a table of one column beside a table without equations: where a size tells how many columns there are.
-
-        Each has a name of its own, so that a file tells how many it has. Rows for which ``blank`` holds show nothing.
-        """
+        """Place a table of one column beside one without equations: as many as a size says, each with its name."""
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
         self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
         self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))

@@ -26,19 +26,15 @@ class Sizes(Model):
 
 
 class Fault(NamedTuple):
-    """What is wrong with the numbers of a design: the entry to blame, and the rule that it breaks.
-
-    ``where`` is the place of the entries that the rule is about, the entry itself for its own limits (``rule`` is
-    empty then); ``said`` the sentence. ``fits`` would do; ``turn`` counts what had been replaced before it was seen.
-    """
+    """What is wrong with the numbers of a design: the entry to blame, and the rule that it breaks."""
 
     key: str
-    where: str
-    rule: str
+    where: str  # the place of the entries that the rule is about; the entry itself for its own limits
+    rule: str  # empty for its own limits
     said: str
     value: Any = None
-    fits: Any = None
-    turn: int = 0
+    fits: Any = None  # what would do
+    turn: int = 0  # what had been replaced before it was seen
 
 
 class Replaced(NamedTuple):

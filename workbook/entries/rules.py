@@ -107,18 +107,7 @@ def is_free_text(model: type[BaseModel], q: Quantity) -> bool:
 
 @cache
 def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
-    """Return what gives the limits of an entry in cells.
-
-    Parameters
-    ----------
-    model : type of BaseModel
-        That of the machine.
-
-    Returns
-    -------
-    callable of str
-        By the key of an entry its Limit: of a number, or of a word that must be there; else None.
-    """
+    """Return what gives, by the key of an entry, its limits in cells: of a number, or a word that must be there."""
 
     @cache
     def limit(key: str) -> Limit | None:
@@ -192,10 +181,7 @@ SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}
 
 
 def bounds(constraints: list[Any]) -> tuple[tuple[str, float], ...]:
-    """Return the bounds of a number that a person would know, as signs of formulas and numbers.
-
-    An entry beyond the others is refused (:func:`beyond_all`).
-    """
+    """Return the bounds of a number that a person would know; beyond others it is refused (:func:`beyond_all`)."""
     return tuple((SIGNS[type(c)], float(astuple(c)[0])) for c in known(constraints))
 
 

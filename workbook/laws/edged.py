@@ -19,19 +19,15 @@ RISE, CRUISE, FALL = (1, 2, 3), 4, (7, 6, 5)
 
 
 class Form(NamedTuple):
-    """A stage of a pulse: factors for a duration d and a height A, and the words and entries of its piece.
-
-    ``early`` and ``late`` are the words and entries of the piece in the first pulse and, told in the order of time,
-    in the second: H stands for its height, D for its duration.
-    """
+    """A stage of a pulse: factors for a duration d and a height A, and the words and entries of its piece."""
 
     word: str
     gain: str  # velocity gained, over A d
     travel: str  # travel from rest, over A d²
     square: str  # ∫a², over A² d
     jerk: str  # largest jerk, over A/d
-    early: Mapping[str, str]
-    late: Mapping[str, str]
+    early: Mapping[str, str]  # the entries of the piece in the first pulse: H stands for its height, D its duration
+    late: Mapping[str, str]  # and in the second, in the order of time
 
 
 QUARTER, TURNED = "IF(D>0,PI()/(2*D),0)", {"phi": "PI()/2"}

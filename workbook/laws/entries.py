@@ -72,10 +72,7 @@ def key_of(name: str) -> str:
 
 
 class Laws(RootModel[dict[str, Entered]]):
-    """The laws of a book by name: the codes of the basic families, then those that the description adds, in its order.
-
-    The dwell is among the book's laws too, with nothing to enter.
-    """
+    """The laws of a book by name: the dwell, without entries, the basic families' codes, then those that are added."""
 
     _titles: dict[str, str] = PrivateAttr(default_factory=dict)
 

@@ -86,22 +86,18 @@ def entries_of(piece: Piece) -> dict[str, float]:
 
 @dataclass(frozen=True, kw_only=True)
 class Page:
-    """A family of laws with a sheet of its own; the families without derive from it and say what differs.
+    """A family of laws with a sheet of its own; the families without derive from it and say what differs."""
 
-    ``law`` is the engine's law, whose fields are entries of the same name. ``fastest`` is the formula of the
-    first ξ at which v is largest. ``variations`` are other parameters, asymmetric and with stages of no duration:
-    templates' variations and tests take them in turn.
-    """
-
-    law: type[Law]
+    law: type[Law]  # the engine's, whose fields are entries of the same name
     titled: str = ""  # what its sheet is headed by, where that is not the name of the law
     source: str
     entries: type[Model] | None = LawSheet
     pieces: tuple[PieceRow, ...]
     coefficients: Mapping[str, tuple[str, str]]  # formula of each coefficient, and the equation in words
-    fastest: str
+    fastest: str  # the formula of the first ξ at which v is largest
     parameters: tuple[Parameter, ...] = ()
     variations: tuple[Mapping[str, Any], ...] = ()
+    """other parameters, asymmetric and with stages of no duration: templates' variations and tests take them in turn"""
     workings: Callable[[Any], list[Quantity]] = lambda law: []
     checks: tuple[LawCheck, ...] = ()
     rests: bool = True  # whether it begins and ends at rest

@@ -1,7 +1,4 @@
-"""A cubic spline in cells: its moments by forward elimination and back substitution, its extremes in closed form.
-
-Back substitution goes from the last point to the first, so that each row refers to the one above it only.
-"""
+"""A cubic spline in cells: moments by elimination, back substitution from the last point; extremes in closed form."""
 
 from collections.abc import Callable, Sequence
 

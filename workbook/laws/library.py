@@ -1,7 +1,4 @@
-"""The laws of a book: each a name, a family, what is entered, and the engine's law of it.
-
-Which laws a workbook has besides the basic ones is told by the names of its cells.
-"""
+"""The laws of a book: name, family, entries, the engine's law; names of cells tell which there are beside the basic."""
 
 import re
 from collections.abc import Iterable

@@ -60,10 +60,7 @@ def polynomial(derivative: str, highest: int, room: int) -> str:
 
 
 class Pieces:
-    """The stacked pieces as the sheets expect to find them: the pieces of each law, by number.
-
-    ``second_sine`` says whether the stack has the columns of a second sine: in a book with a law that needs them.
-    """
+    """The stacked pieces, by number of their law; with columns of a ``second_sine`` in a book whose laws need them."""
 
     def __init__(self, pieces: dict[int, list[Piece]], numbers: dict[int, int], second_sine: bool) -> None:
         self.pieces, self._numbers, self.second_sine = pieces, numbers, second_sine
@@ -84,10 +81,7 @@ class Pieces:
         return np.array([row, place.u, *angles])
 
     def finding(self, law: str, xi: str, at: Array, entries: Container[str] = ENTRIES) -> list[Quantity]:
-        """Return the workings of each sample: row of its piece, u in it, the argument of each sine.
-
-        ``entries`` are those that the law's pieces may have.
-        """
+        """Return the workings of each sample: row of its piece, u in it, arguments of sines that ``entries`` have."""
         row, *local = at
         find = FIND.format(law=law, xi=xi)
         return [
@@ -134,10 +128,7 @@ RMS = "IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)"
 
 
 def kind(given: str, ends: str = "") -> str:
-    """Return the formula that names a phase: spare where its entry ``given`` is empty, else by law and lift.
-
-    ``ends`` is the table of what phases take from their neighbours, in books that have it: they may turn round.
-    """
+    """Return the formula that names a phase, spare where ``given`` is empty; with the table ``ends`` it may turn."""
     still, other = "[lift]=0", '"return"'
     if ends:
         still, other = f"ABS([lift])+INDEX([{ends}.mode],[k])=0", 'IF([lift]<0,"return","turn")'

@@ -172,10 +172,7 @@ def rows_of_parts(
 def rows_of(
     at: Cells, motion: Motion, stack: Pieces, room: int, places: Sequence[int] | None = None
 ) -> PieceRows:  # fmt: skip
-    """Return the pieces of a motion; ``room`` is the number of rows of its phases, spare ones of a dwell.
-
-    ``places`` says in which row of them, from 0, each phase of the motion stands: by default one after the other.
-    """
+    """Return the pieces of a motion whose phases stand at ``places`` of ``room`` rows, by default the first of them."""
     taken = range(len(motion.phases)) if places is None else places
     pieces = [replace(piece, phase=taken[piece.phase]) for piece in motion_pieces(motion)]
     numbers, lifts, rates = filled([], room, 1), filled([], room), filled([], room)

@@ -1,7 +1,4 @@
-"""The table of a motion's pieces, what a table of phases adds for it, and the columns of samples.
-
-A sample tells which piece it has, and y, y', y'', y''' by one formula each.
-"""
+"""The table of a motion's pieces, what a table of phases adds for it, and samples: one formula each derivative."""
 
 from collections.abc import Callable, Sequence
 from math import perm
@@ -185,11 +182,7 @@ def sine(at: Cells, mark: str, k: int, of: Column, sizes: Sizes) -> tuple[Quanti
 
 
 def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
-    """Return the workings of samples: the piece, u in it, and the argument of its sine.
-
-    ``x`` is the column that holds the abscissa, ``values`` what it is in units of the motion; labels begin with ``of``
-    and names end with ``suffix``.
-    """
+    """Return the workings of samples at a column ``x``, with its ``values``: the piece, u in it, arguments of sines."""
     at, found = rows.at, rows.found(values)
     q = f"q{suffix}"
     local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},[{q}])"
@@ -227,10 +220,7 @@ def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
 def place_columns(
     rows: PieceRows, suffix: str, of: str, formula: str, u: Array, pieces: Sequence[MotionPiece], q: str = ""
 ) -> list[Quantity]:  # fmt: skip
-    """Return the columns of a place in each piece, that ``formula`` gives: u, and the arguments of the sines.
-
-    ``q`` names the row of the piece; where it is empty, it is the piece of the same row.
-    """
+    """Return the columns of a place u in each piece, of the row ``q`` or else the same, and the arguments of sines."""
     both = list(zip(pieces, u, strict=True))
     angles = [[one.sines[k][1] * place + one.sines[k][2] for one, place in both] for k in range(len(rows.marks))]
     return [

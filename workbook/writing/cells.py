@@ -1,7 +1,4 @@
-"""The cells of a sheet as XML, each formula with its value.
-
-openpyxl writes no values of formulas, and takes several times as long.
-"""
+"""The cells of a sheet as XML, each formula with its value: openpyxl writes none, and takes several times as long."""
 
 import math
 from collections import defaultdict

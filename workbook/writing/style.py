@@ -136,11 +136,9 @@ class Marked(NamedTuple):
 
 
 def marks(block: Block) -> Iterator[Marked]:
-    """Yield the conditional formats of a block.
+    """Yield the conditional formats of a block: of verdicts, figures above a limit, rows not used, results in error.
 
-    OK and FAIL are coloured; the words stay, so the colour is not the only sign. Figures above their limit stand out;
-    texts, which come after all numbers, do not. Rows that are not used show nothing, and so do errors of a table whose
-    results may be such: these have no number format, so it is the ink.
+    Words of verdicts stay, so the colour is not the only sign. Errors have no number format: their ink goes.
     """
     for q in block.quantities:
         if q.role == "check":

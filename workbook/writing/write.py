@@ -41,10 +41,9 @@ def save(
     book: Book, model: type[BaseModel], path: Path, overwrite: bool = False,
     check: Callable[[Path], None] | None = None, own: Own = NOTHING,
 ) -> None:  # fmt: skip
-    """Save a book, each formula with its value: beside the target first, then renamed onto it.
+    """Save a book, each formula with its value, and what an engineer had added to an older one, by :func:`replace`.
 
-    ``check`` may refuse the file that stands beside; ``own`` is what an engineer had added to an older book. Raises
-    WriteError where ``path`` exists and ``overwrite`` is not given, or cannot be written.
+    ``check`` may refuse the file that stands beside the target.
     """
     refuse_existing(path, overwrite)
     pack(parts(book, model, own=own), path, overwrite, check)
@@ -54,10 +53,7 @@ def parts(
     book: Book, model: type[BaseModel], names: Iterable[DefinedName] | None = None, dynamic: str = "",
     own: Own = NOTHING,
 ) -> dict[str, bytes]:  # fmt: skip
-    """Return the parts of the file: openpyxl writes all but the cells and the values that charts keep.
-
-    ``names`` are defined instead of the book's own; a formula that holds ``dynamic`` is marked as a dynamic array.
-    """
+    """Return the parts of the file, with ``names`` for the book's own; a formula with ``dynamic`` is an array."""
     strings = Strings()
     cells = {sheet.title: Cells(strings, dynamic) for sheet in book.sheets}
     workbook = framed(book, model, cells)
