@@ -1,4 +1,4 @@
-"""Every key of a description: what it means, its unit, default, range, an example.
+"""Every key of a description: what it means, its unit, default, range, an example; how these are written.
 
 All of it is taken from where it is declared: type, range and default from the models, meaning and unit from the cell
 that shows the entry, the example from the committed description. A key without a cell says itself what it means.
@@ -11,13 +11,13 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, get_args, get_origin
 
+import tomli_w
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from workbook.book.quantity import Quantity
 from workbook.entries.rules import KIND, either, expectation, is_table, kinds, tables, unwrap
 from workbook.laws.entries import ENTRIES, Laws
-from workbook.laws.family import Parameter
 from workbook.laws.registry import CODES, FAMILY
 from workbook.reading.descriptions import read_machine
 from workbook.selection.entries import COMMITTED
@@ -115,10 +115,8 @@ def sections(template: AnyTemplate, other: str = "") -> list[Section]:
         for q in block.quantities:
             if q.role == "input":
                 cells.setdefault(ONE.sub(".*", q.key), q)
-    walk = Walk(cells, [*examples(template, other)])
-    return sorted(
-        walk.sections((type(machine),), "", machine.title), key=lambda s: LAST.get(s.path.partition(".")[0], 0)
-    )
+    found = Walk(cells, [*examples(template, other)]).sections((type(machine),), "", machine.title)
+    return sorted(found, key=lambda section: LAST.get(section.path.partition(".")[0], 0))
 
 
 def examples(template: AnyTemplate, other: str) -> Iterator[dict[str, Any]]:
@@ -193,14 +191,13 @@ class Walk:
 
     def _of_law(self, path: str) -> Quantity | None:
         """Return a cell for an entry of a family of laws that the committed description has no law of."""
-        parts = path.split(".")
-        if parts[0] != "laws" or len(parts) != len(("laws", "code", "entry")):
+        laws, code, name, *below = [*path.split("."), "", ""]
+        if laws != "laws" or not name or below != ["", ""]:
             return None
-        parameter = next((p for p in parameters(parts[1]) if p.key == parts[2]), None)
-        if parameter is None:
-            return self._cells.get(f"laws.{SHOWN}.{parts[2]}")
-        source = f" ({parameter.source})" if parameter.source else ""
-        return Quantity(parameter.name, f"{parameter.label}{source}")
+        for p in FAMILY[code].parameters:
+            if p.key == name:
+                return Quantity(p.name, f"{p.label} ({p.source})" if p.source else p.label)
+        return self._cells.get(f"laws.{SHOWN}.{name}")
 
 
 def first(rows: Any, name: str) -> Any:
@@ -210,13 +207,8 @@ def first(rows: Any, name: str) -> Any:
 
 def listed(path: str) -> str:
     """Return what the numbers of a list of a law's are."""
-    labels = [p.label for p in parameters(path.split(".")[1]) if p.key.startswith(f"{path.rpartition('.')[2]}.")]
-    return "; ".join(labels)
-
-
-def parameters(code: str) -> tuple[Parameter, ...]:
-    """Return the numbers that a family of laws has."""
-    return tuple(FAMILY[code].parameters) if code in FAMILY else ()
+    code, name = path.split(".")[1], path.rpartition(".")[2]
+    return "; ".join(p.label for p in FAMILY[code].parameters if p.key.startswith(f"{name}.")) if code in FAMILY else ""
 
 
 def tables_of(field: FieldInfo) -> tuple[type[BaseModel], ...]:
@@ -251,3 +243,33 @@ def example(data: Any, path: list[str], kind: str = "") -> Any:
     if not isinstance(data, Mapping) or (kind and data.get(KIND, kind) != kind):
         return None
     return example(data.get(first), rest, kind)
+
+
+def toml(value: Any) -> str:
+    """Return a value as a description has it, a row of a table in one line."""
+    if isinstance(value, BaseModel):
+        value = value.model_dump(exclude_none=True)
+    if isinstance(value, dict):
+        return f"{{ {', '.join(f'{k} = {toml(v)}' for k, v in value.items() if v is not None)} }}" if value else "{}"
+    if isinstance(value, list):
+        return f"[{', '.join(map(toml, value))}]"
+    return tomli_w.dumps({"x": value}).removeprefix("x = ").rstrip("\n")
+
+
+def default_of(key: Key) -> str:
+    """Return what an optional key is where it is left out; nothing of one that must be there."""
+    if key.required:
+        return ""
+    if key.rows and key.default:
+        return f"{len(key.default)} row{'s' if key.default[1:] else ''}"
+    if isinstance(key.default, float):
+        return f"{key.default:.4g}"
+    return "none" if key.default in (None, "", []) else toml(key.default)
+
+
+def remark(key: Key) -> str:
+    """Return in a line what a key means, what it takes, and what it is where it is left out."""
+    unit = f" [{key.unit}]" if key.unit else ""
+    default = default_of(key)
+    optional = "" if key.required else "; optional" if default == "none" else f"; optional, else {default}"
+    return f"{key.meaning}{unit}: {key.expected}{optional}"

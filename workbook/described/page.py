@@ -2,8 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from workbook.described.keys import Key, Section, sections
-from workbook.described.words import default_of, toml
+from workbook.described.keys import Key, Section, default_of, sections, toml
 from workbook.templates import TEMPLATES
 
 HEAD = """\

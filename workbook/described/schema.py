@@ -6,8 +6,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from workbook.described.keys import Key, Section, sections
-from workbook.described.words import remark
+from workbook.described.keys import Key, Section, remark, sections
 from workbook.entries.rules import KIND
 from workbook.laws.entries import ENTRIES
 from workbook.templates import TEMPLATES, AnyTemplate

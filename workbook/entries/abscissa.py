@@ -12,7 +12,7 @@ from math import tau
 from typing import Literal, NamedTuple, get_args
 
 from workbook.book.sentence import figure
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, MM, Real
 
 Range = tuple[float, float | None, float | None]

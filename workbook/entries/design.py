@@ -4,7 +4,6 @@ Such a machine is not refused. What the engine works out is a machine with other
 entered is kept beside it, with all that is wrong: the book shows the one, and is worked out with the other.
 """
 
-import math
 import re
 from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
@@ -90,19 +89,12 @@ def numeric(fault: Any, model: type[BaseModel]) -> bool:
     kind, constraints = rules.field_at(model, rule)
     if fault["type"] in BEYOND:
         value = fault["input"]
-        return isinstance(value, int | float) and finite(value) and not rules.beyond_all(value, constraints)
+        known = isinstance(value, int | float) and value == value  # not nan
+        return known and not rules.beyond_all(value, constraints)
     if fault["type"] in ("missing", "too_short") and get_origin(kind) is list:
         return rules.is_table(kind)
     empty = fault["type"] == "missing" or fault["input"] is None or fault["input"] == {}
     return empty and (kind is float or get_origin(kind) is Literal or rules.takes_law(constraints))
-
-
-def finite(value: float) -> bool:
-    """Whether a number is one that a cell can hold."""
-    try:
-        return math.isfinite(value)
-    except OverflowError:
-        return False
 
 
 def numbers_of(fault: Any, model: type[BaseModel]) -> Iterator[Fault]:

@@ -1,12 +1,16 @@
-"""Rules of a phase as it is entered wherever phases follow one another."""
+"""Phases as they are entered wherever they follow one another; those of an axis over one turn of the master shaft."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from pydantic import Field
 
 from workbook.book.limits import RowRule
-from workbook.entries.types import DesignError, EntryError, Model, Number
-from workbook.laws.entries import Laws
+from workbook.book.sentence import figure
+from workbook.entries.types import Angle, DesignError, EntryError, Model, Number
+from workbook.laws.entries import LawName, Laws
+
+TURN = 360.0  # degrees
 
 
 class Passing(Model):
@@ -41,3 +45,38 @@ def resting(law: str, lift: float) -> Iterator[DesignError]:
     """Yield a dwell that is to lift."""
     if law == "DWL" and lift != 0:
         yield DesignError("lift", AT_REST.words, AT_REST.rule, 0.0)
+
+
+class TurnPhase(Model):
+    """One phase of an axis: angles of the master shaft in degrees, a lift in the axis' unit."""
+
+    start: Angle
+    stop: Angle
+    lift: Number = 0.0
+    law: LawName = "DWL"
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a dwell that is to lift."""
+        yield from resting(self.law, self.lift)
+
+
+def forward(
+    name: str, phases: Sequence[TurnPhase], unit: str = "°", length: float = TURN
+) -> Iterator[DesignError]:  # fmt: skip
+    """Yield the first phase of an axis that runs backwards, or does not last, of a cycle of a length."""
+    for row, phase in enumerate(phases, 1):
+        if phase.stop <= phase.start:
+            short = phase.start - phase.stop
+            said = f"{name} row {row} ends at {figure(phase.stop)}{unit}, {figure(short)}{unit} before it begins"
+            yield DesignError("phases", said, "forward", filling(phases, length))
+            return
+
+
+def filling(phases: Sequence[TurnPhase], length: float = TURN) -> list[dict[str, Any]]:
+    """Return the phases, evenly spread over the cycle."""
+    step = length / len(phases)
+    edges = [*(i * step for i in range(len(phases))), length]
+    return [
+        phase.model_dump() | {"start": start, "stop": stop}
+        for phase, start, stop in zip(phases, edges, edges[1:], strict=False)
+    ]

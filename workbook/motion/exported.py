@@ -12,7 +12,7 @@ from engine.motion.pieces import evaluated
 from engine.motion.shifted import Unshifted
 from workbook.book.declare import Book, Quantity, calc, constant, result
 from workbook.entries.abscissa import ANGLE, Abscissa
-from workbook.entries.exported import Exporting, named
+from workbook.entries.machine import Exporting, named
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import POSITION, finding, sampled
 

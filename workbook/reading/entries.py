@@ -10,8 +10,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
 from workbook.entries.design import set_at
-from workbook.entries.exported import ExportEntry, named
-from workbook.entries.machine import Machine
+from workbook.entries.machine import ExportEntry, Machine, named
 from workbook.errors import DisputedError, InputError, ReadError
 from workbook.laws.library import numbered, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed

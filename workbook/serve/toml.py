@@ -8,7 +8,7 @@ import tomlkit
 from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import Array, InlineTable
 
-from workbook.described.words import toml
+from workbook.described.keys import toml
 from workbook.errors import InputError
 
 NOTHING = object()  # stands where a description has no entry

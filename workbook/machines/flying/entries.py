@@ -6,8 +6,8 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.entries.exported import Exporting
-from workbook.entries.turn import TURN
+from workbook.entries.machine import Exporting
+from workbook.entries.phase import TURN
 from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.asked import Smoothness

@@ -7,10 +7,9 @@ from pydantic import Field, PrivateAttr, model_validator
 
 from workbook.book.sentence import figure
 from workbook.entries.abscissa import ANGLE, Abscissa
-from workbook.entries.exported import Exporting
-from workbook.entries.phase import Passing, require_straight
+from workbook.entries.machine import Exporting
+from workbook.entries.phase import Passing, TurnPhase, forward, require_straight
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
-from workbook.entries.turn import TurnPhase, forward
 from workbook.entries.types import (
     ANGLE_TOLERANCE,
     DesignError,

@@ -6,7 +6,7 @@ from typing import Any
 
 from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.abscissa import in_unit
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.clearance.entries import ENDS, MOST_CLEARANCES, ClearanceEntry

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
 from workbook.entries.abscissa import Abscissa, Unit, measured
-from workbook.entries.turn import TURN, filling, forward
+from workbook.entries.phase import TURN, filling, forward
 from workbook.entries.types import ANGLE_TOLERANCE, CountsAs, DesignError, EntryError, Model, NotNegative, Positive
 from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.machines.machine.chain import WINDOWS, AxisLoad, ForceWindow

@@ -13,7 +13,7 @@ from engine.motion.joining import Joined, Rates, joined
 from engine.motion.shifted import Shifted, Unshifted
 from engine.timing import shaft_speed, turn_time
 from workbook.entries.abscissa import ANGLE, Abscissa
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.latest import latest
 from workbook.machines.machine import entries as entered

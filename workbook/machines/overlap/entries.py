@@ -6,10 +6,9 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.entries.exported import Exporting
-from workbook.entries.machine import Sizes
+from workbook.entries.machine import Exporting, Sizes
+from workbook.entries.phase import TURN
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
-from workbook.entries.turn import TURN
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.asked import Smoothness

@@ -15,7 +15,7 @@ from engine.overlap.points import inverse_by_points
 from engine.overlap.schedule import Inverse, Passage, Tool, Transfer
 from workbook.book.chart import in_scope
 from workbook.book.sentence import figure
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.types import ANGLE_TOLERANCE, END_TOLERANCE, DesignError
 from workbook.entries.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
 from workbook.laws.library import laws

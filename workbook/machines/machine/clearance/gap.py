@@ -8,8 +8,8 @@ import numpy as np
 from engine.laws.base import Array
 from engine.motion.shifted import LOST, Gap, Shifted, Unshifted, gap_size, least_gap, meets_least, turned
 from workbook.book.rows import filled
+from workbook.entries.phase import TURN
 from workbook.entries.texts import place_of
-from workbook.entries.turn import TURN
 from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.clearance.entries import ClearanceEntry
 from workbook.machines.machine.from_names import clearance_name

@@ -5,7 +5,7 @@ import numpy as np
 from engine.laws.base import Array
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import Said, amount
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.clearance.gap import Apart
 from workbook.motion.pieces import finding, sampled

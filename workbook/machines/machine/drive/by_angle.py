@@ -2,7 +2,7 @@
 
 from workbook.book.declare import Quantity, check
 from workbook.book.sentence import amount, quoted
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.units import shown
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.linkages import SHORT

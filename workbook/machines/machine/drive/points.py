@@ -14,7 +14,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.polynomial import LEAST, NOT_ZERO, SHARES, WEIGHTS
 from workbook.book.rows import filled
 from workbook.drive.motor import plane
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive import brake, by_angle

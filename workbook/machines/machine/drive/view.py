@@ -16,7 +16,7 @@ from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.drive.in_short import Highest
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven

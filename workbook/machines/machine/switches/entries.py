@@ -8,8 +8,8 @@ from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
 from workbook.entries.abscissa import ANGLE, Abscissa
+from workbook.entries.phase import TURN
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA
-from workbook.entries.turn import TURN
 from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, Model
 
 TIMES = 6

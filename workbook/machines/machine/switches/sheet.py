@@ -5,7 +5,7 @@ from typing import Any
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.sentence import first_text
 from workbook.entries.abscissa import Abscissa
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, shown
 from workbook.machines.machine.switches.entries import HALF, TIMES
 from workbook.machines.machine.switches.view import Lane, named

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 from engine.timing import Switch
 from workbook.book.rows import filled
-from workbook.entries.turn import TURN
+from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, shown, si
 from workbook.machines.machine.switches.entries import TIMES, SwitchEntry, TimeOn
 
