@@ -6,16 +6,15 @@ The numbers that a chart shows are kept in it: previews and Protected View draw 
 import re
 from html import unescape
 
-from openpyxl.chart import Reference, ScatterChart
+from openpyxl.chart import ScatterChart
 from openpyxl.chart.axis import ChartLines, NumericAxis
-from openpyxl.chart.data_source import NumDataSource, NumRef, StrData, StrRef, StrVal
+from openpyxl.chart.data_source import AxDataSource, NumDataSource, NumRef, StrData, StrRef, StrVal
 from openpyxl.chart.error_bar import ErrorBars
 from openpyxl.chart.label import DataLabel, DataLabelList
 from openpyxl.chart.layout import Layout, ManualLayout
 from openpyxl.chart.legend import Legend
 from openpyxl.chart.marker import Marker
 from openpyxl.chart.series import SeriesLabel, XYSeries
-from openpyxl.chart.series_factory import SeriesFactory
 from openpyxl.chart.shapes import GraphicalProperties
 from openpyxl.chart.text import RichText
 from openpyxl.chart.text import Text as ChartText
@@ -44,11 +43,12 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     drawn.title, drawn.style, drawn.scatterStyle = heading(chart.title, 1300), 2, "lineMarker"
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
-        drawn.series.append(line(series, book, COLOURS[i % len(COLOURS)]))
+        ink = series.color or COLOURS[i % len(COLOURS)]
+        drawn.series.append(line(series, book, ink))
         if chart.lanes:
-            drawn.series[-1].dLbls = named(series, book, series.color or COLOURS[i % len(COLOURS)])
+            drawn.series[-1].dLbls = named(series, book, ink)
     drawn.graphical_properties = GraphicalProperties(ln=LineProperties(noFill=True))  # no frame
-    drawn.legend = Legend(legendPos="b") if legend(chart) else None
+    drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 and not chart.lanes else None
     axes(drawn, chart, book)
     return drawn
 
@@ -74,43 +74,22 @@ def cell(name: str, book: Book) -> StrRef:
     return StrRef(f=f"{quote_sheetname(block.sheet.title)}!{block.span}", strCache=shown)
 
 
-def reference(text: str) -> Reference:
-    """Return a range for a chart; openpyxl keeps the doubled apostrophes of a sheet's name, and doubles them again."""
-    found = Reference(range_string=text)
-    found.worksheet.title = found.worksheet.title.replace("''", "'")
-    return found
-
-
-def line(series: Series, book: Book, colour: str) -> XYSeries:
+def line(series: Series, book: Book, ink: str) -> XYSeries:
     """Return one line between the points, never a spline, which would bend a step backwards."""
-    x, y = (reference(book.range(r)) for r in (series.x, series.y))
-    drawn: XYSeries = SeriesFactory(y, x, title=series.name)
-    if series.name.startswith("="):
-        drawn.tx = SeriesLabel(strRef=cell(series.name[1:], book))
-    ink = series.color or colour
+    x, y = (NumRef(f=book.range(column)) for column in (series.x, series.y))
     stroke = LineProperties(solidFill=ink, w=WIDTH, prstDash="dash" if series.dashed else None)
-    drawn.smooth, drawn.marker = False, sign(series, ink)
-    drawn.graphicalProperties = GraphicalProperties(ln=LineProperties(noFill=True) if series.points else stroke)
-    drawn.errBars = strokes(series, book, stroke)
-    return drawn
-
-
-def sign(series: Series, ink: str) -> Marker:
-    """Return the sign at each point, in one colour; none by default."""
-    if series.marker == "none":
-        return Marker(symbol="none")
     look = GraphicalProperties(solidFill=ink, ln=LineProperties(solidFill=ink))
-    return Marker(symbol=series.marker, size=SIGNS[series.marker], spPr=look)
-
-
-def strokes(series: Series, book: Book, stroke: LineProperties) -> ErrorBars | None:
-    """Return the strokes that leave each point of a series, drawn as its error bars."""
-    lengths = series.up or series.right
-    if not lengths:
-        return None
-    return ErrorBars(errDir="y" if series.up else "x", errBarType="plus", errValType="cust", noEndCap=True,
-                     plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
-                     spPr=GraphicalProperties(ln=stroke))  # fmt: skip
+    bars = None
+    if lengths := series.up or series.right:  # strokes that leave each point
+        bars = ErrorBars(errDir="y" if series.up else "x", errBarType="plus", errValType="cust", noEndCap=True,
+                         plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
+                         spPr=GraphicalProperties(ln=stroke))  # fmt: skip
+    return XYSeries(
+        tx=SeriesLabel(strRef=cell(series.name[1:], book)) if series.name[:1] == "=" else SeriesLabel(v=series.name),
+        xVal=AxDataSource(numRef=x), yVal=NumDataSource(numRef=y), smooth=False, errBars=bars,
+        marker=Marker("none") if series.marker == "none" else Marker(series.marker, SIGNS[series.marker], look),
+        spPr=GraphicalProperties(ln=LineProperties(noFill=True) if series.points else stroke),
+    )  # fmt: skip
 
 
 def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
@@ -128,20 +107,9 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
     if chart.lanes:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
-    room, left = 0.88 - below(chart) / drawn.height, max(0.13, NAMES / drawn.width) if chart.lanes else 0.13
+    below = BELOW + ((LONG_LEGEND if len(chart.series) > LONG else LEGEND) if drawn.legend else 0.0)
+    room, left = 0.88 - below / drawn.height, max(0.13, NAMES / drawn.width) if chart.lanes else 0.13
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=0.12, w=0.95 - left, h=room))
-
-
-def legend(chart: Chart) -> bool:
-    """Whether a chart has a legend: of several lines that do not say their names themselves."""
-    return len(chart.series) > 1 and not chart.lanes
-
-
-def below(chart: Chart) -> float:
-    """Return the room below the plot of a chart in cm: for labels and title, and for the legend."""
-    if not legend(chart):
-        return BELOW
-    return BELOW + (LONG_LEGEND if len(chart.series) > LONG else LEGEND)
 
 
 def named(series: Series, book: Book, ink: str) -> DataLabelList:
@@ -156,7 +124,9 @@ def named(series: Series, book: Book, ink: str) -> DataLabelList:
 
 def filled(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
     """Return the parts of charts with the values of each range that a line, or its strokes, refer to."""
-    ranges = {book.range(text): text for text in references(book)}
+    lines = [line for sheet in book.sheets for chart, *_ in sheet.charts for line in chart.series]
+    columns = {text for line in lines for text in (line.x, line.y, line.up, line.right) if text}
+    ranges = {book.range(text): text for text in columns}
     known: dict[bytes, bytes] = {}
 
     def cached(found: re.Match[bytes]) -> bytes:
@@ -167,12 +137,6 @@ def filled(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
         return known[range_]
 
     return {name: NUMBERS.sub(cached, part) for name, part in charts.items()}
-
-
-def references(book: Book) -> set[str]:
-    """Return the columns that the charts of a book refer to."""
-    lines = [line for sheet in book.sheets for chart, *_ in sheet.charts for line in chart.series]
-    return {text for line in lines for text in (line.x, line.y, line.up, line.right) if text}
 
 
 def numbers(book: Book, reference: str) -> str:
