@@ -23,8 +23,6 @@ CACHED = re.compile(rb'(</f>|<pt idx="\d+">)<v>([^<]*)</v>')
 LAST_PLACES = (
     1e-12  # of saved results and points of charts: another machine's sine may round the last digit differently
 )
-SHEET_DATA = re.compile(rb"<sheetData ?/>|<sheetData>.*?</sheetData>", re.DOTALL)
-DIMENSION = re.compile(rb'(?<=<dimension ref=")[^"]*')
 TYPE = (
     '<Override PartName="/xl/{}.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.{}+xml"/>'
 )
@@ -43,11 +41,6 @@ METADATA = (
     b'<xda:dynamicArrayProperties fDynamic="1" fCollapsed="0"/></ext></extLst></bk></futureMetadata>'
     b'<cellMetadata count="1"><bk><rc t="1" v="0"/></bk></cellMetadata></metadata>'
 )
-
-
-def with_cells(sheet: bytes, span: str, data: str) -> bytes:
-    """Return the part of a sheet with these cells instead of its own."""
-    return SHEET_DATA.sub(lambda _: data.encode(), DIMENSION.sub(span.encode(), sheet, count=1), count=1)
 
 
 def completed(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[str, str]]) -> dict[str, bytes]:

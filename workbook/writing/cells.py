@@ -1,6 +1,7 @@
 """The cells of a sheet as XML, each formula with its value: openpyxl writes none, and takes several times as long."""
 
 import math
+import re
 from collections import defaultdict
 from html import escape
 from typing import Any
@@ -8,6 +9,8 @@ from typing import Any
 from openpyxl.cell.cell import ERROR_CODES
 from openpyxl.utils import get_column_letter
 
+SHEET_DATA = re.compile(rb"<sheetData ?/>|<sheetData>.*?</sheetData>", re.DOTALL)
+DIMENSION = re.compile(rb'(?<=<dimension ref=")[^"]*')
 MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 
 
@@ -57,17 +60,13 @@ class Cells:
         text = escape(formula[1:], quote=False)
         self._rows[row][column] = f'<c r="{place}" s="{style}"{marked}{kind}><f{array}>{text}</f>{known}</c>'
 
-    def span(self) -> str:
-        """Return the range that the cells cover."""
-        if not self._rows:
-            return "A1"
+    def within(self, sheet: bytes) -> bytes:
+        """Return the part of a sheet with these cells, in their order, instead of its own."""
         columns = [column for cells in self._rows.values() for column in (min(cells), max(cells))]
-        first, last = get_column_letter(min(columns)), get_column_letter(max(columns))
-        return f"{first}{min(self._rows)}:{last}{max(self._rows)}"
-
-    def part(self) -> str:
-        """Return the element ``sheetData``: rows and cells in their order."""
-        return f"<sheetData>{''.join(map(self._row, sorted(self._rows)))}</sheetData>"
+        first, last = (get_column_letter(end(columns, default=1)) for end in (min, max))
+        span = f"{first}{min(self._rows)}:{last}{max(self._rows)}" if self._rows else "A1"
+        data = f"<sheetData>{''.join(map(self._row, sorted(self._rows)))}</sheetData>".encode()
+        return SHEET_DATA.sub(lambda _: data, DIMENSION.sub(span.encode(), sheet, count=1), count=1)
 
     def _row(self, row: int) -> str:
         height = f' ht="{self.heights[row]:g}" customHeight="1"' if row in self.heights else ""

@@ -40,8 +40,7 @@ def add(own: Own, workbook: Workbook, cells: dict[str, Cells], strings: Strings)
         else:
             cells[cell.parent.title].put(*place, content)
     for cell in own.notes:
-        twin = workbook[cell.parent.title].cell(cell.row, cell.column)
-        twin.comment = copy(cell.comment)
+        workbook[cell.parent.title].cell(cell.row, cell.column).comment = copy(cell.comment)
     workbook.defined_names.update({name.name: name for name in own.names})
 
 

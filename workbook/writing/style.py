@@ -82,8 +82,7 @@ class Styles:
     """Cell styles of one workbook, each made once on a scratch cell, by their numbers in the file."""
 
     def __init__(self, workbook: Workbook) -> None:
-        self._scratch = workbook.create_sheet("scratch")
-        self._workbook = workbook
+        self._workbook, self._scratch = workbook, workbook.create_sheet("scratch")
         for kind in (*ROLES.values(), *TEXTS.values()):
             workbook.add_named_style(kind.style())
         self.text, self.quantity = cache(self._text), cache(self._quantity)

@@ -7,8 +7,6 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from openpyxl.styles import Font
-
 from workbook.book.declare import FIRST, REFERENCE, Block, Book, Quantity, Sheet
 from workbook.book.quantity import sample
 from workbook.book.rows import as_rows
@@ -17,6 +15,7 @@ from workbook.writing import style
 WIDTHS = {1: 2, FIRST: 38}
 COLUMN_WIDTH = 12
 RUN = 12  # columns over which a text may run
+TOWARDS = {"left": 1, "right": -1}  # where texts run over: in the middle of a table, nowhere
 GAP = 0.75  # digits beside a text, so that it does not touch what stands next to it
 WORD, NAME = re.compile(r'"((?:[^"]|"")*)"'), re.compile(r"\w+")
 NARROW, SLIM, BROAD = "ilj.,:;'|()[] ", "tfr", "mwMW%ω"
@@ -89,7 +88,9 @@ def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
     """Return the width of each column that has one of its own, in digits."""
     found: dict[int, float] = WIDTHS | sheet.widths
     taken = {(text.row, text.column) for text in sheet.texts if text.text}
-    taken |= {place for block in sheet.blocks for place in filled(block)} | set(covered(sheet))
+    taken |= {place for block in sheet.blocks for place in filled(block)}
+    for _, top, left, wide, high in sheet.charts:
+        taken |= {(row, column) for row in range(top, top + high) for column in range(left, left + wide)}
     for block in sheet.blocks:
         for q, column in zip(block.quantities, block.columns.values(), strict=True):
             if q.role in ("sentence", "check"):
@@ -97,43 +98,23 @@ def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
             texts: Iterable[str] = standing.texts(block, q)
             if q.wrap:
                 texts = [word for text in texts for word in text.split()]
-            needed = longest(texts, style.ROLES[style.kind(q.role, block.is_table)].font)
-            has = found.get(column, COLUMN_WIDTH)
+            font = style.ROLES[style.kind(q.role, block.is_table)].font
+            needed = max((text_width(text, font.sz or FULL, bool(font.b)) for text in texts), default=0.0)
+            has, step = found.get(column, COLUMN_WIDTH), TOWARDS.get(style.alignment(q, sample(q), block.is_table), 0)
             if needed + GAP > has:
-                run = min(free(found, taken, row, column, side(block, q)) for row in rows(block))
+                rows = range(block.row, block.row + block.size)
+                run = min(free(found, taken, row, column, step) for row in rows)
                 found[column] = max(has, needed + GAP - (0 if q.wrap else run))
     return found
-
-
-def side(block: Block, q: Quantity) -> int:
-    """Return where a quantity's texts run over: to the right, to the left, or, in the middle of a table, nowhere."""
-    towards: dict[str, int] = {"left": 1, "right": -1}
-    return towards.get(style.alignment(q, sample(q), block.is_table), 0)
-
-
-def longest(texts: Iterable[str], font: Font) -> float:
-    """Return the width of the widest of some texts."""
-    return max((text_width(text, font.sz or FULL, bool(font.b)) for text in texts), default=0.0)
-
-
-def rows(block: Block) -> range:
-    """Return the rows of a block."""
-    return range(block.row, block.row + block.size)
 
 
 def filled(block: Block) -> Iterator[tuple[int, int]]:
     """Yield the places of a block's cells that are not empty."""
     for q, column in zip(block.quantities, block.columns.values(), strict=True):
         values: list[Any] = as_rows(q.value, block.size, q.name)
-        for row, value in zip(rows(block), values, strict=True):
+        for row, value in enumerate(values, block.row):
             if q.formula is not None or value not in (None, ""):
                 yield row, column
-
-
-def covered(sheet: Sheet) -> Iterator[tuple[int, int]]:
-    """Yield the places of the cells under charts."""
-    for _, row, column, width, height in sheet.charts:
-        yield from ((r, c) for r in range(row, row + height) for c in range(column, column + width))
 
 
 def free(found: dict[int, float], taken: set[tuple[int, int]], row: int, column: int, step: int) -> float:

@@ -66,7 +66,7 @@ def parts(
     made = archive.unzipped(draft.getvalue())
     for number, page in enumerate(cells.values(), 1):
         name = f"xl/worksheets/sheet{number}.xml"
-        made[name] = archive.with_cells(made[name], page.span(), page.part())
+        made[name] = page.within(made[name])
     made |= charts.filled({name: part for name, part in made.items() if name.startswith("xl/charts/chart")}, book)
     abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
     return archive.completed(made, strings.part(), abouts)
@@ -85,9 +85,9 @@ def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workb
         write_texts(sheet, page, content, styles, wide)
         for block in sheet.blocks:
             write_block(block, page, content, styles, model, wide)
-            validate(block, page, model)
-        for chart, row, column, width, height in sheet.charts:
-            page.add_chart(charts.draw(chart, book, *size(column, width, height)), f"{get_column_letter(column)}{row}")
+        for chart, row, column, columns, rows in sheet.charts:
+            drawn = charts.draw(chart, book, *size(column, columns, rows))
+            page.add_chart(drawn, f"{get_column_letter(column)}{row}")
         set_up_page(sheet, page, wide, content.heights)
     styles.close()
     workbook.properties.title = book.title
@@ -121,11 +121,15 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
 def write_block(
     block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel], wide: dict[int, float]
 ) -> None:
-    """Write the cells of one block, each column in one style, and give rows of wrapped texts their height."""
+    """Write the cells of one block, each column in one style and with its rule, and set the height of wrapped texts."""
     looks: dict[str, int] = {}
     for q in block.quantities:
         place = style.placed(q, sample(q), block.is_table, block.columns[q.name] == FIRST)
         looks[q.name] = styles.quantity(q.role, format_of(q, model), place, block.is_table)
+        if q.role == "input":
+            rule = rules.validation(model, q)
+            rule.add(block.reference(q.name).replace("$", ""))
+            page.add_data_validation(rule)
     for _, q, _, row, column, content, value in block.cells():
         if q.formula is None:
             cells.put(row, column, looks[q.name], content)
@@ -145,15 +149,6 @@ def format_of(q: Quantity, model: type[BaseModel]) -> str:
     return AS_TYPED if rules.is_free_text(model, q) else number_format(q, sample(q))
 
 
-def validate(block: Block, page: Worksheet, model: type[BaseModel]) -> None:
-    """Attach the rule of each input to its cells."""
-    for q in block.quantities:
-        if q.role == "input":
-            rule = rules.validation(model, q)
-            rule.add(block.reference(q.name).replace("$", ""))
-            page.add_data_validation(rule)
-
-
 def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dict[int, float]) -> None:
     """Set columns, panes, protection without a password, and how it prints."""
     used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
@@ -167,16 +162,11 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dic
     page.freeze_panes = f"A{sheet.head + 1}"
     page.protection.sheet = True
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
-    free_columns(page, used + 2, widest)
-    set_up_print(sheet, page, used, wide, high)
-
-
-def free_columns(page: Worksheet, first: int, last: int) -> None:
-    """Let an engineer write into the columns from ``first`` on without unprotecting: those to ``last`` have a width."""
-    rest = page.column_dimensions[get_column_letter(last + 1)]
-    rest.min, rest.max, rest.width = last + 1, LAST_COLUMN, COLUMN_WIDTH
-    for column in range(min(first, last + 1), last + 2):
+    rest = page.column_dimensions[get_column_letter(widest + 1)]
+    rest.min, rest.max, rest.width = widest + 1, LAST_COLUMN, COLUMN_WIDTH
+    for column in range(min(used + 2, widest + 1), widest + 2):  # an engineer writes there without unprotecting
         page.column_dimensions[get_column_letter(column)].protection = Protection(locked=False)
+    set_up_print(sheet, page, used, wide, high)
 
 
 def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float], high: dict[int, float]) -> None:
