@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import zip_longest
 from typing import Any, NamedTuple
 
 DIGITS = 9  # decimals that are shown of an entry, at most
@@ -39,6 +40,12 @@ def entered(value: float) -> str:
 def quoted(text: str) -> str:
     """Return a text as formulas write it."""
     return '"' + text.replace('"', '""') + '"'
+
+
+def spelled(text: str, *cells: str) -> str:
+    """Return the formula of a sentence, without its =, that has the figures of cells at each {}."""
+    words = [quoted(part) if part else "" for part in text.split("{}")]
+    return "&".join(part for pair in zip_longest(words, cells, fillvalue="") for part in pair if part)
 
 
 def first_text(texts: str) -> str:

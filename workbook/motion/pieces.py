@@ -9,7 +9,7 @@ from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
 from workbook.book.rows import filled
-from workbook.book.sentence import quoted
+from workbook.book.sentence import spelled
 from workbook.entries.units import DEGREE, shown
 from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, last_before, of_law
 from workbook.motion.room import CROWDED, rule_of
@@ -60,8 +60,7 @@ def room_check(name: str, at: Cells, number: int = 1, of: str = "", cuts: str = 
     """Return the check that the table of pieces has room for all ``of`` the axis of a number, with ``cuts`` in them."""
     label = f"{of}: the table of pieces has room for all" if of else "The table of pieces has room for all"
     rows, count = f"[{at.pieces}.r.last]", f"{at.count}+{cuts}" if cuts else at.count
-    _, between, after = CROWDED.split("{}")
-    says = f"{count}&{quoted(between)}&{rows}&{quoted(after)}"
+    says = spelled(CROWDED, count, rows)
     return check(name, label, f"{count}<={rows}", True, ROOM, f":{rule_of(number)}", says)
 
 

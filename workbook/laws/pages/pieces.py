@@ -19,7 +19,7 @@ from workbook.book.sentence import amount, figure
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page
+from workbook.laws.family import BEHIND, ENTRIES, LABELS, REACHES, LawSheet, Page
 from workbook.laws.own import OWN_ENTRIES, extremes, missing, points_table
 
 
@@ -150,8 +150,7 @@ class OwnPage(Page):
         return [
             check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
                   rule=f"{one.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
-            check("@reaches", f"{name}: the law reaches s = 1",
-                  "ABS([@samples.s.last]-1)<check_zero", abs(end.s - 1) < ZERO,
+            check("@reaches", f"{name}: the law reaches s = 1", REACHES, abs(end.s - 1) < ZERO,
                   says=amount("[@samples.s.last]", end.s, "s(1) = ", "")),
             check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero", abs(end.v) < ZERO,
                   says=amount("[@samples.v.last]", end.v, "v(1) = ", "")),
