@@ -10,8 +10,8 @@ from engine.timing import FULL_TURN
 from workbook.axes import CamAxis
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
-from workbook.entries.rules import limits
 from workbook.entries.phase import TURN
+from workbook.entries.rules import limits
 from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.library import laws
 from workbook.laws.sampling import Pieces
