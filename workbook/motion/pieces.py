@@ -71,8 +71,7 @@ def pieces_table(
     """Declare the table of a motion's pieces, and ``more`` columns; ``taken`` are those of what a piece takes over."""
     at = rows.at
     place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
-    length = f"DEGREES({span})" if at.degrees else span
-    unit = DEGREE if at.degrees else 1.0
+    length, unit, called = (f"DEGREES({span})", DEGREE, "°") if at.degrees else (span, 1.0, at.x)
     lasting = f"IF({at.of_end('mode')}>1,1,{of_law('d')})" if at.ends else of_law("d")
 
     def of(figure: Callable[[MotionPiece], float]) -> list[float]:
@@ -80,8 +79,7 @@ def pieces_table(
 
     def begins(name: str, label: str, formula: str, figure: Callable[[MotionPiece], float]) -> Quantity:
         values = filled([shown(figure(piece), unit) for piece in rows.pieces], room, shown(rows.end, unit))
-        degrees = "°" if at.degrees else at.x
-        return calc(name, label, "", degrees, f"=IF([r]>MAX(1,{at.count}),{at.end},{formula})", values,
+        return calc(name, label, "", called, f"=IF([r]>MAX(1,{at.count}),{at.end},{formula})", values,
                     scale=shown(rows.end, unit), source="spare rows: the end")  # fmt: skip
 
     origin = f"{at.of_phase('begin')}+{length}*{of_law('xi')}"
