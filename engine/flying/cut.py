@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike
 
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
-from engine.laws.inverse import is_monotone
-from engine.laws.sections import breaks, roots, velocity_extremes, velocity_peak
+from engine.laws.inverse import is_monotone, velocity_peak
+from engine.laws.piece import scaled_piece
+from engine.laws.piece_extremes import reach_of
 
 Beyond = Literal["standstill", "reversal"]
 SAME_LENGTH = 1e-12  # of the design length, the line speed: a smaller difference is none
@@ -153,12 +154,10 @@ class Cut:
     @property
     def stroke(self) -> float:
         """Furthest less nearest position of the tool in a cycle (m): the slide's travel of a flying saw."""
-        times = np.array([0.0, self.repositioning_time, self.cycle_time])
-        if self.reverses:  # the tool stands where the law has this velocity
-            standing = -self.line_speed * self.moving_time / self.superimposed
-            xi = roots(lambda x: self.law.v(x) - standing, velocity_extremes(self.law))
-            times = np.concatenate([times, np.union1d(xi, breaks(self.law)) * self.moving_time])
-        return float(np.ptp(self.at(times).position))
+        places = self.at(np.array([0.0, self.repositioning_time, self.cycle_time])).position
+        moved = [scaled_piece(piece, self.superimposed, 1.0) for piece in self.law.as_pieces()]
+        turned = reach_of(moved, self.line_speed * self.moving_time) if self.reverses else ()
+        return float(np.ptp([*places, *turned]))
 
     def at(self, time: ArrayLike) -> ToolMotion:
         """Return position, speed, acceleration and jerk of the tool (m, s) at times from 0 to t_C.

@@ -1,4 +1,4 @@
-"""The inverse of a motion law: the share of its time at which it has reached a share of its rise."""
+"""When a law has reached a share of its rise; where its formula changes, and where it is fastest."""
 
 from functools import lru_cache
 
@@ -6,13 +6,42 @@ import numpy as np
 
 from engine.laws.base import ROUNDING, Array, Real, require_within, unwrap
 from engine.laws.family import Law
-from engine.laws.sections import breaks, velocity_extremes
+from engine.laws.ladder import zeros
+from engine.laws.piece import begins
+from engine.laws.piece_extremes import acceleration
 
 KNOTS = 65  # a stage, between which a height is first located
 STEPS = 120
 LAST_DIGITS = 4e-16  # of ξ: within them rounding of s turns the steps to and fro
 BACKWARDS = 1e-9
 """a velocity below minus this, in units of the mean velocity, is a motion backwards"""
+INSIDE = 1e-9
+"""of a stage: what is nearer to its end is at it"""
+
+
+def breaks(law: Law) -> Array:
+    """Return every ξ at which the law's formula changes, with 0 and 1, rising."""
+    kept = [0.0]
+    for xi in law.breaks:
+        if kept[-1] + INSIDE < xi < 1.0 - INSIDE:
+            kept.append(xi)
+    return np.array([*kept, 1.0])
+
+
+def velocity_extremes(law: Law) -> Array:
+    """Return every ξ at which v can be largest or smallest, with 0 and 1, rising."""
+    pieces, turns = law.as_pieces(), []
+    for piece, begin in zip(pieces, begins(pieces), strict=True):
+        d = piece.duration
+        turns += [begin + u for u in zeros(acceleration(piece), d) if INSIDE * d < u < (1.0 - INSIDE) * d]
+    return np.union1d(breaks(law), turns)
+
+
+def velocity_peak(law: Law) -> float:
+    """Return the first ξ at which v is at its largest; of a uniform stage, its begin."""
+    xi = velocity_extremes(law)
+    v = law.v(xi)
+    return float(xi[np.argmax(v >= v.max() - 1e-12 * abs(v.max()))])
 
 
 @lru_cache(maxsize=256)

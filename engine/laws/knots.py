@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
-from engine.laws.sections import velocity_peak
+from engine.laws.inverse import velocity_peak
 from engine.laws.spline import Spline, eliminated
 
 STILL = 1e-9

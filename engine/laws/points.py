@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
 from engine.laws.family import Law
+from engine.laws.inverse import velocity_peak
 from engine.laws.piece import Piece, begins, bends, carried, gains
 from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.laws.pieces import PieceLaw
-from engine.laws.sections import velocity_peak
 
 
 class Ends(NamedTuple):

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.sections import breaks, roots, velocity_peak
-from tests.engine.integrals import integral
+from engine.laws.inverse import breaks, velocity_peak
+from tests.engine.integrals import crossings, integral
 
 DEGREE = 40
 SMOOTH = 1e-9  # of a column's peak: so near does a polynomial of DEGREE come to what is smooth within a stage
@@ -48,7 +48,7 @@ def coefficients(law):
     """The coefficients of a law, from its stages and the zeros of its derivatives within them."""
     edges = breaks(law)
     at = law.evaluate(within(law, np.linspace(0, 1, 2001)))
-    turns = [roots(f, edges) for f in (law.a, law.j, lambda xi: law.a(xi) ** 2 + law.v(xi) * law.j(xi))]
+    turns = [crossings(f, edges) for f in (law.a, law.j, lambda xi: law.a(xi) ** 2 + law.v(xi) * law.j(xi))]
     more = law.evaluate(np.concatenate([*turns, [0.5]]))
     v, a, j = (np.concatenate([x.ravel(), y]) for x, y in zip(at[1:], more[1:], strict=True))
     steps = np.abs(np.concatenate([[0.0], at.a[:, -1]]) - np.concatenate([at.a[:, 0], [0.0]]))

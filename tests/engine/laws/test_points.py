@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from engine.laws import Piece, PieceLaw
+from engine.laws.inverse import velocity_peak
 from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.laws.pieces import POLYNOMIAL_345
 from engine.laws.points import POINTS, SHARES, WEIGHTS, PointedLaw, Points, fastest, reach, slowest
-from engine.laws.sections import velocity_peak
 
 PEAKS, POWER, RMS = 1e-2, 4e-2, 1e-6
 """bounds of s, v, a and j, of v·a, and of the RMS acceleration; relative to the largest size"""

@@ -7,9 +7,8 @@ import numpy as np
 from engine.drive import Load
 from engine.flying.cut import LONGER, SAME_LENGTH, Beyond, Cut, Tool, flying_saw, rotary_drum
 from engine.laws import Dwell, Law
-from engine.laws.inverse import is_monotone
+from engine.laws.inverse import is_monotone, velocity_extremes
 from engine.laws.points import fastest
-from engine.laws.sections import velocity_extremes
 from engine.motion import Phase
 from engine.selection.task import Task
 from workbook.book.sentence import figure
