@@ -10,10 +10,10 @@ from rich.console import Console
 from rich.table import Table
 
 from engine.laws import CATALOGUE, Law, ModifiedTrapezoidal, Piece, PieceLaw
-from engine.laws.double_harmonic import DoubleHarmonic
 from engine.laws.ends import Ends
 from engine.laws.modified import SineConstantCosine
 from engine.laws.polynomials import Polynomial4567
+from engine.laws.simple import DoubleHarmonic
 from engine.laws.spline import Spline
 
 SAMPLES = 10**6

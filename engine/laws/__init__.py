@@ -7,7 +7,7 @@ from engine.laws.family import Law
 from engine.laws.piece import Piece
 from engine.laws.pieces import PieceLaw
 from engine.laws.registry import CATALOGUE, UnknownLawError, law
-from engine.laws.uniform import Dwell
+from engine.laws.simple import Dwell
 
 __all__ = ["CATALOGUE", "Coefficients", "Dwell", "Kinematics", "Law", "Piece", "PieceLaw", "UnknownLawError", "law"]
 

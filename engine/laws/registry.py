@@ -7,9 +7,7 @@ variations, tests) goes through the catalogue.
 from collections.abc import Sequence
 from typing import Any
 
-from engine.laws.double_harmonic import DoubleHarmonic
 from engine.laws.family import Law
-from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from engine.laws.modified import (
     HarmonicCombination,
     ModifiedSine,
@@ -21,31 +19,14 @@ from engine.laws.modified import (
 from engine.laws.pieces import PieceLaw
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
+from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, Dwell, SimpleHarmonic, StraightLine
 from engine.laws.spline import Spline
-from engine.laws.uniform import Dwell, StraightLine
 
 CATALOGUE: tuple[type[Law], ...] = (
-    Dwell,
-    ConstantAcceleration,
-    TrapezoidalVelocity,
-    Cycloidal,
-    Cubic,
-    ModifiedTrapezoidal,
-    PieceLaw,
-    StraightLine,
-    SimpleHarmonic,
-    DoubleHarmonic,
-    Polynomial345,
-    Polynomial4567,
-    ModifiedSine,
-    TrapezoidByShare,
-    SineConstantCosine,
-    HarmonicCombination,
-    SineStraightSine,
-    SineRamps,
-    SCurve,
-    Spline,
-)
+    Dwell, ConstantAcceleration, TrapezoidalVelocity, Cycloidal, Cubic, ModifiedTrapezoidal, PieceLaw, StraightLine,
+    SimpleHarmonic, DoubleHarmonic, Polynomial345, Polynomial4567, ModifiedSine, TrapezoidByShare, SineConstantCosine,
+    HarmonicCombination, SineStraightSine, SineRamps, SCurve, Spline,
+)  # fmt: skip
 
 
 class UnknownLawError(ValueError):

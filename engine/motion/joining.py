@@ -9,7 +9,7 @@ import numpy as np
 from engine.laws import Dwell, Law
 from engine.laws.ends import STILL, EndedLaw, EndError, Ends, between, kind, require_ends
 from engine.laws.polynomials import EndedLine
-from engine.laws.uniform import StraightLine
+from engine.laws.simple import StraightLine
 from engine.motion.motion import Motion
 from engine.motion.phase import Phase
 from engine.motion.pieces import MotionPiece, motion_pieces

@@ -6,9 +6,7 @@ from dataclasses import dataclass, field, fields
 
 from engine.laws import Law
 from engine.laws.base import Coefficients
-from engine.laws.double_harmonic import DoubleHarmonic
 from engine.laws.ends import Ends
-from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from engine.laws.modified import (
     HarmonicCombination,
     ModifiedSine,
@@ -21,8 +19,8 @@ from engine.laws.piece import Piece
 from engine.laws.pieces import PieceLaw
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
+from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, Dwell, SimpleHarmonic, StraightLine
 from engine.laws.spline import EXAMPLE, Spline
-from engine.laws.uniform import Dwell, StraightLine
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
 from engine.laws.ends import EndedLaw, EndError, Ends, between, kind, kinds
-from engine.laws.halved import Cycloidal, SimpleHarmonic
 from engine.laws.modified import HarmonicCombination, ModifiedSine
 from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import Limits, SCurve, TrapezoidalVelocity
+from engine.laws.simple import Cycloidal, SimpleHarmonic
 from tests.engine.families import EXAMPLES
 
 EVERY = pytest.mark.parametrize("law", [law for _, law in EXAMPLES], ids=[name for name, _ in EXAMPLES])

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from engine.laws import PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.ends import Ends
-from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from engine.laws.modified import (
     HarmonicCombination,
     ModifiedSine,
@@ -24,6 +23,7 @@ from engine.laws.piece import reversed_pieces
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.pulse_law import PulseLaw
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
+from engine.laws.simple import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from tests.engine.families import COEFFICIENTS, EXAMPLES, carried, integrals, largest, stages
 
 XI = np.linspace(0, 1, 501)

@@ -4,9 +4,7 @@ import math
 
 import pytest
 
-from engine.laws.double_harmonic import DoubleHarmonic
 from engine.laws.ends import REST
-from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from engine.laws.modified import (
     HarmonicCombination,
     ModifiedSine,
@@ -20,7 +18,7 @@ from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.pulse import polynomial_pulse
 from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
-from engine.laws.uniform import StraightLine
+from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
 
 INF = math.inf
 

@@ -7,10 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import Piece, PieceLaw
-from engine.laws.halved import Cycloidal
 from engine.laws.modified import ModifiedSine, ModifiedTrapezoidal
 from engine.laws.pieces import POLYNOMIAL_345, Misses, mended, misses
 from engine.laws.ramps import SCurve
+from engine.laws.simple import Cycloidal
 
 factor = st.floats(0.2, 5.0)
 WHOLE = pytest.mark.parametrize("law", [ModifiedTrapezoidal(), ModifiedSine(0.3), SCurve(), Cycloidal(0.6)])

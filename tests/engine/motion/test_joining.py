@@ -8,14 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.laws import Dwell, Piece, PieceLaw
-from engine.laws.double_harmonic import DoubleHarmonic
-from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from engine.laws.modified import HarmonicCombination, ModifiedSine, ModifiedTrapezoidal, SineConstantCosine
 from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
+from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
 from engine.laws.spline import Spline
-from engine.laws.uniform import StraightLine
 from engine.motion import Phase
 from engine.motion.joining import ORDERS, Fault, Rates, joined, shortfalls
 from tests.engine.motion.junctions import junctions

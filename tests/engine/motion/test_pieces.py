@@ -6,11 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
-from engine.laws.double_harmonic import DoubleHarmonic
 from engine.laws.modified import ModifiedSine
 from engine.laws.polynomials import Polynomial345, Polynomial4567
 from engine.laws.ramps import SCurve
-from engine.laws.uniform import StraightLine
+from engine.laws.simple import DoubleHarmonic, StraightLine
 from engine.motion import Motion, Phase
 from engine.motion.joining import joined
 from engine.motion.pieces import Scaled, evaluated, located, motion_pieces, pieces_of

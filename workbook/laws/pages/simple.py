@@ -3,10 +3,8 @@
 from typing import Literal
 
 from engine.laws import Dwell
-from engine.laws.double_harmonic import DoubleHarmonic
-from engine.laws.halved import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
-from engine.laws.uniform import StraightLine
+from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, SINE_IN, Stage, edged
 from workbook.laws.family import COEFFICIENTS, LawSheet, Page, PieceRow
 from workbook.laws.shared import POLYNOMIAL, REVERSAL, SHARED

@@ -1,0 +1,159 @@
+"""Laws of no pulse, of one over the share λ of the time and the same backwards, of two sines.
+
+DWL, LIN; ACS, CIC, SHM; DHM.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+from engine.laws.ends import REST, Ends
+from engine.laws.family import Law, Vendors
+from engine.laws.piece import Piece, reversed_pieces
+from engine.laws.piece_extremes import at_peaks
+from engine.laws.pulse import CONSTANT, FALLING_SINE, HALF_SINE, Pulse
+from engine.laws.pulse_law import PulseLaw, TwoPulses, require_share
+
+
+@dataclass(frozen=True)
+class Dwell(Law):
+    """Rest: s = v = a = j = 0 throughout. Source: S3, function motionlaw."""
+
+    code = "DWL"
+    name = "Dwell"
+    aliases = ("rest",)
+    source = "S3, function motionlaw, 'Dwell'"
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return one piece without acceleration."""
+        return (Piece(1.0),)
+
+
+@dataclass(frozen=True)
+class StraightLine(Law):
+    """s = ξ; v = 1: constant velocity. Against rest the velocity jumps, which its coefficients do not count."""
+
+    code = "LIN"
+    name = "Straight line"
+    aliases = ("constant velocity", "Gerade")
+    source = "LCamHdl, ProfileTypes, CONST_VELO"
+    vendors = Vendors(siemens="CONST_VELO (3)", twincat="POLYNOM1 (1)", codesys="Line", sew="LINEAR")
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return one piece without acceleration."""
+        return (Piece(1.0),)
+
+    @property
+    def entry(self) -> float:
+        """The velocity 1."""
+        return 1.0
+
+
+@dataclass(frozen=True)
+class HalvedLaw(PulseLaw):
+    """A pulse over the share λ of the time, and the same backwards over the rest.
+
+    Raises ValueError unless λ, the ``share``, is between 0 and 1.
+    """
+
+    STAGES = (0, 2)
+    HALF: ClassVar[Pulse]
+
+    share: float = 0.5
+
+    def __post_init__(self) -> None:
+        require_share("share", self.share)
+
+    def _pulses(self) -> TwoPulses:
+        return TwoPulses(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)
+
+
+@dataclass(frozen=True)
+class ConstantAcceleration(HalvedLaw):
+    """a = 2/λ over the share λ of the time, −2/(1 − λ) over the rest; with λ = ½, s = 2ξ², then 1 − 2(1 − ξ)².
+
+    ``share`` is λ, between 0 and 1, else ValueError.
+    Source: S3, figure 1 and 'ACS'; S1 quotes its C_a = 4. With λ: LCamHdl, ProfileTypes, D_D_PARABOLA.
+    """
+
+    code = "ACS"
+    name = "Constant acceleration"
+    aliases = ("constant acceleration symmetric", "symmetric constant acceleration", "parabolic")
+    source = "S3, figure 1 and 'ACS'; S1, 'Timing diagram for a cutting machine' (C_a = 4)"
+    vendors = Vendors(siemens="D_D_PARABOLA (7)")
+    HALF = CONSTANT
+
+    ends: Ends = REST
+
+
+@dataclass(frozen=True)
+class Cycloidal(HalvedLaw):
+    """a = (π/λ) sin(πξ/λ) over the share λ of the time, −(π/μ) sin(π(ξ − λ)/μ) over the rest, μ = 1 − λ.
+
+    With λ = ½, a = 2π sin 2πξ; v = 1 − cos 2πξ; s = ξ − sin(2πξ)/2π. ``share`` is λ, between 0 and 1, else
+    ValueError. Source: S3, 'CIC'. With λ: LCamHdl, ProfileTypes, D_D_INCLINED_SINE.
+    """
+
+    code = "CIC"
+    name = "Cycloidal"
+    aliases = ("cycloid",)
+    source = "S1, 'Cycloidal curve'; S3, 'CIC'"
+    vendors = Vendors(
+        siemens="D_D_INCLINED_SINE (10)", twincat="BESTEHORN (12)", codesys="InclinedSine", sew="INCLINED_SINE"
+    )
+    HALF = HALF_SINE
+
+    ends: Ends = REST
+
+
+@dataclass(frozen=True)
+class SimpleHarmonic(HalvedLaw):
+    """s = (1 − cos πξ)/2; with the share λ, a quarter of a cosine over λ and one of a sine over 1 − λ.
+
+    It begins and ends with an acceleration: a law from reversal to reversal. Raises ValueError unless λ, the
+    ``share``, is between 0 and 1.
+    """
+
+    code = "SHM"
+    name = "Simple harmonic"
+    aliases = ("harmonic", "basic sine", "einfache Sinuslinie")
+    source = "LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE"
+    vendors = Vendors(siemens="D_D_BASIC_SINE (9)", twincat="SINUSLINIE (10)", sew="SINE")
+    STAGES = (2, 4)
+    HALF = FALLING_SINE
+
+    ends: Ends = REST
+
+
+PEAK, COSINE = math.pi**2 / 2.0, math.pi / 2.0
+FROM_REST = Piece(1.0, amplitude=PEAK, omega=math.pi, phase=COSINE, amplitude2=-PEAK, omega2=math.tau, phase2=COSINE)
+
+
+@dataclass(frozen=True)
+class DoubleHarmonic(Law):
+    """s = sin⁴(πξ/2), from rest to a reversal: a = (π²/2)(cos πξ − cos 2πξ).
+
+    At its end v = 0 and a = −π²: its mirror image has to follow, never a dwell. ``reversal`` says which end turns
+    round, "end" or "start" (s = 1 − cos⁴(πξ/2)); else ValueError. Its beginning is as smooth as that of the
+    polynomial 4-5-6-7.
+    Source: LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC and R_D_DOUBLE_HARMONIC; saltire.com, cam functions.
+    """
+
+    code = "DHM"
+    name = "Double harmonic"
+    source = "LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC; saltire.com, cam functions"
+    vendors = Vendors(siemens="D_R_DOUBLE_HARMONIC (60)")
+
+    reversal: Literal["start", "end"] = "end"
+
+    def __post_init__(self) -> None:
+        if self.reversal not in ("start", "end"):
+            raise ValueError(f"reversal is {self.reversal!r}; expected 'start' or 'end'")
+
+    def as_pieces(self) -> tuple[Piece, ...]:
+        """Return one piece of two sines."""
+        return (FROM_REST,) if self.reversal == "end" else reversed_pieces((FROM_REST,))
+
+    def monotone_pieces(self) -> tuple[Piece, ...]:
+        """Return two pieces, which meet where the acceleration at the end at rest is largest: cos πξ = ¼."""
+        return tuple(at_peaks(self.as_pieces()[0]))
