@@ -8,8 +8,8 @@ from engine.selection.pair_matrix import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
 from workbook.machines.machine.entries import Closes
+from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
-from workbook.machines.machine.switches.entries import TIMES
 from workbook.machines.machine.time_based import in_units_of
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import within

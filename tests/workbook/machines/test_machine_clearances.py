@@ -12,7 +12,7 @@ from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine import exact
-from workbook.machines.machine.clearance.gap import Apart
+from workbook.machines.machine.clearances import Apart
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.view import Whole
 
@@ -49,7 +49,7 @@ def test_the_least_gap_is_that_of_a_fine_table():
         gaps, x = sampled(one, 200_001)
         least, at = value("clearances", "gap")[k], value("clearances", "at")[k]
         assert least == pytest.approx(gaps.min(), abs=1e-4 * one.change)
-        assert least >= one.exact.least - 1e-12
+        assert least >= one.exact - 1e-12
         assert gaps[np.abs(x - math.radians(at)).argmin()] == pytest.approx(least, abs=1e-3)
 
 
@@ -112,11 +112,11 @@ def test_least_gaps_are_as_exact_as_their_sheet_states(number):
     made = drawn_machine(machine({}, {"name": "Other", "first": "A3"}), random.Random(f"exact gap {number}"))
     for one in views(made):
         if all(rows.axis.lack < 1e-9 for rows in one.rows):
-            assert -1e-9 * one.size <= one.least - one.exact.least <= exact.GAP * one.change
+            assert -1e-9 * one.size <= one.least - one.exact <= exact.GAP * one.change
             assert exact.gap_of(one) == ""
 
 
 def test_a_least_gap_that_is_farther_off_is_told(monkeypatch):
     one = views(machine({"first_factor": -1.0, "second_factor": 0.3, "offset": 8.0}))[0]
-    monkeypatch.setattr(one, "least", one.exact.least + 2.0 * exact.GAP * one.change)
+    monkeypatch.setattr(one, "least", one.exact + 2.0 * exact.GAP * one.change)
     assert exact.gap_of(one).startswith("Gap: the least gap is ")

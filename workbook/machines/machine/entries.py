@@ -1,7 +1,7 @@
 """A machine of any axes: what an engineer enters."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, PrivateAttr, model_validator
 
@@ -9,7 +9,7 @@ from workbook.book.sentence import figure
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.machine import Exporting
 from workbook.entries.phase import Passing, TurnPhase, forward, require_straight
-from workbook.entries.texts import LOOKED_UP, NO_FORMULA, Text, place_of, require_distinct
+from workbook.entries.texts import Text, place_of, require_distinct
 from workbook.entries.types import (
     ANGLE_TOLERANCE,
     DesignError,
@@ -21,10 +21,17 @@ from workbook.entries.types import (
     TogetherError,
 )
 from workbook.machines.machine import chain
-from workbook.machines.machine.clearance.entries import MOST_CLEARANCES, ClearanceEntry, require_axes, spelled_out
+from workbook.machines.machine.entries_beside import (
+    MOST_CLEARANCES,
+    MOST_SWITCHES,
+    ClearanceEntry,
+    Name,
+    SwitchEntry,
+    require_axes,
+    spelled,
+)
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.machines.machine.selection.entries import Choice
-from workbook.machines.machine.switches.entries import MOST_SWITCHES, SwitchEntry, spelled
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
@@ -35,7 +42,6 @@ PRINTED = ("lead screw", "conveyor")
 Unit = Literal["mm", "°"]
 Closes = Literal["position", "feed", "open"]
 OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
-Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 
 
 class Master(Model):
@@ -54,6 +60,8 @@ class AxisPhase(TurnPhase, Passing):
 class Axis(Model):
     """An axis: what it does in one turn of the master shaft; between its phases it rests."""
 
+    PLACED: ClassVar[bool] = True
+    """whether its entries alone tell if its phases lie right: else the machine does, which knows the cycle's length"""
     name: Name
     group: Text
     unit: Unit = "mm"
@@ -79,10 +87,6 @@ class Axis(Model):
     def called(self) -> str:
         """What it was called when its book was built, else what it is called."""
         return self._built or self.name
-
-    def built_as(self, name: str | None) -> None:
-        """Keep what it was called when the book was built in which it is found."""
-        self._built = name if name != self.name else None
 
     @model_validator(mode="before")
     @classmethod
@@ -114,16 +118,12 @@ class Axis(Model):
         """Whether its cycle follows upon itself: it comes back, or feeds on."""
         return self.closes != "open"
 
-    def repeating(self) -> Iterator[DesignError]:
-        """Yield the open cycle of an axis with a drive."""
-        if self.motor is not None and not self.repeats:
-            yield DesignError("closes", f"{self.name} {OPEN_DRIVE}", "repeats", "position")
-
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases that run backwards, or that begin before the one above ends, and an open cycle with a drive."""
-        yield from self.repeating()
-        yield from forward(self.name, self.phases)
-        yield from following(self.name, self.phases)
+        if self.motor is not None and not self.repeats:
+            yield DesignError("closes", f"{self.name} {OPEN_DRIVE}", "repeats", "position")
+        if self.PLACED:
+            yield from (*forward(self.name, self.phases), *following(self.name, self.phases))
 
 
 def following(name: str, phases: Sequence[AxisPhase], over: Abscissa = ANGLE) -> Iterator[DesignError]:
@@ -163,11 +163,7 @@ class AnyMachine(Exporting):
     @classmethod
     def spelled(cls, data: Any) -> Any:
         """Return a description whose switches tell the keys of their times, and whose clearances name their axes."""
-        told = super().spelled(data)
-        if isinstance(told, Mapping) and "clearances" in told:
-            told = {**told, "clearances": spelled_out(told["clearances"], told.get("axes"))}
-        known = isinstance(told, Mapping) and "switches" in told
-        return {**told, "switches": spelled(told["switches"])} if known else told
+        return spelled(super().spelled(data))
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
@@ -179,13 +175,16 @@ class AnyMachine(Exporting):
         if self.gravity != type(self).model_fields["gravity"].default and not self.weighs:
             raise EntryError("gravity", "no axis with a drive has a weight; expected none")
         require_room(self.selection, self.sizes)
-        self._chooses()
+        name, driven = self.selection.axis, [axis.name for axis in self.axes if axis.mechanism]
+        if name is not None and not driven:
+            raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has a drive")
+        if name is not None and place_of(name, driven) < 0:
+            raise TogetherError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", driven[0])])
         for i, axis in enumerate(self.axes):
             for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):
                 name = getattr(getattr(axis, entry), "name", "")
                 if name and place_of(name, [row.name for row in rows]) < 0:
                     raise EntryError(f"axes.{i}.{entry}.name", f"no {entry} of the catalogue is named {name!r}")
-        for i, axis in enumerate(self.axes):
             points = axis.mechanism.points if isinstance(axis.mechanism, Table) else []
             for entry, told, room in (("parts", axis.parts, "rotors"), ("mechanism.points", points, "positions"),
                                       ("phases", axis.phases, "phases")):  # fmt: skip
@@ -199,7 +198,8 @@ class AnyMachine(Exporting):
     def built_as(self, names: Mapping[str, str]) -> None:
         """Keep what the axes with drives were called when the book was built."""
         for i, axis in enumerate(self.axes, 1):
-            axis.built_as(names.get(f"drive{i}_built"))
+            built = names.get(f"drive{i}_built")
+            axis._built = built if built != axis.name else None
 
     @property
     def over(self) -> Abscissa:
@@ -226,15 +226,6 @@ class AnyMachine(Exporting):
     def switches_turned(self) -> Sequence[SwitchEntry]:
         """The switches, likewise."""
         return self.switches
-
-    def _chooses(self) -> None:
-        """Raise an error where Selection looks at no axis with a drive."""
-        name, names = self.selection.axis, [axis.name for axis in self.axes if axis.mechanism]
-        if name is None or place_of(name, names) >= 0:
-            return
-        if not names:
-            raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has a drive")
-        raise TogetherError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", names[0])])
 
     def _find_room(self) -> None:
         """Settle the room for the pieces of an axis: of its phases and rests, cut by the edges of process forces."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from workbook.book.sentence import rounded
 from workbook.entries.units import RPM, shown
 from workbook.laws.shelf import LawShelf
-from workbook.machines.machine.clearance.gap import Apart
+from workbook.machines.machine.clearances import Apart
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import AnyMachine
@@ -71,7 +71,7 @@ def extremes_of(axis: MovingAxis) -> Iterator[str]:
 
 def gap_of(one: Apart) -> str:
     """Return the line on a least gap, empty where it is as exact as its sheet states."""
-    exact, unit = one.exact.least, one.rows[0].axis.given.unit
+    exact, unit = one.exact, one.unit
     if abs(one.least - exact) <= GAP * one.change + 1e-9 * one.size:
         return ""
     return f"{one.given.name}: the least gap is {rounded(exact)} {unit} exactly; its sheet says {rounded(one.least)}"

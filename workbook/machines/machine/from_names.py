@@ -9,10 +9,8 @@ from workbook.entries.abscissa import in_unit
 from workbook.entries.phase import TURN
 from workbook.machines.machine import chain
 from workbook.machines.machine import entries as entered
-from workbook.machines.machine.clearance.entries import ENDS, MOST_CLEARANCES, ClearanceEntry
+from workbook.machines.machine.entries_beside import ENDS, MOST_CLEARANCES, MOST_SWITCHES, ClearanceEntry, SwitchEntry
 from workbook.machines.machine.mechanism import MECHANISMS, some_mechanism
-from workbook.machines.machine.switches.entries import MOST_SWITCHES, SwitchEntry
-from workbook.machines.machine.switches.view import named
 from workbook.machines.machine.time_based import Cycle, TimedMachine
 from workbook.machines.machine.view import UNITS
 
@@ -36,13 +34,20 @@ def clearance_name(number: int, first: int, second: int) -> str:
     return f"clear{number}_{first}_{second}"
 
 
+def switch_name(number: int) -> str:
+    """Return the name of the cell that tells what a switch is called: by it a file tells how many there are."""
+    return f"switch{number}_name"
+
+
 def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyMachine:
     """Return a machine with the axes that a file has by its defined names: its book has the file's inputs."""
     numbers = range(1, entered.MOST_AXES + 1)
     known = [(i, unit) for i in numbers for unit in UNITS if unit_name(i, unit) in names]
     found: dict[str, Any] = {
         "axes": [axis_of(machine.axes[0], i, unit, names) for i, unit in known] or machine.axes,
-        "switches": [SwitchEntry(name=name, on=[]) for n in range(1, MOST_SWITCHES + 1) if (name := named(n)) in names],
+        "switches": [
+            SwitchEntry(name=one, on=[]) for one in map(switch_name, range(1, MOST_SWITCHES + 1)) if one in names
+        ],
         "clearances": [
             ClearanceEntry.model_construct(name=f"Clearance {k}", first=str(one), second=str(other))
             for k in range(1, MOST_CLEARANCES + 1)

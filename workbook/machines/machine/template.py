@@ -17,8 +17,7 @@ from workbook.latest import latest
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, shelf_of
 from workbook.machines.machine.axes import axes, switches
-from workbook.machines.machine.clearance.gap import Apart
-from workbook.machines.machine.clearance.sheet import clearances_sheet
+from workbook.machines.machine.clearances import Apart, clearances_sheet
 from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.drive.driven import Driven
@@ -34,10 +33,9 @@ from workbook.machines.machine.power.sheet import power_sheet, supply
 from workbook.machines.machine.power.view import Mains
 from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.studies.results import SCALING
-from workbook.machines.machine.switches.sheet import switches_sheet
+from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
-from workbook.machines.machine.timing.cycle import cycle_sheets, exportable
-from workbook.machines.machine.timing.sheet import timing_sheet, units
+from workbook.machines.machine.timing.sheet import cycle_sheets, exportable, timing_sheet, units
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import export_sheet

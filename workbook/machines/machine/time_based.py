@@ -1,10 +1,7 @@
-"""A machine without a master shaft: its cycle in s, and all places over it; what an engineer enters.
+"""A machine without a master shaft as it is entered: all places over a cycle in s, or over an angle or a travel."""
 
-Or over another abscissa, that does not tell how time passes: an angle, the travel of a product.
-"""
-
-from collections.abc import Iterable, Iterator, Sequence
-from typing import Annotated, Any, Self, TypeVar
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from pydantic import Field, model_validator
 
@@ -15,11 +12,9 @@ from workbook.entries.types import ANGLE_TOLERANCE, CountsAs, DesignError, Entry
 from workbook.entries.units import PER_MINUTE, shown, si
 from workbook.machines.machine.chain import WINDOWS, AxisLoad, ForceWindow
 from workbook.machines.machine.entries import MOST_AXES, AnyMachine, Axis, AxisPhase, following
-from workbook.machines.machine.switches.entries import KEYS, MOST_SWITCHES, TIMES, UNUSED, SwitchEntry, TimeOn, meeting
+from workbook.machines.machine.entries_beside import KEYS, MOST_SWITCHES, TIMES, UNUSED, SwitchEntry, TimeOn, meeting
 
 RATES = ("velocity", "acceleration")
-
-
 Lasting = TypeVar("Lasting", bound=Model)
 
 
@@ -66,12 +61,9 @@ class TimedLoad(AxisLoad):
 class TimedAxis(Axis):
     """An axis: what it does in one cycle; between its phases it rests."""
 
+    PLACED: ClassVar[bool] = False
     phases: Annotated[list[TimedPhase], Field(min_length=1)]  # type: ignore[assignment]
     load: TimedLoad = TimedLoad()
-
-    def design_faults(self) -> Iterator[DesignError]:
-        """Yield an open cycle with a drive: where phases lie, the machine says, which knows how long the cycle is."""
-        yield from self.repeating()
 
 
 class TimedOn(TimeOn):
@@ -84,13 +76,10 @@ class TimedOn(TimeOn):
 class TimedSwitch(SwitchEntry):
     """A lane that is on or off over the cycle."""
 
+    PLACED: ClassVar[bool] = False
     on: Annotated[list[TimedOn], Field(max_length=TIMES)] = Field(  # type: ignore[assignment]
         description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less"
     )
-
-    def apart(self) -> Iterator[DesignError]:
-        """Yield nothing: the machine says it, which knows how long the cycle is."""
-        yield from ()
 
 
 class TimedMachine(AnyMachine):
@@ -98,18 +87,14 @@ class TimedMachine(AnyMachine):
 
     master: Cycle  # type: ignore[assignment]
     axes: Annotated[list[TimedAxis], Field(min_length=1, max_length=MOST_AXES)]  # type: ignore[assignment]
-    switches: Annotated[list[TimedSwitch], Field(max_length=MOST_SWITCHES)] = Field(  # type: ignore[assignment]
-        default=[]
-    )
+    switches: list[TimedSwitch] = Field(default=[], max_length=MOST_SWITCHES)  # type: ignore[assignment]
 
     @model_validator(mode="after")
     def _in_time(self) -> Self:
-        for i, axis in enumerate(self.axes if not self.over.paced else ()):
-            if axis.motor is not None:
-                said = (
-                    f"a cycle in {self.master.unit} does not tell how time passes, which a drive needs; expected none"
-                )
-                raise EntryError(f"axes.{i}.motor", f"{said}, or a cycle in s")
+        untold = f"a cycle in {self.master.unit} does not tell how time passes, which a drive needs"
+        for i, axis in enumerate(self.axes):
+            if axis.motor is not None and not self.over.paced:
+                raise EntryError(f"axes.{i}.motor", f"{untold}; expected none, or a cycle in s")
         return self
 
     @property
@@ -124,7 +109,7 @@ class TimedMachine(AnyMachine):
 
     @property
     def axes_turned(self) -> Sequence[Axis]:
-        """The axes with all their places in degrees of one turn."""
+        """The axes with all their places in degrees of one turn, and what their phases pass in SI by rad."""
         return [axis_turned(axis, self.over) for axis in self.axes]
 
     @property
@@ -135,36 +120,31 @@ class TimedMachine(AnyMachine):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases, process forces and times of switches that do not lie in the cycle, or not in order."""
-        over = self.over
+        over, found = self.over, list[tuple[str, int, list[DesignError]]]()
         for i, axis in enumerate(self.axes):
-            phases, spread = axis.phases, filling(axis.phases, over.length)
-            found = [*forward(axis.name, phases, over.after, over.length), *following(axis.name, phases, over)]
-            beyond = within(f"{axis.name} row", phases, over, "phases", "within", spread)
-            windows = axis.load.windows
+            phases, windows = axis.phases, axis.load.windows
+            wrong = [*forward(axis.name, phases, over.after, over.length), *following(axis.name, phases, over)]
+            beyond = within(f"{axis.name} row", phases, over, "phases", "within", filling(phases, over.length))
             inside = [one.model_dump() | {end: min(getattr(one, end), over.length) for end in KEYS} for one in windows]
             forces = within(f"{axis.name} process force", windows, over, "load.windows", "forces", inside)
-            yield from numbered("axes", i, [*(found or beyond), *forces])
+            found.append(("axes", i, [*(wrong or beyond), *forces]))
         for i, (one, degrees) in enumerate(zip(self.switches, self.switches_turned, strict=True)):
             beyond = within(f"{one.name} time", one.on, over, "on", "ends", [UNUSED for _ in one.on])
-            yield from numbered("switches", i, [*beyond] or [*meeting(degrees, over)])
-
-
-def numbered(table: str, i: int, found: Iterable[DesignError]) -> Iterator[DesignError]:
-    """Yield what is wrong with a row of a table, from 0, as the machine tells it: rules with the row's number."""
-    for one in found:
-        yield DesignError(f"{table}.{i}.{one.field}", str(one), f"{one.rule}{i + 1}", one.fits)
+            found.append(("switches", i, [*beyond] or [*meeting(degrees, over)]))
+        for table, i, errors in found:
+            for error in errors:
+                yield DesignError(f"{table}.{i}.{error.field}", str(error), f"{error.rule}{i + 1}", error.fits)
 
 
 def axis_turned(axis: Axis, over: Abscissa) -> Axis:
     """Return an axis with all its places in degrees of one turn, and what its phases pass in SI by rad."""
     size = over.lift(axis.unit).size
-    phases = [
-        turned(phase, over).model_copy(
-            update={name: None if (rate := getattr(phase, name)) is None else over.per_rad(si(rate, size), order)
-                    for order, name in enumerate(RATES, 1)}
-        )
-        for phase in axis.phases
-    ]  # fmt: skip
+
+    def passed(phase: AxisPhase) -> dict[str, float]:
+        return {name: over.per_rad(si(rate, size), order) for order, name in enumerate(RATES, 1)
+                if (rate := getattr(phase, name)) is not None}  # fmt: skip
+
+    phases = [turned(phase, over).model_copy(update=passed(phase)) for phase in axis.phases]
     load = axis.load.model_copy(update={"windows": [turned(force, over) for force in axis.load.windows]})
     return axis.model_copy(update={"phases": phases, "load": load, "shift": over.degrees(axis.shift)})
 
@@ -194,10 +174,7 @@ def told_in_seconds(machine: AnyMachine) -> TimedMachine:
 
 
 def in_units_of(data: dict[str, Any], unit: str, cycle: float) -> None:
-    """Tell all places of a description, which are in degrees, in s or another unit of its cycle; what phases pass too.
-
-    That is in SI by rad.
-    """
+    """Tell in s or another unit of its cycle all places of a description, in degrees; what phases pass in SI by rad."""
     over = measured(unit, cycle)
     for axis in data["axes"]:
         size = over.lift(axis["unit"]).size

@@ -18,7 +18,6 @@ from workbook.entries.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.latest import latest
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.motion.extremes import measured
-from workbook.machines.machine.switches.view import Lane
 from workbook.motion.asked import passed
 
 UNITS = {"mm": MM, "°": DEGREE}
@@ -53,19 +52,18 @@ class MovingAxis:
         """Return the axis at a speed (rad/s), ``given`` with another drive: of the same motion over a turn."""
         other = copy(self)
         other.given, other.speed, other.twin = given or self.given, speed, self
-        vars(other).pop("moves", None)
         return other
-
-    @cached_property
-    def rests(self) -> list[int]:
-        """Before which phases the axis rests, from 0."""
-        return entered.rests(self.given.phases)
 
     @cached_property
     def places(self) -> list[int]:
         """The row, from 0, of each step: rests stand in the first, third, fifth row, phases between them."""
-        phases = range(len(self.given.phases))
-        return sorted([*(i + i for i in self.rests), *(i + i + 1 for i in phases)])
+        phases = self.given.phases
+        return sorted([*(2 * i for i in entered.rests(phases)), *(2 * i + 1 for i in range(len(phases)))])
+
+    @cached_property
+    def entered(self) -> list[int]:
+        """For each phase as entered, its number in the motion, from 0."""
+        return [k for k, place in enumerate(self.places) if place % 2]
 
     @cached_property
     def motion(self) -> Motion:
@@ -79,38 +77,26 @@ class MovingAxis:
 
     @cached_property
     def joined(self) -> Joined:
-        """The motion, with what its phases take from their neighbours: rests are among these."""
-        start, phases = self._told()
-        begin = si(self.given.position, self.unit)
-        return joined(phases, self.passed, self.given.repeats, start, begin, shares=False)
-
-    def _told(self) -> tuple[float, list[Phase]]:
-        """Where the motion begins (rad), and its phases and the rests between them, each between rests.
+        """The motion, with what its phases take from their neighbours: rests are among these.
 
         A phase lasts what its end is later than its begin as both are entered: of places in rad that would lose digits.
         """
-        phases = self.given.phases
+        phases, steps = self.given.phases, list[tuple[Law, float, float]]()
         ends = [0.0, *(p.stop for p in phases)]
-        steps: list[tuple[Law, float, float]] = []
-        for i, end in enumerate(ends):
-            if i in self.rests:
-                steps.append((Dwell(), 0.0, end))
-            if i < len(phases):
-                steps.append((self.library[phases[i].law], si(phases[i].lift, self.unit), phases[i].start))
-        last = TURN if len(phases) in self.rests else ends[-1]
+        for place in self.places:
+            i = place // 2
+            moved = (self.library[phases[i].law], phases[i].lift, phases[i].start) if place % 2 else None
+            steps.append(moved or (Dwell(), 0.0, ends[i]))
+        last = ends[-1] if self.places[-1] % 2 else TURN
         spans = si(np.diff([*(begin for *_, begin in steps), last]), DEGREE).tolist()
-        moved = [Phase(law, lift, span) for (law, lift, _), span in zip(steps, spans, strict=True)]
-        return si(steps[0][2], DEGREE), moved
+        made = [Phase(law, si(lift, self.unit), span) for (law, lift, _), span in zip(steps, spans, strict=True)]
+        start, begin = si(steps[0][2], DEGREE), si(self.given.position, self.unit)
+        return joined(made, self.passed, self.given.repeats, start, begin, shares=False)
 
     @property
     def closes(self) -> bool:
         """Whether the cycle comes back to where it began; a feed, and what is open, need not."""
         return self.given.closes != "position" or self.motion.closes
-
-    @cached_property
-    def entered(self) -> list[int]:
-        """For each phase as entered, its number in the motion, from 0."""
-        return [k for k, place in enumerate(self.places) if place % 2]
 
     @property
     def phases(self) -> list[Phase]:
@@ -134,14 +120,6 @@ class MovingAxis:
     def at(self, x: Array) -> MotionValues[Array]:
         """Return the motion at samples."""
         return self.shifted.over_cycle(x)
-
-    def lane(self, x: Array, floor: int, share: float) -> Array:
-        """Return the axis in a timing diagram: its travel as a share of a lane of height 1, the floor where it stands.
-
-        From where a cycle of its motion begins. Source: S1, 'Timing diagram for a cutting machine'.
-        """
-        y, (low, high) = self.motion.at(self.told(x).x).y, self.motion.reach
-        return floor + share * (y - low) / (high - low) if high > low else np.full(y.shape, float(floor))
 
     def rate(self, size: Real) -> Real:
         """Return as it is shown a rate that is in SI of the lift."""
@@ -189,8 +167,6 @@ class Whole:
             for i, (a, typed) in enumerate(both, 1)
         ]  # of these very laws: cells find them by what they are, not by what they equal
         self.axes = [latest("axes at speed", (one, speed), partial(one.at_speed, speed)) for one in moving]
-        each = zip(machine.switches_turned, machine.switches, strict=True)
-        self.lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(each, 1)]
 
     @property
     def near(self) -> float:

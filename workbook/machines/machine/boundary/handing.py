@@ -10,9 +10,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from engine.motion.handover import FIXED, NEVER, Handover, handovers
+from engine.laws.ends import ROUNDING, Ends
+from engine.motion.handover import FIXED, LINE, NEVER, STRAIGHT, Handover, handovers
+from engine.motion.joining import Rates, agrees
 from engine.motion.pieces import MotionPiece
-from workbook.book.declare import Quantity, check
+from workbook.book.declare import Quantity, calc, check, constant
 from workbook.book.rows import spread
 from workbook.book.sentence import Said, first_text
 from workbook.entries.abscissa import Abscissa
@@ -23,7 +25,11 @@ SPEED, BEND = " with a velocity", " with an acceleration"
 RESTS = ": it begins and ends at rest"
 ONLY = ": it takes a velocity only"
 KEPT = ": what it has there follows from its points"
+CARRIED = "0 between rests, 1 as two pulses, 2 straight on, 3, 5, 7 as a polynomial"
 BESIDE = ": its begin is entered otherwise than the straight line or dwell there has it"
+DIFFERS = "IF(OR(ABS([ev]-[{0}])>check_zero*(ABS([ev])+ABS([{0}])),ABS([ea])>0),1,0)"
+"""whether a velocity or an acceleration is entered that a straight line of a slope has not"""
+NONE = Rates()
 
 
 class Handing:
@@ -45,6 +51,10 @@ class Handing:
         """Return the step that a piece is of."""
         return self.handed[self.in_row[piece.phase]]
 
+    def begin_of(self, piece: MotionPiece) -> float:
+        """Return the position at which the step of a piece begins."""
+        return self.motion.ends[self.in_row[piece.phase]].begin.y
+
     def of(self, figure: Callable[[Handover], Any], spare: Any = 0.0) -> list[Any]:
         """Return a figure of each step, row by row."""
         return self.spread([figure(one) for one in self.handed], spare)
@@ -53,10 +63,36 @@ class Handing:
         """Return values of the steps in their rows."""
         return spread(values, self.axis.places, self.room, spare)
 
+    def rate(self, order: int, name: str, label: str, symbol: str, formula: str, values: Any, of: str = "") -> Quantity:
+        """Return a column of a derivative of the motion, or its position (order 0): a figure of each step, or all."""
+        found = self.of(values) if callable(values) else values
+        return calc(name, label, symbol, self.rows.at.unit(order), formula, found, scale=self.motion.size(order),
+                    source=of)  # fmt: skip
+
+    def number(self, name: str, label: str, formula: str, values: Any, source: str = "", **more: Any) -> Quantity:
+        """Return a column of whole numbers: a figure of each step, or all of them."""
+        found = self.of(values, 0) if callable(values) else values
+        return calc(name, label, "", "", formula, found, source=source, **{"format": "0", **more})
+
+    def steps(self) -> list[Quantity]:
+        """Return the columns that tables of steps begin with: row, lift, duration."""
+        phases = self.rows.at.phases
+        return [
+            constant("k", "row", "k", "", list(range(1, self.room + 1))),
+            self.rate(0, "h", "lift", "h", f"=INDEX([{phases}.h],[k])", lambda step: step.phase.lift, "of the phase"),
+            calc("span", "duration", "δ", self.rows.at.x, f"=INDEX([{phases}.span],[k])",
+                 self.of(lambda step: step.phase.duration), scale=self.motion.total, source="of the phase"),
+        ]  # fmt: skip
+
     @property
     def phases(self) -> list[tuple[int, Handover]]:
         """The phases with the numbers, from 1, of the rows in which they are entered."""
         return [(i, self.handed[k]) for i, k in enumerate(self.axis.entered, 1)]
+
+    @property
+    def before(self) -> list[Handover | None]:
+        """The step before each; None before the first of a motion that does not repeat."""
+        return [self.handed[-1] if self.axis.given.repeats else None, *self.handed[:-1]]
 
     def own(self, column: str, formula: str) -> str:
         """Return a formula of the phases' table where the law is carried out between rests, else a figure from here."""
@@ -68,11 +104,9 @@ class Handing:
 
     def faults(self) -> list[str]:
         """Return for each step why it cannot have its ends, as its row of the table says it."""
-        found = [""] * len(self.handed)
+        found, laws = [""] * len(self.handed), [phase.law for phase in self.axis.given.phases]
         for (i, one), k in zip(self.phases, self.axis.entered, strict=True):
-            found[k] = (
-                f"row {i}: {self.axis.given.phases[i - 1].law} cannot {''.join(reason(one))}" if one.fault else ""
-            )
+            found[k] = f"row {i}: {laws[i - 1]} cannot {''.join(reason(one))}" if one.fault else ""
         return found
 
     def checks(self, name: str, label: str) -> list[Quantity]:
@@ -102,3 +136,135 @@ def reason(one: Handover) -> tuple[str, str, str]:
     first = begin.v if never and moving else begin.a
     return ("begin" if first else "end", SPEED if never and moving else BEND,
             RESTS if never else KEPT if one.end_mode == FIXED else ONLY)  # fmt: skip
+
+
+def asked(one: Handing) -> list[Quantity]:
+    """Return the columns of what each step takes."""
+    way = f"=IF([span]>0,INDEX(law_way,INDEX([{one.rows.at.phases}.no],[k])),-1)"
+    return [
+        *one.steps(),
+        one.number("way", "meets its neighbours' velocity", way, one.of(lambda step: step.end_mode, STRAIGHT),
+                   "−1 has one, 0 cannot, 1 by two pulses, 2 has its own, 3, 5, 7 by a polynomial"),
+        one.rate(1, "slope", "its own velocity", "h/δ", "=IF(AND([way]=-1,[span]>0),[h]/[span],0)",
+                 lambda step: step.slope, "of a straight line"),
+        *beside(one), *entered(one), *ends(one), *contrary(one), *carried_out(one),
+    ]  # fmt: skip
+
+
+def straight(step: Handover | None) -> int:
+    """Return whether a step is a straight line or a dwell."""
+    return int(step is not None and step.end_mode == STRAIGHT)
+
+
+def beside(one: Handing) -> list[Quantity]:
+    """Return the columns of the steps before and after, and whether these are straight lines or dwells."""
+    rows, table, around = [place + 1 for place in one.axis.places], one.asked, one.axis.given.repeats
+    earlier = [max((row for row in rows if row < k), default=0) for k in range(1, one.room + 1)]
+    before, after = [rows[-1] if around else 0, *rows[:-1]], [*rows[1:], rows[0] if around else 0]
+    following = [*one.handed[1:], one.handed[0] if around else None]
+    line = "=IF([{0}]>0,IF(INDEX([{1}.way],[{0}])=-1,1,0),0)"
+    return [
+        one.number("earlier", "the last step above that lasts",
+                   "=IF([k]=1,0,IF([span-1]>0,[k]-1,[earlier-1]))", earlier, "0: none"),
+        one.number("before", "step before", f"=IF([span]=0,0,IF([earlier]>0,[earlier],IF({one.open},0,{one.last})))",
+                   one.spread(before, 0), "0: none"),
+        one.number("after", "step after",
+                   f"=IF(OR([span]=0,AND([k]={one.last},{one.open})),0,MATCH([k],[{table}.before],0))",
+                   one.spread(after, 0), "0: none"),
+        one.number("line0", "straight before it", line.format("before", table),
+                   one.spread([*map(straight, one.before)], 0), "a line or a dwell"),
+        one.rate(1, "slope0", "velocity of that", "", f"=IF([line0]=1,INDEX([{table}.slope],[before]),0)",
+                 one.spread([step.slope if step and straight(step) else 0.0 for step in one.before])),
+        one.number("line1", "straight after it", line.format("after", table),
+                   one.spread([*map(straight, following)], 0)),
+    ]  # fmt: skip
+
+
+def entered(one: Handing) -> list[Quantity]:
+    """Return the columns of what is entered for the begin of a phase; nothing for a rest, in each odd row."""
+    lift = one.over.lift(one.axis.given.unit)
+    v, a = (f"INDEX([{one.entries}.{name}],[row])" for name in ("velocity", "acceleration"))
+
+    def by_rad(cell: str, order: int) -> str:
+        return f"=IF([k]<>2*[row],0,IF(ISNUMBER({cell}),{one.over.rate(f'{cell}{lift.taken}', order)},0))"
+
+    return [
+        one.number("row", "row of its phase", "=MAX(1,INT([k]/2))", [max(1, k // 2) for k in range(1, one.room + 1)],
+                   "of a rest that before it"),
+        one.number("set", "its begin is entered", f"=IF([k]<>2*[row],0,IF(COUNT({v},{a})>0,1,0))",
+                   lambda step: int(step.entered is not None)),
+        one.rate(1, "ev", "velocity entered", "", by_rad(v, 1), lambda step: (step.entered or NONE).v),
+        one.rate(2, "ea", "acceleration entered", "", by_rad(a, 2), lambda step: (step.entered or NONE).a),
+    ]  # fmt: skip
+
+
+def ends(one: Handing) -> list[Quantity]:
+    """Return the columns of velocity and acceleration at both ends, and whether these are settled."""
+    later = f"INDEX([{one.asked}.{{}}],MAX([after],1))".format
+    return [
+        one.number("settled0", "begin is settled", "=IF(OR([way]=-1,[before]=0,[line0]=1),1,[set])",
+                   one.of(lambda step: int(step.begin.settled), 1), "by a line, a dwell, an entry"),
+        one.number("settled1", "end is settled", f"=IF(OR([way]=-1,[after]=0,[line1]=1),1,{later('set')})",
+                   one.of(lambda step: int(step.end.settled), 1), "likewise"),
+        one.rate(1, "w0", "velocity at its begin", "v_0", "=IF([way]=-1,[slope],IF([line0]=1,[slope0],[ev]))",
+                 lambda step: step.begin.required.v),
+        one.rate(1, "w1", "velocity at its end", "v_1",
+                 f"=IF([way]=-1,[slope],([after]>0)*IF([line1]=1,{later('slope')},{later('ev')}))",
+                 lambda step: step.end.required.v),
+        one.rate(2, "q0", "acceleration at its begin", "a_0", "=IF(OR([way]=-1,[line0]=1),0,[ea])",
+                 lambda step: step.begin.required.a),
+        one.rate(2, "q1", "acceleration at its end", "a_1", f"=IF(OR([way]=-1,[line1]=1,[after]=0),0,{later('ea')})",
+                 lambda step: step.end.required.a),
+        one.rate(1, "moved", "sum of |v|", "", "=ABS([w0])+ABS([w1])",
+                 lambda step: abs(step.begin.required.v) + abs(step.end.required.v)),
+        one.rate(2, "bent", "sum of |a|", "", "=ABS([q0])+ABS([q1])",
+                 lambda step: abs(step.begin.required.a) + abs(step.end.required.a)),
+    ]  # fmt: skip
+
+
+def contrary(one: Handing) -> list[Quantity]:
+    """Return the columns of whether a begin is entered otherwise than a straight line has it there."""
+
+    def differs(step: Handover, line: Handover | None) -> int:
+        return int(line is not None and straight(line) and not agrees(step.entered or NONE, line.slope))
+
+    return [
+        one.number("off", "is entered otherwise than its own velocity", f"=IF([way]=-1,{DIFFERS.format('slope')},0)",
+                   lambda step: differs(step, step)),
+        one.number("off0", "or than that before it", f"=IF([line0]=1,{DIFFERS.format('slope0')},0)",
+                   one.spread([differs(*both) for both in zip(one.handed, one.before, strict=True)], 0)),
+        one.number("contrary", "is entered otherwise", "=IF([set]*([off]+[off0])>0,1,0)",
+                   lambda step: int(step.contrary), "than a straight line there has it", format="0;;"),
+    ]  # fmt: skip
+
+
+def carried_out(one: Handing) -> list[Quantity]:
+    """Return the columns of whether a law can have such ends, why not, and how it is carried out."""
+
+    def straight_on(step: Handover) -> int:
+        begin, end, d = step.begin.required, step.end.required, step.phase.duration
+        return int(Ends(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
+
+    lies = f"AND(ABS([w1]-[w0])<={ROUNDING:.0E}*ABS([w0]),ABS([h]-[w0]*[span])<={ROUNDING:.0E}*ABS([h]))"
+    texts = one.spread([reason(step) for step in one.handed], ("", "", ""))
+    says = (
+        ("verb", "at which end", 'IF(IF(AND([way]=0,[moved]>0),ABS([w0]),ABS([q0]))>0,"begin","end")'),
+        ("what", "what it cannot have", f'IF(AND([way]=0,[moved]>0),"{SPEED}","{BEND}")'),
+        ("why", "why", f'IF([way]=0,"{RESTS}",IF([way]={FIXED},"{KEPT}","{ONLY}"))'),
+    )
+    law = f"INDEX([{one.entries}.law],[row])"
+    return [
+        one.number("straight", "its ends are those of a straight line", f"=IF([bent]>0,0,IF({lies},1,0))",
+                   one.of(straight_on, 1)),
+        one.number("cannot", "cannot have such ends",
+                   "=IF(OR(AND([way]=0,[moved]+[bent]>0),AND(OR([way]=1,[way]=2,[way]=3),[bent]>0)),1,0)",
+                   lambda step: int(bool(step.fault)), "1 where it cannot", format="0;;"),
+        one.number("mode", "is carried out",
+                   f"=IF(OR([way]=-1,[way]=2,[cannot]=1,[moved]+[bent]=0),0,IF([straight]=1,{LINE},[way]))",
+                   lambda step: step.mode, CARRIED),
+        *(calc(name, label, "", "", f'=IF([cannot]=0,"",{formula})', [text[i] for text in texts], align="left")
+          for i, (name, label, formula) in enumerate(says)),
+        calc("fault", "what it says", "", "",
+             f'=IF([cannot]=0,"","row "&[row]&": "&{law}&" cannot "&[verb]&[what]&[why])',
+             one.spread(one.faults(), ""), align="left"),
+    ]  # fmt: skip

@@ -9,10 +9,9 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.latest import latest
 from workbook.laws.sampling import HIGH, LOW, Pieces
-from workbook.machines.machine.boundary.asked import asked
 from workbook.machines.machine.boundary.carried import carried, kinds, taken
 from workbook.machines.machine.boundary.extremes import in_pieces, inside, peaks, points, reach
-from workbook.machines.machine.boundary.handing import Handing
+from workbook.machines.machine.boundary.handing import Handing, asked
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of

@@ -13,7 +13,7 @@ from workbook.entries.texts import place_of
 from workbook.entries.units import KW, shown
 from workbook.laws.family import COEFFICIENTS
 from workbook.laws.library import laws, named
-from workbook.machines.machine.clearance.gap import Apart
+from workbook.machines.machine.clearances import Apart
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of

@@ -1,19 +1,36 @@
-"""The Timing sheet: the axes over one turn of the master shaft or a cycle, their phases, movements and diagram."""
+"""The sheets Timing and Cycle: the axes over one turn of the master shaft or a cycle, and each sample by sample."""
 
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from engine.laws.base import Array
+from workbook.book.again import again
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.abscissa import TAKEN, in_unit
-from workbook.entries.units import shown, si
-from workbook.machines.machine.from_names import unit_name
+from workbook.entries.texts import sheet_title
+from workbook.entries.units import DEGREE, shown, si
+from workbook.machines.machine.from_names import switch_name, unit_name
 from workbook.machines.machine.motion.tables import AxisRows
-from workbook.machines.machine.switches.view import named
 from workbook.machines.machine.timing.phases import axis_checks, phases_table
 from workbook.machines.machine.view import MovingAxis, Whole
+from workbook.motion.exported import Exportable, Later
+from workbook.motion.pieces import POSITION, finding, sampled
 
 LANE_SHARE = 0.8
 PHASE, PHASE_MEASURED, PASSING = 13, 12, 4
 """columns of what is entered of a phase and comes out of it, over a length, and where movements hand over at speed"""
-CURVES = ("Position", "Velocity", "Acceleration")
+CURVES = (
+    ("y", "position", "", "", ""),
+    ("v", "velocity", "omega", "y' ω", "dy/dx"),
+    ("a", "acceleration", "omega^2", "y'' ω²", "d²y/dx²"),
+    ("j", "jerk", "omega^3", "y''' ω³, between jumps", "d³y/dx³, between jumps"),
+)
+"""a sampled axis: its column, what it is called; its factor, and its equation over time and over all else"""
+EARLIER = "([theta]-@late-[p])*@lap"
+"""the travel of the turns that its phases have ended before"""
 
 
 def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
@@ -89,40 +106,35 @@ def units(machine: Whole, order: int = 0) -> str:
 
 def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Declare the names of the axes, what each must do and what it comes to; shifts as taken behind so many columns."""
-    axes, n, over = machine.axes, len(machine.axes), machine.over
+    axes, over, unit = machine.axes, machine.over, units(machine)
+    size = max(shown(a.motion.size(0), a.unit) for a in axes)
+    most = [max(abs(shown(phase.lift, a.unit)) for phase in a.motion.phases) for a in axes]
 
-    def each(formula: str) -> list[str]:
-        return [f"={outward(axis, formula.format(f'axis{axis.number}'))}" for axis in axes]
+    def entry(name: str, label: str, key: str, symbol: str = "", unit: str = "", **more: Any) -> Quantity:
+        return given(name, label, symbol, unit, [getattr(a.typed, key) for a in axes], f"axes.*.{key}", **more)
 
-    _, y1, y2, _ = over.symbols
-
-    def of(column: str) -> list[str]:
-        return [f"=MAX([axis{axis.number}.{column}])" for axis in axes]
-
-    unit, size = units(machine), max(shown(a.motion.size(0), a.unit) for a in axes)
     sheet.row += 1
     table = sheet.table(
-        "axes", "Axes", n,
-        given("group", "group", "", "", [a.given.group for a in axes], "axes.*.group"),
+        "axes", "Axes", len(axes),
+        entry("group", "group", "group"),
         constant("k", "number", "k", "", [a.number for a in axes]),
-        given("name", "axis", "", "", [a.given.name for a in axes], "axes.*.name"),
-        given("closes", "over a cycle", "", "", [a.given.closes for a in axes], "axes.*.closes",
-              source="returns to its position, feeds on, or open"),
-        given("smooth", "must be continuous", "", "", [a.given.smoothness for a in axes], "axes.*.smoothness",
-              source="velocity, acceleration, jerk"),
-        given("shift", "shift", "", over.unit, [a.typed.shift for a in axes], "axes.*.shift", format=over.format,
-              source="later than its phases say"),
-        given("position", "begins at", "y_0", unit, [a.given.position for a in axes], "axes.*.position",
-              format="0.0##"),
-        result("travel", "travel a cycle", "Σh", unit,
-             each("SUM([{0}.h])"), [shown(a.motion.lifts_sum, a.unit) for a in axes]),
-        result("low", "lowest position", "", unit,
-             each("MIN([{0}_steps.low])"), [shown(a.motion.reach[0], a.unit) for a in axes], scale=size),
-        result("high", "highest position", "", unit,
-             each("MAX([{0}_steps.high])"), [shown(a.motion.reach[1], a.unit) for a in axes], scale=size),
-        result("v", "greatest velocity", y1, units(machine, 1), of("v"), [a.fastest for a in axes]),
-        result("a", "greatest acceleration", y2, units(machine, 2), of("a"), [a.hardest for a in axes]),
+        entry("name", "axis", "name"),
+        entry("closes", "over a cycle", "closes", source="returns to its position, feeds on, or open"),
+        entry("smooth", "must be continuous", "smoothness", source="velocity, acceleration, jerk"),
+        entry("shift", "shift", "shift", "", over.unit, format=over.format, source="later than its phases say"),
+        entry("position", "begins at", "position", "y_0", unit, format="0.0##"),
+        result("travel", "travel a cycle", "Σh", unit, each(axes, "SUM([{0}.h])"),
+               [shown(a.motion.lifts_sum, a.unit) for a in axes]),
+        *(result(name, f"{name}est position", "", unit, each(axes, f"{end}([{{0}}_steps.{name}])"),
+                 [shown(a.motion.reach[k], a.unit) for a in axes], scale=size)
+          for k, (name, end) in enumerate((("low", "MIN"), ("high", "MAX")))),
+        *(result(name, f"greatest {word}", over.symbols[order], units(machine, order),
+                 [f"=MAX([axis{axis.number}.{name}])" for axis in axes], values)
+          for order, (name, word, values) in enumerate((("v", "velocity", [a.fastest for a in axes]),
+                                                        ("a", "acceleration", [a.hardest for a in axes])), 1)),
     )  # fmt: skip
+    last = over.in_degrees("MAX([{0}.stop])")
+    gap = f"(SUM([{{0}}.h])-IF(360-{last}>check_zero,0,INDEX([{{0}}.lack],COUNT([{{0}}.stop]))))"
     sheet.workings(
         table, "axes_taken", "Workings", FIRST + columns + 1,
         calc("late", "shift, as taken", "", "°", f"={over.in_degrees('[shift]')}+0",
@@ -130,59 +142,37 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
         calc("y0", "begin, as taken", "y_0", ", ".join(dict.fromkeys(a.base for a in axes)),
              ["=[position]/1000" if a.given.unit == "mm" else "=RADIANS([position])" for a in axes],
              [si(a.given.position, a.unit) for a in axes], source="conversion"),
-        *gaps(machine),
+        calc("lift", "greatest lift", "h", unit, each(axes, "(MAX(MAX([{0}.h]),0-MIN([{0}.h])))"), most),
+        calc("lack", "largest jump of y", "Δy", unit, each(axes, "(MAX(MAX([{0}.lack]),0-MIN([{0}.lack])))"),
+             [shown(a.lack, a.unit) for a in axes], scale=max(most) or 1.0),
+        calc("gap", "ends from its begin", "", unit, each(axes, gap), [shown(a.motion.gap, a.unit) for a in axes],
+             scale=max(most) or 1.0),
     )  # fmt: skip
 
 
-def gaps(machine: Whole) -> list[Quantity]:
-    """Return the columns of each axis' greatest lift, what a law leaves of one, and where the cycle ends."""
-    axes, last, unit = machine.axes, machine.over.in_degrees("MAX([{0}.stop])"), units(machine)
-    lift = "MAX(MAX([{0}.h]),0-MIN([{0}.h]))"
-    lack = "MAX(MAX([{0}.lack]),0-MIN([{0}.lack]))"
-    gap = f"SUM([{{0}}.h])-IF(360-{last}>check_zero,0,INDEX([{{0}}.lack],COUNT([{{0}}.stop])))"
-
-    def each(formula: str) -> list[str]:
-        named = [formula.format(f"axis{axis.number}") for axis in axes]
-        return [f"={outward(axis, f'({text})')}" for axis, text in zip(axes, named, strict=True)]
-
-    lifts = [max(abs(phase.lift) for phase in a.motion.phases) for a in axes]
-    most = [shown(one, a.unit) for one, a in zip(lifts, axes, strict=True)]
-    return [
-        calc("lift", "greatest lift", "h", unit, each(lift), most),
-        calc("lack", "largest jump of y", "Δy", unit, each(lack), [shown(a.lack, a.unit) for a in axes],
-             scale=max(most) or 1.0),
-        calc("gap", "ends from its begin", "", unit, each(gap), [shown(a.motion.gap, a.unit) for a in axes],
-             scale=max(most) or 1.0),
-    ]  # fmt: skip
-
-
-def outward(axis: MovingAxis, formula: str) -> str:
-    """Return the formula that shows in the unit of an axis' entries what is in m or rad."""
-    return f"{formula}*1000" if axis.given.unit == "mm" else f"DEGREES({formula})"
+def each(axes: list[MovingAxis], formula: str) -> list[str]:
+    """Return for each axis a formula with its name, which shows in the unit of its entries what is in m or rad."""
+    texts = [(axis, formula.format(f"axis{axis.number}")) for axis in axes]
+    return [f"={text}*1000" if axis.given.unit == "mm" else f"=DEGREES({text})" for axis, text in texts]
 
 
 def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
-    n = len(machine.axes) + len(machine.lanes)
-    over = machine.over
-    lines = [sampled(a, over.column, "lane") for a in machine.axes]
-    lines += [
-        Series(f"={named(one.number)}", f"[switch_lanes.x{one.number}]", f"[switch_lanes.y{one.number}]")
-        for one in machine.lanes
-    ]
-    bars = ", bars where a switch is on" if machine.lanes else ""
-    chart = Chart(
-        "Timing diagram", over.title, "", tuple(lines),
-        f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}",
-        over.axis(30), (0, n, 1), lanes=True,
-    )  # fmt: skip
+    switches, over = len(machine.machine.switches), machine.over
+    n = len(machine.axes) + switches
+    lines = [curve(a, over.column, "lane") for a in machine.axes]
+    lines += [Series(f"={switch_name(i)}", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]")
+              for i in range(1, switches + 1)]  # fmt: skip
+    bars = ", bars where a switch is on" if switches else ""
+    about = f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}"
+    chart = Chart("Timing diagram", over.title, "", tuple(lines), about, over.axis(30), (0, n, 1), lanes=True)
     sheet.row += 1
     height = max(12, 5 + n + n // 2)
     sheet.chart(chart, FIRST, sheet.row, columns, height)
     sheet.row += height
 
 
-def sampled(axis: MovingAxis, x: str, column: str) -> Series:
+def curve(axis: MovingAxis, x: str, column: str) -> Series:
     """Return a line of an axis over the cycle, by the columns of its samples."""
     i = axis.number
     return Series(f"=axis{i}_name", f"[cycle{i}.{x}]", f"[cycle{i}.{column}]")
@@ -191,14 +181,97 @@ def sampled(axis: MovingAxis, x: str, column: str) -> Series:
 def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
     """Place the charts of position, velocity and acceleration: a row for travelling axes, one for turning axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
-    over, symbols = machine.over, ("y", *machine.over.symbols[1:])
-    moving = dict.fromkeys(axis.given.unit for axis in machine.axes)
-    groups = {unit: [axis for axis in machine.axes if axis.given.unit == unit] for unit in moving}
-    for unit, axes in groups.items():
-        of = {"mm": " of travelling axes", "°": " of turning axes"}.get(unit, "") if len(groups) > 1 else ""
+    over, moving = machine.over, dict.fromkeys(axis.given.unit for axis in machine.axes)
+    for unit in moving:
+        of = {"mm": " of travelling axes", "°": " of turning axes"}[unit] if len(moving) > 1 else ""
         charts = []
-        for column, word, symbol, shown_in in zip("yva", CURVES, symbols, (unit, *over.rates(unit)), strict=False):
-            lines = tuple(sampled(axis, over.column, column) for axis in axes)
-            about = f"{word}{of} over the {over.name}, a line for each axis"
-            charts.append(Chart(f"{word}{of}", over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60)))
-        sheet.chart_row(*charts, width=(columns + 2) // 3, height=18)
+        for (column, word, *_), symbol, shown_in in zip(CURVES, over.symbols, (unit, *over.rates(unit)), strict=True):
+            lines = tuple(curve(axis, over.column, column) for axis in machine.axes if axis.given.unit == unit)
+            title = f"{word.capitalize()}{of}"
+            about = f"{title} over the {over.name}, a line for each axis"
+            charts.append(Chart(title, over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60)))
+        sheet.chart_row(*charts[:3], width=(columns + 2) // 3, height=18)
+
+
+def cycle_sheets(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
+    """Declare a sheet for each axis."""
+    for one in axes:
+        floor = len(axes) + len(machine.machine.switches) - one.axis.number
+        again(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
+
+
+def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
+    """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
+    over, i, told = machine.over, one.axis.number, one.axis.told(machine.samples)
+    title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
+    sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
+    with sheet.scoped(f"cycle{i}_"):
+        sheet.rows(calc("@name", "Axis", "", "", f"=[axes.name.{i}]", one.axis.given.name, align="left"),
+                   *whole(one, floor))  # fmt: skip
+        sheet.row += 1
+        theta = constant("theta", over.angle, "θ", "°", machine.angles.tolist(), format="0.0##")
+        time = calc("time", over.name, over.symbol, over.unit, "=[theta]/360*timing_cycle", over.shown(machine.angles),
+                    format=over.format)  # fmt: skip
+        sheet.table(
+            f"cycle{i}", f"The axis over the {over.name}", len(machine.angles),
+            time if over.measured else theta,
+            *results(one),
+            calc("lane", "in the diagram", "", "", f"=@floor+@scale*([y]-{EARLIER})", lane(one, floor)),
+            *([theta] if over.measured else []),
+            calc("p", "angle of its phases", "", "°",
+                 "=[theta]-@late-360*INT((MIN([theta],timing_end)-@late+eps)/360)", shown(told.x, DEGREE),
+                 format="0.0##", source="θ − shift, less whole turns; the end has the left limit", scale=360.0),
+            *finding(one.pieces, "p", told.x),
+        )  # fmt: skip
+    sheet.unprinted, sheet.widths = True, {FIRST: 14}
+
+
+def lane(one: AxisRows, floor: int) -> Array:
+    """Return the axis in the diagram: its travel as a share of a lane of height 1, the floor where it stands.
+
+    From where a cycle of its motion begins. Source: S1, 'Timing diagram for a cutting machine'.
+    """
+    motion, (low, high) = one.axis.motion, one.axis.motion.reach
+    y = motion.at(one.axis.told(one.machine.samples).x).y
+    return floor + LANE_SHARE * (y - low) / (high - low) if high > low else np.full(y.shape, float(floor))
+
+
+def whole(one: AxisRows, floor: int) -> list[Quantity]:
+    """Return what is the same at all samples of an axis: its shift, what a cycle goes on by, and its lane."""
+    axis, i, unit = one.axis, one.axis.number, one.axis.given.unit
+    low, high = (shown(end, axis.unit) for end in axis.motion.reach)
+    by_lift = LANE_SHARE / (high - low) if high > low else 0.0
+    lowest, highest = f"[axes.low.{i}]", f"[axes.high.{i}]"
+    return [
+        calc("@late", "Its phases begin later by", "", "°", f"=[axes_taken.late.{i}]+0", axis.given.shift),
+        calc("@lap", "Travel of a cycle by its angle", "", f"{unit}/°", f"=[axes.travel.{i}]/360",
+             shown(axis.motion.lifts_sum, axis.unit) / 360.0, scale=shown(axis.motion.size(0), axis.unit) / 360.0),
+        calc("@scale", "Height by lift", "", f"1/{unit}",
+             f"=IF({highest}>{lowest},timing_lane/({highest}-{lowest}),0)", by_lift),
+        calc("@floor", "Height of position 0", "", "", f"={floor}-@scale*{lowest}", floor - by_lift * low, scale=1.0),
+    ]  # fmt: skip
+
+
+def results(one: AxisRows) -> list[Quantity]:
+    """Return the motion of an axis in time, or by the abscissa whose length is entered alone."""
+    axis, unit, over = one.axis, one.axis.given.unit, one.machine.over
+    timed = axis.motion.at_speed(axis.told(one.machine.samples).x, axis.speed)
+    y, lift = sampled(one.pieces, 0), over.lift(unit).shown
+    rates = zip(CURVES[1:], over.symbols[1:], over.rates(unit), timed[1:], strict=True)
+    return [
+        result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+{EARLIER}",
+               shown(axis.at(one.machine.samples).y, axis.unit), source=POSITION),
+        *(result(name, words, symbol, shown_in, f"={factor}*({sampled(one.pieces, order)}){lift}", axis.rate(values),
+                 scale=axis.size(order), source=paced if over.paced else by_x)
+          for order, ((name, words, factor, paced, by_x), symbol, shown_in, values) in enumerate(rates, 1)),
+    ]  # fmt: skip
+
+
+def exportable(one: AxisRows) -> Exportable:
+    """Return an axis as the sheet Export may have it."""
+    axis, i, unit, over = one.axis, one.axis.number, one.axis.given.unit, one.machine.over
+    units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
+    later = Later(f"[axes_taken.late.{i}]", "eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
+    return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, units,
+                      (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
+                      "*1000" if unit == "mm" else "*180/PI()", axis.motion.size, later, over=over)  # fmt: skip

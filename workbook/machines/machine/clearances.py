@@ -1,0 +1,299 @@
+"""Axes that must stay apart: their gap over the cycle, where it is least, and the sheet Clearances."""
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.motion.shifted import LOST, gap_size, least_gap, meets_least, turned
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.rows import filled
+from workbook.book.sentence import Said, amount
+from workbook.entries.phase import TURN
+from workbook.entries.texts import place_of
+from workbook.entries.units import DEGREE, shown, si
+from workbook.machines.machine.entries_beside import ClearanceEntry
+from workbook.machines.machine.from_names import clearance_name
+from workbook.machines.machine.motion.tables import AxisRows
+from workbook.motion.pieces import finding, sampled
+
+ABOUT = (
+    "The gap is worked out where a piece of either axis begins or has its middle; between two of these places it is "
+    "taken as a parabola, by the slope at the first, and worked out at the lowest point of all parabolas."
+)
+AT = 3  # decimals of a place in a sentence
+MARKS, OF = "ab", ("first axis: ", "second axis: ")
+"""what the names of both axes' columns end with, and their labels begin with"""
+PLACE = (
+    "IF([clear{n}_least.gap.first]<=[clear{n}_least.gap.last]+check_zero*[gaps.size.{n}],"
+    "[clear{n}_least.theta.first],[clear{n}_least.theta.last])"
+)
+HIGH = "MAX(ABS([axes.low.{0}]),ABS([axes.high.{0}]))"
+SIZE = f"ABS([offset])+ABS([factor1])*{HIGH.format('{i}')}+ABS([factor2])*{HIGH.format('{j}')}"
+PRINTED = 12  # columns: what is entered, and the least gaps
+
+
+class Lowest(NamedTuple):
+    """Per point, of the parabola from the point before: how far it falls by its slope and rises; its lowest point."""
+
+    fall: Array
+    rise: Array
+    share: Array
+    gap: Array
+    angle: Array
+
+
+class Apart:
+    """A clearance: its gap over the cycle, in the unit of the first axis; angles in degrees of the master shaft.
+
+    ``name`` is that of the cell that tells what it is called, and of which axes it is; ``scales`` are what a position
+    of each axis in m or rad is multiplied by, ``terms`` these with the motions, ``size`` how large the gap grows.
+    """
+
+    def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisRows]) -> None:
+        self.given, self.number = given, number
+        names = [one.axis.given.name for one in rows]
+        places = [(place_of(name, names), name) for name in (given.first, given.second)]
+        self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]  # a file's layout tells numbers
+        self.over, self.unit = self.rows[0].machine.over, self.rows[0].axis.given.unit
+        self.name = clearance_name(number, *(one.axis.number for one in self.rows))
+        self.factors = (given.first_factor, given.second_factor)
+        self.scales = [shown(factor, one.axis.unit) for factor, one in zip(self.factors, self.rows, strict=True)]
+        self.terms = [(scale, one.axis.shifted) for scale, one in zip(self.scales, self.rows, strict=True)]
+        self.size = gap_size(self.terms, given.offset)
+
+    @property
+    def exact(self) -> float:
+        """The least gap by closed forms."""
+        return least_gap(self.terms, self.given.offset).least
+
+    @property
+    def change(self) -> float:
+        """By how much both axes together can change the gap."""
+        return sum(abs(scale) * float(np.ptp(one.motion.reach)) for scale, one in self.terms)
+
+    def cuts(self, end: int) -> tuple[list[float], list[float]]:
+        """Return where each piece of an axis begins and has its middle; spare pieces as the end of the turn."""
+        one = self.rows[end]
+        room, near, pieces = one.machine.room, one.machine.near, one.pieces.pieces
+        begins = filled([shown(piece.begin, DEGREE) for piece in pieces], room, TURN)
+        halves = filled([shown(piece.duration, DEGREE) / 2.0 for piece in pieces], room)
+        found = [turned(begin, one.axis.given.shift, TURN, near) for begin in begins]
+        return found, [turned(at + half, 0.0, TURN, near) for at, half in zip(found, halves, strict=True)]
+
+    @cached_property
+    def angles(self) -> Array:
+        """The points: begin and end of the turn, and between them all cuts in their order."""
+        cuts = sorted(at for end in range(len(self.rows)) for column in self.cuts(end) for at in column)
+        return np.array([0.0, *np.maximum(cuts, 0.0), TURN])
+
+    def positions(self, angles: Array) -> list[Array]:
+        """Return the position of each axis at angles, in its own unit."""
+        return [shown(one.axis.at(si(angles, DEGREE)).y, one.axis.unit) for one in self.rows]
+
+    def gaps(self, angles: Array) -> Array:
+        """Return the gap at angles."""
+        first, second = (factor * y for factor, y in zip(self.factors, self.positions(angles), strict=True))
+        return np.asarray(self.given.offset + first + second)
+
+    @cached_property
+    def velocities(self) -> list[Array]:
+        """The geometric velocity of each axis at each point (m or rad per rad)."""
+        return [one.axis.at(si(self.angles, DEGREE)).y1 for one in self.rows]
+
+    @property
+    def slopes(self) -> Array:
+        """The slope of the gap at each point (per rad)."""
+        return self.scales[0] * self.velocities[0] + self.scales[1] * self.velocities[1]
+
+    @cached_property
+    def lowest(self) -> Lowest:
+        """The parabola through each point and the one before, with the slope there."""
+        angles, gaps, slopes = self.angles, self.gaps(self.angles), self.slopes
+        steps, rise = np.diff(angles, prepend=angles[0]), np.diff(gaps, prepend=gaps[0])
+        fall = np.concatenate([[0.0], slopes[:-1] * si(steps[1:], DEGREE)])
+        inside = (fall < -LOST * self.size) & (fall < 2.0 * rise)
+        share = np.where(inside, fall / np.where(inside, 2.0 * (fall - rise), 1.0), 1.0)
+        low = np.where(inside, gaps - rise + 0.5 * fall * share, gaps)
+        return Lowest(fall, rise, share, low, angles - (1.0 - share) * steps)
+
+    def near(self, gaps: Array) -> list[int]:
+        """Return whether each gap is as low as any, but for rounding."""
+        return [int(meets_least(float(gaps.min()), one, self.size)) for one in gaps.tolist()]
+
+    @cached_property
+    def lowest_at(self) -> Array:
+        """The first of the lowest points, and the first of the lowest points of parabolas."""
+        each = ((self.angles, self.gaps(self.angles)), (self.lowest.angle, self.lowest.gap))
+        return np.array([angles[self.near(gaps).index(1)] for angles, gaps in each])
+
+    @property
+    def place(self) -> float:
+        """The angle of the least gap: of two alike that of the points."""
+        return float(self.lowest_at[self.near(self.gaps(self.lowest_at)).index(1)])
+
+    @cached_property
+    def least(self) -> float:
+        """The least gap."""
+        return float(self.gaps(self.lowest_at).min())
+
+    @property
+    def kept(self) -> bool:
+        """Whether the gap that is asked for is left."""
+        return meets_least(self.least, self.given.least, self.size)
+
+
+def clearances_sheet(book: Book, apart: list[Apart]) -> None:
+    """Declare the sheet, where there are clearances."""
+    if not apart:
+        return
+    period = apart[0].over.period
+    sheet = book.sheet("Clearances", f"Axes that must stay apart: the least gap over a {period}, and where it is.")
+    sheet.heading("Enter", "gap = offset + factor · position + factor · position, in the unit of the first axis.")
+    table(sheet, apart)
+    sheet.checks(*map(kept, apart))
+    sheet.not_printed_below()
+    for one in apart:
+        sheet.heading(f"Workings: clearance {one.number}", ABOUT)
+        least(sheet, one)
+        points(sheet, one)
+        cuts(sheet, one)
+    sheet.print_columns, sheet.folded = PRINTED, PRINTED + 1
+
+
+def table(sheet: Sheet, apart: list[Apart]) -> None:
+    """Declare what is entered, and the least gaps."""
+    over, units, axes = apart[0].over, {one.unit for one in apart}, [[rows.axis for rows in one.rows] for one in apart]
+    unit = units.pop() if len(units) == 1 else "mm, °"
+
+    def entry(column: str, label: str, unit: str, name: str) -> Quantity:
+        values = [getattr(one.given, name) for one in apart]
+        return given(column, label, "", unit, values, f"clearances.*.{name}", format="0.0##")
+
+    def named(end: int, column: str, label: str) -> Quantity:
+        formulas = [f"=[axes.name.{both[end].number}]" for both in axes]
+        return calc(column, label, "", "", formulas, [both[end].given.name for both in axes], align="left")
+
+    def scale(end: int, label: str, which: str) -> Quantity:
+        factor, at = f"[factor{end + 1}]", f"k{end + 1}"
+        formulas = [f"={factor}*1000" if both[end].given.unit == "mm" else f"=DEGREES({factor})" for both in axes]
+        return calc(at, label, "", "", formulas, [one.scales[end] for one in apart], source=f"times the {which} factor")
+
+    def each(formula: str) -> list[str]:
+        numbers = zip(apart, axes, strict=True)
+        return [f"={formula.format(n=one.number, i=i.number, j=j.number)}" for one, (i, j) in numbers]
+
+    entered = sheet.table(
+        "clearances", "Clearances", len(apart),
+        given("name", "clearance", "", "", [one.given.name for one in apart], "clearances.*.name"),
+        constant("k", "number", "k", "", [one.number for one in apart]),
+        named(0, "first", "axis"), entry("factor1", "factor", "", "first_factor"),
+        named(1, "second", "and axis"), entry("factor2", "factor", "", "second_factor"),
+        entry("offset", "offset", unit, "offset"), entry("least", "gap to be left", unit, "least"),
+        result("gap", "least gap", "", unit, each("MIN([clear{n}_least.gap])"), [one.least for one in apart],
+               scale=max(one.size for one in apart), source="at most 0.1 % of what both axes move above the exact one"),
+        result("at", "at", over.symbol, over.unit, each(over.told(PLACE)),
+               [over.shown(one.place) for one in apart], scale=over.length, format=over.format),
+    )  # fmt: skip
+    sheet.workings(
+        entered, "gaps", "Workings", PRINTED + 2,
+        calc("size", "size of the gap, at most", "", unit, each(SIZE), [one.size for one in apart]),
+        scale(0, "its own unit in 1 m or rad", "first"), scale(1, "likewise of the other axis", "second"),
+    )  # fmt: skip
+    sheet.rows(*(calc(one.name, f"Clearance {one.number}", "", "", f"=[clearances.name.{one.number}]",
+                      one.given.name, align="left") for one in apart))  # fmt: skip
+
+
+def kept(one: Apart) -> Quantity:
+    """Return the check of a clearance."""
+    n, after, unit = one.number, one.over.after, one.unit
+    gap, entered, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
+    place = amount(gap, one.least, ": ", f" {unit} at ")
+    says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
+    said = f"{round(one.over.shown(one.place), AT):.15g}{after}; expected at least {one.given.least:.15g} {unit}"
+    return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", f"{gap}>={entered}-check_zero*[gaps.size.{n}]",
+                 one.kept, says=Said(says, f"{one.given.name}{place.said}{said}"))  # fmt: skip
+
+
+def at_angles(one: Apart, angles: Array) -> list[Quantity]:
+    """Return the columns of both axes at angles of the column theta: cycles begun, piece, u, position; and the gap."""
+    found, n = [], one.number
+    for rows, mark, of, y in zip(one.rows, MARKS, OF, one.positions(angles), strict=True):
+        axis, told = rows.axis, rows.axis.told(si(angles, DEGREE))
+        late, place = f"[axes_taken.late.{axis.number}]", sampled(rows.pieces, 0, mark)
+        own = f"({place})*1000" if axis.given.unit == "mm" else f"DEGREES({place})"
+        found += [
+            calc(f"n{mark}", f"{of}cycles of its phases begun before", "n_c", "",
+                 f"=INT((MIN([theta],timing_end)-{late}+eps)/360)", told.cycles, format="0"),
+            calc(f"p{mark}", f"{of}angle of its phases", "", "°", f"=[theta]-{late}-360*[n{mark}]",
+                 shown(told.x, DEGREE), format="0.0##", scale=TURN, source="θ − shift − 360 n_c"),
+            *finding(rows.pieces, f"p{mark}", told.x, of, mark),
+            calc(f"y{mark}", f"{of}position", "y", axis.given.unit, f"={own}+[n{mark}]*[axes.travel.{axis.number}]",
+                 y, scale=one.size),
+        ]  # fmt: skip
+    entered = f"[clearances.offset.{n}]+[clearances.factor1.{n}]*[ya]+[clearances.factor2.{n}]*[yb]"
+    return [*found, calc("gap", "gap", "", one.unit, f"={entered}", one.gaps(angles), scale=one.size,
+                         source="offset + factor · position + factor · position")]  # fmt: skip
+
+
+def least(sheet: Sheet, one: Apart) -> None:
+    """Declare the positions of both axes, and the gap, at the lowest of the points and at that of the parabolas."""
+    first = f"INDEX([clear{one.number}_points.{{}}],MATCH(1,[clear{one.number}_points.{{}}],0))".format
+    place = f"=IF([k]=1,{first('theta', 'nearest')},{first('angle', 'near')})"
+    sheet.table(
+        f"clear{one.number}_least", "Where the gap is least", 2,
+        constant("k", "lowest", "", "", [1, 2], source="1 point, 2 parabola"),
+        calc("theta", one.over.angle, "θ", "°", place, one.lowest_at, scale=TURN, format="0.0##"),
+        *at_angles(one, one.lowest_at),
+    )  # fmt: skip
+
+
+def points(sheet: Sheet, one: Apart) -> None:
+    """Declare the gap and its slope at points of the cycle, and the lowest point of the parabola before each."""
+    n, angles, low = one.number, one.angles, one.lowest
+    at, size, first = f"[clear{n}_cuts.begina:middleb]", one.size, "=IF([k]=1,0,{})"
+    lost, last, end = f"check_zero*[gaps.size.{n}]", len(angles), f"MAX([clear{n}_points.k])"
+    sheet.table(
+        f"clear{n}_points", "The gap over the turn", last,
+        constant("k", "point", "k", "", list(range(1, last + 1))),
+        calc("theta", one.over.angle, "θ", "°", f"=IF([k]={end},360,MAX(0,SMALL({at},MAX(1,[k]-1))*([k]>1)))",
+             angles, scale=TURN, format="0.0##", source="0, the places below in their order, 360"),
+        *at_angles(one, angles),
+        *(calc(f"v{mark}", f"{of}geometric velocity", "y'", rows.at.unit(1), f"={sampled(rows.pieces, 1, mark)}",
+               values, scale=rows.axis.motion.size(1))
+          for mark, of, rows, values in zip(MARKS, OF, one.rows, one.velocities, strict=True)),
+        calc("slope", "slope of the gap", "", f"{one.unit}/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", one.slopes,
+             scale=float(np.abs(one.slopes).max()), source="factor · y' + factor · y'"),
+        calc("fall", "by the slope before, it rises", "g_0", one.unit,
+             first.format("[slope-1]*RADIANS([theta]-[theta-1])"), low.fall, scale=size),
+        calc("rise", "it rises", "g_1", one.unit, first.format("[gap]-[gap-1]"), low.rise, scale=size),
+        calc("share", "lowest at this share of the way", "z", "",
+             f"=IF(AND([fall]<0-{lost},[fall]<2*[rise]),[fall]/(2*([fall]-[rise])),1)", low.share,
+             source="g_0/(2(g_0 − g_1)) between both points, else 1"),
+        calc("low", "lowest gap on the way", "", one.unit, "=IF([share]<1,[gap-1]+[fall]*[share]/2,[gap])", low.gap,
+             scale=size, source="gap before + g_0 z/2"),
+        *(calc(near, f"{words} is the least of all", "", "",
+               f"=IF([{name}]<=MIN([clear{n}_points.{name}])+{lost},1,0)", one.near(values), format="0")
+          for near, name, words, values in (("nearest", "gap", "gap", one.gaps(angles)),
+                                            ("near", "low", "lowest gap", low.gap))),
+        calc("angle", "lowest at", "θ", "°", "=IF([share]<1,[theta-1]+[share]*([theta]-[theta-1]),[theta])",
+             low.angle, scale=TURN, format="0.0##"),
+    )  # fmt: skip
+
+
+def cuts(sheet: Sheet, one: Apart) -> None:
+    """Declare where the pieces of both axes begin and have their middle, from 0 to 360°."""
+    columns, room = [], one.rows[0].machine.room
+    for end, (rows, mark, of) in enumerate(zip(one.rows, MARKS, OF, strict=True)):
+        i, (begin, middle) = rows.axis.number, one.cuts(end)
+        late = f"INDEX([axis{i}_pieces.begin],[r])+[axes_taken.late.{i}]"
+        half = f"[begin{mark}]+DEGREES(INDEX([axis{i}_pieces.d],[r])/2)"
+        columns += [
+            calc(f"{name}{mark}", f"{of}{words}", "θ", "°", f"={place}-360*INT(({place}+eps)/360)", values, scale=TURN,
+                 format="0.0##")
+            for name, words, place, values in (("begin", "a piece begins", late, begin),
+                                               ("middle", "its middle", half, middle))
+        ]  # fmt: skip
+    sheet.table(f"clear{one.number}_cuts", "The pieces of both axes over the turn", room,
+                constant("r", "piece", "k", "", list(range(1, room + 1))), *columns)  # fmt: skip

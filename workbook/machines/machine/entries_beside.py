@@ -1,0 +1,125 @@
+"""What stands beside the axes of a machine, as an engineer enters it: switches, and axes that must stay apart."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Annotated, Any, ClassVar
+
+from pydantic import Field, GetJsonSchemaHandler, field_validator
+from pydantic.json_schema import JsonSchemaValue
+
+from workbook.book.limits import RowRule
+from workbook.entries.abscissa import ANGLE, Abscissa
+from workbook.entries.phase import TURN
+from workbook.entries.texts import LOOKED_UP, NO_FORMULA, place_of
+from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number
+
+Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
+TIMES, MOST_SWITCHES, MOST_CLEARANCES = 6, 24, 12  # of being on, that a switch has room for
+KEYS, ENDS = ("start", "stop"), ("first", "second")
+PAIRED = ",".join(f"COUNT([start{t}],[stop{t}])<>1" for t in range(1, TIMES + 1))
+HALF = RowRule("paired", f"AND({PAIRED})", "", "a time on without its begin, or without its end")
+"""a row of switches of which a time has but one of its ends"""
+UNUSED = dict.fromkeys(KEYS)
+
+
+class TimeOn(Model):
+    """One time of being on, in degrees of the master shaft; one that ends before it begins runs across the end."""
+
+    start: Angle | None = Field(default=None, description="From where it is on")
+    stop: Angle | None = Field(default=None, description="To where it is on")
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Take [from, to] too, as editors see it."""
+        pair = {"type": "array", "items": {"type": "number"}, "minItems": len(KEYS), "maxItems": len(KEYS)}
+        return {"anyOf": [pair, handler(core)]}
+
+    @property
+    def told(self) -> bool:
+        """Whether both ends are entered."""
+        return self.start is not None and self.stop is not None
+
+
+class SwitchEntry(Model):
+    """A lane that is on or off over the cycle: a cylinder, a valve, a sensor, a cam switch."""
+
+    PLACED: ClassVar[bool] = True
+    """whether its entries alone tell if its times lie right: else the machine does, which knows the cycle's length"""
+    name: Name
+    on: Annotated[list[TimeOn], Field(max_length=TIMES)] = Field(
+        description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less"
+    )
+
+    @field_validator("on", mode="before")
+    @classmethod
+    def _used(cls, on: Any) -> Any:
+        while isinstance(on, list) and on and on[-1] == {}:  # as empty cells are read
+            on = on[:-1]
+        return on
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a time with one end, and the first that does not last or is not over where another begins."""
+        half = (k for k, time in enumerate(self.on) if not time.told and time != type(time)())
+        yield from (DesignError(f"on.{k}", HALF.words, HALF.rule, UNUSED) for k in [*half][:1])
+        yield from meeting(self) if self.PLACED else ()
+
+
+def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError]:
+    """Yield the first time of a switch, in degrees, that does not last, or is not over where another begins."""
+    told = [(k, time.start, time.stop) for k, time in enumerate(turned.on, 1)
+            if time.start is not None and time.stop is not None]  # fmt: skip
+    spans = {k: stop - start + (TURN if stop < start else 0.0) for k, start, stop in told}
+    said = [f"time {k} does not last" for k, span in spans.items() if span <= ANGLE_TOLERANCE]
+    for k, start, _ in told:
+        more = spans[k] - min(((other - start) % TURN for j, other, _ in told if j != k), default=spans[k])
+        if more > ANGLE_TOLERANCE:
+            said.append(f"time {k} is on {over.said(more)} beyond the begin of another")
+    if said:
+        yield DesignError("on", f"{turned.name} {said[0]}", "apart", [UNUSED for _ in turned.on])
+
+
+class ClearanceEntry(Model):
+    """A gap of two axes, offset + factor · position + factor · position, in the unit of the first axis."""
+
+    name: Name
+    first: Name = Field(description="Name of an axis")
+    first_factor: Number = Field(default=1.0, description="By what its position is multiplied")
+    second: Name = Field(description="Name of another axis")
+    second_factor: Number = Field(default=-1.0, description="By what its position is multiplied, into the first's unit")
+    offset: Number = Field(default=0.0, description="The gap where both are at 0, in the unit of the first axis")
+    least: Number = Field(default=0.0, description="The gap that must be left, in the unit of the first axis")
+
+
+def require_axes(clearances: Sequence[ClearanceEntry], names: Sequence[str]) -> None:
+    """Raise EntryError for a clearance of an axis that is not there, or of one axis alone."""
+    for i, one in enumerate(clearances):
+        places = [place_of(getattr(one, end), names) for end in ENDS]
+        for end, place in zip(ENDS, places, strict=True):
+            if place < 0:
+                raise EntryError(f"clearances.{i}.{end}", f"no axis is named {getattr(one, end)!r}")
+        if places[0] == places[1]:
+            raise EntryError(f"clearances.{i}.second", f"{one.second!r} is the first axis too; expected another")
+
+
+def spelled(told: Any) -> Any:
+    """Return a description whose switches tell the keys of their times, and whose clearances the names of axes.
+
+    Times may be told as [from, to], and axes by their numbers, from 1, as a book's layout does.
+    """
+    if not isinstance(told, Mapping):
+        return told
+    axes = told.get("axes")
+    names = {i: axis.get("name") for i, axis in enumerate(axes if isinstance(axes, list) else (), 1)
+             if isinstance(axis, Mapping)}  # fmt: skip
+
+    def keyed(time: Any) -> Any:
+        return dict(zip(KEYS, time, strict=True)) if isinstance(time, list) and len(time) == len(KEYS) else time
+
+    def switch(one: Mapping[str, Any]) -> Any:
+        return {**one, "on": [*map(keyed, one["on"])]} if isinstance(one.get("on"), list) else one
+
+    def clearance(one: Mapping[str, Any]) -> Any:
+        return {**one, **{end: names[one[end]] for end in ENDS if type(one.get(end)) is int and one[end] in names}}
+
+    each = {"switches": switch, "clearances": clearance}
+    return {**told, **{key: [spell(one) if isinstance(one, Mapping) else one for one in told[key]]
+                       for key, spell in each.items() if isinstance(told.get(key), list)}}  # fmt: skip

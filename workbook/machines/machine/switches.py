@@ -1,0 +1,191 @@
+"""Switches over the cycle: the sheet, with checks, and the corners of their lanes in the timing diagram."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import chain
+from typing import TypeVar
+
+from engine.timing import Switch
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.rows import filled
+from workbook.book.sentence import first_text
+from workbook.entries.abscissa import Abscissa
+from workbook.entries.phase import TURN
+from workbook.entries.units import DEGREE, shown, si
+from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
+from workbook.machines.machine.from_names import switch_name
+from workbook.machines.machine.timing.phases import going_beyond
+from workbook.machines.machine.timing.sheet import LANE_SHARE
+from workbook.machines.machine.view import Whole
+
+T = TypeVar("T")
+NUMBERS = range(1, TIMES + 1)
+NEXT = (
+    "SUMPRODUCT(MIN({0}.begin]-[begin]-360*({0}.begin]>=[begin]+360)+360*({0}.begin]<[begin])"
+    "+360*({0}.t]=[t])+360*({0}.used]=0)))"
+)
+"""from the begin of a time to the next begin of its switch: a turn where there is no other"""
+UPS = (0, 1, 1, 0)
+NONE = ((0.0, 0.0), (0.0, 0.0))
+"""the bars of a time that is not entered"""
+
+
+class Lane:
+    """A switch as the timing diagram shows it: bars on a lane; ``typed`` are its times as they are entered."""
+
+    def __init__(self, given: SwitchEntry, number: int, typed: SwitchEntry) -> None:
+        self.given, self.number = given, number
+        self.typed: list[TimeOn] = filled(typed.on, TIMES, TimeOn())
+        self.times: list[TimeOn] = filled(given.on, TIMES, TimeOn())
+        self.told = {k: (time.start, time.stop) for k, time in enumerate(self.times)
+                     if time.start is not None and time.stop is not None}  # fmt: skip
+
+    @cached_property
+    def switch(self) -> Switch:
+        """The switch over a turn of the master shaft (rad)."""
+        on = tuple((si(start, DEGREE), si(stop, DEGREE)) for start, stop in self.told.values())
+        return Switch(self.given.name, on)
+
+    def each(self, values: Sequence[T], spare: T) -> list[T]:
+        """Return a value for each time: those of the ones that are entered, in their order."""
+        return [dict(zip(self.told, values, strict=True)).get(k, spare) for k in range(TIMES)]
+
+    @property
+    def until_next(self) -> list[float]:
+        """From the begin of each time to the next begin of the switch (degrees); a turn where there is no other."""
+        begins = {k: start for k, (start, _) in self.told.items()}
+        return self.each([min(((b - a) % TURN for j, b in begins.items() if j != k), default=TURN)
+                          for k, a in begins.items()], 0.0)  # fmt: skip
+
+    def outline(self, floor: int, near: float) -> list[tuple[float, float]]:
+        """Return the corners of its lane: angle (degrees) and height; a bar no wider than ``near`` is none."""
+        corners = [(0.0, float(floor))]
+        for bar in chain.from_iterable(self.each(self.switch.bars, NONE)):
+            low, high = (shown(end, DEGREE) for end in bar)
+            top = floor + (LANE_SHARE if high - low > near else 0.0)
+            corners += [(low, floor), (low, top), (high, top), (high, floor)]
+        return [*corners, (TURN, floor)]
+
+
+def switches_sheet(book: Book, machine: Whole) -> None:
+    """Declare the sheet, where there are switches."""
+    over, both = machine.over, zip(machine.machine.switches_turned, machine.machine.switches, strict=True)
+    lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(both, 1)]
+    if not lanes:
+        return
+    sheet = book.sheet("Switches", f"Cylinders, valves, sensors, cam switches: when each is on over a {over.period}.")
+    sheet.heading("Enter", f"Of a time that runs past the end of the {over.period}, to is less than from.")
+    entries(sheet, lanes, machine)
+    faults = [("wrong", "apart", "apart", "each time lasts, and is over where another begins")]
+    faults += [("late", "within", "ends", "no time goes on beyond the cycle")] if over.measured else []
+    for fault in faults:
+        sheet.checks(*(none_with(lane.number, over, *fault) for lane in lanes))
+    sheet.not_printed_below()
+    sheet.heading("Workings: the times of each switch")
+    for lane in lanes:
+        times_of(sheet, lane, over)
+    corners(sheet, lanes, over, machine.near)
+    sheet.print_columns = 16
+
+
+def entries(sheet: Sheet, lanes: list[Lane], machine: Whole) -> None:
+    """Declare the table of switches: a row each."""
+    over = machine.over
+    times = [
+        given(f"{name}{t}", f"{label} ({t})", "", over.unit, [getattr(lane.typed[t - 1], name) for lane in lanes],
+              f"switches.*.on.{t - 1}.{name}", format=over.format)
+        for t in NUMBERS
+        for label, name in (("on from", "start"), ("to", "stop"))
+    ]  # fmt: skip
+    shown_as, source = (calc, "in all") if over.measured else (result, "at the production rate")
+    lasting = [
+        shown_as("on", "on in all", "", "°", [f"=SUM([switch{one.number}_times.span])" for one in lanes],
+                 [shown(one.switch.total, DEGREE) for one in lanes]),
+        result("time", "on for", over.lasting, over.unit if over.measured else "s", "=RADIANS([on])/omega",
+               [one.switch.total / machine.speed for one in lanes], source=source),
+    ]  # fmt: skip
+    sheet.table(
+        "switches", "Switches: a row each; leave spare times empty", len(lanes),
+        given("name", "switch", "", "", [lane.given.name for lane in lanes], "switches.*.name"),
+        constant("k", "number", "k", "", [lane.number for lane in lanes]),
+        *times,
+        *(reversed(lasting) if over.measured else lasting),
+        rules=[HALF],
+    )  # fmt: skip
+    sheet.rows(*(calc(switch_name(one.number), f"Switch {one.number}", "", "", f"=[switches.name.{one.number}]",
+                      one.given.name, align="left") for one in lanes))  # fmt: skip
+
+
+def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
+    """Declare the times of a switch: begin, end and duration, the next begin, and what is wrong with each."""
+    i, times, after = lane.number, lane.times, over.after
+    block, name = f"[switches.start1:stop{TIMES}]", f"switch{i}_times"
+    start, stop = f"INDEX({block},{i},2*[t]-1)", f"INDEX({block},{i},2*[t])"
+    more = f'"is on "&ROUND({over.told("[span]-[next]")},9)&"{after} beyond the begin of another"'
+    wrong = f'IF([span]<=check_zero,"does not last",IF([span]-[next]>check_zero,{more},""))'
+    beyond = going_beyond(over.told("MAX([begin],[end])"), over)
+    late = calc("late", "beyond the cycle", "", "", f'=IF(MAX([begin],[end])-360>check_zero,{beyond},"")', "",
+                align="left")  # fmt: skip
+
+    def angle(column: str, label: str, formula: str, values: list[float]) -> Quantity:
+        return calc(column, label, "", "°", formula, values, scale=TURN, format="0.0##")
+
+    sheet.table(
+        name, f"Switch {i}: its times in degrees of the {over.period}", TIMES,
+        constant("t", "time", "", "", list(NUMBERS)),
+        calc("used", "is entered", "", "", f'=IF(OR({start}="",{stop}=""),0,1)', lane.each([1] * len(lane.told), 0),
+             format="0"),
+        angle("begin", "on from", f"={over.in_degrees(start)}", [time.start or 0.0 for time in times]),
+        angle("end", "to", f"={over.in_degrees(stop)}", [time.stop or 0.0 for time in times]),
+        angle("span", "lasts", "=IF([used]=0,0,[end]-[begin]+IF([end]<[begin],360,0))",
+              lane.each([shown(span, DEGREE) for span in lane.switch.spans], 0.0)),
+        angle("next", "to the next begin", f"=IF([used]=0,0,{NEXT.format(f'[{name}')})", lane.until_next),
+        calc("wrong", "what is wrong", "", "", f'=IF([used]=0,"",{wrong})', "", align="left"),
+        *([late] if over.measured else []),
+    )  # fmt: skip
+
+
+def none_with(i: int, over: Abscissa, column: str, name: str, rule: str, says: str) -> Quantity:
+    """Return the check that no time of a switch has a text in a column; the first that has is told."""
+    texts = f"[switch{i}_times.{column}]"
+    at = first_text(texts)
+    return check(f"switch{i}_{name}", f"Switch {i}: {says}", f'COUNTIF({texts},"?*")=0', True,
+                 rule=over.rule("switches", i, rule),
+                 says=f'[switches.name.{i}]&" time "&{at}&" "&INDEX({texts},{at})')  # fmt: skip
+
+
+def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa, near: float) -> None:
+    """Declare the corners of each lane: where it begins, two bars of four corners for each time, where it ends."""
+    about = f"A bar for each time, and another for what of it lies behind the end of the {over.period}."
+    sheet.heading("Workings: lanes of the timing diagram", about)
+    ups = [0, *UPS * 2 * TIMES, 0]
+    columns: list[Quantity] = []
+    for i, lane in enumerate(lanes, 1):
+        floor = len(lanes) - i
+        places, (angles, heights) = lane.outline(floor, near), cornered(i, floor, over)
+        columns += [
+            calc(f"x{i}", f"switch {i}: {'time' if over.measured else 'angle'}", "", over.unit, angles,
+                 [over.shown(x) for x, _ in places], format=over.format),
+            calc(f"y{i}", f"switch {i}: in the diagram", "", "", heights, [y for _, y in places]),
+        ]  # fmt: skip
+    sheet.table(
+        "switch_lanes", "Corners of the lanes", len(ups),
+        constant("k", "corner", "k", "", list(range(1, len(ups) + 1))),
+        constant("up", "on", "", "", ups, source="1 where a bar is"),
+        *columns,
+    )  # fmt: skip
+
+
+def cornered(i: int, floor: int, over: Abscissa) -> tuple[list[str], list[str]]:
+    """Return the formulas of a switch's corners: places, and heights on the floor or on top of a bar with a width."""
+    first, last = (f"=[cycle1.{over.column}.{end}]" for end in ("first", "last"))
+    places, widths = [first], ["[cycle1.theta.last]"]
+    for t in NUMBERS:
+        start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))
+        begin, end = f"[switches.start{t}.{i}]", over.told(f"MIN({start}+{span},360)")
+        rest = over.told(f"MAX({start}+{span}-360,0)")
+        begin, end, rest = (f"=IF({span}>0,{place},0)" for place in (begin, end, rest))
+        places += [begin, begin, end, end, first, first, rest, rest]
+        widths += [width for width in (f"MIN({span},360-{start})", f"({start}+{span}-360)") for _ in UPS]
+    heights = [f"={floor}+[up]*IF({width}>eps,timing_lane,0)" for width in (*widths, widths[0])]
+    return [*places, last], heights

@@ -1,1 +1,0 @@
-"""Switches over the cycle: entries, the engine's view, the sheet Switches."""
