@@ -20,8 +20,7 @@ from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
 from workbook.laws.shelf import LawShelf
-from workbook.machines.flying.driving import ToolDrive
-from workbook.machines.flying.view import Flying
+from workbook.machines.flying.view import Flying, ToolDrive
 from workbook.reading.descriptions import read_machine
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.catalogue_files import (

@@ -71,18 +71,6 @@ def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces)
     """Declare the parts of the cycle, and the pieces of the tool's motion."""
     sheet.heading("Workings: the tool's motion as pieces", ABOUT)
     sheet.note(WHERE)
-    standing(sheet, machine, stack)
-    parts_table(sheet, machine, cut_parts(machine.cut), rows)
-    joints = joints_of(machine, rows)
-    sheet.rows(pieces_in_all(rows), *joints.order())
-    sheet.row += 1
-    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
-    sheet.row += 1
-    joints.table(sheet, "What jumps where each piece begins", machine.room)
-
-
-def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
-    """Declare where the law is at its fastest, and so the tool where it waits."""
     at, law = np.array([machine.cut.fastest]), machine.law
     sheet.table(
         "standing", "The law where it is fastest", 1,
@@ -90,6 +78,13 @@ def standing(sheet: Sheet, machine: Flying, stack: Pieces) -> None:
         *stack.finding("fly_no", "xi", stack.locate(machine.number, at)),
         *stack.columns({"s": law.s(at)}, "s"),
     )  # fmt: skip
+    parts_table(sheet, machine, cut_parts(machine.cut), rows)
+    joints = joints_of(machine, rows)
+    sheet.rows(pieces_in_all(rows), *joints.order())
+    sheet.row += 1
+    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
+    sheet.row += 1
+    joints.table(sheet, "What jumps where each piece begins", machine.room)
 
 
 def parts_table(sheet: Sheet, machine: Flying, parts: tuple[CutPart, ...], rows: PieceRows) -> None:

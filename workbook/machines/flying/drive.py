@@ -9,7 +9,7 @@ from workbook.book.polynomial import SHARES, WEIGHTS
 from workbook.book.rows import filled
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, plane, rms_point, within_reducer
 from workbook.entries.units import PER_RPM, RPM, shown
-from workbook.machines.flying.driving import ToolDrive
+from workbook.machines.flying.view import ToolDrive
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import place_columns, sampled
 
@@ -23,10 +23,21 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
     """Declare the sheet."""
     sheet = book.sheet("Drive", "Motor and reducer on the tool's shaft: what a cycle asks of them.")
     with sheet.scoped("drive_"):
-        entries(sheet, view)
+        s, proposed = view.chosen, "empty: that which the sheet Selection proposes"
+        sheet.heading("Enter")
+        sheet.rows(
+            given("@motor_name", "Motor of the catalogue", "", "", s.motor, "selection.motor", choices="=motor_name",
+                  align="left", source=proposed),
+            given("@reducer_name", "Reducer of the catalogue", "", "", s.reducer, "selection.reducer",
+                  choices="=reducer_name", align="left", source=proposed),
+        )  # fmt: skip
         outcome(sheet, view)
         sheet.checks(*checks(view))
-        charts(sheet)
+        sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=10, row=5, width=8, height=22)
+        torque = Series("torque", "[@pt.t]", "[@pt.T]")
+        over = Chart("Torque of the motor over a cycle", "time t [s]", "T [Nm]", (torque,),
+                     "Torque of the motor over one cycle")  # fmt: skip
+        sheet.chart(over, column=10, row=28, width=8, height=16)
         sheet.row = max(sheet.row, BELOW_CHARTS)
         in_use(sheet, view)
         sheet.not_printed_below()
@@ -40,18 +51,6 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
     book.column_names |= {f"tool_{name}": ("drive_pt", column)
                           for name, column in (("dir", "dir"), ("al", "al"), ("S", "S"), ("n", "w"))}  # fmt: skip
     sheet.print_columns = 18
-
-
-def entries(sheet: Sheet, view: ToolDrive) -> None:
-    """Declare the names of motor and reducer."""
-    s, proposed = view.chosen, "empty: that which the sheet Selection proposes"
-    sheet.heading("Enter")
-    sheet.rows(
-        given("@motor_name", "Motor of the catalogue", "", "", s.motor, "selection.motor", choices="=motor_name",
-              align="left", source=proposed),
-        given("@reducer_name", "Reducer of the catalogue", "", "", s.reducer, "selection.reducer",
-              choices="=reducer_name", align="left", source=proposed),
-    )  # fmt: skip
 
 
 def outcome(sheet: Sheet, view: ToolDrive) -> None:
@@ -102,14 +101,6 @@ def checks(view: ToolDrive) -> list[Quantity]:
             ("torque", "sel_tmax", "@reducer_peak", not strongest or torque <= strongest, torque, strongest),
             ("mean torque", "@smean", "@reducer_mean", not lasting or mean <= lasting, mean, lasting)),
     ]  # fmt: skip
-
-
-def charts(sheet: Sheet) -> None:
-    """Place the charts: torque against speed, and over time."""
-    sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=10, row=5, width=8, height=22)
-    over = Chart("Torque of the motor over a cycle", "time t [s]", "T [Nm]", (Series("torque", "[@pt.t]", "[@pt.T]"),),
-                 "Torque of the motor over one cycle")  # fmt: skip
-    sheet.chart(over, column=10, row=28, width=8, height=16)
 
 
 def in_use(sheet: Sheet, view: ToolDrive) -> None:
@@ -180,20 +171,9 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
     )  # fmt: skip
 
 
-def motor(view: ToolDrive) -> list[Quantity]:
-    """Return speed and torque of the motor at the points."""
-    drive, of = view.points, view.by_point
-    return [
-        result("n", "speed of the motor", "n", "rpm", "=@i*[w]*30/PI()", of(shown(drive.speed, RPM)), "ω_L/τ",
-               scale=shown(view.speed, RPM)),
-        result("T", "torque of the motor", "T", "Nm", "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]+@no_load*[dir]",
-               of(drive.torque), "τ T*/η + J ω̇/τ ± T_nl; τ T* η where the load drives", scale=view.motor_torque),
-    ]  # fmt: skip
-
-
 def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare tool, shaft and motor at the points of each interval."""
-    load, of, room = view.load, view.by_point, view.machine.room
+    load, drive, of, room = view.load, view.points, view.by_point, view.machine.room
     numbers = list(range(room))
     pieces = filled([piece for piece in rows.pieces for _ in SHARES], room * POINTS, rows.pieces[-1])
     u = np.array(of(load.x - np.array([[piece.origin] for piece in rows.pieces])))
@@ -220,7 +200,10 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
              scale=view.turning),
         calc("S", "its torque", "T*_L", "Nm", "=fly_torque+fly_j*[al]", of(load.output_torque), "T_L + J_L ω̇_L",
              scale=view.torque),
-        *motor(view),
+        result("n", "speed of the motor", "n", "rpm", "=@i*[w]*30/PI()", of(shown(drive.speed, RPM)), "ω_L/τ",
+               scale=shown(view.speed, RPM)),
+        result("T", "torque of the motor", "T", "Nm", "=IF([S]*[dir]<0,@eta,1/@eta)*[S]/@i+@j*@i*[al]+@no_load*[dir]",
+               of(drive.torque), "τ T*/η + J ω̇/τ ± T_nl; τ T* η where the load drives", scale=view.motor_torque),
         calc("share", "share of the cycle", "", "", "=[g]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))/fly_tc",
              of(load.share, 0.0), "what it counts in a mean", scale=1.0),
         calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",

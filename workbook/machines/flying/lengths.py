@@ -115,7 +115,7 @@ def line(book: Book, machine: Flying, cuts: Sequence[Cut]) -> None:
 
 
 def cases(sheet: Sheet, machine: Flying) -> None:
-    """Declare the cases that the product length decides between."""
+    """Declare the cases that the product length decides between, and both ways with one too long to keep moving."""
     e, limit = machine.given, machine.limit
     tool, whole = shown(machine.tool.tool_length, MM), shown(machine.tool.design_length, MM)
     sheet.heading(
@@ -134,10 +134,6 @@ def cases(sheet: Sheet, machine: Flying) -> None:
                ["is here" if k == machine.case else "-" for k in range(1, 5)], align="center"),
         constant("k", "row", "k", "", [1, 2, 3, 4]),
     )  # fmt: skip
-
-
-def strategies(sheet: Sheet, machine: Flying) -> None:
-    """Declare both ways with a product that is too long to keep moving."""
     ways: tuple[Beyond, ...] = ("standstill", "reversal")
     cuts = [machine.of(machine.given.product_length, way) for way in ways]
     sheet.heading(

@@ -9,7 +9,7 @@ from engine.selection.task import NOTHING, ratio_curves, ratio_ranges
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
-from workbook.machines.flying.driving import ToolDrive
+from workbook.machines.flying.view import ToolDrive
 
 POINTS = 24  # of the curves of figure 12
 LEAST, MOST = 0.001, 0.1  # of α, where they begin

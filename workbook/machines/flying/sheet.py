@@ -10,7 +10,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.sentence import amount
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown, si
 from workbook.laws.library import NamedLaw
-from workbook.machines.flying.lengths import IS_DRUM, cases, strategies, waits
+from workbook.machines.flying.lengths import IS_DRUM, cases, waits
 from workbook.machines.flying.view import LEAST_CV, Flying, does
 from workbook.motion.asked import ABOUT as CONTINUOUS
 from workbook.motion.pieces import ROOM
@@ -27,13 +27,11 @@ def cutter_sheet(book: Book, machine: Flying, joints: Joints, stroke: float, law
     sheet.heading("Results")
     cycle(sheet, machine)
     kinematics(sheet, machine, stroke)
-    load(sheet, machine)
     sheet.row += 1
     verdicts(sheet, machine, joints, stroke)
     charts(sheet)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     cases(sheet, machine)
-    strategies(sheet, machine)
     sheet.not_printed_below()
     sheet.heading("Workings")
     sheet.rows(*geometry(machine), *superimposed(machine))
@@ -107,8 +105,8 @@ def cycle(sheet: Sheet, machine: Flying) -> None:
 
 
 def kinematics(sheet: Sheet, machine: Flying, stroke: float) -> None:
-    """Declare speeds, accelerations and travel."""
-    cut, (low, high) = machine.cut, machine.cut.speed_range
+    """Declare speeds, accelerations and travel, and what the motor and its reducer are chosen by."""
+    cut, (low, high), task = machine.cut, machine.cut.speed_range, machine.task(machine.cut)
     slowest, fastest = (shown(v / machine.tool.radius, RPM) for v in cut.speed_range)
     per, limits = "*1000/fly_r", machine.given.limits
     line_max = cut.fastest_line(si(limits.speed, RPM), limits.acceleration)
@@ -137,13 +135,6 @@ def kinematics(sheet: Sheet, machine: Flying, stroke: float) -> None:
         result("fly_line_max", "Highest line speed within the limits", "v_L", "m/min",
                "=fly_line*IF(fly_dw>0,MIN(fly_rpm_max/fly_n,SQRT(fly_dw_max/fly_dw)),fly_rpm_max/fly_n)",
                shown(line_max, PER_MINUTE), "speed grows with v_L, acceleration with v_L²"),
-    )  # fmt: skip
-
-
-def load(sheet: Sheet, machine: Flying) -> None:
-    """Declare what the motor and its reducer are chosen by, at the tool's shaft."""
-    cut, task = machine.cut, machine.task(machine.cut)
-    sheet.rows(
         result("fly_w_max", "Highest speed of the shaft, either way", "ω_L,max", "rad/s",
                "=MAX(ABS(fly_low),ABS(fly_high))*1000/fly_r", cut.max_angular_speed),
         result("fly_n", "in revolutions", "n_L,max", "rpm",

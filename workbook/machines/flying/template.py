@@ -16,12 +16,11 @@ from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, single_humped, variations, vary_laws
 from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
-from workbook.machines.flying.driving import ToolDrive
 from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
 from workbook.machines.flying.ratios import RatiosSheet
 from workbook.machines.flying.sheet import cutter_sheet
-from workbook.machines.flying.view import Flying, check
+from workbook.machines.flying.view import Flying, ToolDrive, check
 from workbook.motion.asked import smoothness_for
 from workbook.motion.cells import PieceRows
 from workbook.motion.exported import Exportable, export_sheet
@@ -113,32 +112,26 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     drum |= {"tools": 1.0 + k, "radius": 90.0 + 17 * k, "tool_angle": (47.0, 0.0, 31.0, 22.0, 29.0, 17.0)[k]}
     saw |= {"tool_length": 210.0 + 40 * k, "lead": 25.0 + 6 * k, "stroke": (60.0, 2000.0)[k % 2] * next(scale)}
     load |= {"inertia": 100.0 * next(scale), "mass": 3.0 * k, "torque": (0.0, 2.5, -1.5, 0.0, 4.0, 0.7)[k]}
-    entries["limits"] = {  # of the shaft: kept or not, each in turn
-        "speed": (1e5, 3.0)[k % 2] * next(scale),
-        "acceleration": (1e6, 1e6, 2.0)[k % 3] * next(scale),
+    if k == 2:
+        whole, least = 3.0 * saw["tool_length"], saw["tool_length"]
+    else:
+        whole, least = 2 * pi * drum["radius"] / drum["tools"], radians(drum["tool_angle"]) * drum["radius"]
+    share, span = (0.7, 9.0, 1.0, 1.0, 8.0, 1.7)[k], whole - least  # shorter, far too long, as long as designed, longer
+    entries |= {
+        "kind": "saw" if k == 2 else DRUM,
+        "line_speed": 35.0 + 21 * k,
+        "product_length": least + share * span if share != 1.0 else whole,
+        "beyond": ("standstill", "standstill", "reversal", "reversal", "reversal", "standstill")[k],
+        "lengths": {"shortest": least + 0.3 * span, "longest": least + (4.0 + 2 * k) * span},
+        "limits": {  # of the shaft: kept or not, each in turn
+            "speed": (1e5, 3.0)[k % 2] * next(scale),
+            "acceleration": (1e6, 1e6, 2.0)[k % 3] * next(scale),
+        },
+        "law": law,
+        "smoothness": smoothness_for(turn),
     }
-    entries["line_speed"] = 35.0 + 21 * k
-    entries |= product(entries, k) | {"law": law, "smoothness": smoothness_for(turn)}
     vary_selection(data["selection"], k, data["sizes"])
     return data
-
-
-def product(entries: dict[str, Any], k: int) -> dict[str, Any]:
-    """Return kind of machine, product and strategy: shorter, longer, far too long, exactly the design length."""
-    kind = "saw" if k == 2 else DRUM
-    drum, saw = entries["drum"], entries["saw"]
-    if kind == DRUM:
-        whole = 2 * pi * drum["radius"] / drum["tools"]
-        least = radians(drum["tool_angle"]) * drum["radius"]
-    else:
-        whole, least = 3.0 * saw["tool_length"], saw["tool_length"]
-    share = (0.7, 9.0, 1.0, 1.0, 8.0, 1.7)[k]
-    return {
-        "kind": kind,
-        "product_length": least + share * (whole - least) if share != 1.0 else whole,
-        "beyond": ("standstill", "standstill", "reversal", "reversal", "reversal", "standstill")[k],
-        "lengths": {"shortest": least + 0.3 * (whole - least), "longest": least + (4.0 + 2 * k) * (whole - least)},
-    }
 
 
 SIZES = {

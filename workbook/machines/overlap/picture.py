@@ -49,7 +49,6 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
                      format="0.0##", source="0 to 360: step through the cycle"))  # fmt: skip
     states = States(machine, pieces)
     outcome(sheet, machine, states)
-    pictures(sheet, machine)
     sheet.not_printed_below()
     sheet.heading("Workings")
     dimensions(sheet, machine)
@@ -59,7 +58,7 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
 
 
 def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
-    """Declare what stands where at this angle."""
+    """Declare what stands where at this angle, and place the two pictures side by side."""
     stations = machine.stations
     allowing = ALLOWED.replace("[theta]", "overlap_view")
     sheet.heading("Results")
@@ -76,10 +75,6 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
                "below 0 the parts collide"),
         result("says", "the transfer is", "", "", machine.each(SAYS), states.says()),
     )  # fmt: skip
-
-
-def pictures(sheet: Sheet, machine: Overlapping) -> None:
-    """Place the two pictures side by side."""
 
     def lines(column: str) -> tuple[Series, ...]:
         tools = (Series("=@name", "[@punch.x]", f"[@punch.{column}]").within(s.scope) for s in machine.stations)

@@ -3,8 +3,6 @@
 Several tools have a sheet each, of the same parts (:mod:`workbook.machines.overlap.tool`).
 """
 
-from itertools import count
-
 from engine.overlap.schedule import ANGLE_TOLERANCE, movement_time
 from engine.timing import FULL_TURN, shaft_speed
 from workbook.book.chart import COLOURS, Chart, Series
@@ -30,7 +28,16 @@ def overlap_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
     sheet.heading("Enter", ONE if machine.alone else SEVERAL)
     if not machine.alone:
         sheet.note(APART)
-    entries(sheet, machine)
+    entry = entries_of(machine.given, "overlap")
+    sheet.rows(
+        entry("overlap_rate", "Production rate", "N", "pieces/h", "rate",
+              "one piece a turn of the master shaft; S2: 2000"),
+        entry("overlap_transfer", "Transfer", "", "", "transfer.name"),
+        entry("overlap_law", "its law", "", "", "transfer.law", "S2: cycloidal, CIC", choices="=law_code"),
+        entry("overlap_pitch", "its stroke", "h_t", "mm", "transfer.stroke", "S2: 100 mm"),
+        entry("overlap_angle", "its angle", "B_t", "°", "transfer.angle", "S2: 150°"),
+        entry("overlap_smooth", "what must be continuous", "", "", "transfer.smoothness", CONTINUOUS, align="center"),
+    )  # fmt: skip
     if machine.alone:
         timing_diagrams(sheet, machine, RIGHT)
         tool.declare(sheet, machine.stations[0], pieces, SECOND, BELOW_CHARTS, [rising()], workings(machine))
@@ -57,27 +64,30 @@ def sums(sheet: Sheet, machine: Overlapping) -> None:
     )  # fmt: skip
     sheet.checks(rising())
     sheet.row += 1
-    tools(sheet, machine)
+    stations = machine.stations
+    lower = [s.as_set.times_lower(s.before) for s in stations]
+    peaks = [s.peaks for s in stations]
+    verdicts = ["FAIL" if "FAIL" in [q.value for q in tool.checks(s)] else "OK" for s in stations]
+    conditions = ",".join(f'{q.name}="OK"' for q in tool.checks(stations[0]))
+    sheet.table(
+        "tools", "The tools", len(stations),
+        calc("name", "tool", "", "", machine.each("=@name"), [s.given.name for s in stations], align="left"),
+        constant("sheet", "sheet", "", "", [f"Tool {s.number}" for s in stations]),
+        result("in", "way in", "B_m", "°", machine.each("=@new_in"), [s.angles_set[0] for s in stations]),
+        result("out", "way out", "B_m", "°", machine.each("=@new_out"), [s.angles_set[1] for s in stations]),
+        result("a0", "peak, one after the other", "a_max", "m/s²", machine.each("=@a0"), [p[0] for p in peaks]),
+        result("a1", "peak, with overlap", "a_max", "m/s²", machine.each("=@a1"), [p[2] for p in peaks]),
+        result("ratio", "times lower", "", "", machine.each("=@ratio"), lower),
+        result("least", "least clearance", "", "mm", machine.each("=@least"), [s.least for s in stations]),
+        Quantity("ok", "its checks", role="check", formula=machine.each(f'=IF(AND({conditions}),"OK","FAIL")'),
+                 value=verdicts),
+    )  # fmt: skip
     timing_diagrams(sheet, machine, RIGHT + 1)
     accelerations(sheet, machine, RIGHT + 1)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     sheet.not_printed_below()
     sheet.heading("Workings")
     sheet.rows(*workings(machine))
-
-
-def entries(sheet: Sheet, machine: Overlapping) -> None:
-    """Declare what the engineer enters of the machine and its transfer."""
-    entry = entries_of(machine.given, "overlap")
-    sheet.rows(
-        entry("overlap_rate", "Production rate", "N", "pieces/h", "rate",
-              "one piece a turn of the master shaft; S2: 2000"),
-        entry("overlap_transfer", "Transfer", "", "", "transfer.name"),
-        entry("overlap_law", "its law", "", "", "transfer.law", "S2: cycloidal, CIC", choices="=law_code"),
-        entry("overlap_pitch", "its stroke", "h_t", "mm", "transfer.stroke", "S2: 100 mm"),
-        entry("overlap_angle", "its angle", "B_t", "°", "transfer.angle", "S2: 150°"),
-        entry("overlap_smooth", "what must be continuous", "", "", "transfer.smoothness", CONTINUOUS, align="center"),
-    )  # fmt: skip
 
 
 def rising() -> Quantity:
@@ -98,52 +108,28 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
     )  # fmt: skip
 
 
-def tools(sheet: Sheet, machine: Overlapping) -> None:
-    """Declare the tools side by side."""
-    stations = machine.stations
-    lower = [s.as_set.times_lower(s.before) for s in stations]
-    peaks = [s.peaks for s in stations]
-    verdicts = ["FAIL" if "FAIL" in [q.value for q in tool.checks(s)] else "OK" for s in stations]
-    conditions = ",".join(f'{q.name}="OK"' for q in tool.checks(stations[0]))
-    sheet.table(
-        "tools", "The tools", len(stations),
-        calc("name", "tool", "", "", machine.each("=@name"), [s.given.name for s in stations], align="left"),
-        constant("sheet", "sheet", "", "", [f"Tool {s.number}" for s in stations]),
-        result("in", "way in", "B_m", "°", machine.each("=@new_in"), [s.angles_set[0] for s in stations]),
-        result("out", "way out", "B_m", "°", machine.each("=@new_out"), [s.angles_set[1] for s in stations]),
-        result("a0", "peak, one after the other", "a_max", "m/s²", machine.each("=@a0"), [p[0] for p in peaks]),
-        result("a1", "peak, with overlap", "a_max", "m/s²", machine.each("=@a1"), [p[2] for p in peaks]),
-        result("ratio", "times lower", "", "", machine.each("=@ratio"), lower),
-        result("least", "least clearance", "", "mm", machine.each("=@least"), [s.least for s in stations]),
-        Quantity("ok", "its checks", role="check", formula=machine.each(f'=IF(AND({conditions}),"OK","FAIL")'),
-                 value=verdicts),
-    )  # fmt: skip
-
-
 def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
     """Place both timing diagrams side by side: a lane for the transfer, and above it one for each tool."""
     top = len(machine.stations) + 1
-    columns = count(column, WIDE)
-    for title, lane in (("one after the other", "lane_b"), ("with overlap", "lane_a")):
+    for left, title, lane in ((column, "one after the other", "lane_b"), (column + WIDE, "with overlap", "lane_a")):
         moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")
         line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
         sheet.chart(
             Chart(f"Timing diagram: {title}", "master angle θ [°]", "", (moved, *lines_of(machine, lane), line),
                   f"Timing diagram of transfer and tools over one turn of the master shaft: {title}", (0, 360, 30),
                   (0, top, 1), lanes=True),
-            column=next(columns), row=5, width=WIDE, height=18,
+            column=left, row=5, width=WIDE, height=18,
         )  # fmt: skip
 
 
 def accelerations(sheet: Sheet, machine: Overlapping, column: int) -> None:
     """Place the accelerations of all tools side by side, in both schedules."""
-    columns = count(column, WIDE)
-    for title, values in (("one after the other", "accb"), ("with overlap", "acca")):
+    for left, title, values in ((column, "one after the other", "accb"), (column + WIDE, "with overlap", "acca")):
         lines = lines_of(machine, values)
         sheet.chart(
             Chart(f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]", lines,
                   f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30)),
-            column=next(columns), row=SECOND, width=WIDE, height=18,
+            column=left, row=SECOND, width=WIDE, height=18,
         )  # fmt: skip
 
 

@@ -41,6 +41,8 @@ class Overlapping:
         self.rate = si(machine.overlap.rate, PER_HOUR)
         rows = count(2, 2)
         self.stations = [Station(self, i, tool, next(rows)) for i, tool in enumerate(machine.overlap.tools)]
+        peaks = [max(station.peaks[schedule] for station in self.stations) for schedule in (0, 2)]
+        self.peaks = peaks[0], peaks[1]  # the largest of any tool in m/s², one after the other and as set
         self.alone = len(self.stations) == 1  # its book has no sheets for each tool then
         self.room = self.sizes.motion_pieces or 0  # rows of the tables of pieces
         self.angles = np.linspace(0.0, TURN, self.sizes.cycle + 1)  # the sampled ones of the master shaft, in degrees
@@ -49,12 +51,6 @@ class Overlapping:
     def each(self, formula: str) -> list[str]:
         """Return a formula for each tool, in its scope: the rows of a table over the tools."""
         return [in_scope(formula, station.scope) for station in self.stations]
-
-    @cached_property
-    def peaks(self) -> tuple[float, float]:
-        """The largest peak acceleration of any tool in m/s², one after the other and as set."""
-        before, _, after = np.max([station.peaks for station in self.stations], axis=0)
-        return float(before), float(after)
 
     @cached_property
     def least(self) -> float:
@@ -88,12 +84,8 @@ class Station:
         self.longest = overlap(self.transfer, self.tool, replace(self.passage, allowance=0.0))
         self.as_set = replace(found, angle_in=way_in, angle_out=way_out)  # as entered, or the longest less a bit
         self.schedules = self.before, self.longest, self.as_set
+        self.peaks = [schedule.peak_acceleration(machine.rate) for schedule in self.schedules]  # m/s²
         self.angles_set = shown(way_in, DEGREE), shown(way_out, DEGREE)
-
-    @cached_property
-    def peaks(self) -> list[float]:
-        """Peak acceleration of the tool in each schedule in m/s²."""
-        return [schedule.peak_acceleration(self.machine.rate) for schedule in self.schedules]
 
     @cached_property
     def clearance(self) -> Clearance:
