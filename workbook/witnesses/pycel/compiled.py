@@ -123,47 +123,18 @@ def last_of_operand(tokens: Sequence[Token], first: int) -> int:
     return len(tokens) - 1
 
 
-class Operators(ast.NodeTransformer):
-    """Excel's operators in the place of Python's, as pycel has them; gathers the names that are called."""
-
-    def __init__(self) -> None:
-        self.names: set[str] = set()
-
-    def visit_Name(self, node: ast.Name) -> ast.Name:
-        """Gather a name."""
-        self.names.add(node.id)
-        return node
-
-    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
-        """Leave a constant."""
-        return node
-
-    def visit_Compare(self, node: ast.Compare) -> ast.Call:
-        """Compare as Excel does."""
-        return self._operated(node.left, node.ops[0], node.comparators[0])
-
-    def visit_BinOp(self, node: ast.BinOp) -> ast.Call:
-        """Join two operands as Excel does; pycel's intersection of references is refused before."""
-        return self._operated(node.left, node.op, node.right)
-
-    def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.Call:
-        """Take a sign as Excel does."""
-        return self._operated(ast.Constant(EMPTY, **SOMEWHERE), node.op, node.operand)
+class Lazy(ast.NodeTransformer):
+    """IF that works out only what is chosen, where neither choice can be a range."""
 
     def visit_Call(self, node: ast.Call) -> ast.expr:
-        """Leave a call; of IF work out only what is chosen, where neither choice can be a range."""
+        """Leave any other call."""
         lazy = called(node) == "if_" and len(node.args) == 3 and all(map(single, node.args))
         self.generic_visit(node)
         if not lazy:
             return node
         test, *choices = node.args
-        late = [ast.Lambda(ast.arguments([], [], None, [], [], None, []), choice, **SOMEWHERE) for choice in choices]
-        return ast.Call(ast.Name("chosen", ast.Load(), **SOMEWHERE), [node.func, test, *late], [], **SOMEWHERE)
-
-    def _operated(self, left: ast.expr, operator: ast.AST, right: ast.expr) -> ast.Call:
-        called = ast.Name("excel_operator_operand_fixup", ast.Load(), **SOMEWHERE)
-        words = [self.visit(left), ast.Constant(type(operator).__name__, **SOMEWHERE), self.visit(right)]
-        return ast.Call(called, words, [], **SOMEWHERE)
+        late = [ast.Lambda(ast.arguments([], [], None, [], [], None, []), choice) for choice in choices]
+        return ast.Call(ast.Name("chosen", ast.Load()), [node.func, test, *late], [])
 
 
 def called(node: ast.AST) -> str:
@@ -182,9 +153,9 @@ def single(node: ast.AST) -> bool:
 def _compiled(shape: str, tokens: Tokenizer) -> Compiled:
     formula = ExcelFormula(shape)
     formula._rpn = parse(formula, tokens)
-    operators = Operators()
-    tree = operators.visit(ast.parse(f"lambdas.append(lambda: {formula.python_code})"))
-    code, names = compile(tree, "<shape>", "exec"), operators.names
+    if "if_(" in formula.python_code:
+        formula._python_code = ast.unparse(Lazy().visit(ast.parse(formula.python_code)))
+    code, names = formula.compiled_python
     made: list[Callable[[], Any]] = []
     _space["lambdas"] = made
     new = set(names) - _space.keys()

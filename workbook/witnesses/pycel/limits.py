@@ -93,27 +93,6 @@ def _power(number: float, power: float) -> Any:
     return result if result == NUM_ERROR or number < 0 else excellib.power(number, power)
 
 
-def _round(number: float, num_digits: float = 0) -> Any:
-    return excellib.round_(number, num_digits) if abs(num_digits) <= MOST_DIGITS else NUM_ERROR
-
-
-def _trunc(number: float, num_digits: float = 0) -> Any:
-    return excellib.trunc(number, num_digits) if abs(num_digits) <= MOST_DIGITS else NUM_ERROR
-
-
-def _fact(value: float) -> Any:
-    return excellib.fact(value) if value <= 170 else NUM_ERROR
-
-
-def _factdouble(value: Any) -> Any:
-    number = excelutil.coerce_to_number(value, convert_all=True)
-    return NUM_ERROR if isinstance(number, int | float) and number > 300 else excellib.factdouble(value)
-
-
-def _pv(rate: float, nper: float, pmt: float, fv: float = 0, type_: float = 0) -> Any:
-    return excellib.pv(rate, nper, pmt, fv, type_) if abs(nper) <= MOST_PERIODS else NUM_ERROR
-
-
 def product(*factors: Any) -> Any:
     """Return PRODUCT, which pycel does not have: of numbers as SUM takes them, 0 of none."""
     numbers = excellib._numerics(*factors)
@@ -127,12 +106,6 @@ def _sumproduct(*arrays: Any) -> Any:
     """Return a number of Python's: pycel's ROUND and others fail on NumPy's; a single cell is a range of one."""
     result = excellib.sumproduct(*(array if is_array_arg(array) else ((array,),) for array in arrays))
     return result if isinstance(result, str) else result.item()
-
-
-def _substitute(text_: str, old_text: str, new_text: str, instance_num: Any = None) -> Any:
-    if len(text_) + text_.count(old_text) * (len(new_text) - len(old_text)) > MOST_TEXT:
-        return VALUE_ERROR
-    return text.substitute(text_, old_text, new_text, instance_num)
 
 
 def _searching(function: Callable[..., Any]) -> Any:
@@ -161,14 +134,30 @@ def _of_one(function: Callable[[float], float]) -> Any:
     return excel_math_func(call)
 
 
+def _within(most: float, number: Any, function: Callable[..., Any], *arguments: Any) -> Any:
+    """Return what a function gives, or #NUM! where a number is larger than the most of its kind."""
+    return function(*arguments) if not isinstance(number, int | float) or abs(number) <= most else NUM_ERROR
+
+
+@wraps(text.substitute)
+def substitute(text_: str, old_text: str, new_text: str, instance_num: Any = None) -> Any:
+    """Return SUBSTITUTE of no longer a text than a cell can hold."""
+    if len(text_) + text_.count(old_text) * (len(new_text) - len(old_text)) > MOST_TEXT:
+        return VALUE_ERROR
+    return text.substitute(text_, old_text, new_text, instance_num)
+
+
 power = excel_math_func(_power)
-round_ = excel_math_func(_round)
-trunc = excel_math_func(_trunc)
-fact = excel_math_func(_fact)
-factdouble = excel_helper(cse_params=-1)(_factdouble)
-pv = excel_math_func(_pv)
+round_ = excel_math_func(lambda x, digits=0: _within(MOST_DIGITS, digits, excellib.round_, x, digits))
+trunc = excel_math_func(lambda x, digits=0: _within(MOST_DIGITS, digits, excellib.trunc, x, digits))
+fact = excel_math_func(lambda x: _within(170, max(x, 0), excellib.fact, x))
+factdouble = excel_helper(cse_params=-1)(
+    lambda x: _within(300, excelutil.coerce_to_number(x, convert_all=True), excellib.factdouble, x)
+)
+pv = excel_math_func(
+    lambda rate, nper, pmt, fv=0, due=0: _within(MOST_PERIODS, nper, excellib.pv, rate, nper, pmt, fv, due)
+)
 sumproduct = _sumproduct
-substitute = wraps(text.substitute)(_substitute)
 match, vlookup, hlookup = _searching(lookups.match), _searching(lookups.vlookup), _searching(lookups.hlookup)
 countif, countifs = _searching(stats.countif), _searching(stats.countifs)
 sumif, sumifs = _searching(excellib.sumif), _searching(excellib.sumifs)
