@@ -13,7 +13,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import TargetError
 from workbook.intake import odd
 from workbook.judging import many
-from workbook.judging.many import digest, state
+from workbook.judging.many import state
 from workbook.judging.report import Report
 from workbook.judging.verify import present
 from workbook.judging.verify import verify as judged
@@ -22,7 +22,7 @@ from workbook.reports import console, page
 from workbook.reports.servers import junit as junit_xml
 from workbook.reports.servers import sarif as as_sarif
 from workbook.reports.terminal import ERR, OUT, say, shown
-from workbook.witnesses.beside import NAME, Beside, beside
+from workbook.witnesses.beside import NAME, Beside, beside, digest
 from workbook.writing.place import refuse_one_for_two
 
 VERDICT = "verdict"

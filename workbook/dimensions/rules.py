@@ -202,13 +202,8 @@ class Dimensions:
     known: int = 0
 
 
-def dimensions(contents: Contents, order: Iterable[Address], units: Mapping[Address, str]) -> Dimensions:
-    """Run ``units`` through formulas, each behind those that it needs; a cell with a unit has its dimension."""
-    return Walk(contents, units).walk(order)
-
-
 class Walk:
-    """The terms of cells met so far."""
+    """The terms of cells met so far: ``units`` are run through formulas; a cell with a unit has its dimension."""
 
     def __init__(self, contents: Contents, units: Mapping[Address, str]) -> None:
         self.contents, self.units = contents, units
@@ -222,7 +217,7 @@ class Walk:
                 self.terms[cell] = Term(found)
 
     def walk(self, order: Iterable[Address]) -> Dimensions:
-        """Return what came of all formulas."""
+        """Return what came of all formulas, each behind those that it needs."""
         found = Dimensions()
         for cell in order:
             made, wrong = self.formula(self.contents.formulas[cell])

@@ -1,10 +1,9 @@
 """Rows and columns put into a table, or taken out of it: one finding each, and none for what follows from it."""
 
 from collections.abc import Iterator
-from itertools import groupby
+from itertools import groupby, product
 
 from openpyxl.utils import get_column_letter
-from pydantic import ValidationError
 
 from workbook.book.address import Address, Fit
 from workbook.book.declare import Block
@@ -26,17 +25,18 @@ def laid_out(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[M
     Where a row is gone from one of several tables of one size, the others tell what that was.
     """
     best, given = Match(file, template.declare(machine)), machine
-    for size in template.sizes:
+    for size, more in product(template.sizes, NEAR):
         if not best.misfits or any(place is None for _, place in best.misfits):
             break
-        for more in NEAR:
-            other = resized(given, size, more)
-            try:
-                match = Match(file, template.declare(other)) if other is not None else best
-            except (ValueError, IndexError):  # too small for what is entered
-                continue
-            if other is not None and amiss(match) < amiss(best):
-                best, machine = match, other
+        sizes = given.sizes.model_dump()
+        try:
+            sized = type(given.sizes)(**sizes | {size: sizes[size] + more})
+            other = given.model_copy(update={"sizes": sized})
+            match = Match(file, template.declare(other))
+        except (ValueError, IndexError):  # beyond a limit, or too small for what is entered
+            continue
+        if amiss(match) < amiss(best):
+            best, machine = match, other
     return best, machine
 
 
@@ -47,16 +47,6 @@ def amiss(match: Match) -> int:
     """
     apart = (block for block, place in match.misfits if place is not None and block.lead is None)
     return sum(1 if match.size_of(block) < block.size else 2 for block in apart)
-
-
-def resized(machine: Machine, size: str, more: int) -> Machine | None:
-    """Return a machine whose tables of a size have so many rows more; None where that is beyond a limit."""
-    sizes = machine.sizes.model_dump()
-    try:
-        made = type(machine.sizes)(**sizes | {size: sizes[size] + more})
-    except ValidationError:
-        return None
-    return machine.model_copy(update={"sizes": made})
 
 
 def layout(match: Match) -> Iterator[Finding]:

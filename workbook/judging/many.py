@@ -1,6 +1,5 @@
 """Verify workbooks, whatever they are: one, or files and folders by a pool of workers. Nothing is written."""
 
-import hashlib
 import os
 import stat
 import tempfile
@@ -22,7 +21,7 @@ from workbook.judging.verify import verify
 from workbook.pool import HERE, Died, Pool
 from workbook.reading.files import SUFFIXES
 from workbook.visible import visible
-from workbook.witnesses.beside import Beside
+from workbook.witnesses.beside import Beside, digest
 
 MOST_READ = 2**24  # bytes of a workbook's list of names
 
@@ -103,12 +102,6 @@ def state(path: Path) -> tuple[int, int] | None:
     except OSError:  # opening it says why
         return None
     return known.st_size, known.st_mtime_ns
-
-
-def digest(path: Path) -> str:
-    """Return the SHA-256 of a file."""
-    with path.open("rb") as data:
-        return hashlib.file_digest(data, "sha256").hexdigest()
 
 
 LARGEST = 200_000_000  # bytes of a file that is sent

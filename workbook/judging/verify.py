@@ -31,28 +31,10 @@ from workbook.witnesses.witness import CellWitness, Witness, without
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | None = None) -> Report:
-    """Verify one workbook.
+    """Verify one workbook by the witnesses of these names, or by ``all`` that are on this machine.
 
-    Parameters
-    ----------
-    path : Path
-        Of the workbook.
-    witnesses : sequence of str
-        Names of those that evaluate its formulas, or ``all`` that are on this machine.
-    beside : Beside or None
-        A second process that evaluates this book meanwhile.
-
-    Returns
-    -------
-    Report
-        Findings, notices, checks and what was compared.
-
-    Raises
-    ------
-    ReadError, InputError
-        Where the book cannot be read, or a witness is unknown.
-    WitnessError
-        For one that is asked by name and is not on this machine.
+    ``beside`` is a second process that evaluates this book meanwhile. Raises ReadError and InputError where the book
+    cannot be read, or a witness is unknown, and WitnessError for one that is asked by name and is not on this machine.
     """
     names, absent = present(witnesses)
     file = open_book(path)
@@ -106,7 +88,8 @@ def judge(
     with without(file, own, given) as bare:
         require_little_work(bare, file.path)
         asked = witnesses_named(witnesses)
-        single = next((w for w in asked if isinstance(w, CellWitness)), None) or by_cell()
+        every = (*asked, *(make() for make in WITNESSES.values()))
+        single = next(w for w in every if isinstance(w, CellWitness))
         model = single.model(bare) if beside is None else beside.model(single, bare)
         comparison = Comparison(match, bare, single, model, report)
         try:
@@ -119,7 +102,7 @@ def judge(
             comparison.ask(witness)
         comparison.require_answers(named)
         if any(map(is_empty_row, report.notices)):
-            unlike(by_cell().values(open_book(file.path)), match, comparison.values, report)
+            unlike(single.values(open_book(file.path)), match, comparison.values, report)
         computed = len(report.findings)
         report.checks = checks(match, comparison.values)
         displayed(match, type(machine), comparison.values, report)
@@ -127,11 +110,6 @@ def judge(
     follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)
-
-
-def by_cell() -> CellWitness:
-    """Return the first witness that evaluates each cell by itself too."""
-    return next(w for w in (make() for make in WITNESSES.values()) if isinstance(w, CellWitness))
 
 
 def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:

@@ -6,7 +6,7 @@ from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.formula import Area
-from workbook.dimensions.rules import Dimensions, dimensions
+from workbook.dimensions.rules import Dimensions, Walk
 from workbook.dimensions.units import POWERS, dimension_of
 from workbook.oracle.cases import is_number, same
 from workbook.oracle.cells import unit_of
@@ -87,7 +87,7 @@ class Looks:
             if cell.sheet in self.sheets and (unit := unit_of(self.file, cell)) and dimension_of(unit) is not None
         }
         declared = {cell: unit for cell, unit in self.units.items() if unit}
-        return dimensions(contents, [cell for cell in order if cell in self.counted], beside | declared)
+        return Walk(contents, beside | declared).walk(cell for cell in order if cell in self.counted)
 
 
 def spelled(unit: str) -> str:

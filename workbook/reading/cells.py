@@ -19,7 +19,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
 from workbook.reading.contents import Cells, entered
-from workbook.reading.guard import Inspected, inspect
+from workbook.reading.guard import Inspected
 from workbook.reading.rows import Rows, Written
 
 MOST_DIGITS = 300  # of a whole number; one of more may be larger than any that a cell can hold
@@ -108,18 +108,9 @@ def saved_values(file: Path | IO[bytes], inspected: Inspected) -> Cells:
 
 def value(held: Written, texts: list[str]) -> Any:
     """Return a saved value; None where there is none, and an empty text where the type alone says so."""
-    kind, text = held.kind, held.value
-    if not text:
-        return "" if kind == "str" else None
-    if kind == "n":
-        return float(text)
-    if kind == "b":
-        return text == "1"
-    if kind == "s":
-        return texts[int(text)] if int(text) < len(texts) else None
-    if kind == "d":
-        return entered(from_ISO8601(text), WINDOWS_EPOCH)  # type: ignore[no-untyped-call]
-    return text
+    if not held.value or (held.kind == "s" and int(held.value) >= len(texts)):
+        return "" if held.kind == "str" else None
+    return float(held.value) if held.kind == "n" else entered(content(held, texts), WINDOWS_EPOCH)
 
 
 def strings(file: Path | IO[bytes], part: str) -> list[str]:
@@ -128,8 +119,3 @@ def strings(file: Path | IO[bytes], part: str) -> list[str]:
         return []
     with zipfile.ZipFile(file) as archive, archive.open(part) as source:
         return list(read_string_table(source))
-
-
-def values_within(file: IO[bytes], size: int) -> Cells:
-    """Return the saved values of another copy of a book; raise Refusal as :func:`inspect` does."""
-    return saved_values(file, inspect(file, size))

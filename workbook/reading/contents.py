@@ -182,14 +182,10 @@ def within(
 
 def names_of(workbook: Workbook) -> dict[tuple[str | None, str], str]:
     """Return the texts of all defined names by sheet (None for the workbook's) and name, case-folded."""
-
-    def texts(scope: str | None, names: Mapping[str, DefinedName]) -> dict[tuple[str | None, str], str]:
-        return {(scope, name.casefold()): str(n.attr_text).removeprefix("=") for name, n in names.items()}
-
-    found = texts(None, workbook.defined_names)
-    for sheet in workbook.worksheets:
-        found |= texts(sheet.title.casefold(), sheet.defined_names)
-    return found
+    scopes: dict[str | None, Mapping[str, DefinedName]] = {None: workbook.defined_names}
+    scopes |= {sheet.title.casefold(): sheet.defined_names for sheet in workbook.worksheets}
+    return {(scope, name.casefold()): str(defined.attr_text).removeprefix("=")
+            for scope, names in scopes.items() for name, defined in names.items()}  # fmt: skip
 
 
 def entered(value: Any, epoch: datetime = WINDOWS_EPOCH) -> Any:

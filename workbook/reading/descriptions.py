@@ -36,23 +36,7 @@ def template_named(name: object, where: str) -> AnyTemplate:
 
 
 def read_machine(path: Path) -> Machine:
-    """Read a machine description.
-
-    Parameters
-    ----------
-    path : Path
-        Of the TOML file.
-
-    Returns
-    -------
-    Machine
-        Of the template that it names.
-
-    Raises
-    ------
-    ReadError, InputError
-        With a line for each fault.
-    """
+    """Read the description in a TOML file; raise ReadError or InputError, with a line for each fault."""
     data = parsed(read_text(path, "a machine description, a .toml file"), path)
     template = template_named(data.get("template"), f"{path}: template")
     return checked(template, data, lambda key: f"{path}: {counted(key)}")

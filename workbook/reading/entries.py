@@ -233,10 +233,10 @@ class Entries:
 
     def _where(self, key: str) -> str:
         """Return the cell of ``key``, or of the first entry below or above it."""
-        best = self.cells.get(key) or next((c for k, c in self.cells.items() if k.startswith(f"{key}.")), None)
-        while best is None and "." in key:
-            key = key.rpartition(".")[0]
-            best = self.cells.get(key) or next((c for k, c in self.cells.items() if k.startswith(f"{key}.")), None)
+        below = (cell for known, cell in self.cells.items() if known.startswith(f"{key}."))
+        best = self.cells.get(key) or next(below, None)
+        if best is None and "." in key:
+            return self._where(key.rpartition(".")[0])
         return f"{self.file.path.name}: {best or key}"
 
 

@@ -1,7 +1,6 @@
 """The value of a formula that an engineer entered where a number or a text is expected: it must be beyond doubt."""
 
 import math
-from collections import Counter
 from collections.abc import Callable, Collection, Iterable, Iterator
 from typing import Any
 
@@ -51,8 +50,8 @@ class Evaluation:
         self._file, self._names = file, list(names)
         self._said: dict[str, Cells] = {}
         self._failed: dict[str, str] = {}  # why a witness cannot open a file
-        self._files = list(files_of(file.contents, asked))
-        self._opened = Counter[str]()  # so many of these files was a witness given
+        self._asked = asked
+        self._left: dict[str, Iterator[Collection[Address]]] = {}  # the files that a witness was not given yet
 
     def value(self, address: Address) -> Any:
         """Return the value of a cell; raise DisputedError as :func:`agreed` says."""
@@ -113,9 +112,7 @@ class Evaluation:
 
     def _values(self, name: str, witness: Witness, address: Address) -> Cells:
         """Return what a witness computes in the first file that it can open; else in one of what a cell depends on."""
-        while self._opened[name] < len(self._files):
-            cells = self._files[self._opened[name]]
-            self._opened[name] += 1
+        for cells in self._left.setdefault(name, files_of(self._file.contents, self._asked)):
             try:
                 return self._computed(witness, cells)
             except WitnessError as error:

@@ -103,10 +103,10 @@ def answer(asked: Future[Any] | None) -> Any:
     return None
 
 
-def digest(path: Path) -> bytes:
+def digest(path: Path) -> str:
     """Return the SHA-256 of a file."""
     with path.open("rb") as data:
-        return hashlib.file_digest(data, "sha256").digest()
+        return hashlib.file_digest(data, "sha256").hexdigest()
 
 
 @contextmanager
@@ -144,7 +144,7 @@ def begin() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def read(path: Path) -> bytes:
+def read(path: Path) -> str:
     """Read a book; return what tells its state."""
     from workbook.reading.files import open_book, require_little_work
 

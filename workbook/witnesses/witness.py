@@ -19,10 +19,11 @@ from openpyxl.workbook.defined_name import DefinedName, DefinedNameDict
 
 from workbook.book.address import Address, Strip
 from workbook.errors import WitnessError
-from workbook.reading.cells import values_within
+from workbook.reading.cells import saved_values
 from workbook.reading.contents import Cells
 from workbook.reading.count import Refusal
 from workbook.reading.files import BookFile, find_places
+from workbook.reading.guard import inspect
 
 CYCLE = "#CYCLE!"
 """what a witness has for a cell that computes from itself, or from cells that do: no program shows it"""
@@ -87,7 +88,7 @@ class CellWitness(Witness):
 def cached_values(data: bytes, file: BookFile) -> Cells:
     """Return what another copy of the file holds as results of the formula cells of ``file``."""
     try:
-        held = values_within(io.BytesIO(data), len(data))
+        held = saved_values(io.BytesIO(data), inspect(io.BytesIO(data), len(data)))
     except Refusal as refusal:
         raise WitnessError(f"what it wrote cannot be read: {refusal}") from None
     return {a: held.get(a) for a in file.contents.formula_cells}

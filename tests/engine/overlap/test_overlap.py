@@ -98,9 +98,7 @@ def test_the_transfer_stays_where_it_has_come_to_until_the_next_cycle():
 def test_peaks_are_those_of_the_motion():
     schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
     assert schedule.peak_acceleration(0.5) == pytest.approx(schedule.motion.peaks.y2 * pi**2, rel=1e-12)
-    assert np.abs(schedule.rates(TURN, 0.5)[1]).max() == pytest.approx(
-        schedule.peak_acceleration(0.5), rel=1e-3
-    )
+    assert np.abs(schedule.rates(TURN, 0.5)[1]).max() == pytest.approx(schedule.peak_acceleration(0.5), rel=1e-3)
 
 
 @settings(max_examples=20)

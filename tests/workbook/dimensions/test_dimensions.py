@@ -8,7 +8,7 @@ import pytest
 from tests.tiers import by_day
 from tests.workbook.cells import in_memory
 from workbook.book.address import Address
-from workbook.dimensions.rules import dimensions
+from workbook.dimensions.rules import Walk
 from workbook.dimensions.units import NONE, dimension_of
 from workbook.reading.contents import Contents
 from workbook.reading.descriptions import read_machine
@@ -50,7 +50,7 @@ def found(formula, **units):
     sheet["E1"] = "=D1"
     cells = {Address("Sheet", 1, "abcx".index(name) + 1): unit for name, unit in units.items()}
     contents = Contents(book)
-    came = dimensions(contents, PycelModel(contents).order, cells)
+    came = Walk(contents, cells).walk(PycelModel(contents).order)
     return came.wrong.get(Address("Sheet", 1, 4), ""), came.known
 
 
@@ -116,7 +116,7 @@ class Labelled:
 
     def came(self, units=None):
         """What came of the units, some of them others."""
-        return dimensions(self.contents, self.order, self.units | (units or {}))
+        return Walk(self.contents, self.units | (units or {})).walk(self.order)
 
 
 @pytest.mark.parametrize("name", by_day(TEMPLATES, "motion-laws"))

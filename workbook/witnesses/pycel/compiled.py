@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 
 from pycel import excelformula
 from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
-from pycel.excelutil import EMPTY
 from pycel.lib.function_helpers import load_functions
 from pycel.lib.function_info import all_excel_functions
 
