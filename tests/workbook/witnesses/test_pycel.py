@@ -610,8 +610,8 @@ def test_the_straight_ways_of_functions_lead_where_pycels_own_lead(value: Any, m
     cells |= {f"Z{row}": formula.format("C1") for row, formula in enumerate(STRAIGHT, 1)}
     kept = {"__builtins__", "_C_", "_R_", "_REF_", "pi", "chosen"}
     shortened = PycelModel(book(cells)).evaluate()
-    monkeypatch.setattr(shortcuts, "SHORTENED", {})
-    monkeypatch.setattr(shortcuts, "KNOWING", {})
+    monkeypatch.setattr(shortcuts, "WAYS", {})
+    monkeypatch.setattr(shortcuts, "COUNTED", {})
     monkeypatch.setattr(compiled, "_space", {k: v for k, v in compiled._space.items() if k in kept})
     monkeypatch.setitem(compiled._space, "excel_operator_operand_fixup", build_operators(lambda *_: None))
     compiled.compiled.cache_clear()

@@ -9,6 +9,7 @@ would not give what pycel gives of each element, takes pycel's own way.
 import functools
 import math
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from itertools import repeat
 from typing import Any
 
@@ -122,42 +123,46 @@ def operated(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
     return made if made is not None and np.isfinite(made).all() else None
 
 
-def index(checked: Function) -> Function:
-    """Return INDEX, straight for ranges and whole numbers, straightest for a row of a column."""
-
-    def call(array: Any, row: Any, column: Any = None) -> Any:
-        if type(row) is float and row.is_integer():
-            row = int(row)
-        if isinstance(array, tuple) and type(row) is int:
-            if column is None and 0 < row <= len(array) and len(array[0]) == 1:
-                return array[row - 1][0]
-            if column is None or type(column) is int:
-                return lookup.index(array, row, column)
-        return checked(array, row, column)
-
-    return call
+def index(array: Any, row: Any, column: Any = None) -> Any:
+    """Return INDEX of ranges and whole numbers, straightest for a row of a column."""
+    if type(row) is float and row.is_integer():
+        row = int(row)
+    if isinstance(array, tuple) and type(row) is int:
+        if column is None and 0 < row <= len(array) and len(array[0]) == 1:
+            return array[row - 1][0]
+        if column is None or type(column) is int:
+            return lookup.index(array, row, column)
+    return None
 
 
-def of_one(body: Callable[[float], float], over: Callable[[Any], Any]) -> Callable[[Function], Function]:
-    """Return a function of one number, straight for a number in its domain, and for an array of these."""
+def of_one(body: Callable[[float], float], over: Callable[[Any], Any], *arguments: Any) -> Any:
+    """Return a function of one number in its domain, or of an array of these."""
+    value: Any = arguments[0] if len(arguments) == 1 else None
+    if type(value) in NUMBERS:
+        with suppress(ValueError, OverflowError):
+            return body(value)
+    elif type(value) is Array and value.cells.dtype != bool:
+        made = over(value.cells)
+        return Array(made) if np.isfinite(made).all() else None
+    return None
 
-    def shortened(checked: Function) -> Function:
-        def call(*arguments: Any) -> Any:
-            value: Any = arguments[0] if len(arguments) == 1 else None
-            if type(value) in NUMBERS:
-                try:
-                    return body(value)
-                except (ValueError, OverflowError):
-                    pass
-            elif type(value) is Array and value.cells.dtype != bool:
-                made = over(value.cells)
-                if np.isfinite(made).all():
-                    return Array(made)
-            return checked(*arguments)
 
-        return call
+def of_many(body: Callable[[Sequence[float]], float], *arguments: Any) -> Any:
+    """Return a function of any numbers, and of one range that holds nothing else."""
+    one_range = len(arguments) == 1 and type(arguments[0]) in RANGES
+    rows: Iterable[Any] = plain(arguments[0]) if one_range else (arguments,)
+    values = [value for row in rows for value in row]
+    return body(values) if values and NUMBERS.issuperset(map(type, values)) else None
 
-    return shortened
+
+def product_sum(*arrays: Any) -> Any:
+    """Return SUMPRODUCT of ranges of numbers of one size."""
+    if arrays and RANGES.issuperset(map(type, arrays)):
+        found: list[Any] = list(map(array_of, arrays))
+        numbers = all(cells is not None and cells.dtype != bool for cells in found)
+        if numbers and len({cells.shape for cells in found}) == 1:
+            return functools.reduce(np.multiply, found).sum().item()
+    return None
 
 
 def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_value: Callable[[], Any]) -> Any:
@@ -167,78 +172,38 @@ def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_v
     return function(test, true_value(), false_value())
 
 
-def counting(count: Callable[..., None]) -> Callable[[Function], Function]:
-    """Return a function that counts what it passes through before it begins."""
-
-    def shortened(checked: Function) -> Function:
-        def call(*arguments: Any) -> Any:
-            count(*arguments)
-            return checked(*arguments)
-
-        return call
-
-    return shortened
-
-
-def of_many(body: Callable[[Sequence[float]], float]) -> Callable[[Function], Function]:
-    """Return a function of any numbers, straight for numbers and for one range that holds nothing else."""
-
-    def shortened(checked: Function) -> Function:
-        def call(*arguments: Any) -> Any:
-            one_range = len(arguments) == 1 and type(arguments[0]) in RANGES
-            rows: Iterable[Any] = plain(arguments[0]) if one_range else (arguments,)
-            values = [value for row in rows for value in row]
-            return body(values) if values and NUMBERS.issuperset(map(type, values)) else checked(*arguments)
-
-        return call
-
-    return shortened
-
-
-def product_sum(checked: Function) -> Function:
-    """Return SUMPRODUCT, straight for ranges of numbers of one size."""
-
-    def call(*arrays: Any) -> Any:
-        if arrays and RANGES.issuperset(map(type, arrays)):
-            found: list[Any] = list(map(array_of, arrays))
-            numbers = all(cells is not None and cells.dtype != bool for cells in found)
-            if numbers and len({cells.shape for cells in found}) == 1:
-                return functools.reduce(np.multiply, found).sum().item()
-        return checked(*arrays)
-
-    return call
-
-
-KNOWING: dict[str, Callable[[Function], Function]] = {
-    "sin": of_one(math.sin, np.sin),
-    "cos": of_one(math.cos, np.cos),
-    "sqrt": of_one(math.sqrt, np.sqrt),
-    "exp": of_one(math.exp, np.exp),
-    "ln": of_one(math.log, np.log),
-    "abs_": of_one(abs, np.abs),
-    "min_": of_many(min),
-    "max_": of_many(max),
-    "sum_": of_many(sum),
+WAYS: dict[str, Function] = {
+    "sin": functools.partial(of_one, math.sin, np.sin),
+    "cos": functools.partial(of_one, math.cos, np.cos),
+    "sqrt": functools.partial(of_one, math.sqrt, np.sqrt),
+    "exp": functools.partial(of_one, math.exp, np.exp),
+    "ln": functools.partial(of_one, math.log, np.log),
+    "abs_": functools.partial(of_one, abs, np.abs),
+    "min_": functools.partial(of_many, min),
+    "max_": functools.partial(of_many, max),
+    "sum_": functools.partial(of_many, sum),
     "sumproduct": product_sum,
-}
-"""the straight ways of pycel's functions, by their names there, that take arrays"""
-SHORTENED: dict[str, Callable[[Function], Function]] = {
     "index": index,
-    "if_": counting(cross),
-    **dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), counting(count_searches)),
 }
-"""and those that take ranges"""
+"""the straight ways of pycel's functions, by their names there; each gives None for what it does not take"""
+COUNTED: dict[str, Function] = {
+    "if_": cross, **dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), count_searches),
+}  # fmt: skip
+"""what counts the cells that functions pass through, before they begin"""
 
 
 def shortened(name: str, function: Function) -> Function:
-    """Return a function of pycel as formulas call it: with its straight way, if it has one, and for arrays."""
+    """Return a function of pycel as formulas call it: by its straight way, if it has one, counted, and for arrays."""
+    way, count = WAYS.get(name), COUNTED.get(name)
 
-    def plainly(function: Function) -> Function:
-        def call(*arguments: Any) -> Any:
-            return function(*map(plain, arguments)) if Array in map(type, arguments) else function(*arguments)
+    def call(*arguments: Any) -> Any:
+        found = way(*arguments) if way is not None else None
+        if found is not None:
+            return found
+        if Array in map(type, arguments):
+            arguments = tuple(map(plain, arguments))
+        if count is not None:
+            count(*arguments)
+        return function(*arguments)
 
-        return call
-
-    if name in KNOWING:
-        return KNOWING[name](plainly(function))
-    return plainly(SHORTENED[name](function) if name in SHORTENED else function)
+    return call
