@@ -10,8 +10,8 @@ from openpyxl.styles import PatternFill
 from workbook.build import write_text
 from workbook.errors import AGREES, DISAGREES
 from workbook.judging.verify import present
+from workbook.oracle.cells import draft
 from workbook.oracle.declared import load
-from workbook.oracle.draft import draft
 from workbook.oracle.judge import FIRST, Judge, Judged, describe
 from workbook.reading.files import BookFile, open_book
 from workbook.reports.page import figure

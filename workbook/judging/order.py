@@ -1,25 +1,31 @@
-"""Entries put in order before a book is judged: blanks around names, names that look-ups misread, rows left empty.
+"""Cells and entries put in order before a book is judged; the file stays as it is, and each change is told.
 
-The file stays as it is: what is judged is a copy, and each change of it is told with what to do.
+Cells of a table that were cut and pasted elsewhere are put back: a program lets formulas follow what is cut, so that
+they say where it is now; formulas that were cut are known by their shape; names follow only where all of their cells
+were cut. Of entries, blanks around names go, names that look-ups misread are exchanged, and rows left empty are filled.
 """
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
+from openpyxl.utils import get_column_letter, quote_sheetname
 from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Block, Book
+from workbook.book.formula import REFERENCE, TOKEN, corner, read, unquoted
 from workbook.entries import rules
 from workbook.entries.texts import LOOKED_UP, NO_NAME, PATTERN
 from workbook.judging.comparing import Right, differs
-from workbook.judging.matching import Match
-from workbook.judging.moved import put_back
+from workbook.judging.layout import titled
+from workbook.judging.matching import Match, Pair
 from workbook.judging.report import LAYOUT, NOTICE, Finding, Report
 from workbook.reading.contents import Cells
-from workbook.reading.files import BookFile, is_formula
+from workbook.reading.files import BookFile, find_places, is_formula
+from workbook.reading.rows import tag
 
 EMPTY = ", but below it"
 """how the line on a row that was left empty ends"""
@@ -127,3 +133,142 @@ def unlike(before: Cells, match: Match, ordered: Cells, report: Report) -> None:
 def is_empty_row(found: Finding) -> bool:
     """Whether a finding tells of a row that was left empty before others."""
     return str(found.computed).endswith(EMPTY)
+
+
+# Cells that were cut from a table
+
+
+class Way(NamedTuple):
+    """How far cells were moved, and to which sheet."""
+
+    sheet: str
+    down: int
+    right: int
+
+    def end(self, home: Address) -> Address:
+        """Return where a cell is now."""
+        return Address(self.sheet, home.row + self.down, home.column + self.right)
+
+
+def put_back(file: BookFile, layout: Book) -> list[Finding]:
+    """Put cells that were cut from a table of ``layout`` back into it; return a finding for each run of them.
+
+    Tables of which the layout has fewer rows than the file are left as they are.
+    """
+    match = Match(file, layout)
+    small = {name for name, b in layout.blocks.items() if name in file.places and match.size_of(b) > b.size}
+    empty = {p.address: p for p in match.pairs if p.held is None and p.cell.block.name not in small}
+    gone: dict[tuple[str, Way], set[Address]] = {}
+    for home, way in [*referred(match, empty), *reshaped(match, empty)]:
+        gone.setdefault((empty[home].cell.block.name, way), set()).add(home)
+    back: dict[Address, Address] = {}
+    findings = []
+    for (name, way), homes in gone.items():
+        homes |= {a for a, p in empty.items() if p.cell.block.name == name and filled(match, way.end(a))}
+        if any(filled(match, way.end(home)) for home in homes):
+            back |= {way.end(home): home for home in homes}
+            findings.append(told([empty[home] for home in homes], way))
+    if back:
+        move(file, back)
+    return findings
+
+
+def referred(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
+    """Yield empty cells of a table of which formulas say that they are elsewhere, with how far."""
+    for pair in match.pairs if empty and match.strays() else ():
+        if not pair.declared_formula or pair.held == pair.cell.content or not match.leads_out(pair.address):
+            continue
+        for (name, i, j), there in match.apart(pair):
+            place = match.file.places.get(name)
+            home = place.cell(i, j) if place is not None and i >= 0 else None
+            if home is not None and home in empty and isinstance(there, Address):
+                yield home, Way(there.sheet, there.row - home.row, there.column - home.column)
+
+
+def reshaped(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
+    """Yield the formulas missing in a table of which most are found elsewhere by their shape, one way from there."""
+    missing = {home: pair for home, pair in empty.items() if pair.declared_formula}
+    shapes: dict[str, list[Address]] = {}
+    for address, formula in match.file.contents.formulas.items() if missing else ():
+        if address not in match.declared_at:
+            shapes.setdefault(formula.shape, []).append(address)
+    counted: dict[str, dict[Way, list[Address]]] = {}
+    for home, pair in missing.items() if shapes else ():
+        declared = read(pair.cell.content, pair.cell.block.sheet.title, match.declared_area)
+        for there in shapes.get(declared.shape, ()):
+            way = Way(there.sheet, there.row - home.row, there.column - home.column)
+            counted.setdefault(pair.cell.block.name, {}).setdefault(way, []).append(home)
+    for name, ways in counted.items():
+        way, homes = max(ways.items(), key=lambda one: len(one[1]))
+        if 2 * len(homes) > sum(p.cell.block.name == name for p in missing.values()):
+            yield from ((home, way) for home in homes)
+
+
+def filled(match: Match, address: Address) -> bool:
+    """Whether a cell holds anything, and is none of the declared ones."""
+    there = address.sheet in match.file.workbook.sheetnames and address not in match.declared_at
+    return there and address.row > 0 and address.column > 0 and match.file.value(address) is not None
+
+
+def told(pairs: list[Pair], way: Way) -> Finding:
+    """Return the finding on cells of a table that were moved one way."""
+    rows, columns = [p.address.row for p in pairs], [p.address.column for p in pairs]
+    first = Address(pairs[0].address.sheet, min(rows), min(columns))
+    last = Address(first.sheet, max(rows), max(columns))
+    there = f"{way.end(first)}:{way.end(last).a1}"
+    expected = "all cells of the table in their places: cut and paste them back"
+    what = titled([pairs[0].cell.block])
+    return Finding(first.sheet, f"{first.a1}:{last.a1}", LAYOUT, f"cut, and pasted to {there}", expected, what)
+
+
+def move(file: BookFile, back: Mapping[Address, Address]) -> None:
+    """Move cells of a file, and let all formulas and names follow."""
+    pages = {page.title: page._cells for page in file.workbook.worksheets}
+    for now, home in back.items():
+        cell = pages[now.sheet].pop((now.row, now.column), None)
+        if cell is None:
+            continue
+        cell.parent, cell.row, cell.column = file.workbook[home.sheet], home.row, home.column
+        pages[home.sheet][home.row, home.column] = cell
+        if now in file.saved:
+            file.saved[home] = file.saved.pop(now)
+    for title, cells in pages.items():
+        for cell in cells.values():
+            if cell.data_type == "f" and isinstance(cell.value, str):
+                cell.value = f"={followed(cell.value[1:], title, back)}"
+    for title, drawings in file.inspected.drawings.items() if file.inspected else ():
+        charts = (one.chart for one in drawings if one.chart is not None)
+        for source in (one for chart in charts for one in chart.iter() if tag(one) == "f" and one.text):
+            source.text = followed(source.text or "", title, back)
+    moved = set()
+    for name, one in file.workbook.defined_names.items():
+        text = followed(one.attr_text or "", "", back)
+        if text != one.attr_text:
+            one.attr_text = text
+            moved.add(name)
+    file.places |= {name: place for name, place in find_places(file.workbook).items() if name in moved}
+    file.mended = True
+    file.__dict__.pop("contents", None)
+
+
+def followed(text: str, sheet: str, back: Mapping[Address, Address]) -> str:
+    """Return a formula of a sheet with its references to cells of ``back`` led to where these go."""
+    return TOKEN.sub(lambda one: led(one[0], sheet, back) if one.lastgroup == "reference" else one[0], text)
+
+
+def led(word: str, sheet: str, back: Mapping[Address, Address]) -> str:
+    """Return a reference led to where its cells go; as it is where not both of its corners are among them."""
+    parts = REFERENCE.fullmatch(word)
+    if parts is None:
+        return word
+    before, first, _, second = parts.groups()
+    title = unquoted(before[:-1]) if before else sheet
+    corners = [Address(title, *corner(end)) for end in (first, second) if end]
+    ends = [back[one] for one in corners if one in back]
+    if len(ends) < len(corners):
+        return word
+    there = ends[0].sheet
+    prefix = "" if there == sheet and not before else before if there == title else f"{quote_sheetname(there)}!"
+    pairs = [(*re.fullmatch(r"(\$?)[A-Za-z]+(\$?)[0-9]+", old).groups(), new)  # type: ignore[union-attr]
+             for old, new in zip((first, second), ends, strict=False)]  # fmt: skip
+    return prefix + ":".join(f"{one}{get_column_letter(at.column)}{two}{at.row}" for one, two, at in pairs)

@@ -15,8 +15,7 @@ from workbook.judging.compare import is_error
 from workbook.judging.comparing import Comparison, count
 from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match, Pair
-from workbook.judging.moved import put_back
-from workbook.judging.order import in_order, is_empty_row, unlike
+from workbook.judging.order import in_order, is_empty_row, put_back, unlike
 from workbook.judging.report import FAIL, NOTICE, ORDER, Check, Ran, Report
 from workbook.judging.shown.book import displayed
 from workbook.judging.structure import audit, stale_functions, structure

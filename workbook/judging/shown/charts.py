@@ -10,11 +10,11 @@ from workbook.book.declare import Sheet
 from workbook.book.formula import Area
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, SHOWN, Report
-from workbook.judging.shown import taste, units
+from workbook.judging.shown import taste
 from workbook.judging.shown.drawn import Axis, Drawn, Line, Name, Reader, drawn, word
 from workbook.judging.shown.formats import judged
 from workbook.judging.shown.views import Page
-from workbook.judging.shown.words import reworded, sheet_of
+from workbook.judging.shown.words import compared, reworded, sheet_of
 from workbook.writing.charts import draw
 from workbook.writing.style import NOTHING
 from workbook.writing.write import size
@@ -144,7 +144,7 @@ def of_title(match: Match, held: Name, ours: Name, other: Name, what: str) -> It
     if not same_name(match, ours, held):
         text = text_of(match, ours)
         units_named = [UNIT.search(one) for one in (word(held), text)]
-        differ = all(units_named) and units.compared(*(one[1] for one in units_named if one)) == "other"
+        differ = all(units_named) and compared(*(one[1] for one in units_named if one)) == "other"
         misleads = isinstance(held, str) and (held == text_of(match, other) or differ)
         yield SHOWN if misleads else NOTICE, word(held), text, f", the title of {what}"
 

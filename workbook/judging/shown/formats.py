@@ -11,8 +11,9 @@ from typing import NamedTuple
 from openpyxl.styles.colors import COLOR_INDEX
 
 from workbook.judging.report import NOTICE, SHOWN
-from workbook.judging.shown import taste, units
+from workbook.judging.shown import taste
 from workbook.judging.shown.colours import WHITE, contrast, parsed
+from workbook.judging.shown.words import compared
 
 TOKEN = re.compile(
     r"""
@@ -106,7 +107,7 @@ def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str
     sign = signed if n != 1 else not signed and found["number"] != "@"
     rest, behind = before[signed:].strip(), behind.removesuffix(")" if before[:1] == "(" else "").strip()
     named = rest in taste.NEARLY or rest.rstrip("= ") == symbol
-    other = behind and not (unit and units.compared(behind, unit) == "same")
+    other = behind and not (unit and compared(behind, unit) == "same")
     if sign or not named or (found["percent"] and unit) or other:
         return SHOWN
     return "" if set("0@") & set(found["number"]) else SHOWN if zeros else NOTICE

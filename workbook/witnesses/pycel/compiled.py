@@ -7,10 +7,8 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from types import FunctionType
 from typing import Any, NamedTuple
 
-from pycel import excelformula
 from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
 from pycel.lib.function_helpers import load_functions
 from pycel.lib.function_info import all_excel_functions
@@ -25,13 +23,6 @@ ADDRESS_ASKED = re.compile(r'_REF_\("(.*?)"\)')
 
 REDUCING = frozenset({"sumproduct", "sum_", "min_", "max_", "count", "countif"})
 """functions that make one value of ranges, as pycel names them"""
-
-SOMEWHERE: dict[str, Any] = {"lineno": 1, "col_offset": 0}  # in a text of one line
-
-# pycel's own parser, for tokens that have been looked through: it would part each formula into them a second time
-parse = FunctionType(
-    ExcelFormula._parse_to_rpn.__code__, vars(excelformula) | {"Tokenizer": lambda tokens: tokens}
-)  # fmt: skip
 
 arguments: dict[str, Any] = {}  # what the dummies of the shape under evaluation stand for
 _space: dict[str, Any] = {
@@ -57,10 +48,9 @@ class Compiled(NamedTuple):
 def compiled(shape: str) -> Compiled | FormulaError:
     """Return a shape as pycel compiles it, or why it cannot; either is found out once."""
     try:
-        tokens = Tokenizer(shape)
-        check(tokens.items)
-        text = signed(shape, tokens.items)
-        return _compiled(text, tokens if text == shape else Tokenizer(text))
+        tokens = Tokenizer(shape).items
+        check(tokens)
+        return _compiled(signed(shape, tokens))
     except FormulaError as error:
         return error
     except RecursionError:
@@ -149,9 +139,8 @@ def single(node: ast.AST) -> bool:
     return name in REDUCING or all(map(single, ast.iter_child_nodes(node)))
 
 
-def _compiled(shape: str, tokens: Tokenizer) -> Compiled:
+def _compiled(shape: str) -> Compiled:
     formula = ExcelFormula(shape)
-    formula._rpn = parse(formula, tokens)
     if "if_(" in formula.python_code:
         formula._python_code = ast.unparse(Lazy().visit(ast.parse(formula.python_code)))
     code, names = formula.compiled_python
