@@ -22,7 +22,7 @@ from workbook.judging.shown.looks import Seen, Told
 from workbook.judging.shown.words import sheet_of
 from workbook.reading.contents import Cells
 from workbook.reading.drawings import PIXEL, Anchor
-from workbook.reading.rows import tag
+from workbook.reading.rows import LAST_ROW, tag
 
 POINT = 12700  # EMU
 WIDTH, HEIGHT = 8.43, 15.0  # of a column, in characters of 7 pixels, and of a row, in points, where none is given
@@ -85,8 +85,9 @@ class Page:
         self._first = (1, 1)
         """the first row and column that can be scrolled to: nothing leads before those that are frozen"""
         if pane is not None and str(pane.state).startswith("frozen") and view.topLeftCell:
-            row, number = corner(str(view.topLeftCell))
-            self._first = row if pane.ySplit else 1, number if pane.xSplit else 1
+            found = CELL.fullmatch(str(view.topLeftCell))
+            row, letters = (int(found[2]), found[1]) if found else (LAST_ROW, "XFD")
+            self._first = row if pane.ySplit else 1, column_index_from_string(letters) if pane.xSplit else 1
         self.areas = []
         for one in anchors:
             (left, top), *last = ((self._columns.begin(at.column + 1) + at.right, self.rows.begin(at.row + 1) + at.down)
@@ -116,12 +117,6 @@ def pixels(width: float) -> float:
 def or_else(given: float | None, usual: float) -> float:
     """Return a size, the usual one where none is given."""
     return usual if given is None else given
-
-
-def corner(text: str) -> tuple[int, int]:
-    """Return row and column of a cell; beyond all where it is none."""
-    found = CELL.fullmatch(text)
-    return (int(found[2]), column_index_from_string(found[1])) if found else (10**7, 10**5)
 
 
 def pages(match: Match) -> dict[str, Page]:
@@ -166,14 +161,13 @@ def in_view(
 
 def printed(match: Match, title: str, sheet: Sheet, told: Told) -> None:
     """Enter that a verdict is printed no more."""
-    area = match.file.workbook[title].print_area
-    ranges = [part.rpartition("!")[2].replace("$", "").split(":") for part in str(area or "").split(",")]
-    within = [(*corner(ends[0]), *corner(ends[1])) for ends in ranges if len(ends) == 2]
+    area: Any = match.file.workbook[title]._print_area  # type: ignore[attr-defined]
+    within = [cells.bounds for cells in area.ranges] if area else []
     for block in sheet.blocks if area and not sheet.unprinted else ():
         place = match.file.places.get(block.name)
         due = block.quantities[0].role == "check" and block.row <= (sheet.print_rows or sheet.row)
         if due and place is not None and place.sheet == title and not any(
-            top <= place.row <= bottom and left <= place.column <= right for top, left, bottom, right in within
+            left <= place.column <= right and top <= place.row <= bottom for left, top, right, bottom in within
         ):  # fmt: skip
             told.add(place.cell(0, 0), [(NOTICE, "not printed")], "within the print area", block.name)
 
