@@ -7,6 +7,7 @@ from operator import attrgetter
 from typing import Any, Literal, NamedTuple
 
 from workbook.book.chart import in_scope
+from workbook.book.rows import filled
 from workbook.book.sentence import Said, Sentence, quoted
 
 HOLDS, FAILS = "", "not met"
@@ -84,6 +85,16 @@ def entries_of(model: Any, place: str) -> Callable[..., Quantity]:
         return given(name, label, symbol, unit, value, f"{place}.{key}", **own)
 
     return entry
+
+
+def columns_of(models: Sequence[Any], place: str, rows: int) -> Callable[..., Quantity]:
+    """Return what makes the column of an entry of models, which are at a place; empty in the rows below them."""
+
+    def column(name: str, label: str, symbol: str, unit: str, key: str, source: str = "", **more: Any) -> Quantity:
+        values = filled([getattr(one, key) for one in models], rows, None)
+        return given(name, label, symbol, unit, values, f"{place}.*.{key}", source=source, **more)
+
+    return column
 
 
 def calc(

@@ -59,6 +59,7 @@ class Sheet:
     messages: list[tuple[Block, tuple[Quantity, ...]]] = field(default_factory=list)
     """of tables of inputs: what is expected of each entry"""
     section: int = 0  # row of the heading above
+    sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, scales as :attr:`Book.sizes`, of this sheet
     called: str = ""  # what its checks begin with, if not with its title; on the sheet itself they go without
 
     @property
@@ -246,7 +247,7 @@ class Sheet:
         self.row += height + 1
 
     def _own(self, quantities: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
-        sizes = self.book.sizes
+        sizes = {**self.book.sizes, **self.sizes}
         sized = (q if q.scale else q._replace(scale=sizes.get(q.unit, 0.0)) for q in quantities)
         return tuple(q.within(self.scope) if self.scope else q for q in sized)
 

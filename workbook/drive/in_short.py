@@ -57,12 +57,10 @@ def axes_in_short(sheet: Sheet, axes: Sequence[InShort], travel: str, rates: Seq
     sheet.table(
         "axes_short", "Axes", len(axes),
         calc("axis", "axis", "", "", each("=[axes.name.{0}]"), [axis.name for axis in axes], align="left"),
-        result("travel", "travel", "h", travel, each("=[axes.high.{0}]-[axes.low.{0}]"),
-               [axis.travel for axis in axes], source="highest less lowest position"),
-        result("v", "greatest velocity", *rates[0], each("=[axes.v.{0}]"),
-               [axis.fastest for axis in axes]),
-        result("a", "greatest acceleration", *rates[1], each("=[axes.a.{0}]"),
-               [axis.hardest for axis in axes]),
+        result("travel", "travel", "h", travel, each("=[axes.high.{0}]-[axes.low.{0}]"), [axis.travel for axis in axes],
+               "highest less lowest position"),
+        result("v", "greatest velocity", *rates[0], each("=[axes.v.{0}]"), [axis.fastest for axis in axes]),
+        result("a", "greatest acceleration", *rates[1], each("=[axes.a.{0}]"), [axis.hardest for axis in axes]),
         *driven,
         *(highest_rates(axes) if any(axis.highest for axis in axes) else []),
     )  # fmt: skip
@@ -103,7 +101,7 @@ def highest_rates(axes: Sequence[InShort]) -> list[Quantity]:
     return [
         result("sized", "sized at", "N", "cycles/min", own, [MACHINES if at is None else at for *_, at in values],
                align="right"),
-        result("highest", "highest rate", "N", "cycles/min", cells[0], [rate for rate, *_ in values], format="0.0",
-               align="right", source="within all limits; approximate"),
+        result("highest", "highest rate", "N", "cycles/min", cells[0], [rate for rate, *_ in values],
+               "within all limits; approximate", format="0.0", align="right"),
         result("binds", "limiting factor", "", "", cells[1], [limit for _, limit, _ in values], align="right"),
     ]  # fmt: skip

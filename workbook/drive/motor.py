@@ -49,7 +49,7 @@ def within_reducer(of: str, *found: tuple[str, str, str, bool, float, float], me
 def continuous(motor: Motor, mean_speed: float) -> Quantity:
     """Return the result of what the motor can give all the time at the mean speed of the cycle (rad/s)."""
     return result("@continuous", "Continuous torque at the mean speed", "", "Nm", f"={continuous_at('@mean')}",
-                  float(motor.continuous(mean_speed)), source="T_0 − (T_0 − T_N) n/n_N, at least T_N")  # fmt: skip
+                  float(motor.continuous(mean_speed)), "T_0 − (T_0 − T_N) n/n_N, at least T_N")  # fmt: skip
 
 
 def continuous_at(speed: str) -> str:
@@ -66,16 +66,15 @@ def limits_table(sheet: Sheet, corners: Corners, backward: str, falls: bool) -> 
     begins = "IF(@fall=0,@motor_nmax,@knee)" if falls else "@motor_nmax"
     first, second = shown(corners.bends, RPM)
     sheet.rows(
-        calc("@bend1", "Speed at which the first limit bends", "", "rpm", f"=MIN(@motor_nn,{begins})",
-             first, source="of continuous and peak torque"),
-        calc("@bend2", "… the second", "", "rpm", f"=MIN(@motor_nmax,MAX(@motor_nn,{begins}))",
-             second),
+        calc("@bend1", "Speed at which the first limit bends", "", "rpm", f"=MIN(@motor_nn,{begins})", first,
+             "of continuous and peak torque"),
+        calc("@bend2", "… the second", "", "rpm", f"=MIN(@motor_nmax,MAX(@motor_nn,{begins}))", second),
     )  # fmt: skip
     peak = f"(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))" if falls else "@motor_peak"
     sheet.table(
         "@limits", "Limits of the motor, as drawn in the charts", len(CORNERS),
-        constant("side", "side", "", "", list(side), source="1, −1 of speeds backward"),
-        constant("which", "which speed", "", "", list(which), source="3: the largest; 1, 2: where a limit bends"),
+        constant("side", "side", "", "", list(side), "1, −1 of speeds backward"),
+        constant("which", "which speed", "", "", list(which), "3: the largest; 1, 2: where a limit bends"),
         constant("up", "upper side", "", "", list(up)),
         calc("rpm", "speed", "n", "rpm",
              f"=IF([side]<0,IF({backward},0-1,0),1)*CHOOSE([which]+1,0,@bend1,@bend2,@motor_nmax)",

@@ -1,29 +1,129 @@
-"""The engine's view of a choice of motor and reducer for one axis of a machine: units to SI, tables as on the sheet."""
+"""A shaft that a motor and a reducer are chosen for, and the choice: in formulas, and by the engine in SI units."""
 
 import math
-from collections.abc import Sequence
-from functools import cached_property
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.laws.base import Array
+from engine.laws.points import POINTS
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Used, Wanted, gears, reserve
-from engine.selection.point_load import Gears, shares_of
+from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Wanted, gears, reserve
+from engine.selection.point_load import Gears, PointLoad, shares_of
+from workbook.book.chart import in_scope
 from workbook.book.rows import filled
 from workbook.entries.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Ranked, SelectionSizes
-from workbook.selection.shaft import Shaft
 
 BEST = 20
 """rows of the list of the best pairs"""
 AS_ENTERED = "as entered"
+LABELS = {
+    "own": ("mean of α²", "rad²/s⁴"), "square": ("mean of S², driving", "Nm²"), "square_back": ("… driven", "Nm²"),
+    "product": ("mean of α S, driving", "W/s"), "product_back": ("… driven", "W/s"),
+    "way": ("share of the cycle in motion", ""), "way_turning": ("mean of α d", "rad/s²"),
+    "way_behind": ("mean of S d, driving", "Nm"), "way_back": ("… driven", "Nm"), "speed": ("largest speed", "rad/s"),
+    "mean": ("mean speed", "rad/s"), "smax": ("largest torque", "Nm"), "smean": ("mean torque", "Nm"),
+    "cycles": ("cycles an hour", "1/h"), "inertia": ("inertia", "kg m²"), "beside": ("parts beside the motor", "kg m²"),
+    "brake": ("held by a brake in every dwell", ""), "by_power": ("losses by the flow of power", ""),
+    "left": ("rated torque available at the ambient temperature", ""), "held_j": ("inertia with its motor", "kg m²"),
+    "held_jm": ("its motor", "kg m²"), "held_i": ("its reduction", ""), "held_eta": ("its efficiency", ""),
+    "held_no_load": ("its no-load torque", "Nm"), "held_rated": ("its continuous torque", "Nm"),
+    "held_peak": ("its peak torque", "Nm"), "held_top": ("peak torque demand", "Nm"),
+    "held_spare": ("reserve below the motor's curve", "Nm"), "held_nmax": ("its largest speed", "rpm"),
+    "held_row": ("its row of motors", ""), "held_gear": ("its row of reducers", ""),
+    "turns": ("acceleration of its shaft over that of its points", ""),
+}  # fmt: skip
+"""of each figure of a shaft and of the pair that drives it, in the order of the sheet: what it is, and its unit"""
+MIXED = "@product/{eta}+@product_back*{eta}+{i}*{own}*@way_turning"
+"""the mean of ω̇ S, of the shaft's acceleration and the load's torque before the reducer's losses, with its own"""
+SQUARE = "(@square/{eta}^2+@square_back*{eta}^2)/{i}^2+2*{own}*(@way_behind/{eta}+@way_back*{eta})/{i}+{own}^2*@way"
+"""the mean square of the load's torque at the motor, with the reducer's own"""
 
 
-def figures(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = math.nan) -> Array:
+class Figure(NamedTuple):
+    """A figure of a shaft or of its drive: the formula of its cell without ``=``, the engine's value, its scale."""
+
+    name: str
+    label: str
+    unit: str
+    formula: str
+    value: float
+    scale: float = 0.0
+
+
+def asked(load: PointLoad, turning: float, torque: float) -> dict[str, tuple[float, float]]:
+    """Return the figures of a load with their scales, by those of its acceleration (rad/s²) and its torque (Nm)."""
+    own, mixed, mixed_back, square, square_back, way, way_turning, way_behind, way_back = load.squares
+    return {
+        "own": (own, turning**2), "square": (square, torque**2), "square_back": (square_back, torque**2),
+        "product": (mixed, turning * torque), "product_back": (mixed_back, turning * torque), "way": (way, 0.0),
+        "way_turning": (way_turning, turning), "way_behind": (way_behind, torque), "way_back": (way_back, torque),
+        "speed": (load.speed, 0.0), "mean": (load.mean_speed, 0.0), "smax": (load.torque, torque),
+        "smean": (load.mean_torque, torque), "inertia": (load.inertia, 0.0),
+    }  # fmt: skip
+
+
+Cell = str | tuple[str, float] | tuple[str, float, float]
+
+
+def figures(scope: str, asked: Mapping[str, tuple[float, float]], cells: Mapping[str, Cell]) -> list[Figure]:
+    """Return figures by their cells: a formula of what is asked, a formula with its value, or with a scale besides."""
+    each = {name: (cell, *asked[name]) if isinstance(cell, str) else cell for name, cell in cells.items()}
+    return [Figure(name, *of, in_scope(each[name][0], scope), *each[name][1:]) for name, of in LABELS.items()]
+
+
+@dataclass(frozen=True)
+class Shaft:
+    """A shaft behind a reducer, with the pair that drives it.
+
+    ``title`` is the formula of its axis' name. ``columns`` begins the names of the columns of its points in the book
+    (``dir``, ``al``, ``S``, ``n``); they have ``rows`` intervals, spare ones among them. ``rpm`` makes |speed| of the
+    shaft (rpm) of the column ``n``. ``turning`` is the scale of ω̇ (rad/s²), ``torque`` that of S (Nm).
+    """
+
+    name: str
+    number: int
+    title: str
+    columns: str
+    rows: int
+    load: PointLoad
+    rpm: str
+    turning: float
+    torque: float
+    figures: Sequence[Figure]
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """The engine's value of each figure."""
+        return {one.name: one.value for one in self.figures}
+
+    @property
+    def product(self) -> float:
+        """The scale of means of ω̇ S (W/s)."""
+        return self.turning * self.torque
+
+    def by_point(self, values: Array) -> list[float]:
+        """Return values of the points as a column; spare rows have that of the last."""
+        flat = values.ravel()
+        return filled(flat, self.rows * POINTS, float(flat[-1]))
+
+
+def torque_of(inertia: str, ratio: str, out: str, back: str, own: str) -> str:
+    """Return the formula of the torques of a motor at the points of the cycle; ``out`` is 1/(η i), ``back`` η/i."""
+    return f"{inertia}*{ratio}*@al+{out}*@out+{back}*@back+{own}*@dir"
+
+
+def rms_of(inertia: str, ratio: str, mixed: str, square: str) -> str:
+    """Return the formula of the RMS torque of a motor: √((J i)² ω̇_rms² + 2 J mean(ω̇ S') + mean(S'²)/i²)."""
+    return f"SQRT(MAX(0,({inertia}*{ratio})^2*@own+2*{inertia}*{mixed}+{square}))"
+
+
+def column(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = math.nan) -> Array:
     """Return an entry of each product, ``missing`` where it is not given."""
     values = [getattr(row, entry) for row in rows]
     return np.array([missing if v is None else v for v in values], dtype=np.float64)
@@ -31,24 +131,21 @@ def figures(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = 
 
 def engine_motors(rows: Sequence[MotorRow]) -> Motors:
     """Return the engine's catalogue of the motors entered."""
-    of = {name: figures(rows, name) for name in MotorRow.model_fields if name not in ("name", "source")}
+    of = partial(column, rows)
     return Motors(
-        tuple(row.name for row in rows), si(of["inertia"], KG_CM2), of["rated_torque"], of["peak_torque"],
-        si(of["max_speed"], RPM), of["mass"], of["cost"], si(of["full_torque_to"], RPM), of["end_torque"],
-        of["stall_torque"], si(of["rated_speed"], RPM),
+        tuple(row.name for row in rows), si(of("inertia"), KG_CM2), of("rated_torque"), of("peak_torque"),
+        si(of("max_speed"), RPM), of("mass"), of("cost"), si(of("full_torque_to"), RPM), of("end_torque"),
+        of("stall_torque"), si(of("rated_speed"), RPM),
     )  # fmt: skip
 
 
 def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
     """Return the engine's catalogue of the reducers entered."""
-    none = {"inertia": 0.0, "no_load_torque": 0.0, "full_cycles": FULL_CYCLES, "cycle_factor": 1.0}
-    none |= dict.fromkeys(("max_speed", "max_torque", "mean_torque"), math.inf)
-    of = {name: figures(rows, name, none.get(name, math.nan))
-          for name in ReducerRow.model_fields if name not in ("name", "source")}  # fmt: skip
+    of, none = partial(column, rows), math.inf
     return Reducers(
-        tuple(row.name for row in rows), of["reduction"], of["efficiency"], si(of["inertia"], KG_CM2),
-        si(of["max_speed"], RPM), of["max_torque"], of["mean_torque"], of["mass"], of["cost"], of["no_load_torque"],
-        si(of["full_cycles"], PER_HOUR), of["cycle_factor"],
+        tuple(row.name for row in rows), of("reduction"), of("efficiency"), si(of("inertia", 0.0), KG_CM2),
+        si(of("max_speed", none), RPM), of("max_torque", none), of("mean_torque", none), of("mass"), of("cost"),
+        of("no_load_torque", 0.0), si(of("full_cycles", FULL_CYCLES), PER_HOUR), of("cycle_factor", 1.0),
     )  # fmt: skip
 
 
@@ -75,6 +172,8 @@ class Choosing:
         self.load = self.shaft.load
         self.rooms, self.pairs = (sizes.motors, sizes.reducers), sizes.motors * sizes.reducers
         self.rank = RANKS.index(given.rank) + 1
+        self.wanted = Wanted(given.inertia_ratio, given.least_margin, given.greatest_margin, given.torque_factor,
+                             given.least_peak_margin, given.least_speed_margin)  # fmt: skip
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         self.reducers = engine_reducers(given.reducers)
 
@@ -83,22 +182,20 @@ class Choosing:
         return self.shaft.values[f"held_{name}"]
 
     @cached_property
-    def wanted(self) -> Wanted:
-        """What is wanted of a pair."""
-        g = self.given
-        return Wanted(g.inertia_ratio, g.least_margin, g.greatest_margin, g.torque_factor,
-                      g.least_peak_margin, g.least_speed_margin)  # fmt: skip
-
-    @cached_property
     def grid(self) -> PairMatrix:
         """All pairs."""
         return PairMatrix(self.load, self.motors, self.reducers, self.shaft.values["beside"], self.wanted,
                           si(self.shaft.values["cycles"], PER_HOUR))  # fmt: skip
 
     @cached_property
+    def bare(self) -> Gears:
+        """The reducers of the catalogue, before any motor."""
+        return gears(0.0, self.reducers.reduction, self.reducers.efficiency, self.reducers.no_load)
+
+    @cached_property
     def own_gears(self) -> Gears:
         """The reducer that the drive has."""
-        return gears(0.0, *(np.array([self.held(name)]) for name in ("i", "eta", "no_load")))
+        return gears(0.0, *(self.held(name) for name in ("i", "eta", "no_load")))
 
     @cached_property
     def behind_own(self) -> PairMatrix:
@@ -119,16 +216,6 @@ class Choosing:
         return [Choosing(self.given, self.sizes, self.shafts, n) for n in range(len(self.shafts))]
 
     @cached_property
-    def mixed(self) -> Array:
-        """The mean of ω̇ S before each reducer, with its losses (W/s)."""
-        return self.load.mixed(gears(0.0, self.reducers.reduction, self.reducers.efficiency, self.reducers.no_load))
-
-    @cached_property
-    def square(self) -> Array:
-        """The mean square of the load's torque at the motor before each reducer (N²m²)."""
-        return self.load.square(gears(0.0, self.reducers.reduction, self.reducers.efficiency, self.reducers.no_load))
-
-    @cached_property
     def keys(self) -> Array:
         """What the pairs are sorted by; NaN where they are not ranked."""
         return self.grid.keys(self.given.rank, self.rooms[1], self.pairs)
@@ -137,10 +224,6 @@ class Choosing:
     def ranked(self) -> list[tuple[int, int]]:
         """The ranked pairs, best first."""
         return self.grid.best(self.given.rank, self.rooms[1], self.pairs)
-
-    def place(self, pair: tuple[int, int]) -> int:
-        """Return the number of a pair in the grid, from 0, motor by motor."""
-        return int(np.ravel_multi_index(pair, self.rooms))
 
     @property
     def held_names(self) -> tuple[str, str]:
@@ -165,17 +248,6 @@ class Choosing:
             found.append(Figures(float(g.rms[m, r]), margin, peak, speed, float(g.inertia_ratio[m, r]), spare))
         return found
 
-    def named(self, count: int) -> list[str]:
-        """Return the names of the first pairs."""
-        names = [f"{self.motors.names[m]} + {self.reducers.names[r]}" for m, r in self.ranked[:count]]
-        return filled(names, count, "–")
-
-    def used(self, place: int) -> Used:
-        """Return what one of the best pairs uses of its motor, by its place from 0; left of all where there is none."""
-        if place >= len(self.ranked):
-            return Used(-1.0, -1.0)
-        return self.grid.use(*self.ranked[place])
-
     @cached_property
     def proposed(self) -> int | None:
         """The place of the first of the best pairs that stays below its motor's curve, from 0; None where none does."""
@@ -194,9 +266,3 @@ class Choosing:
     def whole(self, table: str) -> str:
         """Return the range of a table of all pairs."""
         return f"[@{table}1.v.first]:[@{table}{self.rooms[1]}.v.last]"
-
-    def spread(self, table: NDArray[Any], spare: Any) -> list[list[Any]]:
-        """Return a table of the pairs by columns, ``spare`` where a row or a column of the sheet is."""
-        whole = np.full(self.rooms, spare, dtype=object)
-        whole[: table.shape[0], : table.shape[1]] = table
-        return [column.tolist() for column in whole.T]

@@ -1,21 +1,19 @@
 """The drives on the sheet Selection: a row each, the named one by its cells and points, each behind its reducer."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 from numpy.typing import NDArray
 
 from engine.laws.base import Array
 from engine.laws.points import POINTS
-from engine.selection.pair_matrix import gears
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import RPM, shown
-from workbook.selection.choosing import AS_ENTERED, Choosing
-from workbook.selection.grids import DASH, LARGE, of
-from workbook.selection.shaft import MIXED, SQUARE, rms_of
+from workbook.selection.choosing import AS_ENTERED, MIXED, SQUARE, Choosing, rms_of
+from workbook.selection.grids import DASH, LARGE, continuous, of, wanted, weak
 
 
 def drives_table(sheet: Sheet, view: Choosing) -> None:
@@ -31,38 +29,28 @@ def drives_table(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
-def known(view: Choosing) -> str:
-    """Return the condition under which the axis that is named is one of them."""
-    return "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis"
+OWN = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}
 
 
 def chosen(sheet: Sheet, view: Choosing) -> None:
-    """Declare the named drive."""
+    """Declare the named drive, what its reducer makes of the load, and the names of motor and reducer."""
     number = "MATCH(@axis,[@drives.axis],0)" if len(view.shafts) > 1 else "COUNT([@drives.k])"
     taken = "INDEX([@drives.{}],@no)" if len(view.shafts) > 1 else "[@drives.{}.1]"  # no single cell is looked up alike
-    rows = [calc("@no", "Row of the axis", "", "", f"={number}", view.number + 1, format="0")]
-    for each in zip(*(one.figures for one in view.shafts), strict=True):
-        name, label, unit, _, value, _ = each[view.number]
-        rows.append(calc(f"@{name}", label.capitalize(), "", unit, f"={taken.format(name)}+0", value,
-                         scale=max(one.scale for one in each)))  # fmt: skip
-    sheet.rows(*rows, *held(view))
-
-
-def held(view: Choosing) -> Sequence[Quantity]:
-    """Return what the drive's reducer makes of the load, and the names of motor and reducer."""
-    own, load = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}, view.load
+    scales = [max(one.scale for one in each) for each in zip(*(one.figures for one in view.shafts), strict=True)]
     motor, reducer = view.held_names
-    pair = gears(0.0, *(view.held(name) for name in ("i", "eta", "no_load")))
-    return [
-        calc("@held_mixed", "Mean of ω̇ S at its motor, with losses", "", "W/s", f"={MIXED.format(**own)}",
-             float(load.mixed(pair)[0]), scale=view.shaft.product),
-        calc("@held_square", "Mean square torque at its motor, without inertia", "", "N²m²",
-             f"={SQUARE.format(**own)}", float(load.square(pair)[0]), scale=view.shaft.torque**2),
+    sheet.rows(
+        calc("@no", "Row of the axis", "", "", f"={number}", view.number + 1, format="0"),
+        *(calc(f"@{name}", label.capitalize(), "", unit, f"={taken.format(name)}+0", value, scale=scale)
+          for (name, label, unit, _, value, _), scale in zip(view.shaft.figures, scales, strict=True)),
+        calc("@held_mixed", "Mean of ω̇ S at its motor, with losses", "", "W/s", f"={MIXED.format(**OWN)}",
+             float(view.load.mixed(view.own_gears)[0]), scale=view.shaft.product),
+        calc("@held_square", "Mean square torque at its motor, without inertia", "", "N²m²", f"={SQUARE.format(**OWN)}",
+             float(view.load.square(view.own_gears)[0]), scale=view.shaft.torque**2),
         calc("@held_motor", "Its motor", "", "",
              f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', motor, align="left"),
         calc("@held_reducer", "Its reducer", "", "",
              f'=IF(@held_gear=0,"{AS_ENTERED}",INDEX([reducers.name],MAX(1,@held_gear)))', reducer, align="left"),
-    ]  # fmt: skip
+    )  # fmt: skip
 
 
 def points_table(sheet: Sheet, view: Choosing) -> None:
@@ -101,11 +89,9 @@ def named(
     """
     names = [f"INDEX({one.columns}_{column},[k])" for one in view.shafts]
     chosen = view.shaft.by_point(values)
-    if len(names) == 1:
-        return [calc(column, label, symbol, unit, f"={whole.format(names[0])}", chosen, **more)]
     if len(names) <= GROUP:
-        one = whole.format(f"CHOOSE(@no,{','.join(names)})")
-        return [calc(column, label, symbol, unit, f"={one}", chosen, **more)]
+        one = f"CHOOSE(@no,{','.join(names)})" if len(names) > 1 else names[0]
+        return [calc(column, label, symbol, unit, f"={whole.format(one)}", chosen, **more)]
     found = []
     for first in range(0, len(names), GROUP):
         group = names[first : first + GROUP]
@@ -147,26 +133,24 @@ def every_drive(sheet: Sheet, view: Choosing) -> None:
 
 def motors_by_drives(sheet: Sheet, view: Choosing) -> None:
     """Declare what each motor has to do behind the reducer of each drive, and what it fails first."""
-    drives = view.every_drive
-    matrices = [one.behind_own for one in drives]
+    drives, each = view.every_drive, [one.behind_own for one in view.every_drive]
     loads(sheet, view)
-    matrix(sheet, view, "all_share", "Their RMS torque over their continuous torque", share,
-           [one.uses[:, 0] for one in matrices], 0.0, format=DASH,
-           scale=max(1.0, *(float(one.uses.max()) for one in matrices)))  # fmt: skip
-    matrix(sheet, view, "all_peak", "Their peak torque [Nm]", lambda n: peak(n, drives[n - 1]),
-           [one.peak[:, 0] for one in matrices], 0.0, format=DASH,
-           scale=max(1e-3, *(float(one.peak.max()) for one in matrices)))  # fmt: skip
-    matrix(sheet, view, "all_wanted", "What is wanted of them", wanted, [one.wanted_verdicts[:, 0] for one in matrices],
-           LARGE, align="center")  # fmt: skip
-    matrix(sheet, view, "all_word", "What they fail first; yes: they can do it", verdict,
-           [one.verdicts[:, 0] for one in matrices], "–", align="center")  # fmt: skip
+    for name, title, formula, figure, spare, more in (
+        ("share", "Their RMS torque over their continuous torque", share, "uses", 0.0,
+         {"format": DASH, "scale": max(1.0, *(float(one.uses.max()) for one in each))}),
+        ("peak", "Their peak torque [Nm]", lambda n: peak(n, drives[n - 1]), "peak", 0.0,
+         {"format": DASH, "scale": max(1e-3, *(float(one.peak.max()) for one in each))}),
+        ("wanted", "What is wanted of them", lambda n: wanted("all_", n, "@behind.at"), "wanted_verdicts", LARGE,
+         {"align": "center"}),
+        ("word", "What they fail first; yes: they can do it", verdict, "verdicts", "–", {"align": "center"}),
+    ):
+        matrix(sheet, view, f"all_{name}", title, formula, [getattr(one, figure)[:, 0] for one in each], spare, **more)
 
 
 def loads(sheet: Sheet, view: Choosing) -> None:
     """Declare what the reducer of each drive makes of its load."""
     drives, least = view.every_drive, view.given.least_speed_margin
     product, square = max(one.shaft.product for one in drives), max(one.shaft.torque**2 for one in drives)
-    held = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}
     down = view.rooms[0]
     beyond = down * (down + 1)
     smallest = [one.usable_behind_own[:1] for one in drives]
@@ -187,9 +171,9 @@ def loads(sheet: Sheet, view: Choosing) -> None:
         calc("mean", "mean speed", "", "rpm", of_drive("@mean*@held_i*30/PI()"), [shown(one, RPM) for one in mean]),
         calc("left", "rated torque over that of the named drive", "", "", of_drive("@left") + "/@left",
              [one.shaft.values["left"] / view.shaft.values["left"] for one in drives]),
-        calc("mixed", "mean of ω̇ S, with losses", "", "W/s", of_drive(MIXED.format(**held)),
+        calc("mixed", "mean of ω̇ S, with losses", "", "W/s", of_drive(MIXED.format(**OWN)),
              [float(one.load.mixed(one.own_gears)[0]) for one in drives], scale=product),
-        calc("square", "mean square torque of the load at the motor", "", "N²m²", of_drive(SQUARE.format(**held)),
+        calc("square", "mean square torque of the load at the motor", "", "N²m²", of_drive(SQUARE.format(**OWN)),
              [float(one.load.square(one.own_gears)[0]) for one in drives], scale=square),
         calc("least", "the smallest motor's place by rated torque", "", "",
              [f'={beyond}-SUMPRODUCT(MAX(([@all_word{n}.v]="yes")*({beyond}-[@all_word.order])))'
@@ -232,8 +216,7 @@ def share(n: int) -> str:
     """Return the formula of the RMS torque of the motor of a row over its continuous torque."""
     rms = rms_of(f"({of('jm')}+[@behind.j.{n}])", f"[@drives.held_i.{n}]", f"[@behind.mixed.{n}]",
                  f"[@behind.square.{n}]").replace("@own", f"[@drives.own.{n}]")  # fmt: skip
-    continuous = f"MAX({of('rated')},{of('stall')}-{of('slope')}*[@behind.mean.{n}])"
-    return f"IF({of('on')}=1,{rms}/({continuous}*[@behind.left.{n}]),0)"
+    return f"IF({of('on')}=1,{rms}/({continuous(f'[@behind.mean.{n}]')}*[@behind.left.{n}]),0)"
 
 
 def peak(n: int, drive: Choosing) -> str:
@@ -243,14 +226,6 @@ def peak(n: int, drive: Choosing) -> str:
     return f"IF({of('on')}=1,SUMPRODUCT(MAX(({torque}+{other}*{acceleration})^2))^0.5,0)"
 
 
-def wanted(n: int) -> str:
-    """Return the formula of what the motor of a row fails of what is wanted of it."""
-    used = f"[@all_share{n}.v.same]"
-    inertia = f'IF([@behind.at.{n}]>{of("jmax")},"inertia","yes")'
-    return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",{inertia}))'
-
-
 def verdict(n: int) -> str:
     """Return the formula of what the motor of a row fails first."""
-    weak = f'IF([@all_peak{n}.v.same]>{of("top")},"peak",[@all_wanted{n}.v.same])'
-    return f'IF({of("on")}=0,"–",IF([@behind.fast.{n}]>{of("nmax")},"speed",{weak}))'
+    return f'IF({of("on")}=0,"–",{weak("all_", n, "@behind.fast")})'

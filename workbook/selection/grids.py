@@ -1,8 +1,10 @@
 """Every pair of the catalogue on the sheet Selection: motors down, reducers across."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.drive.limits import factor_at
 from engine.selection.pair_matrix import PARTS, RANKS
@@ -10,8 +12,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.catalogue import FULL_CYCLES
-from workbook.selection.choosing import Choosing
-from workbook.selection.shaft import MIXED, SQUARE, peak_of, rms_of, through
+from workbook.selection.choosing import MIXED, SQUARE, Choosing, rms_of, torque_of
 
 LARGE = "large"
 """beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing"""
@@ -26,25 +27,29 @@ def grids(sheet: Sheet, view: Choosing) -> None:
     """Declare what pairs fail or not, what they use of the rated torque, and their peak torques."""
     g = view.grid
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
-    torque = max(float(g.peak.max()), 1e-3)
-    grid(sheet, view, "word", "Which pairs can do it", verdict, view.spread(g.verdicts, "–"), align="center")
+    grid(sheet, view, "word", "Which pairs can do it", verdict, g.verdicts, "–", align="center")
     sheet.print_columns = max(sheet.blocks[-1].columns.values())
     sheet.not_printed_below()
-    grid(sheet, view, "wanted", "What is wanted of a pair", within, view.spread(g.wanted_verdicts, LARGE),
-         align="center")  # fmt: skip
-    grid(sheet, view, "share", "RMS torque of the motor over its continuous torque", share,
-         view.spread(g.uses, 0.0), format=DASH, scale=max(1.0, float(g.uses.max())))  # fmt: skip
-    grid(sheet, view, "peak", "Peak torque of the motor [Nm]", lambda c: if_on(c, peak_of(*pair(c))),
-         view.spread(g.peak, 0.0), format=DASH, scale=torque)  # fmt: skip
+    grid(sheet, view, "wanted", "What is wanted of a pair", lambda c: wanted("", c, "@reducers.j"), g.wanted_verdicts,
+         LARGE, align="center")  # fmt: skip
+    grid(sheet, view, "share", "RMS torque of the motor over its continuous torque", share, g.uses, format=DASH,
+         scale=max(1.0, float(g.uses.max())))  # fmt: skip
+    grid(sheet, view, "peak", "Peak torque of the motor [Nm]", peak, g.peak, format=DASH,
+         scale=max(float(g.peak.max()), 1e-3))  # fmt: skip
 
 
 def grid(
-    sheet: Sheet, view: Choosing, name: str, title: str, formula: Any, values: list[list[Any]], **more: Any
-) -> None:
-    """Declare a table of the pairs: a row a motor, a column a reducer, which has its name and reduction above."""
+    sheet: Sheet, view: Choosing, name: str, title: str, formula: Callable[[int], str], values: NDArray[Any],
+    spare: Any = 0.0, **more: Any,
+) -> None:  # fmt: skip
+    """Declare a table of the pairs: a row a motor, a column a reducer, which has its name and reduction above.
+
+    ``spare`` stands in rows and columns without a product.
+    """
     (down, across), r = view.rooms, view.reducers
     names, reductions = filled(r.names, across, ""), filled(r.reduction, across)
-    motor = '=INDEX([motors.name],[k])&""' if name == "word" else "=[@word.motor.same]"
+    whole = np.full(view.rooms, spare, dtype=object)
+    whole[: values.shape[0], : values.shape[1]] = values
     sheet.row += 1
     heads = sheet.table(
         f"@{name}_heads", "Reducers: name, reduction", 2,
@@ -52,27 +57,19 @@ def grid(
     )  # fmt: skip
     for c in range(1, across + 1):
         told = [f'=INDEX([reducers.name],{c})&""', f"=[@reducers.i.{c}]+0"]
-        each = calc("v", f"reducer {c}", "", "", told, [names[c - 1], reductions[c - 1]],
-                    align="center", wrap=True)  # fmt: skip
+        each = calc("v", f"reducer {c}", "", "", told, [names[c - 1], reductions[c - 1]], align="center", wrap=True)
         sheet.beside(heads, f"@{name}_head{c}", each)
-    number = constant("k", "number", "k", "", list(range(1, down + 1)))
-    if name == "key":
-        number = constant("first", "place of its first pair", "", "", list(range(0, down * across, across)))
     rows = sheet.table(
         f"@{name}", title, down,
-        result("motor", "motor", "", "", motor, filled(view.motors.names, down, ""), align="left"), number,
+        result("motor", "motor", "", "", '=INDEX([motors.name],[k])&""' if name == "word" else "=[@word.motor.same]",
+               filled(view.motors.names, down, ""), align="left"),
+        constant("first", "place of its first pair", "", "", list(range(0, down * across, across))) if name == "key"
+        else constant("k", "number", "k", "", list(range(1, down + 1))),
     )  # fmt: skip
-    for c in range(1, across + 1):
-        each = result("v", f"reducer {c}", "", "", f"={formula(c)}", values[c - 1], **more)
+    for c, column in enumerate(whole.T.tolist(), 1):
         unused = f"[@motors.on.same]*[@reducers.on.{c}]=0"
-        sheet.beside(rows, f"@{name}{c}", each, unused if name == "wanted" else "")
-
-
-def share(c: int) -> str:
-    """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
-    inertia, ratio, *_ = pair(c)
-    rms = rms_of(inertia, ratio, f"[@reducers.mixed.{c}]", f"[@reducers.square.{c}]")
-    return if_on(c, f"{rms}/MAX({of('rated')},{of('stall')}-{of('slope')}*[@reducers.mean.{c}])")
+        sheet.beside(rows, f"@{name}{c}", result("v", f"reducer {c}", "", "", f"={formula(c)}", column, **more),
+                     unused if name == "wanted" else "")  # fmt: skip
 
 
 def of(figure: str) -> str:
@@ -80,27 +77,44 @@ def of(figure: str) -> str:
     return f"[@motors.{figure}.same]"
 
 
-def pair(c: int) -> list[str]:
-    """Return J, i, 1/(η i), η/i and no-load torque of the motor of a row with a reducer, as formulas."""
-    return [f"({of('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own"))]
-
-
 def if_on(c: int, formula: str) -> str:
     """Return a formula where both are in use."""
     return f"IF({of('on')}*[@reducers.on.{c}],{formula},0)"
 
 
-def within(c: int) -> str:
-    """Return the formula of what a pair fails of what is wanted of it, or that it is usable."""
-    used = f"[@share{c}.v.same]"
-    inertia = f'IF([@reducers.j.{c}]>{of("jmax")},"inertia","yes")'
-    return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",{inertia}))'
+def share(c: int) -> str:
+    """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
+    rms = rms_of(f"({of('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "mixed", "square")))
+    return if_on(c, f"{rms}/{continuous(f'[@reducers.mean.{c}]')}")
+
+
+def continuous(mean: str) -> str:
+    """Return the formula of the continuous torque of the motor of a row at a mean speed."""
+    return f"MAX({of('rated')},{of('stall')}-{of('slope')}*{mean})"
+
+
+def peak(c: int) -> str:
+    """Return the formula of the peak torque of the motor of a row; no program takes ABS of an array in MAX alike."""
+    torques = torque_of(f"({of('jm')}+[@reducers.jt.{c}])",
+                        *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own")))  # fmt: skip
+    return if_on(c, f"SUMPRODUCT(MAX(({torques})^2))^0.5")
+
+
+def wanted(table: str, n: int, inertia: str) -> str:
+    """Return the formula of what a motor fails of what is wanted of it in the n-th column, or that it is usable."""
+    used = f"[@{table}share{n}.v.same]"
+    return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{of("jmax")},"inertia","yes")))'
+
+
+def weak(table: str, n: int, fast: str) -> str:
+    """Return the formula of what a motor fails first in the n-th column: speed, peak torque, or what is wanted."""
+    other = f'IF([@{table}peak{n}.v.same]>{of("top")},"peak",[@{table}wanted{n}.v.same])'
+    return f'IF([{fast}.{n}]>{of("nmax")},"speed",{other})'
 
 
 def verdict(c: int) -> str:
-    """Return the formula of what a pair fails first: reducer, speed, peak torque, or what is wanted of it."""
-    weak = f'IF([@peak{c}.v.same]>{of("top")},"peak",[@wanted{c}.v.same])'
-    motor = f'IF([@reducers.fast.{c}]>{of("nmax")},"speed",{weak})'
+    """Return the formula of what a pair fails first: its reducer, or its motor."""
+    motor = weak("", c, "@reducers.fast")
     return f'IF({of("on")}*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
 
 
@@ -112,100 +126,90 @@ def products(sheet: Sheet, view: Choosing) -> None:
     sheet.row += 1
     motors(sheet, view)
     reducers(sheet, view)
-    keys = view.spread(np.where(np.isfinite(view.keys), view.keys, -1.0), -1.0)
-    told = [["–" if key < 0.0 else key for key in column] for column in keys]
-    grid(sheet, view, "key", "What pairs are sorted by: what they are ranked by, then place",
-         lambda c: key(view, c), told, format="General")  # fmt: skip
-
-
-def score(c: int) -> str:
-    """Return the formula of what a pair is ranked by, the lowest first."""
-    balance, inertia = f"[@reducers.balance.{c}]", f"({of('jm')}+[@reducers.jt.{c}])"
-    match = f"MAX({balance}/{inertia},{inertia}*[@reducers.unit.{c}])^0.5"
-    used = f"(@rank_no<3)*(1-1/(1+[@share{c}.v.same]))"
-    return f"{of('weight')}+[@reducers.weight.{c}]+IF(@rank_no=3,{match},{used})"
+    keys = np.where(np.isfinite(view.keys), view.keys.astype(object), "–")
+    grid(sheet, view, "key", "What pairs are sorted by: what they are ranked by, then place", lambda c: key(view, c),
+         keys, "–", format="General")  # fmt: skip
 
 
 def key(view: Choosing, c: int) -> str:
-    """Return the formula of what a pair is sorted by."""
-    place = f"[first]+{c - 1}"
+    """Return the formula of what a pair is sorted by: what it is ranked by, the lowest first, and its place."""
+    balance, inertia = f"[@reducers.balance.{c}]", f"({of('jm')}+[@reducers.jt.{c}])"
+    match = f"MAX({balance}/{inertia},{inertia}*[@reducers.unit.{c}])^0.5"
+    used = f"(@rank_no<3)*(1-1/(1+[@share{c}.v.same]))"
+    score = f"{of('weight')}+[@reducers.weight.{c}]+IF(@rank_no=3,{match},{used})"
     usable = f'AND([@word{c}.v.same]="yes",{of("known")}*[@reducers.known.{c}]=1)'
-    return f'IF({usable},ROUND({PARTS}*({score(c)}),0)*{view.pairs}+{place},"–")'
-
-
-MOTOR_COLUMNS = (
-    ("jm", "inertia", "kg m²", "inertia"),
-    ("rated", "rated torque", "Nm", "rated"),
-    ("peak", "peak torque", "Nm", "peak"),
-    ("nmax", "largest speed", "rpm", "nmax"),
-)
-"""figures of every motor: column here, words, unit, column of the catalogue"""
+    return f'IF({usable},ROUND({PARTS}*({score}),0)*{view.pairs}+[first]+{c - 1},"–")'
 
 
 MASSLESS = 3
 """ranks that need neither mass nor cost"""
 
 
-def weights(view: Choosing, mass: Any, cost: Any) -> tuple[Any, Any]:
-    """Return whether products have the figure that pairs are ranked by, and that figure: 0 where there is none."""
-    if view.rank <= MASSLESS:
-        return np.ones(len(mass), dtype=int), np.zeros(len(mass))
+def weighed(view: Choosing, table: str, room: int, mass: Any, cost: Any) -> list[Quantity]:
+    """Return the columns of mass or cost of products, as pairs are ranked by it, and of whether that is given.
+
+    Where pairs are ranked by the smallest motor, of motors those that are smaller count in place of these.
+    """
     one = mass if RANKS[view.rank - 1] == "mass" else cost
-    return np.isfinite(one).astype(int), np.nan_to_num(one)
+    known = np.isfinite(one) if view.rank > MASSLESS else np.ones(len(mass))
+    weight = np.nan_to_num(one) if view.rank > MASSLESS else np.zeros(len(mass))
+    first, words = "0", "mass or cost"
+    if table == "motors":
+        first, words = "[smaller]", "smaller motors, mass or cost"
+        weight = view.grid.smaller if view.rank == 1 else weight
+    masses, costs = (f"INDEX([{table}.{name}],[k])" for name in ("mass", "cost"))
+    return [
+        calc("known", "has what it is ranked by", "", "",
+             f"=[on]*CHOOSE(@rank_no,1,1,1,COUNT({masses}),COUNT({costs}))",
+             filled(known.astype(int), room, 0), format="0"),
+        calc("weight", words, "", "kg or price", f"=CHOOSE(@rank_no,{first},0,0,{masses}+0,{costs}+0)",
+             filled(weight, room)),
+    ]  # fmt: skip
+
+
+MOTOR_COLUMNS = (
+    ("jm", "inertia", "kg m²", "inertia", "/10000"),
+    ("rated", "rated torque", "Nm", "rated", "*@left"),
+    ("peak", "peak torque", "Nm", "peak", ""),
+    ("nmax", "largest speed", "rpm", "nmax", ""),
+)
+"""figures of every motor: column here, words, unit, column of the catalogue, and what is made of that"""
 
 
 def motors(sheet: Sheet, view: Choosing) -> None:
     """Declare the motors of the catalogue, 0 in spare rows."""
     m, n = view.motors, view.rooms[0]
     figures = m.inertia, m.rated_torque, m.peak_torque, shown(m.max_speed, RPM)
-    known, weight = weights(view, m.size, m.cost)
-    weight = view.grid.smaller if view.rank == 1 else weight
-    least = view.given.least_peak_margin
-    made = {"jm": "/10000", "rated": "*@left"}
-    given = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for *_, column in MOTOR_COLUMNS)
+    given = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for *_, column, _ in MOTOR_COLUMNS)
+
+    def column(name: str, label: str, unit: str, formula: str, values: Any, **more: Any) -> Quantity:
+        return calc(name, label, "", unit, f"={formula}", filled(values, n), **more)
+
+    def or_largest(speed: str) -> str:
+        return f"IF([on]=1,IF(COUNT(INDEX([motors.{speed}],[k]))=1,INDEX([motors.{speed}],[k]),[nmax]),0)"
+
     sheet.table(
         "@motors", "Motors of the catalogue", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
-        calc("on", "in use", "", "", f"=IF({given}=1,1,0)",
-             filled(filled([], len(m.names), 1), n, 0), format="0"),
-        *(calc(name, label, "", unit, f"=IF([on]=1,INDEX([motors.{column}],[k]){made.get(name, '')},0)",
-               filled(one, n))
-          for (name, label, unit, column), one in zip(MOTOR_COLUMNS, figures, strict=True)),
-        calc("stall", "stall torque", "", "Nm", "=IF([on]=1,MAX([rated],INDEX([motors.stall],[k])*@left),0)",
-             filled(m.stall, n)),
-        calc("nn", "rated speed", "", "rpm",
-             "=IF([on]=1,IF(COUNT(INDEX([motors.nn],[k]))=1,INDEX([motors.nn],[k]),[nmax]),0)",
-             filled(shown(m.falls_to, RPM), n)),
-        calc("slope", "fall of the continuous torque", "", "Nm/rpm", "=IF([on]=1,([stall]-[rated])/[nn],0)",
-             filled((m.stall - m.rated_torque) / shown(m.falls_to, RPM), n), scale=1.0),
-        calc("knee", "peak torque up to", "", "rpm",
-             "=IF([on]=1,IF(COUNT(INDEX([motors.knee],[k]))=1,INDEX([motors.knee],[k]),[nmax]),0)",
-             filled(shown(m.knee, RPM), n)),
-        calc("fall", "fall beyond", "", "Nm/rpm",
-             "=IF([nmax]>[knee],MAX(0,[peak]-INDEX([motors.end],[k]))/([nmax]-[knee]),0)",
-             filled(np.maximum(0.0, -shown(m.slope, PER_RPM)), n)),
-        calc("jmax", "largest inertia at the motor", "", "kg m²", "=@inertia_ratio*[jm]",
-             filled(m.inertia * view.given.inertia_ratio, n)),
-        calc("top", "largest torque of the cycle, with its margin", "", "Nm", "=[peak]/@least_peak",
-             filled(m.peak_torque / least, n)),
+        calc("on", "in use", "", "", f"=IF({given}=1,1,0)", filled([1] * len(m.names), n, 0), format="0"),
+        *(column(name, label, unit, f"IF([on]=1,INDEX([motors.{entry}],[k]){made},0)", values)
+          for (name, label, unit, entry, made), values in zip(MOTOR_COLUMNS, figures, strict=True)),
+        column("stall", "stall torque", "Nm", "IF([on]=1,MAX([rated],INDEX([motors.stall],[k])*@left),0)", m.stall),
+        column("nn", "rated speed", "rpm", or_largest("nn"), shown(m.falls_to, RPM)),
+        column("slope", "fall of the continuous torque", "Nm/rpm", "IF([on]=1,([stall]-[rated])/[nn],0)",
+               (m.stall - m.rated_torque) / shown(m.falls_to, RPM), scale=1.0),
+        column("knee", "peak torque up to", "rpm", or_largest("knee"), shown(m.knee, RPM)),
+        column("fall", "fall beyond", "Nm/rpm",
+               "IF([nmax]>[knee],MAX(0,[peak]-INDEX([motors.end],[k]))/([nmax]-[knee]),0)",
+               np.maximum(0.0, -shown(m.slope, PER_RPM))),
+        column("jmax", "largest inertia at the motor", "kg m²", "@inertia_ratio*[jm]",
+               m.inertia * view.given.inertia_ratio),
+        column("top", "largest torque of the cycle, with its margin", "Nm", "[peak]/@least_peak",
+               m.peak_torque / view.given.least_peak_margin),
         calc("smaller", "smaller motors", "", "", "=IF([on]=1,SUMPRODUCT(([@motors.rated]<[rated])*[@motors.on]),0)",
              filled(view.grid.smaller, n, 0), format="0"),
-        *weighed("motors", filled(known, n, 0), filled(weight, n), "[smaller]"),
+        *weighed(view, "motors", n, m.size, m.cost),
     )  # fmt: skip
-
-
-def weighed(table: str, known: list[Any], weight: list[Any], first: str = "0") -> list[Quantity]:
-    """Return the columns of mass or cost of products, as pairs are ranked by it, and of whether that is given.
-
-    ``first`` is the formula of what counts in place of these where pairs are ranked by the smallest motor.
-    """
-    mass, cost = (f"INDEX([{table}.{name}],[k])" for name in ("mass", "cost"))
-    return [
-        calc("known", "has what it is ranked by", "", "", f"=[on]*CHOOSE(@rank_no,1,1,1,COUNT({mass}),COUNT({cost}))",
-             known, format="0"),
-        calc("weight", f"{'' if first == '0' else 'smaller motors, '}mass or cost", "", "kg or price",
-             f"=CHOOSE(@rank_no,{first},0,0,{mass}+0,{cost}+0)", weight),
-    ]  # fmt: skip
 
 
 CYCLE_FACTOR = (
@@ -218,49 +222,49 @@ CYCLE_FACTOR = (
 def reducers(sheet: Sheet, view: Choosing) -> None:
     """Declare the reducers of the catalogue, 0 in spare rows, and what each makes of the axis."""
     r, g, n = view.reducers, view.grid, view.rooms[1]
-    known, weight = weights(view, r.size, r.cost)
-    out, back = through(r.reduction, r.efficiency)
     given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
-    limits = [np.where(np.isfinite(one), one, 0.0) for one in given]
+    speeds, torques, means = (np.where(np.isfinite(one), one, 0.0) for one in given)
     factors = factor_at(g.rate, r.full_rate, r.cycle_factor)
+    own = {"eta": "[eta]", "i": "[i]", "own": "[own]"}
+
+    def column(name: str, label: str, symbol: str, unit: str, formula: str, values: Any, **more: Any) -> Quantity:
+        return calc(name, label, symbol, unit, f"={formula}", filled(values, n), **more)
+
     sheet.table(
         "@reducers", "Reducers of the catalogue, and what each makes of the axis", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
         calc("on", "in use", "", "", "=COUNT(INDEX([reducers.i],[k]))*COUNT(INDEX([reducers.eta],[k]))",
-             filled(filled([], len(r.names), 1), n, 0), format="0"),
-        calc("i", "reduction", "i", "", "=INDEX([reducers.i],[k])+0", filled(r.reduction, n)),
-        calc("eta", "efficiency", "η", "", "=INDEX([reducers.eta],[k])+0", filled(r.efficiency, n)),
-        calc("jt", "it, and parts beside the motor", "", "kg m²",
-             "=IF([on]=1,INDEX([reducers.inertia],[k])/10000+@beside,0)", filled(g.beside_motor, n)),
-        calc("out", "of a torque that drives, at the motor", "", "", "=IF([on]=1,1/[eta]/[i],0)", filled(out, n),
-             source="1/(η i)"),
-        calc("back", "of one that is driven", "", "", "=IF([on]=1,[eta]/[i],0)", filled(back, n), source="η/i"),
-        calc("own", "no-load torque", "T_nl", "Nm", "=INDEX([reducers.t012],[k])+0", filled(r.no_load, n)),
-        calc("j", "inertia at the motor", "", "kg m²", "=IF([on]=1,[jt]+@inertia/[i]^2,0)", filled(g.at_motor, n)),
-        calc("n", "speed of the motor", "n", "rpm", "=@speed*[i]*30/PI()", filled(shown(g.speed, RPM), n)),
-        calc("fast", "with its margin", "", "rpm", "=[n]*@least_speed",
-             filled(shown(g.speed * view.given.least_speed_margin, RPM), n)),
-        calc("mean", "mean speed of the motor", "", "rpm", "=@mean*[i]*30/PI()",
-             filled(shown(g.load.mean_speed / r.ratio, RPM), n)),
-        calc("nmax", "largest input speed", "", "rpm", "=INDEX([reducers.nmax],[k])+0", filled(limits[0], n),
-             source="0: no limit"),
-        calc("tmax", "largest torque", "", "Nm", "=INDEX([reducers.tmax],[k])+0", filled(limits[1], n)),
-        calc("fs", "factor on it at these cycles", "f_s", "", f"={CYCLE_FACTOR}",
-             filled(factors, n, 1.0)),
-        calc("held", "largest torque at these cycles", "", "Nm", "=[tmax]/[fs]", filled(limits[1] / factors, n)),
-        calc("tmean", "largest mean torque", "", "Nm", "=INDEX([reducers.t2n],[k])+0", filled(limits[2], n)),
+             filled([1] * len(r.names), n, 0), format="0"),
+        column("i", "reduction", "i", "", "INDEX([reducers.i],[k])+0", r.reduction),
+        column("eta", "efficiency", "η", "", "INDEX([reducers.eta],[k])+0", r.efficiency),
+        column("jt", "it, and parts beside the motor", "", "kg m²",
+               "IF([on]=1,INDEX([reducers.inertia],[k])/10000+@beside,0)", g.beside_motor),
+        column("out", "of a torque that drives, at the motor", "", "", "IF([on]=1,1/[eta]/[i],0)",
+               1.0 / (r.efficiency * r.reduction), source="1/(η i)"),
+        column("back", "of one that is driven", "", "", "IF([on]=1,[eta]/[i],0)", r.efficiency / r.reduction,
+               source="η/i"),
+        column("own", "no-load torque", "T_nl", "Nm", "INDEX([reducers.t012],[k])+0", r.no_load),
+        column("j", "inertia at the motor", "", "kg m²", "IF([on]=1,[jt]+@inertia/[i]^2,0)", g.at_motor),
+        column("n", "speed of the motor", "n", "rpm", "@speed*[i]*30/PI()", shown(g.speed, RPM)),
+        column("fast", "with its margin", "", "rpm", "[n]*@least_speed",
+               shown(g.speed * view.given.least_speed_margin, RPM)),
+        column("mean", "mean speed of the motor", "", "rpm", "@mean*[i]*30/PI()",
+               shown(g.load.mean_speed / r.ratio, RPM)),
+        column("nmax", "largest input speed", "", "rpm", "INDEX([reducers.nmax],[k])+0", speeds, source="0: no limit"),
+        column("tmax", "largest torque", "", "Nm", "INDEX([reducers.tmax],[k])+0", torques),
+        calc("fs", "factor on it at these cycles", "f_s", "", f"={CYCLE_FACTOR}", filled(factors, n, 1.0)),
+        column("held", "largest torque at these cycles", "", "Nm", "[tmax]/[fs]", torques / factors),
+        column("tmean", "largest mean torque", "", "Nm", "INDEX([reducers.t2n],[k])+0", means),
         calc("fits", "holds the axis", "", "",
              "=IF(AND([on]=1,OR([nmax]=0,[n]<=[nmax]),OR([held]=0,@tmax<=[held]),OR([tmean]=0,@smean<=[tmean])),1,0)",
              filled(g.fits.astype(int), n, 0), format="0"),
-        calc("balance", "inertia that balances", "", "kg m²", "=IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
-             filled(g.balance, n), source="S_rms / (ω̇_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
-        calc("unit", "its reciprocal", "", "1/(kg m²)", "=IF([balance]>0,1/[balance],0)",
-             filled(np.divide(1.0, g.balance, out=np.zeros(g.balance.shape), where=g.balance > 0.0), n)),
-        calc("mixed", "mean of ω̇ S, with losses", "", "W/s",
-             f"=IF([on]=1,{MIXED.format(eta='[eta]', i='[i]', own='[own]')},0)", filled(view.mixed, n),
-             scale=view.shaft.product),
-        calc("square", "mean square torque of the load at the motor", "", "N²m²",
-             f"=IF([on]=1,{SQUARE.format(eta='[eta]', i='[i]', own='[own]')},0)", filled(view.square, n),
-             scale=view.shaft.torque**2),
-        *weighed("reducers", filled(known, n, 0), filled(weight, n)),
+        column("balance", "inertia that balances", "", "kg m²", "IF([on]*@own>0,@trms/(@wrms*[eta]*[i]^2),0)",
+               g.balance, source="S_rms / (ω̇_rms η i²)", scale=max(float(g.balance.max()), 1e-9)),
+        column("unit", "its reciprocal", "", "1/(kg m²)", "IF([balance]>0,1/[balance],0)",
+               np.divide(1.0, g.balance, out=np.zeros(g.balance.shape), where=g.balance > 0.0)),
+        column("mixed", "mean of ω̇ S, with losses", "", "W/s", f"IF([on]=1,{MIXED.format(**own)},0)",
+               view.load.mixed(view.bare), scale=view.shaft.product),
+        column("square", "mean square torque of the load at the motor", "", "N²m²",
+               f"IF([on]=1,{SQUARE.format(**own)},0)", view.load.square(view.bare), scale=view.shaft.torque**2),
+        *weighed(view, "reducers", n, r.size, r.cost),
     )  # fmt: skip

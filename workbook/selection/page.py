@@ -1,30 +1,35 @@
 """The sheet Selection of a machine: motors by reducers for the axis that is named on it, within limits, ranked."""
 
-from collections.abc import Sequence
-
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, check, given, result
 from workbook.book.sentence import Said
 from workbook.selection.best import best_table, chart, order_table, uses
-from workbook.selection.choosing import Choosing
-from workbook.selection.drives import chosen, drives_table, every_drive, known, motors_by_drives, points_table
+from workbook.selection.choosing import Choosing, rms_of
+from workbook.selection.drives import chosen, drives_table, every_drive, motors_by_drives, points_table
 from workbook.selection.entries import UNCHOSEN
 from workbook.selection.grids import grids, products
-from workbook.selection.shaft import rms_of
 
 TITLE = "Selection"
 ABOUT = (
     "A motor and a reducer are chosen where their names are entered, on the sheet of the drive: this sheet shows which "
     "pairs of the catalogue can do it."
 )
+ENTRIES = (
+    ("inertia_ratio", "inertia_ratio", "Largest inertia ratio", "", "inertia at the motor / the motor's"),
+    ("least", "least_margin", "Least margin", "", "continuous torque at the mean speed / T_rms"),
+    ("greatest", "greatest_margin", "Greatest margin", "", "so that no motor is far too large"),
+    ("least_peak", "least_peak_margin", "Least margin of peak torque", "", "motor's peak torque / largest torque"),
+    ("least_speed", "least_speed_margin", "Least margin of speed", "", "motor's largest speed / largest speed"),
+    ("factor", "torque_factor", "Factor on the reducer's torque", "K_A",
+     "for shocks or many cycles an hour, as its maker says"),
+)  # fmt: skip
+"""what a usable pair holds: cell, entry, words, symbol and a note"""
 
 
-def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Quantity] = ()) -> Sheet:
-    """Declare the sheet; ``axis`` is the entry that names one of several shafts, ``more`` are entries of the book."""
+def selection_sheet(book: Book, view: Choosing, axis: str = "") -> None:
+    """Declare the sheets of the best pairs and of all; ``axis`` is the entry that names one of several shafts."""
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: usable pairs, best first.")
     with sheet.scoped("sel_"):
-        named = given("@axis", "Axis", "", "", axis, "selection.axis", choices="=sel_axes", align="left",
-                      source="one with a drive")  # fmt: skip
-        entries(sheet, view, [*([named] if axis else []), *more])
+        entries(sheet, view, axis)
         asked(sheet, view)
         outcome(sheet, view, axis)
         best_table(sheet, view)
@@ -42,40 +47,25 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "", more: Sequence[Q
     if axis:
         book.column_names["sel_axes"] = ("sel_drives", "axis")
     sheet.print_columns = 16
-    pairs_sheet(book, view)
-    return sheet
+    pairs = book.sheet("Pairs", "Every motor of the catalogue with every reducer: which can do it, what others fail.")
+    pairs.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}  # to read a page
+    with pairs.scoped("sel_"):
+        grids(pairs, view)
+        products(pairs, view)
+        order_table(pairs, view)
 
 
-def pairs_sheet(book: Book, view: Choosing) -> None:
-    """Declare the sheet of every motor with every reducer, in columns so narrow that a page can be read."""
-    sheet = book.sheet("Pairs", "Every motor of the catalogue with every reducer: which can do it, what others fail.")
-    sheet.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}
-    with sheet.scoped("sel_"):
-        grids(sheet, view)
-        products(sheet, view)
-        order_table(sheet, view)
-
-
-def entries(sheet: Sheet, view: Choosing, first: Sequence[Quantity]) -> None:
+def entries(sheet: Sheet, view: Choosing, axis: str) -> None:
     """Declare the axis, what pairs are ranked by, and what a usable one holds."""
     s = view.given
     sheet.heading("Enter", ABOUT)
     sheet.rows(
-        *first,
+        *([given("@axis", "Axis", "", "", axis, "selection.axis", choices="=sel_axes", align="left",
+                 source="one with a drive")] if axis else []),
         given("@rank", "Rank usable pairs by", "", "", s.rank, "selection.rank", align="left",
               source="smallest motor: the least rated torque, then the least of it used"),
-        given("@inertia_ratio", "Largest inertia ratio", "", "", s.inertia_ratio, "selection.inertia_ratio",
-              format="0.0##", source="inertia at the motor / the motor's"),
-        given("@least", "Least margin", "", "", s.least_margin, "selection.least_margin", format="0.0##",
-              source="continuous torque at the mean speed / T_rms"),
-        given("@greatest", "Greatest margin", "", "", s.greatest_margin, "selection.greatest_margin", format="0.0##",
-              source="so that no motor is far too large"),
-        given("@least_peak", "Least margin of peak torque", "", "", s.least_peak_margin, "selection.least_peak_margin",
-              format="0.0##", source="motor's peak torque / largest torque"),
-        given("@least_speed", "Least margin of speed", "", "", s.least_speed_margin, "selection.least_speed_margin",
-              format="0.0##", source="motor's largest speed / largest speed"),
-        given("@factor", "Factor on the reducer's torque", "K_A", "", s.torque_factor, "selection.torque_factor",
-              format="0.0##", source="for shocks or many cycles an hour, as its maker says"),
+        *(given(f"@{name}", label, symbol, "", getattr(s, entry), f"selection.{entry}", format="0.0##", source=source)
+          for name, entry, label, symbol, source in ENTRIES),
     )  # fmt: skip
 
 
@@ -94,7 +84,7 @@ def asked(sheet: Sheet, view: Choosing) -> None:
         calc("@little", "Least share of it", "", "", "=1/@greatest", 1.0 / view.given.greatest_margin),
         result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
                2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean),
-               scale=view.shaft.product, source="2 (ω̇_rms S_rms + mean ω̇ S); S5, eq. (15)"),
+               "2 (ω̇_rms S_rms + mean ω̇ S); S5, eq. (15)", scale=view.shaft.product),
     )  # fmt: skip
 
 
@@ -113,11 +103,12 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
         result("@reducer", "Proposed reducer", "", "", f'=IF({there},"none",{first.format("reducer")})',
                view.reducers.names[pair[1]] if pair else "none", align="left"),
         result("@usable", "Usable pairs", "", "", f'=COUNTIF({view.whole("word")},"yes")', usable, format="0"),
-        calc("@count", "… of these, ranked", "", "", f"=COUNT({view.whole('key')})", len(view.ranked), format="0",
-             source="those that have the mass or cost they are ranked by"),
+        calc("@count", "… of these, ranked", "", "", f"=COUNT({view.whole('key')})", len(view.ranked),
+             "those that have the mass or cost they are ranked by", format="0"),
     )  # fmt: skip
     sheet.checks(
-        *([check("@ok_axis", "Selection: its axis has a drive", known(view), True, rule=":chosen",
+        *([check("@ok_axis", "Selection: its axis has a drive",
+                 "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis", True, rule=":chosen",
                  says=f'"{UNCHOSEN}"&@axis')] if axis else []),
         check("@ok", "Selection: a motor and a reducer fit", "SUM([@best.holds])>0", pair is not None,
               says=Said("@message", message))
@@ -136,17 +127,17 @@ def own_pair(view: Choosing) -> list[Quantity]:
     own, torque = view.own, max(view.own.peak, 1e-3)
     rms = rms_of("@held_j", "@held_i", "@held_mixed", "@held_square")
     return [
-        result("@own_rms", "RMS torque of the motor", "T_rms", "Nm", f"={rms}", own.rms, scale=torque,
-               source="that of the drive's sheet"),
+        result("@own_rms", "RMS torque of the motor", "T_rms", "Nm", f"={rms}", own.rms, "that of the drive's sheet",
+               scale=torque),
         result("@own_margin", "Margin", "", "", "=IF(@own_rms>0,@held_rated/@own_rms,0)", own.margin,
-               source="continuous torque / T_rms"),
-        result("@own_peak", "Peak torque of the motor", "T_max", "Nm", "=@held_top+0", own.peak, scale=torque,
-               source="that of the drive's sheet"),
+               "continuous torque / T_rms"),
+        result("@own_peak", "Peak torque of the motor", "T_max", "Nm", "=@held_top+0", own.peak,
+               "that of the drive's sheet", scale=torque),
         result("@own_speed", "Largest speed of the motor", "n_max", "rpm", "=@speed*@held_i*30/PI()", own.speed),
         result("@own_inertias", "Inertia ratio", "", "",
                "=IF(@held_jm>0,(@held_j-@held_jm+@inertia/@held_i^2)/@held_jm,0)", own.inertias),
         result("@own_spare", "Least reserve below the motor's curve", "", "Nm", "=@held_spare+0", own.spare,
-               scale=torque, source="that of the drive's sheet"),
+               "that of the drive's sheet", scale=torque),
     ]  # fmt: skip
 
 

@@ -24,9 +24,8 @@ from workbook.entries.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_HOUR, PE
 from workbook.laws.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
-from workbook.selection.choosing import Choosing
+from workbook.selection.choosing import Choosing, Figure, Shaft, asked, figures
 from workbook.selection.entries import Selection, SelectionSizes
-from workbook.selection.shaft import Figure, Shaft, figures
 
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
@@ -155,24 +154,17 @@ class ToolDrive:
 
     def choosing(self) -> Choosing:
         """Return the choice of motor and reducer, with the pair in use."""
-        own, mixed, mixed_back, square, square_back, *ways = self.asked.squares
-        turning, torque, (m, r) = self.turning, self.torque, self.pair
-        motor, (inertia, ratio, efficiency, no_load) = self.motor, self.gears
-        rows = figures("drive_", {
-            "own": (mean("al", "al"), own, turning**2), "square": (mean("S", "S", DRIVES), square, torque**2),
-            "square_back": (mean("S", "S", DRIVEN), square_back, torque**2),
-            "product": (mean("al", "S", DRIVES), mixed, turning * torque),
-            "product_back": (mean("al", "S", DRIVEN), mixed_back, turning * torque),
-            "way": (mean("dir", "dir"), ways[0]), "way_turning": (mean("al", "dir"), ways[1], turning),
-            "way_behind": (mean("S", "dir", DRIVES), ways[2], torque),
-            "way_back": (mean("S", "dir", DRIVEN), ways[3], torque), "speed": ("fly_w_max", self.asked.speed),
-            "mean": ("SUMPRODUCT([@pt.share],([@pt.w]^2)^0.5)", self.asked.mean_speed),
-            "smax": ("@smax", self.asked.torque, torque), "smean": ("@smean", self.asked.mean_torque, torque),
-            "cycles": self.cycles, "inertia": ("fly_j", self.asked.inertia),
-            "beside": ("0", 0.0), "brake": ("0", 0.0), "by_power": ("1", 1.0),
-            "left": ("1", 1.0), "held_j": ("@j", inertia), "held_jm": ("@jm", motor.inertia),
-            "held_i": ("@i", ratio), "held_eta": ("@eta", efficiency), "held_no_load": ("@no_load", no_load),
-            "held_rated": ("@continuous", self.reserve.rms_torque.limit),
+        motor, gears, (m, r) = self.motor, self.gears, self.pair
+        rows = figures("drive_", asked(self.asked, self.turning, self.torque), {
+            "own": mean("al", "al"), "square": mean("S", "S", DRIVES), "square_back": mean("S", "S", DRIVEN),
+            "product": mean("al", "S", DRIVES), "product_back": mean("al", "S", DRIVEN), "way": mean("dir", "dir"),
+            "way_turning": mean("al", "dir"), "way_behind": mean("S", "dir", DRIVES),
+            "way_back": mean("S", "dir", DRIVEN), "speed": "fly_w_max",
+            "mean": "SUMPRODUCT([@pt.share],([@pt.w]^2)^0.5)", "smax": "@smax", "smean": "@smean",
+            "cycles": self.cycles, "inertia": "fly_j", "beside": ("0", 0.0), "brake": ("0", 0.0),
+            "by_power": ("1", 1.0), "left": ("1", 1.0), "held_j": ("@j", gears.inertia),
+            "held_jm": ("@jm", motor.inertia), "held_i": ("@i", gears.ratio), "held_eta": ("@eta", gears.efficiency),
+            "held_no_load": ("@no_load", gears.no_load), "held_rated": ("@continuous", self.reserve.rms_torque.limit),
             "held_peak": ("@motor_peak", motor.peak_torque),
             "held_top": ("MAX(@tmax,0-@tmin)", self.peak, self.motor_torque),
             "held_spare": ("@spare", float(self.left.min()), max(self.motor_torque, motor.peak_torque)),

@@ -31,7 +31,6 @@ from workbook.machines.machine.entries_beside import (
     spelled,
 )
 from workbook.machines.machine.mechanism import Mechanism, Table
-from workbook.machines.machine.selection.entries import Choice
 from workbook.motion.asked import Smoothness
 from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
@@ -157,7 +156,7 @@ class AnyMachine(Exporting):
     clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
     power: chain.PowerEntry = chain.PowerEntry()
     gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
-    selection: Choice = Choice()
+    selection: chain.Choice = chain.Choice()
     sizes: MachineSizes = MachineSizes()
 
     @classmethod

@@ -84,7 +84,7 @@ def printed_sheet(book: Book, view: DriveView) -> None:
 def values(view: DriveView) -> list[float]:
     """Return the engine's figures in the order of the table."""
     driven = view.driven
-    m, drive = driven.mechanism, replace(driven.drive, method="document")
+    m, drive = driven.mechanism, replace(driven.train.drive, method="document")
     hardest = driven.axis.hardest
     accelerating, uniform, decelerating = (float(drive.torque(a, 1.0)) for a in (hardest, 0.0, -hardest))
     return [

@@ -18,10 +18,8 @@ from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, shelf_of
 from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.clearances import Apart, clearances_sheet
-from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.reach import require_mechanisms
 from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
@@ -29,8 +27,7 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import rates, truths
 from workbook.machines.machine.from_names import fixed, laid_out
 from workbook.machines.machine.motion.tables import AxisRows, pieces_sheet
-from workbook.machines.machine.power.sheet import power_sheet, supply
-from workbook.machines.machine.power.view import Mains
+from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
@@ -52,9 +49,9 @@ def declare(given: AnyMachine) -> Book:
     book = Book(given.template, given.title, limit=limits(type(given)))
     both = [driven(machine, axis, shelf.stack) for axis in machine.axes]
     rows, drives = [one for one, _ in both], {one.axis.number: view for one, view in both if view}
-    bus = Mains(list(drives.values()), given.power)
+    bus = Mains(list(drives.values()), given.power) if drives else None
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
-    told = [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *supply(bus)]
+    told = [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *(supply(bus) if bus else [])]
     sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", told)
     axes_in_short(
         sheet,
@@ -69,7 +66,8 @@ def declare(given: AnyMachine) -> Book:
         if view := drives.get(one.axis.number):
             again(book, "drive sheets", (view, machine.near), partial(named_drive_sheet, book, view))
     clearances_sheet(book, [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)])
-    power_sheet(book, bus)
+    if bus:
+        power_sheet(book, bus)
     if given.selection.axis is not None:
         shafts = [shaft_of(view) for view in drives.values()]
         number = place_of(given.selection.axis, [one.name for one in shafts])
@@ -128,8 +126,8 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet of a drive, with names of the columns that its samples, Power and Selection look up."""
     drive_sheet(book, view)
     i, names = view.driven.number, {"at": "theta", "T": "T", "n": "n"} | ({"phi": "phi"} if view.varies else {})
-    if asks(view):
-        names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "Sm" if brake.known(view) else "S"}
+    if view.asked:
+        names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "Sm" if view.brakes else "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
     book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards
 

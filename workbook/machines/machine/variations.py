@@ -5,12 +5,11 @@ from typing import Any
 
 from engine.selection.pair_matrix import RANKS
 from workbook.laws.variations import SIX, factors, law_for, page_of, passing, variations, vary_laws
-from workbook.machines.machine.chain import WINDOWS
-from workbook.machines.machine.drive.mechanisms.registry import LINKAGES
+from workbook.machines.machine.chain import WINDOWS, falling
+from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, MECHANISMS, SLIDING
-from workbook.machines.machine.selection.entries import falling
 from workbook.machines.machine.time_based import in_units_of
 from workbook.motion.asked import smoothness_for
 from workbook.motion.room import within

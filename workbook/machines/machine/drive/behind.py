@@ -9,11 +9,9 @@ import numpy as np
 
 from engine.selection.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
-from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.entered import on_shaft
-from workbook.machines.machine.drive.points import asks
 from workbook.machines.machine.drive.view import DriveView
-from workbook.selection.shaft import Figure, Shaft, figures
+from workbook.selection.choosing import Shaft, asked, figures
 
 DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
 BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
@@ -26,91 +24,74 @@ def load_of(view: DriveView) -> PointLoad:
     return PointLoad(view.load, view.speed / ratio, view.reducer_checks[0].value, inertia)
 
 
-def turning(view: DriveView) -> float:
-    """Return how large the acceleration of the shaft grows (rad/s²)."""
-    return max(float(np.abs(view.load.shaft_acceleration).max()), 1e-9)
-
-
 def turns_of(view: DriveView) -> float:
     """Return the acceleration of the shaft behind the reducer over the one that the points have, φ̈ or ÿ."""
     return 1.0 if view.varies else view.driven.mechanism.ratio_from(1)
 
 
+def asked_of(view: DriveView) -> dict[str, tuple[float, float]]:
+    """Return the figures of what the cycle asks for, with their scales."""
+    return asked(load_of(view), turning(view), view.scales.behind)
+
+
+def turning(view: DriveView) -> float:
+    """Return how large the acceleration of the shaft grows (rad/s²)."""
+    return max(float(np.abs(view.load.shaft_acceleration).max()), 1e-9)
+
+
 def means(sheet: Sheet, view: DriveView) -> None:
     """Declare the means over the cycle, and what else hangs on no motor and no reducer."""
-    if not asks(view):
-        return
-    driven, load, alpha, behind = view.driven, load_of(view), turning(view), view.scales.behind
-    own, mixed, mixed_back, square, square_back, *ways = load.squares
-
-    free = "[@pt.free]" if brake.known(view) else '(1-([@pt.dir]=0)*(@holding="brake"))'
-    column, by = ("al", "") if view.varies else ("a", "@i2*")
+    free = "[@pt.free]" if view.brakes else '(1-([@pt.dir]=0)*(@holding="brake"))'
+    column, by = ("[@pt.al]", "") if view.varies else ("[@pt.a]", "@i2*")
 
     def mean(where: str, one: str, by: str = "") -> str:
-        return f"={by}SUMPRODUCT([@pt.share]*{where}*{free},[@pt.{one}],[@pt.S])"
+        return f"{by}SUMPRODUCT([@pt.share]*{where}*{free},{one},[@pt.S])"
 
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
     )
+    found = asked_of(view)
     sheet.rows(
-        calc("@ask_own", "Mean of α²", "⟨α²⟩", "rad²/s⁴",
-             f"={by}{by}SUMPRODUCT([@pt.share],[@pt.{column}],[@pt.{column}])", own,
-             scale=alpha**2),
-        calc("@ask_square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²", mean(DRIVES, "S"), square,
-             scale=behind**2),
-        calc("@ask_square_back", "… where the load drives it", "", "Nm²", mean(BACK, "S"), square_back,
-             scale=behind**2),
-        calc("@ask_product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", mean(DRIVES, column, by), mixed,
-             scale=alpha * behind),
-        calc("@ask_product_back", "… where the load drives it", "", "W/s", mean(BACK, column, by), mixed_back,
-             scale=alpha * behind),
-        calc("@ask_way", "Share of the cycle in motion", "⟨d²⟩", "", "=SUMPRODUCT([@pt.share],[@pt.dir],[@pt.dir])",
-             ways[0], source="d: 1 forward, −1 backward"),
-        calc("@ask_way_turning", "Mean of α d", "⟨αd⟩", "rad/s²",
-             f"={by}SUMPRODUCT([@pt.share],[@pt.{column}],[@pt.dir])", ways[1], scale=alpha),
-        calc("@ask_way_behind", "Mean of S d where it drives the load", "⟨Sd⟩", "Nm", mean(DRIVES, "dir"), ways[2],
-             scale=behind),
-        calc("@ask_way_back", "… where the load drives it", "", "Nm", mean(BACK, "dir"), ways[3], scale=behind),
-        calc("@ask_speed", "Largest speed", "ω", "rad/s", "=@speed*PI()/30/@i1", load.speed),
+        *(calc(f"@ask_{name}", label, symbol, unit, f"={formula}", found[name][0], source, scale=found[name][1])
+          for name, label, symbol, unit, formula, source in (
+              ("own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", f"{by}{by}SUMPRODUCT([@pt.share],{column},{column})", ""),
+              ("square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²", mean(DRIVES, "[@pt.S]"), ""),
+              ("square_back", "… where the load drives it", "", "Nm²", mean(BACK, "[@pt.S]"), ""),
+              ("product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", mean(DRIVES, column, by), ""),
+              ("product_back", "… where the load drives it", "", "W/s", mean(BACK, column, by), ""),
+              ("way", "Share of the cycle in motion", "⟨d²⟩", "", "SUMPRODUCT([@pt.share],[@pt.dir],[@pt.dir])",
+               "d: 1 forward, −1 backward"),
+              ("way_turning", "Mean of α d", "⟨αd⟩", "rad/s²", f"{by}SUMPRODUCT([@pt.share],{column},[@pt.dir])", ""),
+              ("way_behind", "Mean of S d where it drives the load", "⟨Sd⟩", "Nm", mean(DRIVES, "[@pt.dir]"), ""),
+              ("way_back", "… where the load drives it", "", "Nm", mean(BACK, "[@pt.dir]"), ""),
+              ("speed", "Largest speed", "ω", "rad/s", "@speed*PI()/30/@i1", ""))),
         calc("@ask_turns", "Acceleration of that shaft over the one that the points have", "", "",
-             "=1" if view.varies else "=@i2+0", turns_of(view), source="the load's, of a constant ratio"),
-        calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j_shaft+0", load.inertia),
+             "=1" if view.varies else "=@i2+0", turns_of(view), "the load's, of a constant ratio"),
+        calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j_shaft+0", found["inertia"][0]),
         calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", f"={on_shaft('motor')}",
-             driven.beside_motor, scale=driven.at_motor),
+             view.driven.beside_motor, scale=view.driven.at_motor),
     )  # fmt: skip
 
 
 def shaft_of(view: DriveView) -> Shaft:
     """Return the shaft behind the reducer of a drive, as the sheet Selection reads it."""
-    d, load = view.driven, load_of(view)
-    return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load,
-                 "ABS({})/@held_i", turning(view), view.scales.behind, figures_of(view, load))  # fmt: skip
-
-
-def figures_of(view: DriveView, load: PointLoad) -> list[Figure]:
-    """Return what the sheet of a drive has of the shaft behind its reducer, and of its motor."""
-    d, alpha, behind, torque = view.driven, turning(view), view.scales.behind, view.scales.torque
-    own, mixed, mixed_back, square, square_back, *ways = load.squares
-    top, motor = view.reserve.peak_torque.value, d.motor_used
-    spare, left = "@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top
-    rest = ("0", 0.0) if brake.known(view) else ('(@holding="brake")', float(d.holding == "brake"))
-    if view.knows_falling:
-        spare, left = "@spare", view.spare
-    return figures(f"drive{d.number}_", {
-        "own": ("@ask_own", own, alpha**2), "square": ("@ask_square", square, behind**2),
-        "square_back": ("@ask_square_back", square_back, behind**2), "product": ("@ask_product", mixed, alpha * behind),
-        "product_back": ("@ask_product_back", mixed_back, alpha * behind), "way": ("@ask_way", ways[0]),
-        "way_turning": ("@ask_way_turning", ways[1], alpha), "way_behind": ("@ask_way_behind", ways[2], behind),
-        "way_back": ("@ask_way_back", ways[3], behind), "speed": ("@ask_speed", load.speed),
-        "mean": ("@mean*PI()/30/@i1", load.mean_speed), "smax": ("@smax", load.torque, behind),
-        "smean": ("@smean", view.reducer_checks[1].value, behind), "cycles": ("@cycles", view.cycles),
-        "inertia": ("@ask_inertia", load.inertia),
-        "beside": ("@ask_beside", d.beside_motor), "brake": rest,
+    d, motor, reducer, rms = view.driven, view.driven.motor_used, view.driven.reducer, view.reserve.rms_torque
+    top, torque = view.reserve.peak_torque.value, view.scales.torque
+    spare = ("@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top)
+    means = ("own", "square", "square_back", "product", "product_back", "way", "way_turning", "way_behind", "way_back",
+             "speed", "inertia")  # fmt: skip
+    rows = figures(f"drive{d.number}_", asked_of(view), {name: f"@ask_{name}" for name in means} | {
+        "mean": "@mean*PI()/30/@i1", "smax": "@smax", "smean": "@smean", "cycles": ("@cycles", view.cycles),
+        "beside": ("@ask_beside", d.beside_motor), "turns": ("@ask_turns", turns_of(view)),
+        "brake": ("0", 0.0) if view.brakes else ('(@holding="brake")', float(d.holding == "brake")),
         "by_power": ('(@method="physical")', float(d.given.method == "physical")), "left": ("@derate", d.left),
-        "held_j": ("@j0", d.at_motor), "held_jm": ("@jm", motor.inertia), "held_i": ("@i1", d.reducer.ratio),
-        "held_eta": ("@eta1", d.reducer.efficiency), "held_no_load": ("@no_load", d.reducer.no_load_torque),
-        "held_rated": ("@continuous", view.reserve.rms_torque.limit), "held_peak": ("@motor_peak", motor.peak_torque),
-        "held_top": ("MAX(@tmax,0-@tmin)", top, torque), "held_spare": (spare, left, torque),
+        "held_j": ("@j0", d.at_motor), "held_jm": ("@jm", motor.inertia), "held_i": ("@i1", reducer.ratio),
+        "held_eta": ("@eta1", reducer.efficiency), "held_no_load": ("@no_load", reducer.no_load_torque),
+        "held_rated": ("@continuous", rms.limit), "held_peak": ("@motor_peak", motor.peak_torque),
+        "held_top": ("MAX(@tmax,0-@tmin)", top, torque),
+        "held_spare": (*(("@spare", view.spare) if view.knows_falling else spare), torque),
         "held_nmax": ("@motor_nmax", motor.max_speed), "held_row": ("@motor_row", motor.row),
-        "held_gear": ("@reducer_row", d.reducer.row), "turns": ("@ask_turns", turns_of(view)),
+        "held_gear": ("@reducer_row", reducer.row),
     })  # fmt: skip
+    return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load_of(view),
+                 "ABS({})/@held_i", turning(view), view.scales.behind, rows)  # fmt: skip

@@ -10,28 +10,17 @@ from workbook.book.rows import filled
 from workbook.book.sentence import exceeding
 from workbook.machines.machine.drive.view import DriveView
 
-ALWAYS, BY_DWELL = "([dir]=0)*@brake", "1-[free]"
-"""1 at points where a brake holds: in every dwell, or in those that are long enough"""
-
-
-def known(view: DriveView) -> bool:
-    """Return whether the figures of the brake are entered."""
-    motor = view.driven.entered.motor
-    return motor is not None and motor.brake is not None
-
 
 def held(view: DriveView) -> str:
-    """Return the formula of 1 at a point where the brake holds the motor's shaft, else 0."""
-    return BY_DWELL if known(view) else ALWAYS
+    """Return the formula of 1 at a point where the brake holds the shaft, in dwells long enough for it, else 0."""
+    return "1-[free]" if view.brakes else "([dir]=0)*@brake"
 
 
 def workings(view: DriveView) -> list[Quantity]:
     """Return the rows of the shortest dwell that it holds, and of the intervals in motion."""
-    if not known(view):
-        return []
     return [
         calc("@brake_least", "Shortest dwell that the brake holds", "", "s", "=(@brake_closing+@brake_opening)/1000",
-             view.driven.brake.time, source="to close and to open"),
+             view.driven.brake.time, "to close and to open"),
         calc("@moving", "Intervals in motion", "", "", "=SUMPRODUCT(([@iv.len]>=eps)*([@iv.dir]<>0))",
              int((view.cycle.direction != 0.0).sum()), format="0"),
     ]  # fmt: skip
@@ -39,35 +28,29 @@ def workings(view: DriveView) -> list[Quantity]:
 
 def of_intervals(view: DriveView, spare: str) -> list[Quantity]:
     """Return the columns of the dwell that an interval belongs to; ``spare`` is the condition of a spare row."""
-    if not known(view):
-        return []
     cycle = view.cycle
     moves = cycle.direction != 0.0
     before = (np.cumsum(moves) - moves) % max(1, int(moves.sum()))
     count = "SUMPRODUCT(([@iv.k]<[k])*([@iv.dir]<>0))"
     dwell = "([@iv.before]=[before])*([@iv.dir]=0)*[@iv.len]"
     return [
-        calc("before", "intervals in motion before it", "", "",
-             f"=IF(OR({spare},{count}=@moving),0,{count})",
-             filled(before.tolist(), view.rows, 0), format="0",
-             source="0: all, or none; as many: one dwell"),
+        calc("before", "intervals in motion before it", "", "", f"=IF(OR({spare},{count}=@moving),0,{count})",
+             filled(before.tolist(), view.rows, 0), "0: all, or none; as many: one dwell", format="0"),
         calc("dwell", "time of its dwell", "t_d", "s",
              f"=IF(OR({spare},[dir]<>0),0,RADIANS(SUMPRODUCT({dwell}))/@omega)",
              filled(cycle.dwells.tolist(), view.rows, 0.0), scale=view.time),
         calc("held", "held by the brake", "", "",
              f"=IF({spare},[held-1],([dir]=0)*([dwell]>=@brake_least-check_zero)*@brake)",
-             view.by_interval(view.load.braked[:, 0].astype(float)), format="0", source="1 yes, 0 no"),
+             view.by_interval(view.load.braked[:, 0].astype(float)), "1 yes, 0 no", format="0"),
     ]  # fmt: skip
 
 
 def of_points(view: DriveView) -> list[Quantity]:
     """Return the columns of whether the motor is free of the brake, and of what it then drives."""
-    if not known(view):
-        return []
     free = np.where(view.load.braked, 0.0, 1.0)
     return [
         calc("free", "free of the brake", "", "", "=1-IF([dir]=0,INDEX([@iv.held],[iv]),0)", view.by_point(free),
-             format="0", source="0 where it holds"),
+             "0 where it holds", format="0"),
         calc("Sm", "output torque of the reducer, by the motor", "", "Nm", "=[S]*[free]",
              view.by_point(view.load.output_torque * free), scale=view.scales.behind),
     ]  # fmt: skip
@@ -75,19 +58,15 @@ def of_points(view: DriveView) -> list[Quantity]:
 
 def torque(view: DriveView) -> list[Quantity]:
     """Return the result of what the brake holds."""
-    if not known(view):
-        return []
     return [
         result("@brake_load", "Brake torque, highest", "T_B", "Nm",
                "=SUMPRODUCT(MAX((1-[@pt.free])*ABS([@pt.S])))*@out1", view.points.brake_torque,
-               scale=view.scales.torque, source="in the dwells that it holds")
+               "in the dwells that it holds", scale=view.scales.torque)
     ]  # fmt: skip
 
 
 def checks(view: DriveView) -> list[Quantity]:
     """Return the check of the brake's holding torque."""
-    if not known(view):
-        return []
     load, most = view.points.brake_torque, view.driven.brake.torque
     return [
         check("@ok_brake", f"{view.driven.called}: the brake holds the load at rest", "@brake_load<=@brake_torque",

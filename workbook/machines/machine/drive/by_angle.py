@@ -1,16 +1,63 @@
-"""A load that follows the angle of its axis, in cells: a slide on a crank, the weight of a swinging arm."""
+"""A load that follows the angle of its axis, in cells: a slide on a press crank, the weight of a swinging arm."""
 
-from workbook.book.declare import Quantity, check
+import numpy as np
+
+from engine.drive.mechanisms.by_angle import PressCrank as Crank
+from engine.drive.quadrature import LoadPoints
+from workbook.book.declare import Quantity, calc, check, entries_of
 from workbook.book.sentence import amount, quoted
 from workbook.entries.phase import TURN
 from workbook.entries.units import shown
-from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.linkages import SHORT
-from workbook.machines.machine.drive.mechanisms.crank_slider import FITS, HOLDS
+from workbook.machines.machine.drive.driven import SHORT, Driven, as_a
+from workbook.machines.machine.drive.mechanisms import slides
+from workbook.machines.machine.drive.mechanisms.page import Column, constant_sizes
 from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.mechanism import PressCrank
 
 NEAR = 1e-9
 """of a turn, and of the sheet's check_zero: how near to whole turns a cycle must end"""
+
+
+def crank_entries(driven: Driven, key: str) -> list[Quantity]:
+    """Return the rows of what is entered of a press crank."""
+    e = as_a(PressCrank, driven.given)
+    angle = entries_of(e, f"{key}.mechanism")("@start_angle", "Angle of the crank where the axis is at 0", "φ_0", "°",
+                                              "start_angle", "from the slide's line outwards; 0 if empty")  # fmt: skip
+    return [*slides.crank(e, key, "slide"), angle]
+
+
+def crank_sizes(driven: Driven) -> list[Quantity]:
+    """Return the rows of the ratios, and of the crank in m and rad."""
+    one = as_a(Crank, driven.by_angle)
+    return [
+        *constant_sizes(driven),
+        calc("@r", "Crank", "r", "m", "=@crank_radius/1000", one.crank),
+        calc("@l", "Rod", "l", "m", "=@rod_length/1000", one.rod),
+        calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
+        calc("@psi0", "Angle of the crank where the axis is at 0", "φ_0", "rad", "=RADIANS(@start_angle)", one.start),
+    ]
+
+
+ROWS = crank_entries, crank_sizes
+
+
+def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
+    """Return the columns of the slide: where it is by the crank's angle, its velocity and its acceleration."""
+    one = as_a(Crank, driven.by_angle)
+    psi, x = load.position + one.start, one.position(load.position)
+    velocity, acceleration = load.moving
+    return [
+        calc("psi", "angle of the crank", "ψ", "rad", "=[y]+@psi0", of(psi), "φ + φ_0",
+             scale=max(float(np.abs(psi).max()), 1.0)),
+        *slides.pin(one.crank, psi, of),
+        calc("X", "slide from the shaft", "x", "m", "=[c]+SQRT(@l^2-([above]-@e)^2)", of(x), "c + √(l² − (s − e)²)",
+             scale=one.rod),
+        *slides.travel(one.crank, one.offset, psi, x, of),
+        calc("vs", "velocity of the slide", "ẋ", "m/s", "=[dx]*[v]", of(velocity), "dx/dψ φ̇",
+             scale=one.crank * max(float(np.abs(load.velocity).max()), 1e-9)),
+        calc("as", "acceleration of the slide", "ẍ", "m/s²", "=[dx]*[a]+[ddx]*[v]^2", of(acceleration),
+             "dx/dψ φ̈ + d²x/dψ² φ̇²", scale=max(float(np.abs(acceleration).max()), 1e-9)),
+    ]  # fmt: skip
 
 
 def resisting(view: DriveView) -> tuple[str, str]:
@@ -38,13 +85,11 @@ def ends_in_place(driven: Driven) -> bool:
 
 def checks(view: DriveView) -> list[Quantity]:
     """Return the checks that a cycle ends in the angle in which it begins, and that a crank can turn round."""
-    driven, i = view.driven, view.driven.number
-    if driven.by_angle is None:
-        return []
+    driven, i, crank = view.driven, view.driven.number, slides.CRANK_SLIDER
     cell, travel = f"[axes.travel.{i}]", shown(driven.axis.motion.lifts_sum, driven.axis.unit)
     whole = check("@ok_turns", f"{driven.called}: a cycle ends at the angle where it begins",
                   f"ABS({cell}/360-ROUND({cell}/360,0))<=check_zero", ends_in_place(driven),
                   "whole turns, or none", says=amount(cell, travel, "it ends ", " ° from where it begins"))  # fmt: skip
-    fits = check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", FITS, True, HOLDS,
-                 f":linked{i}", quoted(SHORT))  # fmt: skip
+    fits = check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", crank.fits, True,
+                 crank.holds, f":linked{i}", quoted(SHORT))  # fmt: skip
     return [fits, whole] if view.slides else [whole]

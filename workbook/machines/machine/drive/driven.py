@@ -11,31 +11,74 @@ from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cyli
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drive import Brake
 from engine.drive.limits import LimitChecks, Limits
+from engine.drive.mechanisms import by_angle
 from engine.drive.mechanisms.by_angle import Arm, ByAngle
+from engine.drive.mechanisms.slides import crank_slider, rocker
+from engine.drive.mechanisms.table import PositionTable
 from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.drive.motor import Falling, TorqueCurve
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
-from workbook.drive.entries import RotatingParts
 from workbook.entries.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.latest import latest
-from workbook.machines.machine.drive.linkages import linkage_of, press_of
+from workbook.machines.machine.chain import AxisPart
+from workbook.machines.machine.drive.in_use import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import LINKED, SCREWS, Belted, PressCrank
-from workbook.machines.machine.selection.in_use import falling_of, left_of, motor_in_use, reducer_in_use
+from workbook.machines.machine.mechanism import (
+    LINKED,
+    SCREWS,
+    Belted,
+    CrankSlider,
+    MechanismEntry,
+    PressCrank,
+    Rocker,
+    Table,
+)
 from workbook.machines.machine.view import MovingAxis
 
 T = TypeVar("T")
 SHAFTS = ("motor", "mechanism")
-SCREW = "lead screw"
+FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
+SHORT = "the rod is not longer than crank and offset: the crank cannot turn round"
+APART = {
+    "press crank": SHORT,
+    "crank-slider": SHORT,
+    "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
+}
+"""what is said of sizes that do not go together"""
 
 
-def inertia_of(part: RotatingParts) -> float:
-    """Return the inertia of one part (kg m²), entered or that of a cylinder."""
-    if part.inertia is not None:
-        return si(part.inertia, KG_CM2)
+def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
+    """Return the mechanism that is entered, of an axis in a unit. Raises ValueError for sizes that cannot be."""
+
+    def mm(*sizes: float | None) -> tuple[float, ...]:
+        return tuple(si(one or 0.0, MM) for one in sizes)
+
+    match given:
+        case Table():
+            return PositionTable([(si(one.angle, DEGREE), si(one.position, unit)) for one in given.points])
+        case Rocker():
+            angle, sense = si(given.start_angle or 0.0, DEGREE), -1 if given.direction == "backward" else 1
+            lever, link, offset = mm(given.lever_length, given.link_length, given.offset)
+            return rocker(lever, link, offset, angle, given.slide != "behind", sense)
+        case CrankSlider():
+            crank, rod, offset, start = mm(given.crank_radius, given.rod_length, given.offset, given.start)
+            return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", start)
+    raise ValueError(f"a {given.kind} has a constant ratio")
+
+
+def press_of(given: PressCrank) -> by_angle.PressCrank:
+    """Return the press crank that is entered. Raises ValueError for sizes that cannot be."""
+    crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
+    return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
+
+
+def turning(part: AxisPart) -> Part:
+    """Return a rotating part: its inertia as it is entered, or that of a cylinder."""
     diameter, length, bore = (si(x or 0.0, MM) for x in (part.diameter, part.length, part.bore))
-    return cylinder(diameter, length, part.density or 0.0, bore)
+    own = cylinder(diameter, length, part.density or 0.0, bore) if part.inertia is None else si(part.inertia, KG_CM2)
+    geared = part.teeth_driver / part.teeth_driven if part.teeth_driver and part.teeth_driven else 1.0
+    return Part(part.name, own, SHAFTS.index(part.shaft), part.count, geared)
 
 
 def as_a(kind: type[T], what: object) -> T:
@@ -46,42 +89,45 @@ def as_a(kind: type[T], what: object) -> T:
 
 
 class Driven:
-    """An axis with its drive; ``left`` is the share of its rated torque that the motor has at its temperature."""
+    """An axis with its drive; ``left`` is the share of its rated torque that the motor has at its temperature.
+
+    Of the mechanism there is a ``linkage`` where its ratio depends on the position, and ``by_angle`` what a load does
+    by the angle of its axis: a slide on a crank, an arm's weight. Inertias in kg m².
+    """
 
     def __init__(self, axis: MovingAxis, machine: AnyMachine) -> None:
-        products = machine.selection
-        self.axis, self.entered = axis.sized, axis.given
-        if axis.given.mechanism is None or axis.given.motor is None:
-            raise ValueError(f"{axis.given.name} has no drive")
-        self.given, self.holding = axis.given.mechanism, axis.given.motor.holding
-        self.catalogued_falling = falling_of(axis.given.motor.name, products)
+        entered, products = axis.given, machine.selection
+        if entered.mechanism is None or entered.motor is None:
+            raise ValueError(f"{entered.name} has no drive")
+        self.axis, self.entered, self.number, self.products = axis.sized, entered, axis.number, products
+        self.called = f"Drive {entered.called}"
+        self.given, self.holding, load = entered.mechanism, entered.motor.holding, entered.load
+        self.catalogued_falling = falling_of(entered.motor.name, products)
         self.falling = self.catalogued_falling if products.knows_falling else Falling()
-        self.motor_used, self.reducer = motor_in_use(axis.given, products), reducer_in_use(axis.given, products)
-        self.motor, self.left = self.motor_used.motor, left_of(axis.given.motor)
-        self.number, self.products, self.gravity = axis.number, products, machine.gravity
+        self.motor_used, self.reducer = motor_in_use(entered, products), reducer_in_use(entered, products)
+        self.motor, self.left = self.motor_used.motor, left_of(entered.motor)
 
-    @property
-    def called(self) -> str:
-        """The drive by its axis' name, as its sheet and its checks are called."""
-        return f"Drive {self.entered.called}"
-
-    @property
-    def travels(self) -> bool:
-        """Whether the load travels: with its axis, or as the slide of a crank."""
-        return self.entered.unit == "mm" or self.given.SLIDES
-
-    @cached_property
-    def linkage(self) -> Linkage | None:
-        """The mechanism, of one whose ratio depends on the position."""
-        return linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
-
-    @cached_property
-    def by_angle(self) -> ByAngle | None:
-        """What the load does by the angle of its axis: a slide on a crank, an arm's weight."""
-        arm = self.entered.load.arm
+        self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
+        self.by_angle: ByAngle | None = None
         if isinstance(self.given, PressCrank):
-            return press_of(self.given)
-        return Arm(arm.mass * self.gravity * si(arm.radius, MM), si(arm.angle, DEGREE)) if arm else None
+            self.by_angle = press_of(self.given)
+        elif load.arm:
+            weight = load.arm.mass * machine.gravity * si(load.arm.radius, MM)
+            self.by_angle = Arm(weight, si(load.arm.angle, DEGREE))
+        self.travels = entered.unit == "mm" or self.given.SLIDES  # the load: with its axis, or as a slide
+        slide = Slide(load.mass, load.friction, radians(load.slope), load.force, machine.gravity).load
+        turns = Load(si(load.inertia, KG_CM2), load.torque, load.friction_torque)
+        self.load, self.parts = slide if self.travels else turns, [turning(part) for part in entered.parts]
+        self.windows = tuple(Window(si(w.start, DEGREE), si(w.stop, DEGREE), w.force, w.resists) for w in load.windows)
+
+        self.mechanism = self._mechanism()
+        self.beside_motor = self.mechanism.on_shaft(0) - self.reducer.inertia  # of parts, without the reducer's
+        self.at_motor = self.motor_used.inertia + self.mechanism.on_shaft(0)
+        brake = entered.motor.brake  # holds any torque, in any dwell, where no figures are entered
+        self.brake = Brake(brake.torque, si(brake.closing + brake.opening, MS)) if brake else Brake()
+        used = self.motor_used.inertia, self.given.method, self.holding, self.reducer.no_load_torque
+        drive = Drive(self.mechanism, *used, self.motor_used.copper, self.brake)
+        self.train = Train(drive, self.linkage, load.viscous or 0.0, self.windows, self.by_angle)
 
     @property
     def back_efficiency(self) -> float:
@@ -94,50 +140,16 @@ class Driven:
             return entered
         return 2.0 - 1.0 / forward if self.given.kind in SCREWS else forward
 
-    @cached_property
-    def load(self) -> Load:
-        """The load at the end of the chain."""
-        e = self.entered.load
-        if not self.travels:
-            return Load(si(e.inertia, KG_CM2), e.torque, e.friction_torque)
-        return Slide(e.mass, e.friction, radians(e.slope), e.force, self.gravity).load
-
-    @cached_property
-    def parts(self) -> list[Part]:
-        """The rotating parts."""
-        return [
-            Part(p.name, inertia_of(p), SHAFTS.index(p.shaft), p.count,
-                 p.teeth_driver / p.teeth_driven if p.teeth_driver and p.teeth_driven else 1.0)
-            for p in self.entered.parts
-        ]  # fmt: skip
-
-    @cached_property
-    def mechanism(self) -> Mechanism:
-        """Reducer and mechanism, their parts and the load; a screw is told by its turns a metre, all else by a size."""
+    def _mechanism(self) -> Mechanism:
+        """Return reducer and mechanism, their parts and the load; a screw by its turns a metre, all else by a size."""
         reducer = [Stage("reducer", self.reducer.ratio, self.reducer.efficiency)]
-        turned, kind, size = [self.reducer.part, *self.parts], self.given.kind, si(self.given.size, MM)
-        size = shown(1.0, size) if kind == SCREW else size
+        kind, size = self.given.kind, si(self.given.size, MM)
+        turned = [Part("reducer", self.reducer.inertia, 0), *self.parts]
+        size = shown(1.0, size) if kind in SCREWS else size
         belt = self.given.belt_mass or 0.0 if isinstance(self.given, Belted) else 0.0
         made = KINDS[kind].of(self.load, size, self.given.efficiency, reducer, turned, belt)
         *gears, last = made.stages
         return replace(made, stages=(*gears, replace(last, back_efficiency=self.back_efficiency)))
-
-    @cached_property
-    def drive(self) -> Drive:
-        """The motor on it."""
-        used = self.motor_used.inertia, self.given.method, self.holding, self.reducer.no_load_torque
-        return Drive(self.mechanism, *used, self.motor_used.copper, self.brake)
-
-    @property
-    def brake(self) -> Brake:
-        """The motor's brake; one that holds any torque, in any dwell, where no figures are entered."""
-        entered = self.entered.motor and self.entered.motor.brake
-        return Brake(entered.torque, si(entered.closing + entered.opening, MS)) if entered else Brake()
-
-    @property
-    def train(self) -> Train:
-        """The drive with all that acts on the load."""
-        return Train(self.drive, self.linkage, self.entered.load.viscous or 0.0, self.windows, self.by_angle)
 
     @cached_property
     def drive_cycle(self) -> DriveCycle:
@@ -160,23 +172,7 @@ class Driven:
         curve = TorqueCurve(np.array([0.0, knee, fastest]), torques) if fall else None
         return LimitChecks(self.drive_cycle, Limits(self.motor, curve, self.reducer.limits))
 
-    @cached_property
-    def windows(self) -> tuple[Window, ...]:
-        """The process forces over the cycle, in rad of the master shaft."""
-        found = self.entered.load.windows
-        return tuple(Window(si(w.start, DEGREE), si(w.stop, DEGREE), w.force, w.resists) for w in found)
-
     @property
     def fastest(self) -> float:
         """The greatest geometric velocity (m or rad, per rad)."""
         return max(phase.y1_max for phase in self.axis.motion.phases)
-
-    @property
-    def at_motor(self) -> float:
-        """Inertia on the motor's shaft, motor included (kg m²)."""
-        return self.motor_used.inertia + self.mechanism.on_shaft(0)
-
-    @property
-    def beside_motor(self) -> float:
-        """Inertia of the parts on the motor's shaft (kg m²), without the reducer's."""
-        return self.mechanism.on_shaft(0) - self.reducer.inertia

@@ -70,18 +70,18 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
              scale=size),
         calc("@grow", "Mean of I²", "C_s", "Nm²", "=SUMPRODUCT([@pt.share],([@pt.T]-[@pt.T0])^2)", growing, scale=size),
         calc("@line", "Continuous torque at no speed", "M", "Nm",
-             "=IF(@continuous>@motor_rated,@motor_stall,@motor_rated)", stall, source="T_N beyond n_N"),
+             "=IF(@continuous>@motor_rated,@motor_stall,@motor_rated)", stall, "T_N beyond n_N"),
         calc("@sink", "Its fall to that at the mean speed", "ΔM", "Nm", "=@line-@continuous", fall, scale=stall),
         calc("@near", "Rate at which T_s alone is as large", "x_s", "",
-             "=IF(@sink>0,MIN(1,(@line-SQRT(@stand))/@sink),1)", near, source="over the present one, at most 1"),
+             "=IF(@sink>0,MIN(1,(@line-SQRT(@stand))/@sink),1)", near, "over the present one, at most 1"),
         calc("@half", "What grows with x, and half the fall", "b_s", "Nm²",
-             "=@mixed+IF(@near>0,@sink*(@line/@near-@sink)/2,0)", half, scale=size + stall**2,
-             source="B_s + ΔM (M/x_s − ΔM)/2"),
+             "=@mixed+IF(@near>0,@sink*(@line/@near-@sink)/2,0)", half, "B_s + ΔM (M/x_s − ΔM)/2",
+             scale=size + stall**2),
         calc("@smean0", "Mean output torque of the reducer, without inertia", "", "Nm", f"={cubic('S0')}",
              points.cubic_mean(view.load.output_torque_at_rest), scale=view.scales.behind),
         *many_cycles(view),
-        constant("@least_use", "A share that grows less than this is none", "", "", LEAST_USE, format="0E+00",
-                 source="a rate beyond 30,000 times the present one"),
+        constant("@least_use", "A share that grows less than this is none", "", "", LEAST_USE,
+                 "a rate beyond 30,000 times the present one", format="0E+00"),
     )  # fmt: skip
     each = list(LIMITS) if view.knows_falling else list(LIMITS)[:-1]
     cells, level = [LIMITS[name] for name in each], view.shares["peak torque"]._replace(limit=0.0, use=0.0)
@@ -95,7 +95,7 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
         "@held", "Up to which rate each limit is held", len(each),
         constant("name", "limit", "", "", each, align="left"),
         calc("limit", "limit", "", "Nm or rpm", [f"={cell.limit}+0" for cell in cells],
-             in_units(0.0 if math.isinf(one.limit) else one.limit for one in found), source="0: none"),
+             in_units(0.0 if math.isinf(one.limit) else one.limit for one in found), "0: none"),
         calc("stands", "at no speed", "", "", [f"={cell.stands}" for cell in cells],
              in_units(one.standing for one in found), scale=view.scales.torque),
         calc("use", "share that grows with the square of the rate", "1/x", "", [f"={cell.use}" for cell in cells],
@@ -113,14 +113,14 @@ def many_cycles(view: DriveView) -> list[Quantity]:
     over, way, many = by_cycles(view.points, reducer.limits, 1.0 / view.time)
     least = reducer.peak_torque / reducer.cycle_factor
     return [
-        calc("@t_f", "Reducer's largest torque beyond its cycles", "T_f", "Nm", "=@reducer_peak/@reducer_fs",
-             least, source="T_2B/f_s; 0: no limit"),
+        calc("@t_f", "Reducer's largest torque beyond its cycles", "T_f", "Nm", "=@reducer_peak/@reducer_fs", least,
+             "T_2B/f_s; 0: no limit"),
         calc("@t_f_use", "Share of it that grows with the square of the rate", "", "",
              f"=IF(@t_f=0,0,{grown('S', '@t_f')})", over, scale=1.0),
         calc("@way", "Square of the cycles over those it holds in full for", "", "", "=(@cycles/@full)^2", way),
         calc("@many", "Share of the reducer's torque by its cycles", "", "",
-             f"=IF(AND(@t_f>0,{stands}>=@t_f),@way,MIN(@way,@t_f_use))", many, scale=1.0,
-             source="up to these cycles T_2B holds in full"),
+             f"=IF(AND(@t_f>0,{stands}>=@t_f),@way,MIN(@way,@t_f_use))", many, "up to these cycles T_2B holds in full",
+             scale=1.0),
     ]  # fmt: skip
 
 
@@ -141,7 +141,7 @@ def highest(view: DriveView) -> Sequence[Quantity]:
     rates = "[@held.rate]"
     return [
         result("@highest", "Highest rate within all limits", "N_max", "cycles/min",
-               f'=IF(COUNT({rates})=0,"{NONE_BINDS}",MIN({rates}))', most, align="right", source=NOTE),
+               f'=IF(COUNT({rates})=0,"{NONE_BINDS}",MIN({rates}))', most, NOTE, align="right"),
         result("@binds", "limiting factor", "", "",
                f'=IF(COUNT({rates})=0,"{NONE_BINDS}",INDEX([@held.name],MATCH(MIN({rates}),{rates},0)))', name,
                align="right"),

@@ -19,8 +19,7 @@ from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive import brake, by_angle
 from workbook.machines.machine.drive.entered import acting
-from workbook.machines.machine.drive.mechanisms import press_crank
-from workbook.machines.machine.drive.mechanisms.registry import LINKAGES
+from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.pieces import FROM_START, arguments, sampled
 
@@ -30,18 +29,13 @@ CONSTANT = "IF([dir]=0,@held2,IF({0}*[dir]<0,@in2,@out2))*{0}"
 """output torque of the reducer by a force, of a constant ratio; LOSS2 is without the ratio"""
 
 
-def asks(view: DriveView) -> bool:
-    """Return whether the book has a sheet Selection, which reads the points of the drives."""
-    return view.one.machine.machine.selection.axis is not None
-
-
 def linked(view: DriveView) -> list[Quantity]:
     """Return the columns of a mechanism whose ratio changes: ratio, angle and acceleration of its shaft."""
     load, of = view.load, view.by_point
     return [
         *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
         calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
-             scale=max(float(np.abs(load.shaft_acceleration).max()), 1e-9), source="φ'' ẏ² + φ' ÿ"),
+             "φ'' ẏ² + φ' ÿ", scale=max(float(np.abs(load.shaft_acceleration).max()), 1e-9)),
     ]  # fmt: skip
 
 
@@ -66,23 +60,22 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
                 scale=axis.motion.size(0))] if view.varies or view.driven.by_angle else []),
         calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX(@up,[iv]))", of(load.direction),
              format="0"),
-        *(press_crank.columns(view.driven, load, of) if view.slides else []),
-        calc("R", "resisting force", "F_r", unit, resists, of(load.resisting), scale=size.force, source=without),
+        *(by_angle.slide(view.driven, load, of) if view.slides else []),
+        calc("R", "resisting force", "F_r", unit, resists, of(load.resisting), without, scale=size.force),
         *(linked(view) if view.varies else ()),
-        calc("F", "force at the load", "F", unit, drives, of(load.force), scale=size.force, source=equation),
+        calc("F", "force at the load", "F", unit, drives, of(load.force), equation, scale=size.force),
         calc("S", "output torque of the reducer", "T_1", "Nm", f"={behind.format('[F]')}+{inertia}",
-             of(load.output_torque), scale=size.behind, source="F/(η_2 φ') + J_p φ̈"),
-        *brake.of_points(view),
+             of(load.output_torque), "F/(η_2 φ') + J_p φ̈", scale=size.behind),
+        *(brake.of_points(view) if view.brakes else ()),
         result("T", "torque of the motor", "T", "Nm",
-               f"=IF({brake.held(view)},0,{LOSS1.format('[S]')}+{motor_inertia}+@no_load*[dir])",
-               of(points.torque), scale=size.torque, source="T_1/(η_1 i_1) + J_0 i_1 φ̈ ± T_nl"),
-        result("n", "speed of the motor", "n", "rpm", f"={motor_ratio}*[v]*30/PI()",
-               of(shown(points.speed, RPM)), scale=size.rpm, source="i_1 φ' ẏ"),
-        result("P", "power of the motor", "P", "kW", "=[T]*([n]*PI()/30000+@copper*[T])",
-               of(shown(points.power, KW)), scale=size.power, source="T ω + P_Cu (T/T_N)²"),
-        calc("share", "share of the cycle", "", "",
-             "=[w]*INDEX([@iv.len],[iv])/360", of(load.share, 0.0), scale=1.0,
-             source="what it counts in a mean"),
+               f"=IF({brake.held(view)},0,{LOSS1.format('[S]')}+{motor_inertia}+@no_load*[dir])", of(points.torque),
+               "T_1/(η_1 i_1) + J_0 i_1 φ̈ ± T_nl", scale=size.torque),
+        result("n", "speed of the motor", "n", "rpm", f"={motor_ratio}*[v]*30/PI()", of(shown(points.speed, RPM)),
+               "i_1 φ' ẏ", scale=size.rpm),
+        result("P", "power of the motor", "P", "kW", "=[T]*([n]*PI()/30000+@copper*[T])", of(shown(points.power, KW)),
+               "T ω + P_Cu (T/T_N)²", scale=size.power),
+        calc("share", "share of the cycle", "", "", "=[w]*INDEX([@iv.len],[iv])/360", of(load.share, 0.0),
+             "what it counts in a mean", scale=1.0),
         *standing(view, behind),
         blank="[share]=0",
     )  # fmt: skip
@@ -98,17 +91,16 @@ def motion(view: DriveView) -> list[Quantity]:
     sines = np.array([one.sines for one in pieces])[numbers[:, 0]]
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.marks))]
     return [
-        calc("theta", "angle of its phases", "θ", "°",
-             "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])",
+        calc("theta", "angle of its phases", "θ", "°", "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])",
              of(shown(load.x, DEGREE)), scale=360.0, format="0.0##"),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])", of(numbers + 1.0), format="0"),
         calc("u", "within piece", "u", "rad", f"=RADIANS([theta]-INDEX({rows.at.named('at')},[q])){NOT_ZERO}",
-             of(local + LEAST), source=FROM_START),
+             of(local + LEAST), FROM_START),
         *arguments(rows, "", "[q]", [of(angle) for angle in angles]),
-        calc("v", "velocity", "ẏ", f"{base}/s", f"=@omega*({sampled(rows, 1)})", of(load.velocity),
-             scale=max(axis.fastest, 1e-9), source="y' ω"),
-        calc("a", "acceleration", "ÿ", f"{base}/s²", f"=@omega^2*({sampled(rows, 2)})", of(load.acceleration),
-             scale=max(axis.hardest, 1e-9), source="y'' ω²"),
+        calc("v", "velocity", "ẏ", f"{base}/s", f"=@omega*({sampled(rows, 1)})", of(load.velocity), "y' ω",
+             scale=max(axis.fastest, 1e-9)),
+        calc("a", "acceleration", "ÿ", f"{base}/s²", f"=@omega^2*({sampled(rows, 2)})", of(load.acceleration), "y'' ω²",
+             scale=max(axis.hardest, 1e-9)),
     ]  # fmt: skip
 
 
@@ -117,10 +109,10 @@ def standing(view: DriveView, behind: str) -> list[Quantity]:
     points, load, size, of = view.points, view.load, view.scales, view.by_point
     columns = [
         calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={behind.format('[R]')}",
-             of(load.output_torque_at_rest), scale=size.behind, source="F_r/(η_2 φ')"),
+             of(load.output_torque_at_rest), "F_r/(η_2 φ')", scale=size.behind),
         calc("T0", "torque of the motor, without inertia", "T_s", "Nm",
-             f"=IF({brake.held(view)},0,{LOSS1.format('[S0]')}+@no_load*[dir])",
-             of(points.standing), scale=size.torque, source="T_1,s/(η_1 i_1) ± T_nl"),
+             f"=IF({brake.held(view)},0,{LOSS1.format('[S0]')}+@no_load*[dir])", of(points.standing),
+             "T_1,s/(η_1 i_1) ± T_nl", scale=size.torque),
     ]  # fmt: skip
     return [*columns, *(curve(view) if view.knows_falling else ())]
 
@@ -137,14 +129,13 @@ def curve(view: DriveView) -> list[Quantity]:
         return f"=IF(@fall=0,0,IF({square}<0,0,((@fall*ABS([n])+SQRT({square}))/2/({left}))^2))"
 
     return [
-        calc("left", "left below the motor's curve", "", "Nm",
-             "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
-             view.by_point(driven.falling.reserve(peak, points.torque, points.speed)),
-             scale=view.scales.torque, source="T_max − f (n − n_1) − |T|"),
-        calc("uc", "share of the curve", "", "",
-             use("[T]-[T0]", "@corner-[T0]"), view.by_point(shares[0]), scale=1.0, source="of torques forward"),
-        calc("ub", "share of the curve", "", "", use("[T0]-[T]", "@corner+[T0]"), view.by_point(shares[1]), scale=1.0,
-             source="of torques backward"),
+        calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
+             view.by_point(driven.falling.reserve(peak, points.torque, points.speed)), "T_max − f (n − n_1) − |T|",
+             scale=view.scales.torque),
+        calc("uc", "share of the curve", "", "", use("[T]-[T0]", "@corner-[T0]"), view.by_point(shares[0]),
+             "of torques forward", scale=1.0),
+        calc("ub", "share of the curve", "", "", use("[T0]-[T]", "@corner+[T0]"), view.by_point(shares[1]),
+             "of torques backward", scale=1.0),
     ]  # fmt: skip
 
 
@@ -171,11 +162,11 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     sheet.table(
         "@cuts", "Where an interval can begin", len(edges),
         constant("k", "number", "k", "", list(range(1, len(edges) + 1))),
-        constant("window", "process force", "", "", windows, format="0;;",
-                 source="below 0: the number of an even step" if view.steps > 1 else ""),
+        constant("window", "process force", "", "", windows,
+                 "below 0: the number of an even step" if view.steps > 1 else "", format="0;;"),
         constant("side", "its begin (1) or end (2)", "", "", sides, format="0;;"),
-        calc("edge", "angle of its phases", "θ", "°",
-             f"={edge}", edges, scale=TURN, format="0.0##", source="of a piece, or of a force"),
+        calc("edge", "angle of its phases", "θ", "°", f"={edge}", edges, "of a piece, or of a force", scale=TURN,
+             format="0.0##"),
         calc("at", "cut", "θ", "°",
              "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<eps^2)*([@cuts.k]<[k]))+([edge]>360-eps)>0,360,"
              "[edge])",
@@ -208,17 +199,16 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
         calc("len", "length", "", "°", "=[end]-[begin]",
              view.of_intervals(lambda one: shown(one.end - one.begin, DEGREE), 0.0), scale=TURN, format="0.0##"),
         calc("mid", "in its middle", "θ", "°", f"=IF({LENGTH},[mid-1],([begin]+[end])/2)", view.of_intervals(middle),
-             scale=TURN, format="0.0##", source="spare rows: as above"),
-        calc("at", "of the master shaft", "", "°", f"={at}-360*INT({at}/360)", view.of_intervals(master), scale=TURN,
-             format="0.0##", source="with the axis' shift"),
+             "spare rows: as above", scale=TURN, format="0.0##"),
+        calc("at", "of the master shaft", "", "°", f"={at}-360*INT({at}/360)", view.of_intervals(master),
+             "with the axis' shift", scale=TURN, format="0.0##"),
         calc("q", "piece of the motion", "q", "", f"=MATCH([mid],[axis{i}_pieces.begin],1)",
              view.of_intervals(lambda one: one.piece + 1), format="0"),
-        calc("dir", "direction", "", "",
-             f"=IF({LENGTH},[dir-1],IF(ABS({speed})<=@still,0,SIGN({speed})))", view.by_interval(cycle.direction),
-             format="0", source="1, −1; 0 at rest"),
-        *brake.of_intervals(view, LENGTH),
+        calc("dir", "direction", "", "", f"=IF({LENGTH},[dir-1],IF(ABS({speed})<=@still,0,SIGN({speed})))",
+             view.by_interval(cycle.direction), "1, −1; 0 at rest", format="0"),
+        *(brake.of_intervals(view, LENGTH) if view.brakes else ()),
         calc("steady", "resists always", "", unit, f"=@steady+{acting('[at]', 'always')}", view.by_interval(steady),
-             scale=view.scales.force, source="with process forces"),
+             "with process forces", scale=view.scales.force),
         calc("friction", "against motion", "", unit, f"=@rub+{acting('[at]', 'moving')}", view.by_interval(friction),
              scale=view.scales.force),
         blank=LENGTH,
@@ -238,8 +228,8 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
     sheet.table(
         "@cycle", "The drive over the cycle", len(torque),
         result("torque", "torque of the motor", "T", "Nm", line("T"), torque, scale=size.torque),
-        result("power", "power of the motor", "P", "kW", f"=[torque]*({speed}+@copper*[torque])",
-               shown(power, KW), scale=size.power, source="T ω + P_Cu (T/T_N)²"),
+        result("power", "power of the motor", "P", "kW", f"=[torque]*({speed}+@copper*[torque])", shown(power, KW),
+               "T ω + P_Cu (T/T_N)²", scale=size.power),
         *([] if view.driven.linkage is None else [
             calc("phi", "angle of the shaft", "φ", "rad", line("phi"),
                  view.between.of(view.driven.linkage.shaft(view.load.position).angle), scale=1.0),

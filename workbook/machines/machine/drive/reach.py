@@ -1,17 +1,20 @@
 """Whether a mechanism can be, and reaches every position of its axis: by row and amount, in cells."""
 
+from itertools import pairwise
+
 from engine.drive.mechanisms.variable_ratio import Linkage
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure, rounded
 from workbook.book.sentence import shown as rounding
 from workbook.entries.types import DesignError
-from workbook.entries.units import shown
+from workbook.entries.units import MM, shown
 from workbook.laws.library import laws
-from workbook.machines.machine.drive.linkages import apart, linkage_of
-from workbook.machines.machine.drive.mechanisms.registry import LINKAGES
+from workbook.machines.machine.drive.driven import APART, FALLS, linkage_of, press_of
+from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.mechanism import MechanismEntry, PressCrank, Table
 from workbook.machines.machine.view import MovingAxis, Whole
 
 WORDS = " reaches {} {}, {} {} beyond the {}"
@@ -22,7 +25,7 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     i, axis, n = view.driven.number, view.driven.axis, view.one.rows
     reaches = [axis.motion.reaches[k] for k in axis.entered]
     low, high, *ends = linkage.reach
-    unit, size, named = axis.base, axis.motion.size(0), LINKAGES[view.driven.given.kind].ENDS
+    unit, size, named = axis.base, axis.motion.size(0), LINKAGES[view.driven.given.kind].ends
     sheet.rows(*(
         calc(f"@{which}_end", f"{label} position: what is there", "", "", f"={named[which]}", name, align="left")
         for which, label, name in zip(("low", "high"), ("Lowest", "Highest"), ends, strict=True)
@@ -41,8 +44,8 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
         calc("high", "highest position", "", unit, of("high"), highs, scale=size),
         calc("under", "below the reach by", "", unit, "=@low-[low]", under, scale=size),
         calc("over", "above it by", "", unit, "=[high]-@high", over, scale=size),
-        calc("out", "is out of it", "", "", "=IF(MAX([under],[over])>0-@near_end,1,0)", 0, format="0;;",
-             source="1 where it is"),
+        calc("out", "is out of it", "", "", "=IF(MAX([under],[over])>0-@near_end,1,0)", 0, "1 where it is",
+             format="0;;"),
         calc("says", "in words", "", "", beyond(view), "", align="left"),
     )  # fmt: skip
 
@@ -60,7 +63,22 @@ def reach_check(view: DriveView) -> Quantity:
     driven, i = view.driven, view.driven.number
     says = f'[axes.name.{i}]&" row "&INDEX([@reach.says],MATCH(1,[@reach.out],0))'
     return check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
-                 LINKAGES[driven.given.kind].WITHIN, f":reach{i}", says)  # fmt: skip
+                 LINKAGES[driven.given.kind].within, f":reach{i}", says)  # fmt: skip
+
+
+def apart(given: MechanismEntry, unit: str) -> str:
+    """Return what is wrong with sizes that do not go together, of a table the first point that does not rise."""
+    if isinstance(given, Table):
+        for row, (one, other) in enumerate(pairwise(given.points), 2):
+            if other.angle <= one.angle or other.position <= one.position:
+                (angle, position), (low, lowest) = ((figure(p.angle), figure(p.position)) for p in (other, one))
+                return FALLS.format(row, angle, position, unit, low, lowest, unit)
+        return ""
+    try:
+        _ = press_of(given) if isinstance(given, PressCrank) else linkage_of(given, MM)
+    except ValueError:
+        return APART[given.kind]
+    return ""
 
 
 def unreached_row(axis: MovingAxis, linkage: Linkage) -> str:

@@ -7,17 +7,16 @@ from workbook.book.sentence import Said
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
 from workbook.entries.texts import sheet_title
 from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
-from workbook.machines.machine.drive import behind, brake, by_angle, max_rate
+from workbook.machines.machine.drive import behind, brake, by_angle, in_use, max_rate
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
-from workbook.machines.machine.drive.mechanisms import registry
+from workbook.machines.machine.drive.mechanisms import LINKAGES, page
 from workbook.machines.machine.drive.points import charts, cuts_table, intervals_table, points_table, samples_table
 from workbook.machines.machine.drive.reach import back_check, reach_check, reach_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.workings import peaks_table, top, workings
 from workbook.machines.machine.from_names import kind_name
 from workbook.machines.machine.mechanism import SCREWS, UNSIZED
-from workbook.machines.machine.selection import in_use
 from workbook.selection.catalogue import FULL_CYCLES
 
 USED = "The figures that this sheet computes with: the catalogue's where a name is entered, else those entered below."
@@ -32,36 +31,40 @@ PEAKS = "to 0.5 %; exact at a constant ratio without viscous friction"
 def drive_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet."""
     driven, sizes = view.driven, view.one.machine.machine.sizes
-    page = registry.page(driven)
+    linkage = LINKAGES.get(driven.given.kind)
+    turning = by_angle.ROWS if view.slides else page.ROWS
+    entered, sized = linkage[:2] if linkage else turning
     title = sheet_title(driven.called, [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
         sheet.heading("Motor and reducer in use", USED)
         sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *cycle_rows(view), *curve_rows(view))
-        entries(sheet, driven, page.entries(driven, f"axes.{driven.number - 1}"))
+        entries(sheet, driven, entered(driven, f"axes.{driven.number - 1}"))
         outcome(sheet, view)
         mends = Said('"; "&@mends', f"; {max_rate.mends(view).said}")
         sheet.checks(
-            *limit_checks(view.reserve, driven.called, mends=mends), *reducer_checks(view, mends), *brake.checks(view),
-            *in_use.checks(driven.number, driven.called), curve_check(view, mends), *windows_check(view),
-            *(linkage_checks(view) if view.varies else ()), *by_angle.checks(view),
+            *limit_checks(view.reserve, driven.called, mends=mends), *reducer_checks(view, mends),
+            *(brake.checks(view) if view.brakes else ()), *in_use.checks(driven.number, driven.called),
+            curve_check(view, mends), *([windows_check(view)] if view.one.machine.over.measured else ()),
+            *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),
         )  # fmt: skip
         charts(sheet, view)
-        if driven.given.kind in registry.ENTERED:
-            registry.ENTERED[driven.given.kind](sheet, driven, sizes.positions)
+        if linkage and linkage.entered:
+            linkage.entered(sheet, driven, sizes.positions)
         sheet.heading("Enter: parts and process forces")
         parts_table(sheet, driven, sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
         sheet.not_printed_below()
-        workings(sheet, view, page.sizes(driven))
-        if driven.given.kind in registry.WORKED:
-            registry.WORKED[driven.given.kind](sheet, driven, sizes.positions)
+        workings(sheet, view, sized(driven))
+        if linkage and linkage.worked:
+            linkage.worked(sheet, driven, sizes.positions)
         if driven.linkage:
             reach_table(sheet, view, driven.linkage)
         peaks_table(sheet, view)
         max_rate.rates_table(sheet, view)
-        behind.means(sheet, view)
+        if view.asked:
+            behind.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
         backward = min(0.0, float(view.cycle.direction.min()))
         corners = driven.motor.corners(backward, *driven.falling)
@@ -83,8 +86,8 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     m, key = driven.given, f"axes.{driven.number - 1}"
     sheet.heading("Enter")
     sheet.rows(
-        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name, align="left",
-             source="the sheet keeps the name that the axis was built with"),
+        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name,
+             "the sheet keeps the name that the axis was built with", align="left"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
         given("@own_rate", "Rate that it is sized at, if not the machine's", "N", "cycles/min", driven.entered.rate,
               f"{key}.rate", format="0.0##", source="empty: the machine's"),
@@ -112,34 +115,33 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
              OWN if own else MACHINES, align="right"),
         calc("@rate", "the rate", "N", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)', view.rate),
-        result("@jtot", "External inertia at the motor's shaft",
-               "J_ext", "kg cm²", "=(@j0-@jm+@j_shaft/@i1^2)*10000", shown(view.inertia, KG_CM2),
-               source="the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"),
-        result("@inertias", "Inertia ratio", "", "",
-               "=IF(@jm>0,@jtot/10000/@jm,0)", view.inertia / own_inertia if own_inertia else 0.0,
-               source="load at the motor's shaft / motor"),
+        result("@jtot", "External inertia at the motor's shaft", "J_ext", "kg cm²", "=(@j0-@jm+@j_shaft/@i1^2)*10000",
+               shown(view.inertia, KG_CM2),
+               "the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"),
+        result("@inertias", "Inertia ratio", "", "", "=IF(@jm>0,@jtot/10000/@jm,0)",
+               view.inertia / own_inertia if own_inertia else 0.0, "load at the motor's shaft / motor"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", points.top(torque),
-               scale=size.torque, source="to 1 %" if driven.by_angle else PEAKS),
+               "to 1 %" if driven.by_angle else PEAKS, scale=size.torque),
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -points.top(-torque),
                scale=size.torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
-               points.rms_torque, scale=size.torque, source="√(Σ share T²), to 0.1 %"),
-        result("@speed", "Motor speed, largest", "n_max", "rpm", fastest, shown(view.speed, RPM), scale=size.rpm,
-               source="i_1 φ' ẏ" if view.varies else "C_v h/t, through the ratio"),
+               points.rms_torque, "√(Σ share T²), to 0.1 %", scale=size.torque),
+        result("@speed", "Motor speed, largest", "n_max", "rpm", fastest, shown(view.speed, RPM),
+               "i_1 φ' ẏ" if view.varies else "C_v h/t, through the ratio", scale=size.rpm),
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
-               shown(points.mean_speed, RPM), scale=size.rpm, source="of |n| over the cycle; with T_rms the RMS point"),
+               shown(points.mean_speed, RPM), "of |n| over the cycle; with T_rms the RMS point", scale=size.rpm),
         continuous(view.driven.motor, points.mean_speed),
-        result("@res_rms", "Reserve of RMS torque", "", "",
-               "=IF(@rms>0,@continuous/@rms,0)", motor.rms_torque.reserve, source="1 or more"),
+        result("@res_rms", "Reserve of RMS torque", "", "", "=IF(@rms>0,@continuous/@rms,0)", motor.rms_torque.reserve,
+               "1 or more"),
         result("@res_peak", "Reserve of peak torque", "", "",
                "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
         result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),
         *([result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])", view.spare,
-                  scale=size.torque, source="at its points")] if view.knows_falling else []),
+                  "at its points", scale=size.torque)] if view.knows_falling else []),
         result("@smax", "Output torque of the reducer, peak", "", "Nm", f"=MAX({top('S')},0-{top('S', 'low')})",
                reducer[0].value, scale=size.behind),
-        result("@smean", "Output torque of the reducer, mean", "", "Nm", f"={max_rate.cubic('S')}",
-               reducer[1].value, scale=size.behind, source="³√(∫|n||T_1|³ dt/∫|n| dt)"),
+        result("@smean", "Output torque of the reducer, mean", "", "Nm", f"={max_rate.cubic('S')}", reducer[1].value,
+               "³√(∫|n||T_1|³ dt/∫|n| dt)", scale=size.behind),
         *energies(view),
         *max_rate.highest(view),
     )  # fmt: skip
@@ -150,8 +152,8 @@ def energies(view: DriveView) -> list[Quantity]:
     points, size, (driving, returned) = view.points, view.scales, view.energy
     return [
         result("@energy", "Energy of the motor, driving", "E", "J",
-               "=SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]>0)*1)*60/@rate*1000", driving, scale=size.work,
-               source="with its copper losses, a cycle; to 3 %"),
+               "=SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]>0)*1)*60/@rate*1000", driving,
+               "with its copper losses, a cycle; to 3 %", scale=size.work),
         result("@returned", "Energy of the motor, regenerated", "", "J",
                "=0-SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]<0)*1)*60/@rate*1000", returned, scale=size.work),
         result("@power", "Mean power of the motor", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
@@ -159,8 +161,8 @@ def energies(view: DriveView) -> list[Quantity]:
         result("@pmax", "Motor power, highest", "P_max", "kW", f"=MAX(0,{top('P')})",
                shown(max(0.0, points.top(points.power)), KW), scale=size.power),
         result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
-               shown(min(0.0, -points.top(-points.power)), KW), scale=size.power, source="regenerated"),
-        *brake.torque(view),
+               shown(min(0.0, -points.top(-points.power)), KW), "regenerated", scale=size.power),
+        *(brake.torque(view) if view.brakes else ()),
     ]  # fmt: skip
 
 
@@ -173,7 +175,7 @@ def cycle_rows(view: DriveView) -> list[Quantity]:
              f"=IF(@reducer_full=0,{FULL_CYCLES:g},@reducer_full)", view.driven.reducer.full_cycles or FULL_CYCLES),
         calc("@reducer_held", "Reducer: largest output torque at this rate", "", "Nm",
              "=@reducer_peak/IF(@cycles>@full*(1+1E-9),@reducer_fs,1)", 0.0 if math.isinf(held) else held,
-             source="over f_s beyond these cycles; 0: no limit"),
+             "over f_s beyond these cycles; 0: no limit"),
     ]  # fmt: skip
 
 
@@ -184,7 +186,7 @@ def curve_rows(view: DriveView) -> list[Quantity]:
     listed = row > 0 and motors[row - 1].end_torque is not None
     rows = [
         calc("@listed", "Motor: a peak torque at its largest speed is given", "", "",
-             f"=IF(@motor_row=0,0,COUNT({END}))", int(listed), format="0", source="1 yes, 0 no"),
+             f"=IF(@motor_row=0,0,COUNT({END}))", int(listed), "1 yes, 0 no", format="0"),
         calc("@drop", "Motor: its peak torque falls to there by", "", "Nm",
              f"=IF(@listed=0,0,MAX(0,@motor_peak-{END}))",
              falling.fall * (view.driven.motor.max_speed - falling.knee), scale=peak),
@@ -196,11 +198,11 @@ def curve_rows(view: DriveView) -> list[Quantity]:
         *rows,
         calc("@knee", "Motor: its peak torque holds up to", "n_1", "rpm",
              "=IF(@motor_row=0,0,INDEX([motors.knee],MAX(1,@motor_row))+0)", shown(falling.knee, RPM),
-             source="0: up to its largest speed"),
+             "0: up to its largest speed"),
         calc("@fall", "Motor: fall of its peak torque beyond", "f", "Nm/rpm",
              "=IF(@listed=0,0,@drop/(@motor_nmax-@knee))", shown(falling.fall, PER_RPM)),
         calc("@corner", "Motor: the falling line at no speed", "", "Nm", "=IF(@fall=0,0,@motor_peak+@fall*@knee)",
-             corner, source="T_max + f n_1; 0: it does not fall"),
+             corner, "T_max + f n_1; 0: it does not fall"),
     ]  # fmt: skip
 
 
@@ -208,20 +210,19 @@ def curve_check(view: DriveView, mends: Said) -> Quantity:
     """Return the check that the torque stays below the curve; that the curve is level where the book knows no other."""
     called = view.driven.called
     if not view.knows_falling:
-        return check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed",
-                     "@drop=0", not view.driven.catalogued_falling.fall,
-                     says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
+        return check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed", "@drop=0",
+                     not view.driven.catalogued_falling.fall, says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
     return below_curve(called, view.driven.falling.fall, view.spare, mends)
 
 
 def linkage_checks(view: DriveView) -> list[Quantity]:
     """Return the checks of a mechanism whose ratio changes: its sizes, and where it can bring its load to."""
-    driven, i, page = view.driven, view.driven.number, registry.LINKAGES[view.driven.given.kind]
+    driven, i, page = view.driven, view.driven.number, LINKAGES[view.driven.given.kind]
     return [
-        check("@ok_sized", f"{driven.called}: the mechanism has its sizes", page.SIZED, True,
+        check("@ok_sized", f"{driven.called}: the mechanism has its sizes", page.sized, True,
               rule=f"axes.{i - 1}.mechanism:sized", says=f'"{UNSIZED}"'),
-        check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", page.FITS, True, page.HOLDS,
-              f":linked{i}", page.WRONG),
+        check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", page.fits, True, page.holds,
+              f":linked{i}", page.wrong),
         reach_check(view),
         back_check(view),
     ]  # fmt: skip

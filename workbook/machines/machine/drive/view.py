@@ -45,7 +45,8 @@ class DriveView:
 
     Of the table of intervals it has the ``rows``: of pieces of the motion (their ``room``), cut at edges of process
     forces and at even ``steps`` of the cycle. The load of one that ``slides`` travels while its axis turns; the ratio
-    of one that ``varies`` depends on the position. ``rate`` is the one that it is sized at (cycles/min).
+    of one that ``varies`` depends on the position; the figures of the brake are known of one that ``brakes``; a sheet
+    Selection asks for points that are ``asked``. ``rate`` is the one that it is sized at (cycles/min).
     """
 
     def __init__(self, one: AxisRows, driven: Driven) -> None:
@@ -53,7 +54,8 @@ class DriveView:
         self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, one.machine.room
         self.rows = self.room + self.steps - 1
         self.slides, self.varies = driven.given.SLIDES, driven.linkage is not None
-        self.knows_falling = machine.selection.knows_falling
+        self.brakes = driven.entered.motor is not None and driven.entered.motor.brake is not None
+        self.knows_falling, self.asked = machine.selection.knows_falling, machine.selection.axis is not None
         self.rate = machine.per_minute if own is None else own
 
     @cached_property

@@ -9,7 +9,6 @@ import numpy as np
 from engine.laws.base import Array
 from engine.selection.point_load import shares_of
 from workbook.entries.units import KG_CM2, KW, shown
-from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.studies.drives import WEIGHED, Studied, in_words
@@ -84,7 +83,7 @@ def results(one: Studied) -> Worked:
         found |= {
             cell: partial(lambda used, name: getattr(one, used)[name], used, name) for cell, name in cells.items()
         }
-    if brake.known(one.bases[0]):
+    if one.bases[0].brakes:
         found["brake_load"] = lambda: one.brake_load
     if one.products.knows_falling:
         found["spare"] = lambda: one.extremes.spare
@@ -95,6 +94,6 @@ def checks(one: Studied) -> Worked:
     """Return the checks of its sheet that entries do not decide."""
     driven = one.bases[0].driven
     found = CHECKS | ({"ok_back": lambda one: one.axis.motion.closes} if driven.given.kind in LINKED else {})
-    found |= {"ok_brake": lambda one: one.brake_load <= driven.brake.torque} if brake.known(one.bases[0]) else {}
+    found |= {"ok_brake": lambda one: one.brake_load <= driven.brake.torque} if one.bases[0].brakes else {}
     found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
     return {f"drive{one.axis.number}_{name}": partial(lambda ok: in_words(ok(one)), ok) for name, ok in found.items()}

@@ -15,12 +15,12 @@ from engine.selection.point_load import DriveBatch, Extremes, Gears, Limits, Poi
 from engine.timing import shaft_speed, turn_time
 from workbook.drive.in_short import Highest
 from workbook.entries.units import PER_HOUR, PER_MINUTE, RPM, shown, si
+from workbook.machines.machine.drive import in_use
 from workbook.machines.machine.drive.behind import load_of
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, with_motor
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.motion.tables import AxisRows
-from workbook.machines.machine.selection import in_use
 from workbook.machines.machine.view import MovingAxis
 from workbook.scaling import Column
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow

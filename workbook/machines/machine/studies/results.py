@@ -18,8 +18,7 @@ from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.motion.tables import AxisRows
-from workbook.machines.machine.power.sheet import KWH
-from workbook.machines.machine.power.view import Mains
+from workbook.machines.machine.power import KWH, Mains
 from workbook.machines.machine.studies import drive_results
 from workbook.machines.machine.studies.drives import ONE, Studied, cycles, in_words
 from workbook.machines.machine.view import MovingAxis, Whole

@@ -11,46 +11,31 @@ import numpy as np
 from engine.drive.mechanisms.table import PositionTable
 from engine.drive.mechanisms.variable_ratio import near_end
 from engine.laws.base import Array
-from workbook.book.declare import Quantity, Sheet, calc, constant, given
+from workbook.book.declare import Quantity, Sheet, calc, columns_of, constant
 from workbook.book.polynomial import NOT_ZERO
+from workbook.book.quantity import PLAIN
 from workbook.book.rows import filled
 from workbook.book.sentence import quoted
-from workbook.machines.machine.drive.driven import Driven, as_a
-from workbook.machines.machine.drive.linkages import FALLS
-from workbook.machines.machine.drive.mechanisms.column import Column
+from workbook.machines.machine.drive.driven import FALLS, Driven, as_a
+from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
 from workbook.machines.machine.mechanism import Table
 
 LEVEL = 1e-4
 """of a ratio over the narrowest part; a smaller change of it is rounding, as of a table of a straight line"""
-SIZED = "@count>=2"
-FITS = "SUM([@curve.falls])=0"
-HOLDS = "angle and position rise from point to point"
-WRONG = (
-    f"{quoted(FALLS.partition(' {}')[0] + ' ')}&MATCH(1,[@curve.falls],0)"
-    f"&{quoted(' does not rise in angle and position')}"
-)
-WITHIN = "within its table"
-ENDS = {"low": quoted("begin of the table"), "high": quoted("end of the table")}
 D = "INDEX([@curve.d1:d5],[part],0)"
 """the coefficients of t to t⁵ of the part of the table in which a position is"""
 
 
-def entries(driven: Driven, key: str) -> list[Quantity]:
-    """Return no rows: what is entered is a table."""
-    return []
-
-
 def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the points."""
-    e, key, unit = as_a(Table, driven.given).points, f"axes.{driven.number - 1}.mechanism.points.*", driven.entered.unit
+    column = columns_of(as_a(Table, driven.given).points, f"axes.{driven.number - 1}.mechanism.points", rows)
     sheet.row += 1
     sheet.table(
         "@points", "Points of the table: leave spare rows empty", rows,
         constant("k", "point", "k", "", list(range(1, rows + 1))),
-        given("angle", "angle of the shaft", "φ", "°", filled([p.angle for p in e], rows, None), f"{key}.angle",
-              format="0.0##", source="rises strictly"),
-        given("position", "position of the load", "y", unit, filled([p.position for p in e], rows, None),
-              f"{key}.position", format="0.0##", source="rises strictly"),
+        column("angle", "angle of the shaft", "φ", "°", "angle", "rises strictly", format=PLAIN),
+        column("position", "position of the load", "y", driven.entered.unit, "position", "rises strictly",
+               format=PLAIN),
     )  # fmt: skip
 
 
@@ -65,7 +50,7 @@ def sizes(driven: Driven) -> list[Quantity]:
         calc("@low", "Lowest position that is reached", "", base, "=INDEX([@curve.y],1)", low, scale=high - low),
         calc("@high", "Highest position", "", base, "=INDEX([@curve.y],MAX(1,@count))", high, scale=high - low),
         calc("@near_end", "So near to an end counts as beyond it", "", base, "=0-check_zero*(@high-@low)",
-             near_end(one), format="0E+00", source="below 0: so far beyond counts as at it"),
+             near_end(one), "below 0: so far beyond counts as at it", format="0E+00"),
     ]  # fmt: skip
 
 
@@ -74,9 +59,7 @@ def table(sheet: Sheet, driven: Driven, rows: int) -> None:
     sheet.table(
         "@curve", "The curve through the points", rows,
         constant("k", "point", "k", "", list(range(1, rows + 1))),
-        *points(driven, rows),
-        *slopes(driven, rows),
-        *powers(driven, rows),
+        *points(driven, rows), *slopes(driven, rows), *powers(driven, rows),
     )  # fmt: skip
 
 
@@ -105,8 +88,7 @@ def points(driven: Driven, rows: int) -> list[Quantity]:
         calc("phi", "angle", "φ", "rad", f"=RADIANS({own.format('angle')})", of(angle)),
         calc("y", "position", "y", base, f"={metres.format(own.format('position'))}", of(y)),
         calc("w", "to the next", "Δy", base, f"=IF([k]<@count,{at('y', AFTER)}-[y],0)", of(width)),
-        calc("chord", "slope to the next", "Δφ/Δy", "", f"=IF([k]<@count,({at('phi', AFTER)}-[phi])/[w],0)",
-             of(chord)),
+        calc("chord", "slope to the next", "Δφ/Δy", "", f"=IF([k]<@count,({at('phi', AFTER)}-[phi])/[w],0)", of(chord)),
         calc("falls", "does not rise", "", "",
              f"=[on]*([k]>1)*IF(OR([phi]<={at('phi', BEFORE)},[y]<={at('y', BEFORE)}),1,0)", 0, format="0;;"),
     ]  # fmt: skip
@@ -133,9 +115,9 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
         calc("m", "parabola about point", "", "", used("MAX(2,MIN([k],@count-1))"), of(about), format="0"),
         calc("bend", "curvature of the parabola", "y''", "",
              f"=IF(AND([on]=1,@count>2),2*(1/{right}-1/{left})/({after}-{before}),0)", of(found.bend),
-             scale=change(found.bend, found.slope, np.diff(one.columns[0])), source="through three points"),
-        calc("slope", "its slope", "y'", "",
-             used(f"1/{left}+[bend]/2*(2*[phi]-{middle}-{before})"), of(found.slope), source="there"),
+             "through three points", scale=change(found.bend, found.slope, np.diff(one.columns[0]))),
+        calc("slope", "its slope", "y'", "", used(f"1/{left}+[bend]/2*(2*[phi]-{middle}-{before})"), of(found.slope),
+             "there"),
         calc("h0", "to the point before", "", "", used(at("w", BEFORE)), of(found.widths[0])),
         calc("h1", "to the next", "", "", used(at("w", place)), of(found.widths[1])),
         calc("c0", "slope from the point before", "Δφ/Δy", "", used(at("chord", BEFORE)),
@@ -143,9 +125,9 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
         calc("c1", "slope to the next", "Δφ/Δy", "", used(at("chord", place)), of(np.append(chords, chords[-1]))),
         calc("flat", "flatter of both", "", "", "=MIN([c0],[c1])", of(found.flat)),
         calc("first", "φ' of the parabola", "", "", used("IF([slope]>0,1/[slope],0)"), of(first),
-             source="1/y'; 0 where y' is not above 0"),
-        calc("b", "φ'' of the parabola", "", "", "=0-[bend]*[first]^3", of(found.second),
-             scale=change(found.second, first, one.widths), source="−y''/y'³"),
+             "1/y'; 0 where y' is not above 0"),
+        calc("b", "φ'' of the parabola", "", "", "=0-[bend]*[first]^3", of(found.second), "−y''/y'³",
+             scale=change(found.second, first, one.widths)),
         calc("calm", "the curve rises", "", "",
              used("IF(AND([first]>0,4*[first]+MIN([h1]*[b],0-[h0]*[b])>0,"
                   "8*[first]+[h1]*[b]<10*[c1],8*[first]-[h0]*[b]<10*[c0]),1,0)"),
@@ -174,8 +156,8 @@ def powers(driven: Driven, rows: int) -> list[Quantity]:
     return [
         *(calc(f"d{n}", f"coefficient of {word}", f"d{n}", "rad", f"=IF([k]<@count,{formula},0)", values, scale=size)
           for n, (word, formula, values) in enumerate(zip(words, formulas, found, strict=True), 1)),
-        *(calc(name, label, "", "rad", f"=IF([k]<@count,{formula},0)", filled(np.asarray(values), rows), scale=size,
-               source="at the next point")
+        *(calc(name, label, "", "rad", f"=IF([k]<@count,{formula},0)", filled(np.asarray(values), rows),
+               "at the next point", scale=size)
           for name, (label, formula, values) in more.items()),
     ]  # fmt: skip
 
@@ -188,15 +170,13 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     turned, first, second = one.shaft(position)
     width = "INDEX([@curve.w],[part])"
     return [
-        calc("part", "part of the table", "", "",
-             "=MAX(1,MIN(@count-1,SUMPRODUCT([@curve.on]*([@curve.y]<=[y]))))",
+        calc("part", "part of the table", "", "", "=MAX(1,MIN(@count-1,SUMPRODUCT([@curve.on]*([@curve.y]<=[y]))))",
              of(np.asarray(part, dtype=np.float64) + 1.0), format="0"),
         calc("t", "share of the part", "t", "", f"=([y]-INDEX([@curve.y],[part]))/{width}{NOT_ZERO}", of(share),
              scale=1.0),
-        calc("g", "ratio", "φ'", "", f"=SUMPRODUCT({D},{{1,2,3,4,5}},[t]^{{0,1,2,3,4}})/{width}", of(first),
-             source="dφ/dy"),
+        calc("g", "ratio", "φ'", "", f"=SUMPRODUCT({D},{{1,2,3,4,5}},[t]^{{0,1,2,3,4}})/{width}", of(first), "dφ/dy"),
         calc("h", "its change", "φ''", "", f"=SUMPRODUCT({D},{{0,2,6,12,20}},[t]^{{0,0,1,2,3}})/{width}^2", of(second),
-             scale=change(second, first, one.widths), source="d²φ/dy²"),
+             "d²φ/dy²", scale=change(second, first, one.widths)),
         calc("phi", "angle of the shaft", "φ", "rad", f"=INDEX([@curve.phi],[part])+SUMPRODUCT({D},[t]^{{1,2,3,4,5}})",
              of(turned), scale=1.0),
     ]  # fmt: skip
@@ -213,3 +193,12 @@ def varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, float]:
     places = [sum(steps[:j]) - 6.0 for j in range(len(steps))]
     points = [{"angle": (22.0 + k) * j - 40.0, "position": y} for j, y in enumerate(places)]
     return {"points": points}, -5.0, 0.9 * places[-1]
+
+
+TABLE = LinkagePage(
+    lambda driven, key: [], sizes, ratios, varied, "@count>=2", "SUM([@curve.falls])=0",
+    "angle and position rise from point to point",
+    f"{quoted(FALLS.partition(' {}')[0] + ' ')}&MATCH(1,[@curve.falls],0)"
+    f"&{quoted(' does not rise in angle and position')}",
+    "within its table", {"low": quoted("begin of the table"), "high": quoted("end of the table")}, entered, table,
+)  # fmt: skip

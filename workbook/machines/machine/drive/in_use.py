@@ -5,10 +5,9 @@ from collections.abc import Iterable
 from typing import NamedTuple, TypeVar
 
 from engine.drive import Motor, derating
-from engine.drive.chain import Part
 from engine.drive.limits import ReducerLimits
 from engine.drive.motor import Falling
-from workbook.book.declare import Quantity, calc, check, given
+from workbook.book.declare import Quantity, calc, check, entries_of, given
 from workbook.entries.texts import place_of
 from workbook.entries.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.chain import NEEDED, UNTOLD, AxisMotor
@@ -44,8 +43,8 @@ ZERO = dict.fromkeys(("peak_torque", "mean_torque", "max_speed"), "0: no limit")
 AT_LEAST = {"cycle_factor": "MAX(1,{0})"}
 """what counts of an entry that may be empty"""
 SOURCES = {"rated_torque": "at its temperature", "stall_torque": "at its temperature, T_N at least"}
-SI_UNITS = {"kg cm²": "kg m²"}
-"""of what is entered in others, for the formulas behind"""
+IN_SI = {"kg cm²": ("kg m²", "({})/10000")}
+"""of the units of what is entered in others, for the formulas behind: the unit, and what a formula stands in"""
 
 
 def named(rows: Iterable[P], name: str) -> P | None:
@@ -91,11 +90,6 @@ class ReducerInUse(NamedTuple):
     cycle_factor: float
     mean_torque: float
     max_speed: float
-
-    @property
-    def part(self) -> Part:
-        """Its inertia, on the motor's shaft."""
-        return Part("reducer", self.inertia, 0)
 
     @property
     def limits(self) -> ReducerLimits:
@@ -153,94 +147,76 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
     """Return the rows of what is entered of reducer and motor."""
     rows: list[Quantity] = []
     for kind, figures in (("reducer", REDUCER), ("motor", MOTOR)):
-        entered = getattr(axis, kind)
+        entered, named = getattr(axis, kind), f"{kind.capitalize()}, as entered: "
+        cell = entries_of(entered, f"{key}.{kind}")
         rows += [
             given(f"@{kind}_name", f"{kind.capitalize()} of the catalogue", "", "", entered.name or None,
                   f"{key}.{kind}.name", choices=f"={kind}_name", align="left",
                   source="leave empty to enter the figures below"),
-            calc(f"@own_{kind}", f"{kind.capitalize()}, as entered: the figures below are", "", "",
+            calc(f"@own_{kind}", f"{named}the figures below are", "", "",
                  f'=IF(@{kind}_name="","used","{UNUSED}")', UNUSED if entered.name else "used", align="right"),
-            *(given(f"@own_{kind}_{name}", f"{kind.capitalize()}, as entered: {words}", symbol, unit,
-                    getattr(entered, name), f"{key}.{kind}.{name}", source=source,
-                    format="General" if unit in SI_UNITS else "0.0##")
+            *(cell(f"@own_{kind}_{name}", named + words, symbol, unit, name, source,
+                   format="General" if unit in IN_SI else "0.0##")
               for name, words, symbol, unit, source, *_ in figures),
         ]  # fmt: skip
-    motor, key = axis.motor or AxisMotor(), f"{key}.motor"
+    motor = axis.motor or AxisMotor()
+    cell, brake = entries_of(motor, f"{key}.motor"), entries_of(motor.brake, f"{key}.motor.brake")
     return [
         *rows,
-        given("@losses_rated", "Copper losses of the motor at the rated torque", "P_Cu", "kW", motor.copper_losses,
-              f"{key}.copper_losses", source="empty: as the catalogue has it, or none"),
-        given("@holding", "At rest the load is held by", "", "", motor.holding, f"{key}.holding",
-              source="the motor, or a brake"),
-        *brake_entries(motor, key),
-        given("@temperature", "Ambient temperature of the motor", "ϑ", "°C", motor.temperature, f"{key}.temperature",
-              format="0.0##", source="empty: as rated"),
-        given("@rated_at", "Ambient temperature of the rated torque", "ϑ_N", "°C", motor.rated_at, f"{key}.rated_at",
-              format="0.0##"),
-        given("@winding", "Largest temperature of the winding", "ϑ_max", "°C", motor.limit, f"{key}.limit",
-              format="0.0##", source="155 °C of class F"),
-    ]  # fmt: skip
-
-
-def brake_entries(motor: AxisMotor, key: str) -> list[Quantity]:
-    """Return the rows of the motor's brake, where its description has one."""
-    brake, key = motor.brake, f"{key}.brake"
-    return [] if brake is None else [
-        given("@brake_torque", "Brake: torque that it holds", "T_B,N", "Nm", brake.torque, f"{key}.torque",
-              format="0.0##", source="at the motor's shaft"),
-        given("@brake_closing", "Brake: time to close", "", "ms", brake.closing, f"{key}.closing", format="0.0##"),
-        given("@brake_opening", "Brake: time to open", "", "ms", brake.opening, f"{key}.opening", format="0.0##",
-              source="the motor holds in dwells shorter than both together"),
+        cell("@losses_rated", "Copper losses of the motor at the rated torque", "P_Cu", "kW", "copper_losses",
+             "empty: as the catalogue has it, or none", format=""),
+        cell("@holding", "At rest the load is held by", "", "", "holding", "the motor, or a brake"),
+        *([] if motor.brake is None else [
+            brake("@brake_torque", "Brake: torque that it holds", "T_B,N", "Nm", "torque", "at the motor's shaft"),
+            brake("@brake_closing", "Brake: time to close", "", "ms", "closing"),
+            brake("@brake_opening", "Brake: time to open", "", "ms", "opening",
+                  "the motor holds in dwells shorter than both together"),
+        ]),
+        cell("@temperature", "Ambient temperature of the motor", "ϑ", "°C", "temperature", "empty: as rated"),
+        cell("@rated_at", "Ambient temperature of the rated torque", "ϑ_N", "°C", "rated_at"),
+        cell("@winding", "Largest temperature of the winding", "ϑ_max", "°C", "limit", "155 °C of class F"),
     ]  # fmt: skip
 
 
 def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quantity]:
     """Return the rows of the figures that the drive uses."""
+
+    def figure(of: MotorInUse | ReducerInUse, row: tuple[str, ...], formula: str, source: str = "") -> Quantity:
+        name, words, symbol, unit, _, cell, _ = row
+        (base, made), product = IN_SI.get(unit, (unit, "{}")), "Motor" if of is motor else "Reducer"
+        return calc(cell, f"{product}: {words}", symbol, base, f"={made.format(formula)}", getattr(of, name),
+                    source)  # fmt: skip
+
     rows = [
-        calc("@reducer_row", "Reducer: row of the catalogue", "", "",
-             '=IF(@reducer_name="",0,MATCH(@reducer_name,[reducers.name],0))', reducer.row, format="0",
-             source="0: as entered"),
-        calc("@motor_row", "Motor: row of the catalogue", "", "",
-             '=IF(@motor_name="",0,MATCH(@motor_name,[motors.name],0))', motor.row, format="0",
-             source="0: as entered"),
+        calc(f"@{kind}_row", f"{kind.capitalize()}: row of the catalogue", "", "",
+             f'=IF(@{kind}_name="",0,MATCH(@{kind}_name,[{kind}s.name],0))', row, "0: as entered", format="0")
+        for kind, row in (("reducer", reducer.row), ("motor", motor.row))
     ]  # fmt: skip
-    for name, words, symbol, unit, _, cell, column in REDUCER:
-        own = f"@own_reducer_{name}"
+    for row in REDUCER:
+        name, column, own = row[0], row[-1], f"@own_reducer_{row[0]}"
         entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
         listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)"
-        counted = AT_LEAST.get(name, "{0}").format(listed)
-        rows.append(
-            calc(cell, f"Reducer: {words}", symbol, SI_UNITS.get(unit, unit), f"={in_si(counted, unit)}",
-                 getattr(reducer, name), source=ZERO.get(name, ""))
-        )  # fmt: skip
+        rows.append(figure(reducer, row, AT_LEAST.get(name, "{0}").format(listed), ZERO.get(name, "")))
     listed_motor = {name: f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{column}],@motor_row))"
                     for name, *_, column in MOTOR}  # fmt: skip
-    used = {name: in_si(f"{listed_motor[name]}+0", unit) for name, _, _, unit, *_ in MOTOR} | {
+    used = {
         "rated_torque": f"{listed_motor['rated_torque']}*@derate",
         "stall_torque": f"MAX(@motor_rated,{listed_motor['stall_torque']}*@derate)",
         "rated_speed": "IF(@nn_given=0,@motor_nmax,@nn_given)",
     }
-    rows += [
+    return [
+        *rows,
         calc("@derate", "Motor: share of the rated torque at the ambient temperature", "", "", f"={DERATING}", left,
-             source="√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
+             "√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
         calc("@nn_given", "Motor: rated speed as it is given", "", "rpm", f"={listed_motor['rated_speed']}+0",
-             motor.rated_given, source="0: not given"),
-        *(calc(cell, f"Motor: {words}", symbol, SI_UNITS.get(unit, unit), f"={used[name]}", getattr(motor, name),
-               source=SOURCES.get(name, ""))
-          for name, words, symbol, unit, _, cell, _ in MOTOR),
+             motor.rated_given, "0: not given"),
+        *(figure(motor, row, used.get(row[0], f"{listed_motor[row[0]]}+0"), SOURCES.get(row[0], "")) for row in MOTOR),
         calc("@losses", "Motor: copper losses at the rated torque", "P_Cu", "kW",
              '=IF(@losses_rated<>"",@losses_rated,IF(@motor_row=0,0,INDEX([motors.pcu],@motor_row)))+0', motor.losses,
-             source="0: none are counted"),
+             "0: none are counted"),
         calc("@copper", "Motor: copper losses over the square of the torque", "", "kW/N²m²",
-             "=IF(@losses*@motor_rated=0,0,@losses/(@motor_rated/@derate)^2)", shown(motor.copper, KW),
-             source="P_Cu/T_N²"),
+             "=IF(@losses*@motor_rated=0,0,@losses/(@motor_rated/@derate)^2)", shown(motor.copper, KW), "P_Cu/T_N²"),
     ]  # fmt: skip
-    return rows
-
-
-def in_si(formula: str, unit: str) -> str:
-    """Return the formula of an inertia in kg m², any other as it is."""
-    return f"({formula})/10000" if unit in SI_UNITS else formula
 
 
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'

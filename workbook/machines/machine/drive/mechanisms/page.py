@@ -1,0 +1,71 @@
+"""What the sheet of a drive has of its mechanism: of one whose ratio changes a page, of all others lists of rows."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from engine.laws.base import Array
+from workbook.book.declare import Quantity, Sheet, calc, given
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.mechanism import Belted
+
+Column = Callable[[Array], list[float]]
+"""makes a column of a table of an array of values at its places"""
+Table = Callable[[Sheet, Driven, int], None]
+"""declares a table of as many rows as the book has for positions"""
+
+
+class LinkagePage(NamedTuple):
+    """What the sheet has of a mechanism whose ratio depends on the position; formulas in the scope of the drive."""
+
+    entries: Callable[[Driven, str], list[Quantity]]
+    """the rows of what is entered, by the key of the axis"""
+    sizes: Callable[[Driven], list[Quantity]]
+    """the rows of its sizes in m, and of where it can bring its load to"""
+    ratios: Callable[[Driven, Array, Column], list[Quantity]]
+    """the columns of φ' (``g``), φ'' (``h``) and the shaft's angle at the position in the column ``y``"""
+    varied: Callable[[int, int, int], tuple[dict[str, Any], float, float]]
+    """of the number of an axis, of a variation and of the rows for positions: other entries, and two positions that the
+    mechanism then reaches (mm or °)"""
+    sized: str  # the condition under which its sizes are entered
+    fits: str  # the condition under which they go together
+    holds: str  # what that is about
+    wrong: str  # the formula of what is said where they do not
+    within: str  # between what it reaches its positions
+    ends: dict[str, str]  # the formulas of the names of both ends of the reach, ``low`` and ``high``
+    entered: Table | None = None  # the table of what is entered, if it has one
+    worked: Table | None = None  # that of its workings
+
+
+RATIOS = {"lead": ("P_h", "=2*PI()/(@lead/1000)", "2π/P_h"), "roller_radius": ("R", "=1/(@roller_radius/1000)", "1/R"),
+          "": ("", "=1", "the load turns with it")}  # fmt: skip
+"""of the entry that sets a constant ratio: its symbol, the ratio in cells and in words; of all others 2/D"""
+
+
+def ratio_of(size: str) -> tuple[str, str, str]:
+    """Return the symbol, the formula and the equation of a ratio by the entry that sets it."""
+    return RATIOS.get(size, ("D", f"=2/(@{size}/1000)", "2/D"))
+
+
+def constant_entries(driven: Driven, key: str) -> list[Quantity]:
+    """Return the row of the size of a mechanism of constant ratio, if it has one, and of its belt."""
+    m, key, rows = driven.given, f"{key}.mechanism", []
+    if m.SIZE:
+        label = type(m).model_fields[m.SIZE].title or ""
+        rows = [given(f"@{m.SIZE}", label, ratio_of(m.SIZE)[0], "mm", m.size, f"{key}.{m.SIZE}", format="0.0##")]
+    if isinstance(m, Belted):
+        rows.append(given("@belt_mass", "Mass of the belt", "m_b", "kg", m.belt_mass, f"{key}.belt_mass",
+                          format="0.0##", source="moves with the load; its own weight balances itself"))  # fmt: skip
+    return rows
+
+
+def constant_sizes(driven: Driven) -> list[Quantity]:
+    """Return the rows of the ratios."""
+    unit, m = "rad/m" if driven.axis.base == "m" else "", driven.mechanism
+    _, ratio, equation = ratio_of(driven.given.SIZE)
+    return [
+        calc("@i2", "Ratio of the mechanism", "i_2", unit, ratio, m.ratio_from(1), equation),
+        calc("@i", "Ratio from motor to load", "i_tot", unit, "=@i1*@i2", m.ratio, "i_1 i_2"),
+    ]
+
+
+ROWS = constant_entries, constant_sizes

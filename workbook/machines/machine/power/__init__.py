@@ -1,1 +1,0 @@
-"""The power of all drives: the engine's view and the sheet Power."""

@@ -1,1 +1,0 @@
-"""Motor and reducer of a drive from catalogues: entries, and the pair in use."""
