@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.drive import dwell_times
-from engine.drive.search import NOISE, crossed, evaluated, force_curve, largest_size, position, sign_changes
+from engine.drive.search import NOISE, crossed, force_curve, largest_size, sign_changes
 from engine.drive.train import Force, Motion3, ShaftMotion, Train, Weights
 from engine.laws.base import Array
 from engine.laws.ladder import Curve
@@ -47,19 +47,13 @@ class TorqueInterval:
         fastest = max((abs(w) for a, w, _ in self.piece.sines if a), default=0.0)
         turned = fastest * (self.high - self.low)
         if self.force.by_angle:
-            turned += abs(self.curves[0](self.high) - self.curves[0](self.low))
+            turned += abs(self.piece.curves[0](self.high) - self.piece.curves[0](self.low))
         return NODES * (1 + int(turned / np.pi))
 
     def load(self, u: Array) -> Motion3:
         """Return the motion of the load (m or rad, in s)."""
-        y, velocity, acceleration = (evaluated(curve, u) for curve in self.curves)
+        y, velocity, acceleration = (curve.at(u) for curve in self.piece.curves[:3])
         return Motion3(y, velocity * self.speed, acceleration * self.speed**2)
-
-    @cached_property
-    def curves(self) -> tuple[Curve, Curve, Curve]:
-        """y, y' and y'' over u."""
-        y = position(self.piece)
-        return y, y.derivative(), y.derivative().derivative()
 
     def shaft(self, u: Array) -> ShaftMotion:
         """Return the motion of the mechanism's own shaft."""
@@ -68,7 +62,7 @@ class TorqueInterval:
     @cached_property
     def within(self) -> float:
         """The load's position in the middle, which says on which side of a knot its ends are."""
-        return self.curves[0](0.5 * (self.low + self.high))
+        return self.piece.curves[0](0.5 * (self.low + self.high))
 
     def motor_speed(self, u: Array) -> Array:
         """Return the speed of the motor (rad/s)."""
@@ -168,7 +162,7 @@ class MotionPieces:
     @cached_property
     def fastest(self) -> float:
         """The largest |y'| of the motion."""
-        return max(largest_size(position(piece).derivative(), piece.duration) for piece in self.moved)
+        return max(largest_size(piece.curves[1], piece.duration) for piece in self.moved)
 
 
 @dataclass(frozen=True)
@@ -215,7 +209,7 @@ class DriveCycle:
 
     def _of(self, piece: MotionPiece) -> Iterator[Span]:
         """Yield the spans of a piece."""
-        velocity = position(piece).derivative()
+        velocity = piece.curves[1]
         moves = largest_size(velocity, piece.duration) > NOISE * self.unshifted.fastest
         cuts = [0.0, piece.duration, *self._edges(piece)]
         if moves:
@@ -224,7 +218,7 @@ class DriveCycle:
         for low, high in parts(cuts, piece.duration):
             middle = 0.5 * (low + high)
             direction = float(np.sign(velocity(middle))) if moves else 0.0
-            sense = direction * self.train.sense(position(piece)(middle))
+            sense = direction * self.train.sense(piece.curves[0](middle))
             force = self.train.force(sense, piece.begin + middle + self.shift, self.unshifted.total)
             yield Span(piece, low, high, direction, force)
 
@@ -237,7 +231,7 @@ class DriveCycle:
 
     def _knots(self, piece: MotionPiece, turns: Sequence[float]) -> Iterator[float]:
         """Yield where a piece, which turns round at ``turns``, passes a place at which the torque's formula changes."""
-        y = position(piece)
+        y = piece.curves[0]
         ends = [y(u) for u in (0.0, *turns, piece.duration)]
         for knot in self.train.cuts(min(ends), max(ends)):
             yield from sign_changes(Curve((y.c[0] - knot, *y.c[1:]), y.sines), 0.0, piece.duration)

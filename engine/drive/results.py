@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.drive.cycle import DriveCycle, TorqueInterval
-from engine.drive.search import Function, extremes, integral, position, trimmed
+from engine.drive.search import Function, extremes, integral
 from engine.laws.base import Array
 from engine.laws.ladder import Curve, zeros
 
@@ -136,7 +136,7 @@ def _speed_candidates(one: TorqueInterval) -> Array:
     """Return where the motor can be fastest: at the ends and where y'' is 0; where the ratio changes, by a search."""
     if one.train.linkage:
         return _searched(one, one.motor_speed)
-    return _turns(one, position(one.piece).derivative())
+    return _turns(one, one.piece.curves[1])
 
 
 def _torque_candidates(one: TorqueInterval, shaft: int) -> Array:
@@ -149,7 +149,7 @@ def _torque_candidates(one: TorqueInterval, shaft: int) -> Array:
 
 def _turns(one: TorqueInterval, curve: Curve) -> Array:
     """Return the ends of an interval, and where a curve turns round in it."""
-    places = zeros(trimmed(curve.derivative()), one.piece.duration)
+    places = zeros(curve.derivative(), one.piece.duration)
     return np.array([one.low, *(u for u in places if one.low < u < one.high), one.high])
 
 

@@ -135,27 +135,11 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
     return sum(integral(function, a, b, scale, halvings - 1) for a, b in ((low, middle), (middle, high)))
 
 
-def position(piece: MotionPiece) -> Curve:
-    """Return y of a piece as a curve over u."""
-    return Curve(piece.c, tuple(sine for sine in piece.sines if sine[0]))
-
-
-def evaluated(curve: Curve, u: Array) -> Array:
-    """Return the values of a curve."""
-    value = np.zeros(u.shape)
-    for c in reversed(trimmed(curve).c):
-        value = value * u + c
-    for p, w, phi in curve.sines:
-        value = value + p * np.sin(w * u + phi)
-    return value
-
-
 def force_curve(
     piece: MotionPiece, speed: float, force: Force, share: float = 1.0, inertia: float = 0.0, more: float = 0.0
 ) -> Curve:
     """Return ``share`` · F + ``inertia`` · ÿ + ``more`` as a curve over u."""
-    velocity = position(piece).derivative()
-    acceleration = velocity.derivative()
+    _, velocity, acceleration, _ = piece.curves
     level, c = share * force.level + more, share * force.viscous * speed
     m = (share * force.mass + inertia) * speed**2
     both = [*(m * c2 for c2 in acceleration.c), 0.0]
@@ -167,15 +151,7 @@ def force_curve(
     for w in dict.fromkeys(w for _, w, _ in sines):
         one = sum(p * np.exp(1j * phi) for p, other, phi in sines if other == w)
         joined.append((float(abs(one)), w, float(np.angle(one))))
-    return trimmed(Curve(tuple(polynomial), tuple(joined)))
-
-
-def trimmed(curve: Curve) -> Curve:
-    """Return a curve without powers that are 0, but for the constant: so that no sine stands alone."""
-    c = list(curve.c)
-    while len(c) > 1 and not c[-1]:
-        c.pop()
-    return Curve(tuple(c) or (0.0,), curve.sines)
+    return Curve(tuple(polynomial), tuple(joined))
 
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
@@ -183,17 +159,15 @@ def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
 
     Between the zeros of its derivative, and so none is missed.
     """
-    f = trimmed(curve)
-    slope = trimmed(f.derivative())
+    slope = curve.derivative()
     turns = [u for u in zeros(slope, high) if low < u < high]
     points = [low, *turns, high]
-    values = [f(u) for u in points]
+    values = [curve(u) for u in points]
     noise = NOISE * max(map(abs, values))
     kept = [(u, value) for u, value in zip(points, values, strict=True) if abs(value) > noise]
-    return [root(f, slope, one[0], other[0]) for one, other in pairwise(kept) if (one[1] > 0.0) != (other[1] > 0.0)]
+    return [root(curve, slope, one[0], other[0]) for one, other in pairwise(kept) if (one[1] > 0.0) != (other[1] > 0.0)]
 
 
 def largest_size(curve: Curve, d: float) -> float:
     """Return the largest size of a curve from 0 to d."""
-    f = trimmed(curve)
-    return max(abs(f(u)) for u in (0.0, *zeros(trimmed(f.derivative()), d), d))
+    return max(abs(curve(u)) for u in (0.0, *zeros(curve.derivative(), d), d))

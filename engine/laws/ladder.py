@@ -31,6 +31,15 @@ class Curve:
             value = value * u + c
         return value + sum(p * math.sin(w * u + phi) for p, w, phi in self.sines)
 
+    def at(self, u: Array) -> Array:
+        """Return f at places."""
+        value = np.zeros(np.shape(u))
+        for c in reversed(self.c):
+            value = value * u + c
+        for p, w, phi in self.sines:
+            value = value + p * np.sin(w * u + phi)
+        return value
+
     def derivative(self) -> "Curve":
         """Return f'."""
         c = tuple(i * c for i, c in enumerate(self.c))[1:]
@@ -50,6 +59,12 @@ class Curve:
         return Curve(tuple(product))
 
 
+def trimmed(f: Curve) -> Curve:
+    """Return a curve without the highest powers that are 0."""
+    powers = max((k for k, c in enumerate(f.c, 1) if c), default=0)
+    return Curve(f.c[:powers], f.sines)
+
+
 def zeros(f: Curve, d: float) -> list[float]:
     """Return every u from 0 to d at which f changes its sign, rising.
 
@@ -57,6 +72,7 @@ def zeros(f: Curve, d: float) -> list[float]:
     on how dense a search is: a polynomial of degree n with a sine needs n + 1 rungs down to the sine alone, whose
     zeros are (kπ − φ)/ω. Two sines without a polynomial are searched in cells.
     """
+    f = trimmed(f)
     if not f.c and len(f.sines) < 2:
         return _of_sine(f.sines[0], d) if f.sines else []
     slope = f.derivative()

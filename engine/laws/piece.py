@@ -227,7 +227,7 @@ def cut(piece: Piece, shares: Sequence[float]) -> list[Piece]:
         replace(
             piece,
             duration=end - begin,
-            c=tuple(_shifted(piece.c, i, begin) for i in range(len(piece.c))),
+            c=tuple(shifted(piece.c, i, begin) for i in range(len(piece.c))),
             phase=piece.phase + piece.omega * begin,
             phase2=piece.phase2 + piece.omega2 * begin,
         )
@@ -243,13 +243,14 @@ def backwards(piece: Piece) -> Piece:
     d = piece.duration
     return replace(
         piece,
-        c=tuple(-((-1.0) ** i) * _shifted(piece.c, i, d) for i in range(len(piece.c))),
+        c=tuple(-((-1.0) ** i) * shifted(piece.c, i, d) for i in range(len(piece.c))),
         phase=-(piece.omega * d + piece.phase),
         phase2=-(piece.omega2 * d + piece.phase2),
     )
 
 
-def _shifted(c: Sequence[float], i: int, d: float) -> float:
+def shifted(c: Sequence[float], i: int, d: float) -> float:
+    """Return the i-th coefficient of a polynomial told from d on."""
     return sum(c[k] * math.comb(k, i) * d ** (k - i) for k in range(i, len(c)))
 
 

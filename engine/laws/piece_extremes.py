@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
-from engine.laws.ladder import Curve, narrowed, zeros
+from engine.laws.ladder import Curve, narrowed, trimmed, zeros
 from engine.laws.piece import Piece, Sine, carried, cut, gains
 
 CELLS = 512  # at least, in which the power of a mixed piece is searched for changes of sign
@@ -21,10 +21,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 def acceleration(piece: Piece) -> Curve:
     """Return a(u) of a piece as a curve of no higher degree than it has; a sine that does not turn is a constant."""
     still = sum(p * math.sin(phi) for p, w, phi in piece.sines if w == 0.0)
-    c = [piece.c[0] + still, *piece.c[1:]]
-    while c and not c[-1]:
-        c.pop()
-    return Curve(tuple(c), tuple(sine for sine in piece.sines if sine[1]))
+    return trimmed(Curve((piece.c[0] + still, *piece.c[1:]), tuple(sine for sine in piece.sines if sine[1])))
 
 
 def stationary_power_points(piece: Piece, v0: float) -> list[float]:

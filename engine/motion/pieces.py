@@ -12,12 +12,10 @@ from numpy.typing import NDArray
 
 from engine.laws import Law, Piece
 from engine.laws.base import BREAK_TOLERANCE, Array
-from engine.laws.piece import POWERS, begins
+from engine.laws.ladder import Curve
+from engine.laws.piece import POWERS, Sine, begins
 from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
-
-Sine = tuple[float, float, float]
-"""A, ω, φ of A sin(ωu + φ)"""
 
 
 @dataclass(frozen=True)
@@ -38,25 +36,19 @@ class MotionPiece:
 
     def at(self, u: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at u."""
-        return MotionValues(*(self.derivative(order, u) for order in range(4)))
+        return MotionValues(*(curve.at(u) for curve in self.curves))
 
     def derivative(self, order: int, u: Array) -> Array:
         """Return the derivative of an order, 0 to 3, at u."""
-        y = np.zeros_like(u, dtype=np.float64)
-        for c in reversed(self.derivatives[order]):
-            y = y * u + c
-        for a, w, phi in self.sines:
-            if a:
-                y = y + a * w**order * np.sin(w * u + phi + order * np.pi / 2.0)
-        return y
+        return self.curves[order].at(u)
 
     @cached_property
-    def derivatives(self) -> list[tuple[float, ...]]:
-        """The coefficients of y and its first three derivatives, from the lowest power; without the highest zeros."""
-        found = [self.c]
-        for _ in range(3):
-            found.append(tuple(k * c for k, c in enumerate(found[-1]))[1:])
-        return [c[: max((k for k, one in enumerate(c, 1) if one), default=0)] for c in found]
+    def curves(self) -> tuple[Curve, Curve, Curve, Curve]:
+        """y, y', y'' and y''' over u."""
+        used = max((k for k, c in enumerate(self.c, 1) if c), default=0)
+        y = Curve(self.c[: max(used, 3)], tuple(sine for sine in self.sines if sine[0]))
+        v = y.derivative()
+        return y, v, v.derivative(), v.derivative().derivative()
 
 
 class Scaled(NamedTuple):

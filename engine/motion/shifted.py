@@ -11,6 +11,7 @@ import numpy as np
 
 from engine.laws.base import Array, require_finite
 from engine.laws.ladder import Curve, zeros
+from engine.laws.piece import shifted
 from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
@@ -68,9 +69,10 @@ class Shifted:
         """Return y over u from ``low``, up to ``high``, between which no piece of it begins."""
         cycles, middle = self._unshifted(np.array([0.5 * (low + high)]))
         before = [one for one in self._pieces if one.begin <= middle[0]]
-        piece = before[-1]
-        moved = moved_by(piece, float(middle[0]) - 0.5 * (high - low) - piece.begin)
-        return Curve((moved.c[0] + float(cycles[0]) * self.motion.lifts_sum, *moved.c[1:]), moved.sines)
+        y, u = before[-1].curves[0], float(middle[0]) - 0.5 * (high - low) - before[-1].begin
+        c = [shifted(y.c, i, u) for i in range(len(y.c))]
+        c[0] += float(cycles[0]) * self.motion.lifts_sum
+        return Curve(tuple(c), tuple((a, w, phi + w * u) for a, w, phi in y.sines))
 
     @cached_property
     def _pieces(self) -> list[MotionPiece]:
@@ -82,15 +84,6 @@ class Shifted:
         cycles = np.floor((x - self.shift - begin + self.motion.tolerance) / total)
         inner = np.clip(x - self.shift - cycles * total, begin, begin + total)
         return Unshifted(cycles, inner)
-
-
-def moved_by(piece: MotionPiece, u: float) -> Curve:
-    """Return y of a piece as a curve that begins at its u."""
-    c = [
-        math.fsum(piece.c[k] * math.comb(k, i) * u ** (k - i) for k in range(i, len(piece.c)))
-        for i in range(len(piece.c))
-    ]
-    return Curve(tuple(c), tuple((a, w, phi + w * u) for a, w, phi in piece.sines if a))
 
 
 class Gap(NamedTuple):

@@ -24,7 +24,6 @@ from engine.drive.motor import Falling
 from engine.drive.quadrature import SHARES, WEIGHTS, Cycle
 from engine.drive.rate_by_points import by_rms, shares
 from engine.drive.results import DriveResults
-from engine.drive.search import position, trimmed
 from engine.drive.train import Train
 from engine.laws import Dwell, law
 from engine.laws.ladder import zeros
@@ -44,7 +43,7 @@ def monotone(pieces):
 
 def parts(piece):
     """The parts of a piece, each told from its own begin."""
-    jerk = trimmed(position(piece).derivative().derivative().derivative())
+    jerk = piece.curves[3]
     inner = [u for u in zeros(jerk, piece.duration) if 1e-9 < u < piece.duration - 1e-9] if piece.duration > 0 else []
     return [moved(piece, low, high) for low, high in pairwise((0.0, *inner, piece.duration))]
 
