@@ -37,8 +37,9 @@ def in_order(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Findi
     ``model`` is that of the machine's entries.
     """
     said = [*put_back(file, layout), *named(file, layout, model), *moved_up(file, layout)]
-    file.mended = file.mended or bool(said)
-    file.__dict__.pop("contents", None)
+    if said:
+        file.mended = True
+        file.__dict__.pop("contents", None)  # they are of the cells as they were
     return said
 
 
