@@ -20,9 +20,9 @@ from rich.table import Table
 from engine import law
 from engine.cams.certificate import certify, equal
 from engine.cams.interpolation import lines, quintics, segmented, spline
-from engine.cams.profile import CamProfile, profile_of_motion
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
+from engine.motion.pieces import CamProfile, profile_of_motion
 from workbook.axes import CamAxis
 from workbook.controllers.handing import automatic, certified, reread, tabulated
 from workbook.controllers.registry import target, targets

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Self
 
-from engine.cams.profile import CamProfile
+from engine.motion.pieces import CamProfile
 from engine.timing import Switch
 
 

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.profile import SAME, CamProfile
 from engine.laws.base import Array
+from engine.motion.pieces import SAME, CamProfile
 
 DEGREE = 15
 """of every polynomial here; a sine over one rad about its middle is one to 1e-13 of its third derivative"""

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from engine.cams.certificate import parted
 from engine.cams.interpolation import spline
-from engine.cams.profile import CamProfile
 from engine.laws import Law
 from engine.laws.base import Array
 from engine.laws.ends import EndedLaw
 from engine.laws.spline import MOST, NARROWEST, Spline
+from engine.motion.pieces import CamProfile
 
 FEW = 6  # points, from which the velocity at an end of a table is told
 ROUND = 24  # numbers, so many of which may be round ones

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from engine.cams.given import AT_SPEED, LONGER, Found, Points, fastest, may_be, moves_at, part, seam, splined
 from engine.cams.joined import RATES, grown, joined, nearest, rates_agree
-from engine.cams.profile import CamProfile, turned
 from engine.laws import Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
 from engine.laws.registry import CATALOGUE
+from engine.motion.pieces import CamProfile, turned
 
 ROUNDED = 1e-9
 """of the reach: what a fit may miss by whatever the data's precision is"""

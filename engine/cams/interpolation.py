@@ -8,8 +8,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.profile import CamProfile
 from engine.laws.base import Array
+from engine.motion.pieces import CamProfile
 
 Ends = Literal["natural", "not-a-knot", "periodic"]
 

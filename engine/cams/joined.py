@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.given import LONGER, QUINTIC, SEAM, Found, Points, fastest, may_be, part, precision, rate_at, splined
-from engine.cams.profile import CamProfile
 from engine.laws import law
 from engine.laws.base import Array
 from engine.laws.ends import EndedLaw, EndError, Ends, between
 from engine.laws.registry import CATALOGUE
+from engine.motion.pieces import CamProfile
 
 SHORTEST = 3  # ways from point to point of a straight line, where y' is not known
 TURNS = 12  # of Gauss and Newton

@@ -10,8 +10,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import perm, pi
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,29 +20,7 @@ from engine.drive.drive import dwell_times
 from engine.drive.train import Train
 from engine.laws.base import Array
 from engine.laws.points import POINTS, SHARES, WEIGHTS
-from engine.motion.pieces import MotionPiece
-
-
-@dataclass(frozen=True)
-class Rows:
-    """The powers of u in each piece, a row a power, and its sines A sin(ωu + φ): A, ω and φ, a row each."""
-
-    powers: Array
-    sines: tuple[Array, ...]
-
-    def at(self, u: Array, order: int) -> Array:
-        """Return a derivative of y at places, which have the shape of these, or one that goes with it."""
-        value = np.zeros(u.shape)
-        for n in range(len(self.powers) - 1, order - 1, -1):
-            value = value * u + perm(n, order) * self.powers[n]
-        for a, w, phi in self.sines:
-            value = value + a * w**order * np.sin(w * u + (phi + order * pi / 2.0))
-        return value
-
-    def taken(self, index: Any) -> "Rows":
-        """Return the pieces at places among them."""
-        return Rows(self.powers[:, index], tuple(sine[:, index] for sine in self.sines))
-
+from engine.motion.pieces import MotionPiece, profile_of
 
 STANDSTILL = 1e-9
 """of the greatest speed: a slower load stands"""
@@ -194,7 +171,7 @@ class Cycle:
     def direction(self) -> Array:
         """The direction in the middle of each interval: 1, −1 or 0 at rest."""
         middles = np.array([one.middle for one in self.intervals])
-        v = self._derivative(np.arange(len(middles)), middles, 1)
+        _, v, _ = self._moved(np.arange(len(middles)), middles)
         return np.where(np.abs(v) > self.still, np.sign(v), 0.0)
 
     @cached_property
@@ -224,7 +201,7 @@ class Cycle:
         begin, end = (np.array([getattr(one, name) for one in self.intervals])[:, None] for name in ("begin", "end"))
         number = np.arange(len(begin))[:, None] + np.zeros(POINTS, dtype=np.intp)
         share, place = (end - begin) / self.drive_cycle.unshifted.total * WEIGHTS, begin + (end - begin) * SHARES
-        y, v, a = (self._derivative(number, place, order) for order in range(3))
+        y, v, a = self._moved(number, place)
         direction = np.where(np.abs(v) > self.still, np.sign(v), self.direction[number])
         steady, friction = (level[number] for level in self.levels)
         first, second = self.drive_cycle.train.ratio(y)
@@ -233,17 +210,9 @@ class Cycle:
             self.drive_cycle.train, place, y, v, a, direction, steady, friction, first, second, share, dwell
         )
 
-    def _derivative(self, number: NDArray[np.intp], place: Array, order: int) -> Array:
-        """Return a derivative of the motion by time at places, each in an interval."""
-        piece = np.array([one.piece for one in self.intervals])[number]
-        begin = np.array([one.origin for one in self.pieces])[piece]
-        return self._rows.taken(piece).at(place - begin, order) * self.drive_cycle.speed**order
-
-    @cached_property
-    def _rows(self) -> Rows:
-        degree = max(len(piece.c) for piece in self.pieces)
-        powers = np.array([(*piece.c, *([0.0] * (degree - len(piece.c)))) for piece in self.pieces]).T
-        sines = [[sine for sine in piece.sines if sine[0]] for piece in self.pieces]
-        most = max(map(len, sines))
-        filled = [[*found, *([(0.0, 1.0, 0.0)] * (most - len(found)))] for found in sines]
-        return Rows(powers, tuple(np.array([found[k] for found in filled]).T for k in range(most)))
+    def _moved(self, number: NDArray[np.intp], place: Array) -> list[Array]:
+        """Return position, velocity and acceleration of the motion at places, each in an interval."""
+        middles, motion, w = np.array([one.middle for one in self.intervals]), self.drive_cycle, self.drive_cycle.speed
+        profile = profile_of(self.pieces, motion.unshifted.begin + motion.unshifted.total)
+        powers = profile.taylor(place.ravel(), profile.index(middles)[number].ravel(), 3)
+        return [by * one.reshape(place.shape) for by, one in zip((1.0, w, 2.0 * w**2), powers, strict=True)]

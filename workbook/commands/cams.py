@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from engine.cams.identify import THINNED
-from engine.cams.profile import SAME
+from engine.motion.pieces import SAME
 from workbook import build as making
 from workbook.commands import switching
 from workbook.commands.export import LOAD, SHAFT, chosen, require_side, shafts, tolerated

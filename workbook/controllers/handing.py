@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from engine.cams.certificate import Certificate, certify, equal, jumps, spread
 from engine.cams.interpolation import straight
-from engine.cams.profile import SAME, CamProfile
 from engine.laws.base import Array
+from engine.motion.pieces import SAME, CamProfile
 from workbook.axes import CamAxis
 from workbook.controllers.files import parsed
 from workbook.controllers.number import step_of

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from engine.cams import interpolation
 from engine.cams.given import Points, moves_at, rate_at
-from engine.cams.profile import CamProfile
 from engine.laws.base import Array
+from engine.motion.pieces import CamProfile
 from workbook.errors import TargetError
 
 MOST_POINTS = 100_000

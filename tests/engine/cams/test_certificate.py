@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from engine import law
 from engine.cams.certificate import Certificate, certify, equal, spread
 from engine.cams.interpolation import hermite, lines, parabolas, parted_spline, quintics, spline
-from engine.cams.profile import CamProfile, profile_of_motion, turned
 from engine.laws import Dwell
 from engine.laws.registry import CATALOGUE
 from engine.motion import Motion, Phase
+from engine.motion.pieces import CamProfile, profile_of_motion, turned
 
 RISE = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))
 TURN = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0), Phase(law("dwell"), 0.0, 280.0)]))

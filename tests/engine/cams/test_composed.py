@@ -5,10 +5,10 @@ import pytest
 
 from engine import law
 from engine.cams.interpolation import Seen, composed
-from engine.cams.profile import profile_of_motion
 from engine.drive.mechanisms.slides import crank_slider
 from engine.drive.mechanisms.table import PositionTable
 from engine.motion import Motion, Phase
+from engine.motion.pieces import profile_of_motion
 
 CRANK = crank_slider(0.05, 0.2, 0.01, "inner", "ahead", 0.03)
 TABLE = PositionTable([(0.3 * k, 0.02 * k - 0.03 + 0.004 * np.sin(k)) for k in range(8)])

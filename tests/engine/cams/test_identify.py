@@ -9,12 +9,12 @@ from engine import law
 from engine.cams.given import Points, precision
 from engine.cams.identify import identified
 from engine.cams.interpolation import quintics, spline
-from engine.cams.profile import profile_of_motion, turned
 from engine.laws import Dwell, PieceLaw
 from engine.laws.registry import CATALOGUE
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates
 from engine.motion.joining import joined as join
+from engine.motion.pieces import profile_of_motion, turned
 
 MOVING = [entry for entry in CATALOGUE if entry not in (Dwell, PieceLaw)]
 

@@ -6,9 +6,9 @@ import numpy as np
 
 from engine import law
 from engine.cams.interpolation import quintics
-from engine.cams.profile import profile_of_motion
 from engine.laws import Dwell
 from engine.motion import Motion, Phase
+from engine.motion.pieces import profile_of_motion
 from tests.engine.laws.claims import CLAIMS
 from workbook.axes import CamAxis
 from workbook.controllers.handing import filled

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from engine.cams.profile import CamProfile
+from engine.motion.pieces import CamProfile
 from workbook.entries.units import DEGREE, MM
 from workbook.laws.library import laws
 from workbook.machines.flying.view import Flying

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from engine import law
 from engine.cams import interpolation
 from engine.cams.certificate import certify
-from engine.cams.profile import CamProfile, profile_of_motion
 from engine.motion import Motion, Phase
+from engine.motion.pieces import CamProfile, profile_of_motion
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
 from workbook.axes import CamAxis
 from workbook.controllers.files import TOLD, header, parsed, read_table

@@ -3,8 +3,8 @@
 import numpy as np
 
 from engine.cams.interpolation import quintics_between
-from engine.cams.profile import CamProfile
 from engine.laws.base import Array
+from engine.motion.pieces import CamProfile
 from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, counts, literal, read_counts, read_stand, stands
 from workbook.controllers.structured import assigned, comments, indexed, scalar
 from workbook.controllers.table import Table, given

@@ -3,8 +3,8 @@
 import numpy as np
 
 from engine.cams.certificate import equal
-from engine.cams.profile import CamProfile
 from engine.laws.base import Array
+from engine.motion.pieces import CamProfile
 from workbook.controllers.number import DINT, Number, counts, read_counts, read_stand, stands, whole
 from workbook.controllers.table import Table
 from workbook.controllers.target import Handed, Target

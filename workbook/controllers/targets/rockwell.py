@@ -7,7 +7,7 @@ from xml.etree.ElementTree import Element, ParseError, fromstring
 import numpy as np
 
 from engine.cams.interpolation import straight
-from engine.cams.profile import CamProfile
+from engine.motion.pieces import CamProfile
 from workbook.controllers.number import DINT, REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, Track, gathered

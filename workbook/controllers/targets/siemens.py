@@ -3,8 +3,8 @@
 import numpy as np
 
 from engine.cams.interpolation import HIGHEST, segmented, simple
-from engine.cams.profile import CamProfile
 from engine.laws.base import Array
+from engine.motion.pieces import CamProfile
 from workbook.controllers.number import literal
 from workbook.controllers.structured import assigned, comments, indexed, points, rows
 from workbook.controllers.table import SPLINES, Table, given

@@ -3,8 +3,8 @@
 from math import pi, radians
 from typing import Any
 
-from engine.cams.profile import profile_of
 from engine.flying.pieces import cut_pieces
+from engine.motion.pieces import profile_of
 from workbook.axes import CamAxis
 from workbook.book.declare import Book, result
 from workbook.book.sentence import rounded

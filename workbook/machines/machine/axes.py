@@ -4,8 +4,8 @@ from dataclasses import replace
 from functools import partial
 
 from engine.cams.interpolation import Seen, composed
-from engine.cams.profile import CamProfile, profile_of_motion, turned
 from engine.laws.base import Array
+from engine.motion.pieces import CamProfile, profile_of_motion, turned
 from engine.timing import Switch
 from workbook.axes import CamAxis, CamSwitch
 from workbook.entries.abscissa import Abscissa
