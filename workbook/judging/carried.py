@@ -82,9 +82,7 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
 
 def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[str]]:
     """Return what stands on a sheet that is none of the generated book's, by kind: the cells, or what it is called."""
-    declared = next(one for one in match.declared.sheets if sheet.title in {
-        match.file.places[block.name].sheet for block in one.blocks if block.name in match.file.places
-    })  # fmt: skip
+    declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))
     words = {text.text for text in declared.texts}
     contents = match.file.contents.constants.items()
     kept = [a.a1 for a, held in contents if a.sheet == sheet.title and a not in match.declared_at and held not in words]

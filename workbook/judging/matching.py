@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from workbook.book.address import Address, Place, Strip
-from workbook.book.declare import Block, Book, Cell
+from workbook.book.declare import Block, Book, Cell, Sheet
 from workbook.book.formula import Area, FormulaError, area_of, read
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, find_places, is_formula
@@ -60,6 +60,15 @@ class Match:
                 self.misfits.append((block, place))
             if place is not None:
                 self._pair(block, place)
+
+    def placed(self, sheet: Sheet) -> list[tuple[Block, Place]]:
+        """Return the blocks of a declared sheet that the file has, with their places."""
+        return [(block, self.file.places[block.name]) for block in sheet.blocks if block.name in self.file.places]
+
+    @cached_property
+    def sheets(self) -> list[tuple[Sheet, str]]:
+        """The declared sheets of which the file has blocks, each with the title of the sheet on which they are."""
+        return [(sheet, found[0][1].sheet) for sheet in self.declared.sheets if (found := self.placed(sheet))]
 
     def size_of(self, block: Block) -> int:
         """Return how many rows a block had in the file, those counted that are gone."""

@@ -180,7 +180,7 @@ def columns(match: Match) -> Iterator[Finding]:
 def strays(match: Match) -> Iterator[Finding]:
     """Yield the first of the blocks that lie on another sheet than the rest of theirs, and how many there are."""
     for sheet in match.declared.sheets:
-        placed = [(b, match.file.places[b.name]) for b in sheet.blocks if b.name in match.file.places]
+        placed = match.placed(sheet)
         counted = Counter(place.sheet for _, place in placed).most_common(1)
         away: dict[str, list[tuple[Block, Place]]] = {}
         for block, place in placed:
@@ -194,13 +194,10 @@ def strays(match: Match) -> Iterator[Finding]:
 def mislabelled(match: Match) -> Iterator[Finding]:
     """Yield single cells that stand beside another label or heading; words of the engineer's own are none of these."""
     for sheet in match.declared.sheets:
-        single = [b for b in sheet.blocks if not b.is_table]
         labels = {text.text for text in sheet.texts if text.column == FIRST}
-        for block in single:
-            place = match.file.places.get(block.name)
-            beside = texts_beside(match, place) & labels if place else set()
-            label = block.quantities[0].beside
-            if place and beside and label not in beside and not itself(match, block, place):
+        for block, place in match.placed(sheet):
+            beside, label = texts_beside(match, place) & labels, block.quantities[0].beside
+            if beside and label not in beside and not block.is_table and not itself(match, block, place):
                 yield finding(place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {label!r}")
 
 
@@ -217,19 +214,15 @@ def itself(match: Match, block: Block, place: Place) -> bool:
 def wordy(match: Match) -> Iterator[Finding]:
     """Yield inputs that hold a text or nothing, as any cell may, in another column than the others or by no label."""
     for sheet in match.declared.sheets:
-        single = [b for b in sheet.blocks if not b.is_table and b.name in match.file.places]
-        places = {b.name: match.file.places[b.name] for b in single}
-        usual = {c: Counter(places[b.name].column for b in single if b.column == c) for c in {b.column for b in single}}
-        for block in single:
-            quantity, place = block.quantities[0], places[block.name]
-            held = match.file.value(place.cell(0, 0))
-            if quantity.role != "input" or not (held is None or isinstance(held, str)):
+        single = [(block, place) for block, place in match.placed(sheet) if not block.is_table]
+        columns = Counter((block.column, place.column) for block, place in single)
+        for block, place in single:
+            q, held = block.quantities[0], match.file.value(place.cell(0, 0))
+            if q.role != "input" or not (held is None or isinstance(held, str)):
                 continue
-            column = usual[block.column].most_common(1)[0][0]
-            if place.column != column or not texts_beside(match, place):
-                yield finding(
-                    place, block.name, said(place), f"the cell of {quantity.label!r}, below or above the others"
-                )
+            usual = max((one for one in columns if one[0] == block.column), key=columns.__getitem__)[1]
+            if place.column != usual or not texts_beside(match, place):
+                yield finding(place, block.name, said(place), f"the cell of {q.label!r}, below or above the others")
 
 
 def texts_beside(match: Match, place: Place) -> set[str]:
@@ -242,10 +235,10 @@ def disordered(match: Match) -> Iterator[Finding]:
     """Yield tables of the same columns, and cells of the same label, that have changed places with one another."""
     alike: dict[tuple[str, ...], list[tuple[Block, Place]]] = {}
     for sheet in match.declared.sheets:
-        for block in sheet.blocks:
-            if block.name in match.file.places and block.name not in match.headless:
+        for block, place in match.placed(sheet):
+            if block.name not in match.headless:
                 what = [q.name for q in block.quantities] if block.is_table else [block.quantities[0].label]
-                alike.setdefault((sheet.title, *what), []).append((block, match.file.places[block.name]))
+                alike.setdefault((sheet.title, *what), []).append((block, place))
     for blocks in alike.values():
         for (before, first), (after, second) in pairwise(blocks):
             in_order = first.sheet != second.sheet or first[:3] < second[:3]  # another sheet is what strays() tells

@@ -14,7 +14,7 @@ from workbook.judging.shown import taste
 from workbook.judging.shown.drawn import Axis, Drawn, Line, Name, Reader, drawn, word
 from workbook.judging.shown.formats import judged
 from workbook.judging.shown.views import Page
-from workbook.judging.shown.words import compared, reworded, sheet_of
+from workbook.judging.shown.words import compared, reworded
 from workbook.writing.charts import draw
 from workbook.writing.style import NOTHING
 from workbook.writing.write import size
@@ -29,16 +29,15 @@ Told = tuple[str, Any, Any, str]
 
 def charts(match: Match, pages: Mapping[str, Page], report: Report) -> None:
     """Enter declared charts that draw something else, and as notices those that are gone or are called otherwise."""
-    for sheet in match.declared.sheets:
-        title = sheet_of(match, sheet)
+    for sheet, title in match.sheets:
         others = [chart.title for chart, *_ in sheet.charts]
-        for (chart, _, *place), fresh, found in paired(match, sheet, list(drawn(match, title))) if title else ():
+        for (chart, _, *place), fresh, found in paired(match, sheet, list(drawn(match, title))):
             if found is not None:
                 told = [*differences(match, fresh, found, others), *in_sight(match, fresh, found, size(*place), pages)]
                 for kind, held, expected, what in told:
                     report.say(found.at, kind, held, expected, f"the chart {chart.title!r}{what}")
             elif match.file.inspected:
-                report.say(Address(title or "", 1, 1), NOTICE, None, chart.title, "a chart")
+                report.say(Address(title, 1, 1), NOTICE, None, chart.title, "a chart")
 
 
 def paired(match: Match, sheet: Sheet, held: list[Drawn]) -> Iterator[tuple[Any, Drawn, Drawn | None]]:

@@ -19,7 +19,6 @@ from workbook.judging.report import NOTICE, OK, SHOWN, Report
 from workbook.judging.shown import taste
 from workbook.judging.shown.formats import Judged
 from workbook.judging.shown.looks import Seen, Told
-from workbook.judging.shown.words import sheet_of
 from workbook.reading.contents import Cells
 from workbook.reading.drawings import PIXEL, Anchor
 from workbook.reading.rows import LAST_ROW, tag
@@ -132,7 +131,7 @@ def in_view(
     inspected, workbook = match.file.inspected, match.file.workbook
     if inspected:
         told.add(Address("", 1, 1), of_settings(inspected.book), "as built", "the windows of the book")
-    ours = {title: sheet for sheet in match.declared.sheets if (title := sheet_of(match, sheet))}
+    ours = {title: sheet for sheet, title in match.sheets}
     others = [texts_of(one) for one in workbook.worksheets if one.title not in ours and not seen[one.title].hidden]
     for title, sheet in ours.items():
         first = Address(title, 1, 1)
@@ -163,10 +162,9 @@ def printed(match: Match, title: str, sheet: Sheet, told: Told) -> None:
     """Enter that a verdict is printed no more."""
     area: Any = match.file.workbook[title]._print_area  # type: ignore[attr-defined]
     within = [cells.bounds for cells in area.ranges] if area else []
-    for block in sheet.blocks if area and not sheet.unprinted else ():
-        place = match.file.places.get(block.name)
+    for block, place in match.placed(sheet) if area and not sheet.unprinted else ():
         due = block.quantities[0].role == "check" and block.row <= (sheet.print_rows or sheet.row)
-        if due and place is not None and place.sheet == title and not any(
+        if due and place.sheet == title and not any(
             left <= place.column <= right and top <= place.row <= bottom for left, top, right, bottom in within
         ):  # fmt: skip
             told.add(place.cell(0, 0), [(NOTICE, "not printed")], "within the print area", block.name)
@@ -203,11 +201,10 @@ def of_page(page: Element) -> Iterator[Judged]:
 
 def links(match: Match, told: Told) -> None:
     """Enter links that lead from a declared cell to another sheet than they should, or out of the book."""
-    titles = {sheet.title: sheet_of(match, sheet) for sheet in match.declared.sheets}
-    for sheet in match.declared.sheets:
+    titles = {sheet.title: title for sheet, title in match.sheets}
+    for sheet, title in match.sheets:
         declared = {" ".join(text.text.split()): titles.get(text.link) for text in sheet.texts if text.link}
-        title = titles[sheet.title] or ""
-        for (row, column), cell in match.file.workbook[title]._cells.items() if title else ():
+        for (row, column), cell in match.file.workbook[title]._cells.items():
             link, at = cell.hyperlink, Address(title, row, column)
             if link is None or not isinstance(cell.value, str):
                 continue

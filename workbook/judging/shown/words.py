@@ -42,9 +42,8 @@ def words(match: Match, report: Report) -> list[Found]:
         at = match.file.places[name].cell(0, 0)
         report.say(at, LAYOUT, "no headings", "its headings above it: move them together", f"the table {name}")
     everything, titles = [], {sheet.title.casefold() for sheet in match.declared.sheets}
-    for sheet in match.declared.sheets:
-        title = sheet_of(match, sheet)
-        if title is not None and title.casefold() != sheet.title.casefold():
+    for sheet, title in match.sheets:
+        if title.casefold() != sheet.title.casefold():
             kind = SHOWN if title.casefold() in titles else NOTICE
             report.say(Address(title, 1, 1), kind, title, sheet.title, "the name of the sheet")
         known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - match.headless]
@@ -58,11 +57,6 @@ def words(match: Match, report: Report) -> list[Found]:
         unnamed(match, sheet, report)
         everything += found
     return everything
-
-
-def sheet_of(match: Match, sheet: Sheet) -> str | None:
-    """Return the sheet of the file that has the blocks of a declared one."""
-    return next((match.file.places[b.name].sheet for b in sheet.blocks if b.name in match.file.places), None)
 
 
 def declared(sheet: Sheet) -> Iterator[Word]:
@@ -159,9 +153,9 @@ def parted(text: str) -> tuple[str, str]:
 def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
     """Enter a unit, or figures, beside a cell whose quantity has no unit."""
     named = {(text.row, text.column) for text in sheet.texts}
-    for block in sheet.blocks:
-        held, q = match.file.places.get(block.name), block.quantities[0]
-        if block.is_table or held is None or q.role in ("check", "sentence") or (block.row, block.column + 1) in named:
+    for block, held in match.placed(sheet):
+        q = block.quantities[0]
+        if block.is_table or q.role in ("check", "sentence") or (block.row, block.column + 1) in named:
             continue
         at = held.cell(0, 1)
         text = match.file.value(at)
