@@ -15,11 +15,12 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.build import build
-from workbook.cluster import cores, pool
+from workbook.cluster import pool
 from workbook.entries.machine import Machine
 from workbook.errors import AGREES, FAILS
 from workbook.judging.many import Target, verify_many, verify_one
 from workbook.judging.verify import verify
+from workbook.pool import cores
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES, Template
 from workbook.witnesses.libreoffice import LibreOffice, convert

@@ -16,8 +16,9 @@ from rich.console import Console
 from rich.table import Table
 
 from workbook.build import build, write_inputs
-from workbook.cluster import cores, pool
+from workbook.cluster import pool
 from workbook.judging.many import Target, verify_many
+from workbook.pool import cores
 from workbook.reading.descriptions import read_machine
 from workbook.studies.folder import Parts
 from workbook.studies.model import Study

@@ -3,7 +3,6 @@
 import gc
 import logging
 import operator
-import os
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
@@ -11,7 +10,7 @@ from typing import Any, Self, TypeVar
 
 import workbook
 from workbook.errors import MotionbookError
-from workbook.pool import HERE, Died, Pool
+from workbook.pool import HERE, Died, Pool, cores
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -32,11 +31,6 @@ FEWER = {"distributed.comm.retry.count": 0, "distributed.comm.timeouts.connect":
 
 class ClusterError(MotionbookError):
     """A cluster that cannot be reached, that has nobody to work, or that is gone."""
-
-
-def cores() -> int:
-    """Return how many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @contextmanager

@@ -12,8 +12,9 @@ from tempfile import TemporaryDirectory
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from workbook.build import described, write_text
-from workbook.cluster import cores, pool
+from workbook.cluster import pool
 from workbook.errors import AGREES, DISAGREES, FAILS, InputError, ReadError, WriteError
+from workbook.pool import cores
 from workbook.reports import study as page
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.studies.evaluate import Evaluator

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from workbook import __version__
 from workbook import build as making
-from workbook.cluster import cores, pool
+from workbook.cluster import pool
 from workbook.entries.machine import Machine
 from workbook.errors import TargetError
 from workbook.intake import odd
@@ -17,6 +17,7 @@ from workbook.judging.many import state
 from workbook.judging.report import Report
 from workbook.judging.verify import present
 from workbook.judging.verify import verify as judged
+from workbook.pool import cores
 from workbook.remembered import recall, remember
 from workbook.reports import console, page
 from workbook.reports.servers import junit as junit_xml

@@ -1,6 +1,6 @@
 """Which cell of a file is which cell of the declaration: by defined names and the blocks that they anchor."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -9,7 +9,7 @@ from workbook.book.address import Address, Place, Strip
 from workbook.book.declare import Block, Book, Cell, Sheet
 from workbook.book.formula import Area, FormulaError, area_of, read
 from workbook.book.rows import as_rows
-from workbook.reading.files import BookFile, find_places, is_formula
+from workbook.reading.files import BookFile, is_formula
 
 Index = tuple[str, int, int]  # block, row and column of a cell
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
@@ -125,7 +125,7 @@ class Match:
         """Return the arguments of two formulas, declared and held, in pairs; None where these differ in shape."""
         try:
             declared = read(content, block.sheet.title, self.declared_area)
-            held = read(text, sheet, self._held_area)
+            held = read(text, sheet, self.file.contents.area)
         except FormulaError:
             return None
         alike = (declared.shape, declared.anchors) == (held.shape, held.anchors)
@@ -244,29 +244,21 @@ class Match:
 
     @cached_property
     def declared_area(self) -> Callable[[str, str], Area]:
-        """What gives the area that a name means in the declaration, whatever sheet it stands on."""
+        """What gives the area that a name means in the declaration, whatever sheet it stands on, or ``title!``."""
         names = {name.lower(): declared_area(self.declared, name) for name, _ in self.declared.names()}
-        titles = {s.title for s in self.declared.sheets}
-        return lambda name, sheet: resolve(name, names, titles)
+        names |= {f"{s.title}!".lower(): Area(s.title, 1, 1, 1, 1, single=True) for s in self.declared.sheets}
 
-    @cached_property
-    def _held_area(self) -> Callable[[str, str], Area]:
-        names = {name.lower(): area_of(place) for name, place in find_places(self.file.workbook).items()}
-        return lambda name, sheet: resolve(name, names, self.file.workbook.sheetnames)
+        def area(name: str, sheet: str) -> Area:
+            if name.lower() not in names:
+                raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
+            return names[name.lower()]
+
+        return area
 
 
 def corners(area: Area) -> tuple[Address, Address]:
     """Return the first and the last cell of an area."""
     return area.first, Address(area.sheet, area.bottom, area.right)
-
-
-def resolve(name: str, names: dict[str, Area], titles: Iterable[str]) -> Area:
-    """Return what a defined name means, or ``title!``; FormulaError where there is none."""
-    if name.endswith("!") and name[:-1] in titles:
-        return Area(name[:-1], 1, 1, 1, 1, single=True)
-    if name.lower() not in names:
-        raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
-    return names[name.lower()]
 
 
 def declared_place(block: Block) -> Place:

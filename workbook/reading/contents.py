@@ -2,6 +2,7 @@
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
 from datetime import date, datetime, time, timedelta
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -104,23 +105,17 @@ class Contents:
             # arrays are computed in every formula, and of a result the first cell is taken; LibreOffice writes A1:A1
             value = self.arrays[address] = str(value.text)
         try:
-            if not isinstance(value, str):
-                self._spread(address, value)
+            if not isinstance(value, str):  # it fills several cells
+                text = self.arrays[address] = f"{{{getattr(value, 'text', None) or '=TABLE()'}}}"
+                with suppress(FormulaError):
+                    self.arrays |= dict.fromkeys(
+                        reference(str(getattr(value, "ref", "")), address.sheet, self.area).cells(), text
+                    )
                 raise FormulaError("#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated")
             self.formulas[address] = formulas.read(value, address.row)
         except FormulaError as error:
             self.failed[address] = error.value
             self.problems[address] = str(error)
-
-    def _spread(self, address: Address, value: Any) -> None:
-        """Enter the text of a formula that fills several cells."""
-        text = f"{{{getattr(value, 'text', None) or '=TABLE()'}}}"
-        self.arrays[address] = text
-        try:
-            area = reference(str(value.ref), address.sheet, self.area)
-        except FormulaError:
-            return
-        self.arrays |= dict.fromkeys(area.cells(), text)
 
 
 def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:

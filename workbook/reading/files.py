@@ -3,7 +3,7 @@
 import io
 import re
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -73,7 +73,7 @@ class BookFile:
 
         A text that looks like a formula is a :class:`Words`; an array formula stands in braces, in all its cells.
         """
-        cell = self._sheets[address.sheet].get((address.row, address.column))
+        cell = self.cell(address)
         if cell is None:
             return None
         value = cell.value
@@ -207,18 +207,10 @@ MOST_COLUMNS = 50_000_000
 
 def require_narrow(file: BookFile) -> None:
     """Raise ReadError, in one line, where it would be much work to tell what the formulas of a file depend on."""
-    patterns, others = file.contents.patterns
-    read = sum(wide(formula.arguments) for formula in others)
-    read += sum(wide(pattern.arguments) * len(rows) for pattern, rows in patterns)
+    read = sum(len(area.columns) * times for area, times in reads(file.contents.patterns))
     if read > MOST_COLUMNS:
         raise ReadError(f"{file.path}: its formulas read {read:,} columns together; at most {MOST_COLUMNS:,} are "
                         "expected: make their ranges narrower")  # fmt: skip
-
-
-def wide(arguments: Sequence[Area | str | Moving]) -> int:
-    """Return how many columns the references of a formula reach over."""
-    areas = [a.area if isinstance(a, Moving) else a for a in arguments if not isinstance(a, str)]
-    return sum(len(area.columns) for area in areas)
 
 
 def require_little_work(file: BookFile, path: Path) -> None:
@@ -234,13 +226,16 @@ def require_little_work(file: BookFile, path: Path) -> None:
 
 def cells_read(formulas: Patterns) -> int:
     """Return how many cells formulas read together, a cell counted as often as it is read: running sums grow."""
+    return sum(area.size * times for area, times in reads(formulas))
+
+
+def reads(formulas: Patterns) -> Iterator[tuple[Area, int]]:
+    """Yield the areas that formulas read, each with how often it is read, or one of its size."""
     patterns, others = formulas
-    read = sum(a.size for formula in others for a in formula.arguments if isinstance(a, Area))
+    yield from ((a, 1) for formula in others for a in formula.arguments if isinstance(a, Area))
     for pattern, rows in patterns:
-        for a in (a for a in pattern.arguments if not isinstance(a, str)):
-            area = a.area if isinstance(a, Moving) else a
-            if isinstance(a, Moving) and (a.top is None) != (a.bottom is None) and not area.single:
-                read += sum(a.at(row).size for row in rows)
-            else:
-                read += area.size * len(rows)
-    return read
+        for a in pattern.arguments:
+            if isinstance(a, Moving) and (a.top is None) != (a.bottom is None) and not a.area.single:
+                yield from ((a.at(row), 1) for row in rows)
+            elif not isinstance(a, str):
+                yield a.area if isinstance(a, Moving) else a, len(rows)

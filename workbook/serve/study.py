@@ -5,7 +5,7 @@ from pathlib import Path
 from xml.etree.ElementTree import Element
 
 from workbook.build import write_text
-from workbook.cluster import cores
+from workbook.pool import cores
 from workbook.reports.html import Content, e, markup, table
 from workbook.serve import pages, studied
 from workbook.serve.handler import Page

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import hashlib
 import multiprocessing
-import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager, suppress
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from workbook.pool import cores
 
 if TYPE_CHECKING:  # what the first process begins with must load in no time
     from workbook.book.address import Address, Strip
@@ -126,8 +127,7 @@ def beside(books: Sequence[Path], witnesses: Sequence[str] | None, jobs: int | N
 def wanted(books: Sequence[Path], witnesses: Sequence[str] | None, jobs: int | None) -> bool:
     """Whether a second process would be of use."""
     alone = len(books) == 1 and books[0].is_file() and books[0].stat().st_size <= LARGEST
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return alone and (not witnesses or NAME in witnesses) and min(cores, jobs or cores) > 1
+    return alone and (not witnesses or NAME in witnesses) and min(cores(), jobs or 2) > 1
 
 
 # What the second process does
