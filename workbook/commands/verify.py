@@ -1,5 +1,6 @@
 """Verify books, and report on them; what verify says of a book, asked once for the same bytes."""
 
+import os
 from collections.abc import Sequence
 from contextlib import suppress
 from datetime import datetime
@@ -45,7 +46,7 @@ def verify(
     most = min(jobs or cores(), len(targets))
     with pool(most, scheduler) as workers, console.progress(ERR, len(targets)) as done:
         outcomes = many.verify_many(targets, asked, workers, done, beside) + failed
-    alone = len(books) == 1 and not many.is_folder(books[0])
+    alone = len(books) == 1 and not os.path.isdir(books[0])
     for one in outcomes if alone else ():
         if one.report is not None:
             keep(one.sha256, one.report)

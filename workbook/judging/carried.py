@@ -1,10 +1,6 @@
 """What ``inputs`` and ``regenerate`` leave behind: all but what was entered, and what of one's own keeps its place."""
 
-import re
-import zipfile
 from collections.abc import Iterator
-from fnmatch import fnmatch
-from pathlib import Path
 from typing import Any
 
 from openpyxl.cell.cell import Cell
@@ -26,8 +22,6 @@ from workbook.reading.files import BookFile
 from workbook.writing.own import NOTHING, Own
 
 MOST = 3  # cells that a line names
-DRAWN = {"pictures": re.compile(rb"<(?:\w+:)?pic[ >]"), "shapes and text boxes": re.compile(rb"<(?:\w+:)?sp[ >]")}
-"""what drawings hold besides charts, by the elements (ISO/IEC 29500-1, 20.5.2)"""
 
 
 def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
@@ -76,7 +70,8 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
     lines += [f"charts and pictures of the sheet {sheet.title!r} are not carried over" for sheet in own.sheets
               if match.file.inspected and match.file.inspected.drawings.get(sheet.title)]  # fmt: skip
-    lines += [f"{what} are not carried over: {count} in all" for what, count in drawn_in(match.file.path).items()]
+    counts = match.file.inspected.drawn if match.file.inspected else {}
+    lines += [f"{what} are not carried over: {count} in all" for what, count in counts.items() if count]
     return lines
 
 
@@ -93,17 +88,6 @@ def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[
     charts = [chart.at.a1 for chart in held if id(chart) not in paired_charts]
     rules = [str(a.sqref) for a in sheet.conditional_formatting if any(id(rule) not in known for rule in a.rules)]
     return {"texts and numbers": kept, "notes": notes, "charts": charts, "conditional formats": rules}
-
-
-def drawn_in(path: Path) -> dict[str, int]:
-    """Return how many pictures, and shapes or text boxes, the drawings of a file hold; generated ones hold charts."""
-    try:
-        with zipfile.ZipFile(path) as archive:
-            drawings = [archive.read(name) for name in archive.namelist() if fnmatch(name, "xl/drawings/drawing*.xml")]
-    except (OSError, zipfile.BadZipFile):
-        return {}
-    counted = {what: sum(len(sign.findall(part)) for part in drawings) for what, sign in DRAWN.items()}
-    return {what: count for what, count in counted.items() if count}
 
 
 def listed(cells: list[str]) -> str:

@@ -47,6 +47,11 @@ class Outcome:
     seconds: float = 0.0
 
 
+def without(path: Path, reason: str, verdict: Verdict = "unreadable") -> Outcome:
+    """Return the outcome for a file of which there is no report."""
+    return Outcome(path, verdict, reason=visible(f"{path}: {reason}"))
+
+
 def foreign(path: Path) -> bool:
     """Whether a file is a whole workbook without a machine of motionbook, by its list of names alone.
 
@@ -64,33 +69,29 @@ def foreign(path: Path) -> bool:
 def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None = None) -> Outcome:
     """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
-
-    def without(verdict: Verdict, reason: object) -> Outcome:
-        return Outcome(path, verdict, reason=visible(f"{path}: {reason}"))
-
     try:
         if not target.named and (kind := odd(path)):
-            return without("no machine", kind)
+            return without(path, kind, "no machine")
         if not target.named and foreign(path):
-            return without("no machine", "holds no machine of motionbook")
+            return without(path, "holds no machine of motionbook", "no machine")
         before = state(path)
         with collector_paused():
             report = verify(path, witnesses, beside)
         sha256 = digest(path)
         if before and state(path) != before:
-            return without("unreadable", "cannot be read: it changed while it was read; try again")
+            return without(path, "cannot be read: it changed while it was read; try again")
     except MotionbookError as error:
         return Outcome(path, "unreadable", reason=str(error))
     except FileNotFoundError:
-        return without("unreadable", "there is no such file")
+        return without(path, "there is no such file")
     except OSError as error:
-        return without("unreadable", f"cannot be read: {error.strerror or error}")
+        return without(path, f"cannot be read: {error.strerror or error}")
     except Exception as error:  # one strange file must not take the others' verdicts with it
         said = f"verifying it failed inside motionbook ({type(error).__name__}: {error}); please report this"
-        return without("unreadable", said)
+        return without(path, said)
     if report.findings and all(one.kind == "witness" for one in report.findings):  # no cell is known to be wrong
         found = report.findings[0]
-        return without("unreadable", f"{found.cell} gave no values to compare: {found.computed}")
+        return without(path, f"{found.cell} gave no values to compare: {found.computed}")
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
 
@@ -154,12 +155,10 @@ def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
     targets: dict[Path, Target] = {}
     failed: list[Outcome] = []
     for path in paths:
-        if is_folder(path):
+        if os.path.isdir(path):  # not where the system cannot tell, as of a name longer than any
             found = list(within(path, failed))
             if not found:
-                failed.append(
-                    Outcome(path, "unreadable", reason=visible(f"{path}: there is no workbook in this folder"))
-                )
+                failed.append(without(path, "there is no workbook in this folder"))
         else:
             found = [Target(path, named=True)]
         for target in found:
@@ -169,22 +168,11 @@ def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
     return list(targets.values()), failed
 
 
-def is_folder(path: Path) -> bool:
-    """Whether a path leads to a folder; not where the system cannot tell, as of a name longer than any."""
-    try:
-        return path.is_dir()
-    except OSError:
-        return False
-
-
 def within(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
     """Yield the workbooks in a folder and its folders, in the order of their names."""
 
     def fail(error: OSError) -> None:
-        where = Path(error.filename or folder)
-        failed.append(
-            Outcome(where, "unreadable", reason=visible(f"{where}: cannot be listed: {error.strerror or error}"))
-        )
+        failed.append(without(Path(error.filename or folder), f"cannot be listed: {error.strerror or error}"))
 
     for place, folders, files in os.walk(folder, onerror=fail):
         folders[:] = sorted(name for name in folders if not hidden(Path(place, name)))
@@ -229,8 +217,7 @@ def verify_many(
         with pool.alone() as fresh:
             died = by_pool([target], witnesses, fresh, keep)
         if died:
-            reason = f"{target.path}: verifying it ended the process (out of memory?)"
-            keep(target, Outcome(target.path, "unreadable", reason=visible(reason)))
+            keep(target, without(target.path, "verifying it ended the process (out of memory?)"))
     return [outcomes[target] for target in targets]
 
 

@@ -16,7 +16,7 @@ from xml.etree.ElementTree import Element
 from workbook.errors import ReadError
 from workbook.reading.count import SAVE_AS, Count, Refusal, shown
 from workbook.reading.drawings import Anchor, anchored
-from workbook.reading.package import package, without_points
+from workbook.reading.package import DRAWING, package, without_points
 from workbook.reading.rows import Rows, tag
 from workbook.reading.scan import Scan
 
@@ -27,6 +27,8 @@ MOST_PARTS = 3_000
 MOST_RATIO = 200  # of a part above one megabyte; Excel's own stay below 50
 
 OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+DRAWN = {"pic": "pictures", "sp": "shapes and text boxes"}
+"""elements of drawings besides charts (ISO/IEC 29500-1, 20.5.2)"""
 NOTES = {
     "xl/vbaProject.bin": "holds macros; they were neither read nor run",
     "xl/externalLinks/": "links to other workbooks; the links were not followed",
@@ -45,6 +47,7 @@ class Inspected(NamedTuple):
     strings: str  # the part with the texts that several cells share
     fonts: dict[int, list[Element]]  # within those of these texts that have several, by their numbers
     drawings: dict[str, list[Anchor]]  # of each sheet
+    drawn: dict[str, int]  # how much drawings hold besides charts
     book: Element  # the workbook's own part
 
 
@@ -77,6 +80,7 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
     names = [info.filename for info in infos]
     roots = {name: scan.root for name, scan in scans.items()}
     found = package(roots, names)
+    held = [one for name in names if DRAWING.fullmatch(name) and name in roots for one in roots[name].iter()]
     sheets: dict[str, Rows] = {}
     for title, part in found.sheets.items():
         if part not in scans or (rows := scans[part].rows) is None:
@@ -90,6 +94,7 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
         found.strings,
         fonts_within(roots.get(found.strings, ())),
         {title: anchored(roots, part) for title, part in found.sheets.items()},
+        {what: sum(tag(one) == name for one in held) for name, what in DRAWN.items()},
         roots[found.workbook],
     )
 
