@@ -1,7 +1,6 @@
 """Workbook files as people leave them: opened, or refused in one line; blocks found by their defined names."""
 
 import io
-import re
 import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import redirect_stdout
@@ -30,10 +29,6 @@ from workbook.reading.rows import LAST_COLUMN, LAST_ROW
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name
-
-
-# a name as programs write nearly all; a tokenizer takes others apart
-USUAL = re.compile(r"([A-Za-z_]\w*)!\$([A-Z]{1,3})\$([0-9]{1,7})(?::\$([A-Z]{1,3})\$([0-9]{1,7}))?", re.ASCII)
 BUILT = datetime(2020, 1, 1)
 
 
@@ -168,15 +163,10 @@ def find_places(workbook: Workbook) -> dict[str, Place]:
     places = {}
     titles = {sheet.title.lower(): sheet.title for sheet in workbook.worksheets}
     for name, defined in workbook.defined_names.items():
-        usual = USUAL.fullmatch(defined.attr_text or "")
-        if usual is not None:
-            sheet, left, top, right, bottom = usual.groups()
-            targets = [(sheet, f"{left}{top}:{right or left}{bottom or top}")]
-        else:
-            try:
-                targets = list(defined.destinations)
-            except Exception:  # noqa: S112 - openpyxl splits the text, and fails in many ways if it is no formula
-                continue
+        try:
+            targets = list(defined.destinations)
+        except Exception:  # noqa: S112 - openpyxl splits the text, and fails in many ways if it is no formula
+            continue
         if len(targets) == 1:
             title = titles.get(str(targets[0][0]).replace("''", "'").lower())
             place = place_of(title, str(targets[0][1])) if title is not None else None

@@ -21,9 +21,6 @@ UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's gr
 DUMMY = re.compile(r"A[0-9]+(:B[0-9]+)?")
 ADDRESS_ASKED = re.compile(r'_REF_\("(.*?)"\)')
 
-REDUCING = frozenset({"sumproduct", "sum_", "min_", "max_", "count", "countif"})
-"""functions that make one value of ranges, as pycel names them"""
-
 arguments: dict[str, Any] = {}  # what the dummies of the shape under evaluation stand for
 _space: dict[str, Any] = {
     "__builtins__": {},
@@ -113,30 +110,16 @@ def last_of_operand(tokens: Sequence[Token], first: int) -> int:
 
 
 class Lazy(ast.NodeTransformer):
-    """IF that works out only what is chosen, where neither choice can be a range."""
+    """IF that works out only what is chosen."""
 
-    def visit_Call(self, node: ast.Call) -> ast.expr:
+    def visit_Call(self, node: ast.Call) -> ast.Call:
         """Leave any other call."""
-        lazy = called(node) == "if_" and len(node.args) == 3 and all(map(single, node.args))
         self.generic_visit(node)
-        if not lazy:
+        if not isinstance(node.func, ast.Name) or node.func.id != "if_" or len(node.args) != 3:
             return node
         test, *choices = node.args
         late = [ast.Lambda(ast.arguments([], [], None, [], [], None, []), choice) for choice in choices]
         return ast.Call(ast.Name("chosen", ast.Load()), [node.func, test, *late], [])
-
-
-def called(node: ast.AST) -> str:
-    """Return the name of the function that is called, if one is."""
-    return node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
-
-
-def single(node: ast.AST) -> bool:
-    """Whether an expression is surely one value, and no range."""
-    name = called(node)
-    if name == "_R_":
-        return False
-    return name in REDUCING or all(map(single, ast.iter_child_nodes(node)))
 
 
 def _compiled(shape: str) -> Compiled:

@@ -166,7 +166,7 @@ def product_sum(*arrays: Any) -> Any:
 
 
 def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_value: Callable[[], Any]) -> Any:
-    """Return IF of two single values, of which only the one that counts is worked out, where the test is plain."""
+    """Return IF, of which only the value that counts is worked out, where the test is plain."""
     if type(test) is bool:
         return true_value() if test else false_value()
     return function(test, true_value(), false_value())
