@@ -79,8 +79,8 @@ class Match:
         for j, cells in enumerate(block.by_column()):
             if j < place.columns and place.cell(0, j).column:
                 addresses = place.down(j)
-                found = zip(cells, addresses, self.file.values(addresses), strict=False)  # either may have more rows
-                pairs = [Pair(cell, at, held, is_formula(cell.content)) for cell, at, held in found]
+                found = zip(cells, addresses, strict=False)  # either may have more rows
+                pairs = [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
                 self.pairs += pairs
                 self.columns.append(Column(block.name, j, len(pairs)))
                 self.strips.append(place.strip(j, len(pairs)))

@@ -2,7 +2,7 @@
 
 import io
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -80,18 +80,6 @@ class BookFile:
         if address in arrays:
             return arrays[address]
         return value if type(value) is str else entered(value, self.workbook.epoch)
-
-    def values(self, cells: Sequence[Address]) -> list[Any]:
-        """Return :attr:`value` of each of the cells of one sheet."""
-        held = self._sheets[cells[0].sheet] if cells else {}
-        plain = not self.contents.arrays
-        values: list[Any] = []
-        for address in cells:
-            cell = held.get(address[1:])
-            value, kind = (None, "n") if cell is None else (cell.value, cell.data_type)
-            text = plain and type(value) is str and (value[:1] != "=" or kind == "f")
-            values.append(value if value is None or type(value) is float or text else self.value(address))
-        return values
 
     @property
     def as_built(self) -> bool:

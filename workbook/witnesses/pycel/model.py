@@ -16,16 +16,15 @@ from openpyxl import Workbook
 from pycel.excelutil import AddressRange
 
 from workbook.book.address import Address, Strip
-from workbook.book.columns import Moved, Moving, Pattern
+from workbook.book.columns import Moved
 from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.reading.contents import Cells, Contents, entered
 from workbook.reading.files import BookFile
-from workbook.witnesses.pycel.compiled import Compiled, compiled
+from workbook.witnesses.pycel.compiled import compiled
 from workbook.witnesses.pycel.limits import Crossed
 from workbook.witnesses.pycel.steps import FormulaStep, Numbering, RangeStep, ordered
 from workbook.witnesses.witness import CYCLE, CellWitness, Model
 
-Followed = tuple[dict[int, int] | None, int, Any]  # rows of a column, offset, argument; or None and its number
 PLAIN = frozenset((float, int, str, bool, type(None)))
 UNKNOWN = object()  # the value of a range that is not filled
 MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
@@ -63,7 +62,6 @@ class PycelModel:
         self._numbers = Numbering()
         self._steps: dict[int, FormulaStep | RangeStep] = {}
         self._areas: dict[int, Area] = {}
-        self._followed: dict[int, list[Followed]] = {}  # of a pattern, by its identity
         self._range_cells = 0
         self._strips: Sequence[Strip] | None = None  # those asked for last, and the numbers of their cells
         self._strip_cells: list[int] = []
@@ -166,35 +164,12 @@ class PycelModel:
         try:
             if isinstance(call, FormulaError):
                 raise call
-            self._steps[number] = FormulaStep(call, self._sources(call, formula))
+            pairs = zip(call.dummies, formula.arguments, strict=True)
+            sources = [self._source(argument, dummy in call.addresses) for dummy, argument in pairs]
+            self._steps[number] = FormulaStep(call, sources)
         except FormulaError as error:
             self._numbers.values[number] = error.value
             self.problems[address] = str(error)
-
-    def _sources(self, call: Compiled, formula: Formula | Moved) -> list[int]:
-        if call.addresses:
-            pairs = zip(call.dummies, formula.arguments, strict=True)
-            return [self._source(argument, dummy in call.addresses) for dummy, argument in pairs]
-        if not isinstance(formula, Moved):
-            return [self._source(argument) for argument in formula.arguments]
-        pattern, row = formula
-        return [
-            by if rows is None else rows.get(row + by) or self._source(argument.at(row))
-            for rows, by, argument in self._followed.get(id(pattern)) or self._follow(pattern)
-        ]
-
-    def _follow(self, pattern: Pattern) -> list[Followed]:
-        """Return where the arguments of a pattern are found: cells that move in their columns, all else by number."""
-        found = self._followed[id(pattern)] = list[Followed]()
-        for argument in pattern.arguments:
-            if not isinstance(argument, Moving):
-                found.append((None, self._source(argument), argument))
-            elif argument.area.single and argument.top is not None:
-                column = self._numbers.column(argument.area.sheet, argument.area.left)
-                found.append((column, argument.top, argument))
-            else:
-                found.append(({}, 0, argument))
-        return found
 
     def _source(self, argument: Area | str, address: bool = False) -> int:
         """Return the number of an argument, or of its address, for functions that ask for it."""
