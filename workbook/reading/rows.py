@@ -5,7 +5,6 @@ differ, and a file could show one thing and be verified as another: such a part 
 """
 
 import re
-from functools import lru_cache
 from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
@@ -70,19 +69,13 @@ class Written(NamedTuple):
     formula: str
 
 
-@lru_cache(maxsize=20_000)
-def column_number(letters: str) -> int:
-    """Return the number of a column."""
-    return column_index_from_string(letters.upper())
-
-
 def corner(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
     """Return row and column of a cell; raise Refusal where a sheet has no such cell."""
     found = rule.fullmatch(text)
     if found is None:
         raise Refusal(f"damaged: {shown(text)} stands where a cell is expected; {SAVE_AS}")
     letters, digits = found.groups()
-    row, column = int(digits), column_number(letters)
+    row, column = int(digits), column_index_from_string(letters.upper())
     if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
         raise Refusal(f"holds a cell {shown(text)}; the last cell of a sheet is XFD1048576")
     return row, column

@@ -125,15 +125,6 @@ def _searching(function: Callable[..., Any]) -> Any:
     return call
 
 
-def _of_one(function: Callable[[float], float]) -> Any:
-    """Return a function of Python's math for cells: pycel cannot see that it takes one argument, and checks 512."""
-
-    def call(value: float) -> float:
-        return function(value)
-
-    return excel_math_func(call)
-
-
 def _within(most: float, number: Any, function: Callable[..., Any], *arguments: Any) -> Any:
     """Return what a function gives, or #NUM! where a number is larger than the most of its kind."""
     return function(*arguments) if not isinstance(number, int | float) or abs(number) <= most else NUM_ERROR
@@ -163,11 +154,6 @@ countif, countifs = _searching(stats.countif), _searching(stats.countifs)
 sumif, sumifs = _searching(excellib.sumif), _searching(excellib.sumifs)
 averageif, averageifs = _searching(stats.averageif), _searching(stats.averageifs)
 maxifs, minifs = _searching(stats.maxifs), _searching(stats.minifs)
-sin, cos, tan = _of_one(math.sin), _of_one(math.cos), _of_one(math.tan)
-asin, acos, atan = _of_one(math.asin), _of_one(math.acos), _of_one(math.atan)
-sinh, cosh, tanh = _of_one(math.sinh), _of_one(math.cosh), _of_one(math.tanh)
-exp, sqrt, log10 = _of_one(math.exp), _of_one(math.sqrt), _of_one(math.log10)
-degrees, radians = _of_one(math.degrees), _of_one(math.radians)
 
 # pycel's own code for operators, over its own table of them with the power that knows a limit
 COMPARED = {name: to_15_digits(PYTHON_AST_OPERATORS[name]) for name in ("Lt", "LtE", "Gt", "GtE", "Eq", "NotEq")}

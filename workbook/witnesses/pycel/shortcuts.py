@@ -172,11 +172,9 @@ def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_v
     return function(test, true_value(), false_value())
 
 
+ELEMENTARY = ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "sqrt", "log10", "degrees", "radians")
 WAYS: dict[str, Function] = {
-    "sin": functools.partial(of_one, math.sin, np.sin),
-    "cos": functools.partial(of_one, math.cos, np.cos),
-    "sqrt": functools.partial(of_one, math.sqrt, np.sqrt),
-    "exp": functools.partial(of_one, math.exp, np.exp),
+    **{name: functools.partial(of_one, getattr(math, name), getattr(np, name)) for name in ELEMENTARY},
     "ln": functools.partial(of_one, math.log, np.log),
     "abs_": functools.partial(of_one, abs, np.abs),
     "min_": functools.partial(of_many, min),
