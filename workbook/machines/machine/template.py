@@ -32,7 +32,7 @@ from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
-from workbook.machines.machine.timing.sheet import cycle_sheets, exportable, timing_sheet, units
+from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timing_sheet, units
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import export_sheet
@@ -77,7 +77,9 @@ def declare(given: AnyMachine) -> Book:
         if view.driven.entered.printed:
             printed_sheet(book, view)
     shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
-    cycle_sheets(book, machine, rows)
+    for one in rows:
+        floor = len(rows) + len(given.switches) - one.axis.number
+        again(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
     of_pieces = tuple((one.pieces, one.joints, one.ends) for one in rows)
     again(book, "pieces sheet", of_pieces, partial(pieces_sheet, book, rows))
     export_sheet(book, given, [exportable(one) for one in rows])

@@ -11,11 +11,11 @@ from dataclasses import replace
 from typing import Any
 
 from engine.laws.ends import ROUNDING, Ends
-from engine.motion.handover import FIXED, LINE, NEVER, STRAIGHT, Handover, handovers
+from engine.motion.handover import FIXED, LINE, NEVER, PULSES, STRAIGHT, Handover, handovers
 from engine.motion.joining import Rates, agrees
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, calc, check, constant
-from workbook.book.rows import spread
+from workbook.book.rows import filled, spread
 from workbook.book.sentence import Said, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.machines.machine.view import MovingAxis
@@ -147,7 +147,7 @@ def asked(one: Handing) -> list[Quantity]:
                    "−1 has one, 0 cannot, 1 by two pulses, 2 has its own, 3, 5, 7 by a polynomial"),
         one.rate(1, "slope", "its own velocity", "h/δ", "=IF(AND([way]=-1,[span]>0),[h]/[span],0)",
                  lambda step: step.slope, "of a straight line"),
-        *beside(one), *entered(one), *ends(one), *contrary(one), *carried_out(one),
+        *beside(one), *ends(one), *carried_out(one),
     ]  # fmt: skip
 
 
@@ -157,12 +157,21 @@ def straight(step: Handover | None) -> int:
 
 
 def beside(one: Handing) -> list[Quantity]:
-    """Return the columns of the steps before and after, and whether these are straight lines or dwells."""
+    """Return the columns of the steps before and after, if these are straight lines or dwells, and of what is entered.
+
+    For the begin of a phase, that is: of a rest, in each odd row, there is none.
+    """
     rows, table, around = [place + 1 for place in one.axis.places], one.asked, one.axis.given.repeats
     earlier = [max((row for row in rows if row < k), default=0) for k in range(1, one.room + 1)]
     before, after = [rows[-1] if around else 0, *rows[:-1]], [*rows[1:], rows[0] if around else 0]
     following = [*one.handed[1:], one.handed[0] if around else None]
     line = "=IF([{0}]>0,IF(INDEX([{1}.way],[{0}])=-1,1,0),0)"
+    lift = one.over.lift(one.axis.given.unit)
+    v, a = (f"INDEX([{one.entries}.{name}],[row])" for name in ("velocity", "acceleration"))
+
+    def by_rad(cell: str, order: int) -> str:
+        return f"=IF([k]<>2*[row],0,IF(ISNUMBER({cell}),{one.over.rate(f'{cell}{lift.taken}', order)},0))"
+
     return [
         one.number("earlier", "the last step above that lasts",
                    "=IF([k]=1,0,IF([span-1]>0,[k]-1,[earlier-1]))", earlier, "0: none"),
@@ -177,18 +186,6 @@ def beside(one: Handing) -> list[Quantity]:
                  one.spread([step.slope if step and straight(step) else 0.0 for step in one.before])),
         one.number("line1", "straight after it", line.format("after", table),
                    one.spread([*map(straight, following)], 0)),
-    ]  # fmt: skip
-
-
-def entered(one: Handing) -> list[Quantity]:
-    """Return the columns of what is entered for the begin of a phase; nothing for a rest, in each odd row."""
-    lift = one.over.lift(one.axis.given.unit)
-    v, a = (f"INDEX([{one.entries}.{name}],[row])" for name in ("velocity", "acceleration"))
-
-    def by_rad(cell: str, order: int) -> str:
-        return f"=IF([k]<>2*[row],0,IF(ISNUMBER({cell}),{one.over.rate(f'{cell}{lift.taken}', order)},0))"
-
-    return [
         one.number("row", "row of its phase", "=MAX(1,INT([k]/2))", [max(1, k // 2) for k in range(1, one.room + 1)],
                    "of a rest that before it"),
         one.number("set", "its begin is entered", f"=IF([k]<>2*[row],0,IF(COUNT({v},{a})>0,1,0))",
@@ -222,12 +219,26 @@ def ends(one: Handing) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def contrary(one: Handing) -> list[Quantity]:
-    """Return the columns of whether a begin is entered otherwise than a straight line has it there."""
+def carried_out(one: Handing) -> list[Quantity]:
+    """Return the columns of whether a begin is entered otherwise than a straight line there has it, and of the law.
+
+    Whether that can have such ends, why not, and how it is carried out.
+    """
 
     def differs(step: Handover, line: Handover | None) -> int:
         return int(line is not None and straight(line) and not agrees(step.entered or NONE, line.slope))
 
+    def straight_on(step: Handover) -> int:
+        begin, end, d = step.begin.required, step.end.required, step.phase.duration
+        return int(Ends(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
+
+    lies = f"AND(ABS([w1]-[w0])<={ROUNDING:.0E}*ABS([w0]),ABS([h]-[w0]*[span])<={ROUNDING:.0E}*ABS([h]))"
+    texts, speeds = one.spread([reason(step) for step in one.handed], ("", "", "")), "AND([way]=0,[moved]>0)"
+    says = (
+        ("verb", "at which end", f'IF(IF({speeds},ABS([w0]),ABS([q0]))>0,"begin","end")'),
+        ("what", "what it cannot have", f'IF({speeds},"{SPEED}","{BEND}")'),
+        ("why", "why", f'IF([way]=0,"{RESTS}",IF([way]={FIXED},"{KEPT}","{ONLY}"))'),
+    )
     return [
         one.number("off", "is entered otherwise than its own velocity", f"=IF([way]=-1,{DIFFERS.format('slope')},0)",
                    lambda step: differs(step, step)),
@@ -235,25 +246,6 @@ def contrary(one: Handing) -> list[Quantity]:
                    one.spread([differs(*both) for both in zip(one.handed, one.before, strict=True)], 0)),
         one.number("contrary", "is entered otherwise", "=IF([set]*([off]+[off0])>0,1,0)",
                    lambda step: int(step.contrary), "than a straight line there has it", format="0;;"),
-    ]  # fmt: skip
-
-
-def carried_out(one: Handing) -> list[Quantity]:
-    """Return the columns of whether a law can have such ends, why not, and how it is carried out."""
-
-    def straight_on(step: Handover) -> int:
-        begin, end, d = step.begin.required, step.end.required, step.phase.duration
-        return int(Ends(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
-
-    lies = f"AND(ABS([w1]-[w0])<={ROUNDING:.0E}*ABS([w0]),ABS([h]-[w0]*[span])<={ROUNDING:.0E}*ABS([h]))"
-    texts = one.spread([reason(step) for step in one.handed], ("", "", ""))
-    says = (
-        ("verb", "at which end", 'IF(IF(AND([way]=0,[moved]>0),ABS([w0]),ABS([q0]))>0,"begin","end")'),
-        ("what", "what it cannot have", f'IF(AND([way]=0,[moved]>0),"{SPEED}","{BEND}")'),
-        ("why", "why", f'IF([way]=0,"{RESTS}",IF([way]={FIXED},"{KEPT}","{ONLY}"))'),
-    )
-    law = f"INDEX([{one.entries}.law],[row])"
-    return [
         one.number("straight", "its ends are those of a straight line", f"=IF([bent]>0,0,IF({lies},1,0))",
                    one.of(straight_on, 1)),
         one.number("cannot", "cannot have such ends",
@@ -265,6 +257,29 @@ def carried_out(one: Handing) -> list[Quantity]:
         *(calc(name, label, "", "", f'=IF([cannot]=0,"",{formula})', [text[i] for text in texts], align="left")
           for i, (name, label, formula) in enumerate(says)),
         calc("fault", "what it says", "", "",
-             f'=IF([cannot]=0,"","row "&[row]&": "&{law}&" cannot "&[verb]&[what]&[why])',
+             f'=IF([cannot]=0,"","row "&[row]&": "&INDEX([{one.entries}.law],[row])&" cannot "&[verb]&[what]&[why])',
              one.spread(one.faults(), ""), align="left"),
+    ]  # fmt: skip
+
+
+def taken(one: Handing, room: int) -> list[Quantity]:
+    """Return the columns of the pieces' table that say what a piece takes over."""
+    at = one.rows.at
+
+    def of(figure: Callable[[Handover, bool, MotionPiece], Any]) -> list[Any]:
+        both = ((piece, one.step_of(piece)) for piece in one.rows.pieces)
+        found = [figure(step, step.mode == PULSES and piece.number >= step.early, piece) for piece, step in both]
+        return filled(found, room, found[-1])
+
+    def half(column: str) -> str:
+        return f"=IF([late]=1,INDEX([{at.ends}.{column}1],[p]),INDEX([{at.ends}.{column}0],[p]))"
+
+    return [
+        one.number("late", "in the second half", f"=IF([m]<{at.of_end('split')},0,IF({at.of_end('mode')}=1,1,0))",
+                   of(lambda _, late, __: int(late))),
+        one.rate(0, "hp", "lift of its half", "h", half("h"), of(lambda step, late, _: step.halves[late])),
+        one.rate(1, "drift", "velocity added", "", half("d"), of(lambda step, late, _: step.drifts[late])),
+        one.rate(0, "base", "position without the law", "",
+                 f"={at.of_phase('y0')}+IF([late]=1,{at.of_phase('h')}-[hp]-[drift]*{at.of_phase('span')},0)",
+                 of(lambda step, late, piece: step.base(late, one.begin_of(piece)))),
     ]  # fmt: skip

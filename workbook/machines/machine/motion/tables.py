@@ -9,9 +9,8 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.latest import latest
 from workbook.laws.sampling import HIGH, LOW, Pieces
-from workbook.machines.machine.boundary.carried import carried, kinds, taken
-from workbook.machines.machine.boundary.extremes import in_pieces, inside, peaks, points, reach
-from workbook.machines.machine.boundary.handing import Handing, asked
+from workbook.machines.machine.boundary.carried import carried, in_pieces, inside, kinds, peaks, points
+from workbook.machines.machine.boundary.handing import Handing, asked, taken
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.asked import Asked
 from workbook.motion.cells import Cells, PieceRows, rows_of
@@ -178,7 +177,7 @@ def place_boundaries(sheet: Sheet, axes: Sequence[Handing]) -> None:
             (
                 at.ends,
                 f"How the steps of {axis} are carried out",
-                lambda one: [*carried(one), *inside(one), *peaks(one), *reach(one)],
+                lambda one: [*carried(one), *inside(one), *peaks(one)],
             ),
             (one.kinds, f"Ends of the steps of {axis}", kinds),
         ):

@@ -1,34 +1,35 @@
-"""The drive of an axis with many motors and reducers at many rates: its results by the names of the book."""
+"""The drive of an axis with many motors and reducers at many rates: results and checks by the names of the book."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Callable, Mapping
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.drive.limits import factor_at
-from engine.drive.motor import Falling, continuous
+from engine.drive.motor import continuous
 from engine.drive.results import Energy, Means, means
 from engine.laws.base import Array
-from engine.selection.point_load import DriveBatch, Extremes, Gears, Limits, PointLoad
+from engine.selection.point_load import DriveBatch, Extremes, Gears, Limits, PointLoad, shares_of
 from engine.timing import shaft_speed, turn_time
-from workbook.drive.in_short import Highest
-from workbook.entries.units import PER_HOUR, PER_MINUTE, RPM, shown, si
+from workbook.entries.units import KG_CM2, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive import in_use
 from workbook.machines.machine.drive.behind import load_of
+from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, with_motor
 from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.view import MovingAxis
-from workbook.scaling import Column
-from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
+from workbook.scaling import Column, Worked
+from workbook.selection.catalogue import FULL_CYCLES
 
 WEIGHED = ("mass", "cost")
 ONE = Column([None], np.zeros(1, dtype=np.intp))
 """of what does not differ"""
-OK, FAIL = "OK", "FAIL"
+Chosen = tuple[int, int, int]
+"""motor, reducer and rate of a design, by their places among those that differ"""
 
 
 class Studied:
@@ -38,18 +39,20 @@ class Studied:
         self, axis: MovingAxis, machine: AnyMachine, columns: Mapping[str, Column], rows: Callable[[], AxisRows]
     ) -> None:
         self.axis, self.machine, self.products, self.rows = axis, machine, machine.selection, rows
-        begin = f"axes.{axis.number - 1}"
-        self.motor_key, self.motors = only(columns, f"{begin}.motor")
-        self.reducer_key, self.reducers = only(columns, f"{begin}.reducer")
-        given = axis.given.rate
-        master = Column([machine.per_minute], ONE.places) if given is None else Column([given], ONE.places)
-        self.rates = columns.get(f"{begin}.rate") or (columns.get("master.rate", master) if given is None else master)
+        begin, own = f"axes.{axis.number - 1}", axis.given.rate
+        self.motor_key, self.motors = only(columns, f"{begin}.motor.")
+        self.reducer_key, self.reducers = only(columns, f"{begin}.reducer.")
+        entered = Column([machine.per_minute if own is None else own], ONE.places)
+        self.rates = columns.get(f"{begin}.rate") or (columns.get("master.rate", entered) if own is None else entered)
 
     def axis_with(self, motor: int, reducer: int, rate: int) -> Axis:
         """Return the entries of the axis in a design, by the places of what differs in it."""
-        given = changed(self.axis.given, "motor", self.motor_key, self.motors.values[motor])
-        given = changed(given, "reducer", self.reducer_key, self.reducers.values[reducer])
-        return given if given.rate is None else given.model_copy(update={"rate": self.rates.values[rate]})
+        given = self.axis.given
+        more: dict[str, Any] = {} if given.rate is None else {"rate": self.rates.values[rate]}
+        for part, key, value in (("motor", self.motor_key, self.motors.values[motor]),
+                                 ("reducer", self.reducer_key, self.reducers.values[reducer])):  # fmt: skip
+            more |= {part: getattr(given, part).model_copy(update={key: value})} if key else {}
+        return given.model_copy(update=more)
 
     @cached_property
     def motors_used(self) -> dict[str, Array]:
@@ -57,14 +60,18 @@ class Studied:
         axes = [self.axis_with(k, 0, 0) for k in range(len(self.motors.values))]
         falls = [in_use.falling_of(one.motor.name if one.motor else "", self.products) for one in axes]
         used = [in_use.motor_in_use(one, self.products) for one in axes]
-        curve = dict(zip(Falling._fields, np.array(falls).T[:, self.motors.places], strict=True))
-        return figures(used, self.motors, self.products.motors) | curve
+        return figures(self.motors, used, self.products.motors) | figures(self.motors, falls)
 
     @cached_property
     def reducers_used(self) -> dict[str, Array]:
         """The figures of the reducer in each design."""
         used = [in_use.reducer_in_use(self.axis_with(0, k, 0), self.products) for k in range(len(self.reducers.values))]
-        return figures(used, self.reducers, self.products.reducers)
+        return figures(self.reducers, used, self.products.reducers)
+
+    def drive(self, motor: int, reducer: int, rate: int) -> Driven:
+        """Return the drive with a motor and a reducer at a rate."""
+        speed = shaft_speed(si(self.rates.values[rate], PER_MINUTE))
+        return Driven(self.axis.at_speed(speed, self.axis_with(motor, reducer, rate)), self.machine)
 
     @cached_property
     def bases(self) -> list[DriveView]:
@@ -91,19 +98,14 @@ class Studied:
         """Return arrays with a value for each design."""
         return list(np.broadcast_arrays(*values, self.rates.places))[:-1]
 
-    def _at_rates(self) -> Iterator[tuple[NDArray[np.intp], float, DriveBatch]]:
-        """Yield which designs are at a rate, its time of a cycle (s), and their motors on the load."""
-        names = ("peak_torque", "knee", "fall", "copper")
-        limits = self._lined(*(self.motors_used[name] for name in names), self.gears.ratio)[:-1]
-        places = self._lined(self.rates.places, self.gears.ratio)[0]
+    def _gathered(self, made: Callable[[float, DriveBatch], tuple[Array, ...]]) -> list[Array]:
+        """Return figures of each design, made of the time of a cycle (s) at each rate and the motors on the load."""
+        names, each = ("peak_torque", "knee", "fall", "copper"), []
+        *limits, _, places = self._lined(*map(self.motors_used.get, names), self.gears.ratio, self.rates.places)
         for k, load in enumerate(self.loads):
             some = np.flatnonzero(places == k)
             many = DriveBatch(load, Gears(*(v[some] for v in self.gears)), Limits(*(v[some] for v in limits)))
-            yield some, self.bases[k].driven.drive_cycle.time, many
-
-    def _gathered(self, made: Callable[[float, DriveBatch], tuple[Array, ...]]) -> list[Array]:
-        """Return figures of each design from those at each rate."""
-        each = [(some, made(time, many)) for some, time, many in self._at_rates()]
+            each.append((some, made(self.bases[k].time, many)))
         order = np.argsort(np.concatenate([some for some, _ in each]), kind="stable")
         return [np.concatenate(values)[order] for values in zip(*(found for _, found in each), strict=True)]
 
@@ -122,16 +124,19 @@ class Studied:
         """RMS torques (Nm)."""
         return self._gathered(lambda _, many: (many.load.rms(many.gears),))[0]
 
+    def turning(self, figure: Callable[[DriveView], float]) -> Array:
+        """Return a speed of motors (rpm), in proportion to the ratio of their reducers."""
+        return shown(self.of_rate(lambda base: figure(base) / base.driven.reducer.ratio) * self.gears.ratio, RPM)
+
     @cached_property
     def speed(self) -> Array:
         """Largest speeds of motors (rpm)."""
-        return shown(self.of_rate(lambda base: base.speed / base.driven.reducer.ratio) * self.gears.ratio, RPM)
+        return self.turning(lambda base: base.speed)
 
     @cached_property
     def mean(self) -> Array:
         """Mean speeds of motors (rpm)."""
-        speeds = self.of_rate(lambda base: base.points.mean_speed / base.driven.reducer.ratio)
-        return shown(speeds * self.gears.ratio, RPM)
+        return self.turning(lambda base: base.points.mean_speed)
 
     @property
     def continuous(self) -> Array:
@@ -161,10 +166,9 @@ class Studied:
         """Largest output torque of the reducer at its cycles an hour (Nm); 0 for none."""
         used = self.reducers_used
         full = np.where(used["full_cycles"] == 0.0, FULL_CYCLES, used["full_cycles"])
-        factor = factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"])
-        return np.asarray(used["peak_torque"] / factor)
+        return np.asarray(used["peak_torque"] / factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"]))
 
-    @cached_property
+    @property
     def time(self) -> Any:
         """Times of a cycle (s)."""
         return cycles(self.rates)
@@ -175,39 +179,25 @@ class Studied:
         return means(self.works, self.time, self.machine.power.efficiency)
 
     @cached_property
-    def designs(self) -> list[tuple[int, int, int]]:
-        """Motor, reducer and rate of each design, by their places among those that differ."""
+    def designs(self) -> list[Chosen]:
+        """What each design has."""
         each = np.broadcast_arrays(self.motors.places, self.reducers.places, self.rates.places)
         return list(zip(*(places.tolist() for places in each), strict=True))
 
-    def drive(self, motor: int, reducer: int, rate: int) -> Driven:
-        """Return the drive with a motor and a reducer at a rate."""
-        speed = shaft_speed(si(self.rates.values[rate], PER_MINUTE))
-        return Driven(self.axis.at_speed(speed, self.axis_with(motor, reducer, rate)), self.machine)
-
     @cached_property
-    def views(self) -> dict[tuple[int, int, int], DriveView]:
+    def views(self) -> dict[Chosen, DriveView]:
         """The drive of each design at the points of its motion: those at one rate share their load."""
         return {one: with_motor(self.bases[one[2]], self.drive(*one)) for one in dict.fromkeys(self.designs)}
 
     @cached_property
-    def highest_each(self) -> dict[tuple[int, int, int], Highest]:
-        """The highest rate of each drive, and the limiting factor."""
+    def highest(self) -> tuple[Array, Any]:
+        """The highest rate of each design (cycles/min), and the limiting factor."""
         found = {}
         for one, view in self.views.items():
             most, rate = view.highest, self.rates.values[one[2]]  # the machine's entries do not tell this rate
-            found[one] = most._replace(rate=most.rate * rate / view.rate) if isinstance(most.rate, float) else most
-        return found
-
-    @property
-    def highest(self) -> Array:
-        """Highest rates (cycles/min)."""
-        return np.array([self.highest_each[one].rate for one in self.designs])
-
-    @property
-    def binds(self) -> Any:
-        """The limits that bind there."""
-        return np.array([self.highest_each[one].limit for one in self.designs], dtype=object)
+            found[one] = (most.rate * rate / view.rate if isinstance(most.rate, float) else most.rate, most.limit)
+        rates, limits = zip(*map(found.__getitem__, self.designs), strict=True)
+        return np.array(rates), np.array(limits, dtype=object)
 
 
 def cycles(rate: Column) -> Any:
@@ -215,30 +205,89 @@ def cycles(rate: Column) -> Any:
     return Column([turn_time(si(one, PER_MINUTE)) for one in rate.values], rate.places).each
 
 
-def figures(
-    used: Sequence[in_use.MotorInUse] | Sequence[in_use.ReducerInUse],
-    column: Column,
-    products: Sequence[MotorRow | ReducerRow],
-) -> dict[str, Array]:
+def figures(column: Column, used: Any, products: Any = ()) -> dict[str, Array]:
     """Return the figures of products in use in each design, and what those of the catalogue weigh and cost."""
-    rows = [None, *products]
-    own = {name: [getattr(one, name) for one in used] for name in used[0]._fields}
-    more = {name: [getattr(rows[one.row], name, None) for one in used] for name in WEIGHED}
-    return {name: np.array(values, dtype=np.float64)[column.places] for name, values in (own | more).items()}
+    found = {name: [getattr(one, name) for one in used] for name in used[0]._fields}
+    for name in WEIGHED if "row" in found else ():
+        found[name] = [getattr([None, *products][one.row], name, None) for one in used]
+    return {name: np.array(values, dtype=np.float64)[column.places] for name, values in found.items()}
 
 
-def only(columns: Mapping[str, Column], place: str) -> tuple[str, Column]:
+def only(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:
     """Return the entry of a motor or reducer that differs, and how; nothing where none does."""
-    found = ((key.removeprefix(f"{place}."), one) for key, one in columns.items() if key.startswith(f"{place}."))
-    return next(found, ("", ONE))
-
-
-def changed(given: Axis, place: str, key: str, value: Any) -> Axis:
-    """Return the entries of an axis with another entry of its motor or reducer."""
-    entries = getattr(given, place)
-    return given.model_copy(update={place: entries.model_copy(update={key: value})}) if key else given
+    return next(((key.removeprefix(begin), one) for key, one in columns.items() if key.startswith(begin)), ("", ONE))
 
 
 def in_words(ok: Any) -> Any:
     """Return verdicts in words."""
-    return np.where(ok, OK, FAIL)
+    return np.where(ok, "OK", "FAIL")
+
+
+ASKED: dict[str, Callable[[Studied], Any]] = {
+    "rate": lambda one: one.rates.each,
+    "jtot": lambda one: shown(one.at_motor, KG_CM2),
+    "inertias": lambda one: shares_of(one.at_motor, one.motors_used["inertia"]),
+    "tmax": lambda one: one.extremes.torque,
+    "tmin": lambda one: one.extremes.torque_low,
+    "rms": lambda one: one.rms,
+    "speed": lambda one: one.speed,
+    "mean": lambda one: one.mean,
+    "continuous": lambda one: one.continuous,
+    "res_rms": lambda one: shares_of(one.continuous, one.rms),
+    "res_peak": lambda one: shares_of(one.motors_used["peak_torque"], one.extremes.peak),
+    "res_speed": lambda one: shares_of(one.motors_used["max_speed"], one.speed),
+    "smax": lambda one: one.behind(0),
+    "smean": lambda one: one.behind(1),
+    "energy": lambda one: one.works.driving,
+    "returned": lambda one: one.works.regenerated,
+    "power": lambda one: shown((one.works.driving - one.works.regenerated) / one.time, KW),
+    "pmax": lambda one: shown(np.maximum(0.0, one.extremes.power), KW),
+    "pmin": lambda one: shown(np.minimum(0.0, one.extremes.power_low), KW),
+    "highest": lambda one: one.highest[0],
+    "binds": lambda one: one.highest[1],
+    "reducer_held": lambda one: one.reducer_held,
+} | {f"pair_{name}": lambda one, name=name: one.motors_used[name] + one.reducers_used[name] for name in WEIGHED}
+MOTORS = {
+    "motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
+    "motor_nmax": "max_speed", "motor_stall": "stall_torque", "motor_nn": "rated_speed",
+    "motor_mass": "mass", "motor_cost": "cost",
+}  # fmt: skip
+REDUCERS = {
+    "reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia", "no_load": "no_load_torque",
+    "reducer_peak": "peak_torque", "reducer_mean": "mean_torque", "reducer_nmax": "max_speed",
+    "reducer_full": "full_cycles", "reducer_fs": "cycle_factor", "reducer_mass": "mass", "reducer_cost": "cost",
+}  # fmt: skip
+"""of motors and of reducers: the cells of their figures"""
+CHECKS: dict[str, Callable[[Studied], Any]] = {
+    "ok_rms": lambda one: one.rms <= one.continuous,
+    "ok_peak": lambda one: one.extremes.peak <= one.motors_used["peak_torque"],
+    "ok_speed": lambda one: one.speed <= one.motors_used["max_speed"],
+    "ok_curve": lambda one: (one.motors_used["fall"] == 0.0) | (one.products.knows_falling & (one.extremes.spare >= 0)),
+    "ok_reducer_peak": lambda one: within(one.reducer_held, one.behind(0)),
+    "ok_reducer_mean": lambda one: within(one.reducers_used["mean_torque"], one.behind(1)),
+    "ok_reducer_speed": lambda one: within(one.reducers_used["max_speed"], one.speed),
+}
+"""of a curve that the book does not know torques do not stay below it"""
+
+
+def within(limits: Array, value: Any) -> Any:
+    """Return whether what is asked of the reducer is within its limits, 0 for none."""
+    return (limits == 0.0) | (value <= limits)
+
+
+def results(one: Studied) -> Worked:
+    """Return all results by name, each worked out when it is called."""
+    asked = ASKED | ({"brake_load": lambda one: one.brake_load} if one.bases[0].brakes else {})
+    asked |= {"spare": lambda one: one.extremes.spare} if one.products.knows_falling else {}
+    asked |= {cell: lambda one, name=name: one.motors_used[name] for cell, name in MOTORS.items()}
+    asked |= {cell: lambda one, name=name: one.reducers_used[name] for cell, name in REDUCERS.items()}
+    return {f"drive{one.axis.number}_{name}": partial(figure, one) for name, figure in asked.items()}
+
+
+def checks(one: Studied) -> Worked:
+    """Return the checks of its sheet that entries do not decide."""
+    driven = one.bases[0].driven
+    found = CHECKS | ({"ok_back": lambda one: one.axis.motion.closes} if driven.given.kind in LINKED else {})
+    found |= {"ok_brake": lambda one: one.brake_load <= driven.brake.torque} if one.bases[0].brakes else {}
+    found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
+    return {f"drive{one.axis.number}_{name}": partial(lambda ok: in_words(ok(one)), ok) for name, ok in found.items()}

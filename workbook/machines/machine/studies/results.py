@@ -1,7 +1,7 @@
 """The results of a machine by the names of its book, without a book: of many motors, reducers and rates at once."""
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from functools import cache, partial
 from typing import Any
 
@@ -17,16 +17,14 @@ from workbook.machines.machine.clearances import Apart
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
-from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.power import KWH, Mains
-from workbook.machines.machine.studies import drive_results
+from workbook.machines.machine.studies import drives as each_drive
 from workbook.machines.machine.studies.drives import ONE, Studied, cycles, in_words
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.scaling import Column, Results, Scaling, Worked
 from workbook.selection.choosing import Choosing
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
-MASTER = "master.rate"
 GROWTH = {"v": ("y1_max", 1), "a": ("y2_max", 2), "j": ("y3_max", 3), "rms": ("y2_rms", 2)}
 """by column: a figure of a phase, and the power of the rate with which it grows"""
 
@@ -40,42 +38,35 @@ def part(key: str) -> str:
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
     whole, rows = Whole(machine, laws(machine.laws)), cache(partial(axes_of, machine))
-    rate = columns.get(MASTER, Column([machine.per_minute], ONE.places))
+    rate = columns.get("master.rate", Column([machine.per_minute], ONE.places))
     faster = np.asarray(rate.each) / machine.per_minute
-    found: Worked = {
-        "about_rate": lambda: rate.each, "timing_rate": lambda: rate.each,
-        "about_cycle": partial(cycles, rate), "timing_cycle": partial(cycles, rate),
-    }  # fmt: skip
-    checks = of_laws(machine, found)
+    found: Worked = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
+    found |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
+    checks: Worked = {}
+    for law in [one for one in named(machine.laws) if one.page.has_sheet]:
+        found |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
+        verdicts = law.page.verdicts(law, machine.sizes)
+        checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts if not q.rule}
     drives = []
     for axis in whole.axes:
         found |= of_axis(axis, faster)
-        checks |= checks_of_axis(axis, rows() if machine.laws.of("LIN") else [])
+        checks |= checks_of_axis(axis)
+        if machine.laws.of("LIN") and (ends := rows()[axis.number - 1].ends):
+            checks |= {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")}
         if axis.given.mechanism and axis.given.motor:
             drives.append(Studied(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
-            found |= drive_results.results(drives[-1])
-            checks |= drive_results.checks(drives[-1])
+            found |= each_drive.results(drives[-1])
+            checks |= each_drive.checks(drives[-1])
     for k, given in enumerate(machine.clearances, 1):
         apart = cache(partial(lambda k, given: Apart(given, k, rows()), k, given))
-        found |= of_clearance(apart, k)
+        found[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
+        found[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
         checks[f"clear{k}_kept"] = partial(lambda apart: in_words(apart().kept), apart)
     found |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
     each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
     every = ("about_highest", "about_binds") if drives else ()
     return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every})
-
-
-def of_laws(machine: AnyMachine, found: Worked) -> Worked:
-    """Enter the coefficients of laws; return the checks of their sheets."""
-    checks: Worked = {}
-    for one in named(machine.laws):
-        if one.page.has_sheet:
-            found |= {one.own(f"@{name}"): partial(getattr, one.law.coefficients, name) for name, *_ in COEFFICIENTS}
-            for q in one.page.verdicts(one, machine.sizes):
-                if not q.rule:
-                    checks[one.own(q.name)] = partial(np.array, q.value)
-    return checks
 
 
 def of_axis(axis: MovingAxis, faster: Any) -> Worked:
@@ -97,23 +88,13 @@ def of_axis(axis: MovingAxis, faster: Any) -> Worked:
     return found
 
 
-def checks_of_axis(axis: MovingAxis, rows: Sequence[AxisRows]) -> Worked:
-    """Return the checks of an axis that its entries do not decide; ``rows`` are those of a book that hands over."""
-    i, given = axis.number, axis.given
-    found: Worked = {
-        f"axis{i}_position": lambda: in_words(axis.motion.complete),
-        f"axis{i}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),
-        f"axis{i}_closes": lambda: in_words(axis.closes),
-    }
-    ends = rows[i - 1].ends if rows else None
-    return found | ({q.name: partial(np.array, q.value) for q in ends.checks(f"axis{i}", "")} if ends else {})
-
-
-def of_clearance(apart: Callable[[], Apart], k: int) -> Worked:
-    """Return the results of a clearance, from 1."""
+def checks_of_axis(axis: MovingAxis) -> Worked:
+    """Return the checks of an axis that its entries do not decide."""
+    given = axis.given
     return {
-        f"clearances.gap.{k}": lambda: apart().least,
-        f"clearances.at.{k}": lambda: apart().over.shown(apart().place),
+        f"axis{axis.number}_position": lambda: in_words(axis.motion.complete),
+        f"axis{axis.number}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),
+        f"axis{axis.number}_closes": lambda: in_words(axis.closes),
     }
 
 
@@ -124,12 +105,12 @@ def checks_of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
         """Return whether the samples tell the peak of the bus; a drive of which nothing differs has one design."""
         count = max(len(one.designs) for one in drives)
         each = (one.designs if len(one.designs) == count else one.designs * count for one in drives)
-        designs = [tuple(design) for design in zip(*each, strict=True)]
-        fine = {}
-        for design in dict.fromkeys(designs):
-            views = [one.views[own] for one, own in zip(drives, design, strict=True)]
-            fine[design] = Mains(views, machine.power).fine
-        return in_words(np.array([fine[design] for design in designs]))
+
+        @cache
+        def fine(*design: each_drive.Chosen) -> bool:
+            return Mains([one.views[own] for one, own in zip(drives, design, strict=True)], machine.power).fine
+
+        return in_words(np.array([fine(*design) for design in zip(*each, strict=True)]))
 
     def chosen(one: Studied) -> Any:
         """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
@@ -145,28 +126,24 @@ def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
     """Return the results of all drives together."""
     whole = cache(lambda: together([one.mains for one in drives]))
 
-    def year() -> Any:
-        return shown(whole().energy_a_year(machine.power.hours), KWH)
-
-    def mean(one: Studied, name: str) -> Any:
-        return shown(getattr(one.mains, name), KW)
-
     def binding() -> Any:
-        rates = np.array(np.broadcast_arrays(*(one.highest for one in drives)))
-        words = [np.array([f"{one.axis.given.name}: {limit}" for limit in one.binds], dtype=object) for one in drives]
+        rates = np.array(np.broadcast_arrays(*(one.highest[0] for one in drives)))
+        words = [np.array([f"{one.axis.given.name}: {limit}" for limit in one.highest[1]], dtype=object)
+                 for one in drives]  # fmt: skip
         return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
     found: Worked = {
         "power_mains": lambda: shown(whole().mains, KW),
         "power_resistors": lambda: shown(whole().resistor, KW),
-        "power_year": year,
-        "about_year": year,
         "power_least": lambda: shown(whole().least, KW),
-        "about_highest": lambda: np.min(np.broadcast_arrays(*(one.highest for one in drives)), axis=0),
+        "about_highest": lambda: np.min(np.broadcast_arrays(*(one.highest[0] for one in drives)), axis=0),
         "about_binds": binding,
     }
+    for name in ("power_year", "about_year"):
+        found[name] = lambda: shown(whole().energy_a_year(machine.power.hours), KWH)
     for k, one in enumerate(drives, 1):
-        found |= {f"power.{name}.{k}": partial(mean, one, name) for name in ("mains", "resistor")}
+        found[f"power.mains.{k}"] = partial(lambda one: shown(one.mains.mains, KW), one)
+        found[f"power.resistor.{k}"] = partial(lambda one: shown(one.mains.resistor, KW), one)
     return found
 
 

@@ -16,30 +16,39 @@ from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
 from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.motion.asked import entries
+from workbook.motion.cells import RAISED
 from workbook.motion.pieces import room_check
+
+RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
+    ("velocity", "vmax", VELOCITY, "C_v h/{}", lambda phase: phase.y1_max),
+    ("acceleration", "amax", ACCELERATION, "C_a h/{}²", lambda phase: phase.y2_max),
+    ("jerk", "jmax", JERK, "C_j h/{}³", lambda phase: phase.y3_max),
+)
+"""by the order of the derivative: what it is, its greatest size in tables of steps, by the law, and its equation"""
 
 
 def phases_table(sheet: Sheet, one: AxisRows) -> None:
-    """Declare the phases of an axis."""
-    measured, geometric = one.machine.over.measured, geometric_extremes(one)
+    """Declare the phases of an axis; their geometric extremes are workings only of a machine without a rate."""
+    measured, base = one.machine.over.measured, one.axis.base
+    shown_as = calc if measured else result
+    geometric = [
+        shown_as(f"y{k}", f"geometric {word}", "y" + k * "'", f"{base}/rad{RAISED[k]}", own(one, most, formula),
+                 moving(one, figure), source=source.format("δ"))
+        for k, (word, most, formula, source, figure) in enumerate(RATES, 1)
+    ]  # fmt: skip
     sheet.table(
         one.name, f"Phases of axis {one.axis.number}: fill one row each, in order; between them it rests; "
         "leave spare rows empty", one.rows,
-        *entered(one), *passing(one), reached(one), *([] if measured else geometric), *extremes(one),
+        *entered(one), *([] if measured else geometric), *extremes(one),
         *used(one), *(geometric if measured else []), *faults(one),
         rules=[AT_REST],
     )  # fmt: skip
 
 
-def entry(one: AxisRows, name: str) -> list[Any]:
-    """Return what is entered in a column, and nothing in spare rows."""
-    return filled([getattr(p, name) for p in one.axis.typed.phases], one.rows, None)
-
-
-def moving(one: AxisRows, figure: Callable[[Phase], float | str]) -> list[float | str]:
+def moving(one: AxisRows, figure: Callable[[Phase], float]) -> list[float | str]:
     """Return a figure of each phase that moves, 0 of the others."""
     moves = one.axis.moves
-    return [figure(moves[k]) if k in moves else 0.0 for k in range(one.rows)]
+    return [finite(figure(moves[k])) if k in moves else 0.0 for k in range(one.rows)]
 
 
 def doubled(formula: str) -> str:
@@ -53,82 +62,55 @@ def own(one: AxisRows, column: str, formula: str) -> str:
 
 
 def entered(one: AxisRows) -> list[Quantity]:
-    """Return what kind of phase it is, and the entries of each."""
-    over, key = one.machine.over, f"axes.{one.axis.number - 1}.phases.*"
+    """Return what kind of phase it is, its entries, the kinds of its ends if phases hand over, and where it ends."""
+    over, axis, key, steps = one.machine.over, one.axis, f"axes.{one.axis.number - 1}.phases.*", f"{one.name}_steps"
+
+    def entry(name: str) -> list[Any]:
+        return filled([getattr(p, name) for p in axis.typed.phases], one.rows, None)
+
+    passing: list[Quantity] = []
+    if one.ends:
+        units, symbols = (one.at.unit(1), one.at.unit(2)), ("y'", "y''")
+        if over.measured:
+            units, symbols = over.rates(axis.given.unit)[:2], over.symbols[1:3]
+        passing = entries(entry("velocity"), entry("acceleration"), key, units, symbols)
+        kinds = zip(*(step.kinds for _, step in one.ends.phases), strict=True)
+        for end, values in zip(("begin", "end"), kinds, strict=True):
+            passing.append(result(f"{end}s", f"kind of its {end}", "", "", f"=INDEX([{one.name}_kinds.{end}s],2*[k])",
+                                  filled(values, one.rows, ""), align="center", source=KINDS))  # fmt: skip
+    y = f"INDEX([{steps}.y0],2*[k])+INDEX([{steps}.h],2*[k])-[lack]"
+    reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
+    ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
     return [
         calc("kind", "phase", "", "", doubled(sampling.kind("stop", one.at.ends)),
-             sampling.kinds(one.axis.phases, one.rows)),
-        given("start", "from", "", over.unit, entry(one, "start"), f"{key}.start", format=over.format),
-        given("stop", "to", "", over.unit, entry(one, "stop"), f"{key}.stop", format=over.format),
-        given("lift", "lift", "h", one.axis.given.unit, entry(one, "lift"), f"{key}.lift", format="0.0##"),
-        given("law", "law", "", "", entry(one, "law"), f"{key}.law", choices="=law_code"),
-    ]  # fmt: skip
-
-
-def passing(one: AxisRows) -> list[Quantity]:
-    """Return the entries of where phases meet, and the kind of both ends; none where all of them begin at rest."""
-    if not one.ends:
-        return []
-    n, over, kinds = one.rows, one.machine.over, [both.kinds for _, both in one.ends.phases]
-    units, symbols = (one.at.unit(1), one.at.unit(2)), ("y'", "y''")
-    if over.measured:
-        units, symbols = over.rates(one.axis.given.unit)[:2], over.symbols[1:3]
-
-    def end(name: str, word: str, values: list[str]) -> Quantity:
-        return result(name, f"kind of its {word}", "", "", f"=INDEX([{one.name}_kinds.{name}],2*[k])",
-                      filled(values, n, ""), align="center",
-                      source="R rest, G velocity, U reversal, B both")  # fmt: skip
-
-    return [
-        *entries(entry(one, "velocity"), entry(one, "acceleration"), f"axes.{one.axis.number - 1}.phases.*",
-                 units, symbols),
-        end("begins", "begin", [begin for begin, _ in kinds]), end("ends", "end", [end for _, end in kinds]),
-    ]  # fmt: skip
-
-
-def reached(one: AxisRows) -> Quantity:
-    """Return the position at the end of each phase; of spare rows nothing."""
-    axis, n, lacks = one.axis, one.rows, f"[{one.name}_steps.h]"
-    ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
-    y = f"INDEX([{one.name}_steps.y0],2*[k])+INDEX({lacks},2*[k])-[lack]"
-    formula = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
-    return result("y", "position at its end", "y", axis.given.unit, f'=IF([kind]="spare",0,{formula})',
-                  filled(ends, n), scale=shown(axis.motion.size(0), axis.unit), source="lifts up to it")  # fmt: skip
-
-
-def geometric_extremes(one: AxisRows) -> list[Quantity]:
-    """Return the largest y', y'' and y''' of each phase: workings only of a machine without a rate."""
-    base, shown_as = one.axis.base, calc if one.machine.over.measured else result
-    return [
-        shown_as("y1", "geometric velocity", "y'", f"{base}/rad",
-                 own(one, "vmax", VELOCITY), moving(one, lambda m: m.y1_max), source="C_v h/δ"),
-        shown_as("y2", "geometric acceleration", "y''", f"{base}/rad²",
-                 own(one, "amax", ACCELERATION), moving(one, lambda m: m.y2_max), source="C_a h/δ²"),
-        shown_as("y3", "geometric jerk", "y'''", f"{base}/rad³",
-                 own(one, "jmax", JERK), moving(one, lambda m: finite(m.y3_max)), source="C_j h/δ³"),
+             sampling.kinds(axis.phases, one.rows)),
+        given("start", "from", "", over.unit, entry("start"), f"{key}.start", format=over.format),
+        given("stop", "to", "", over.unit, entry("stop"), f"{key}.stop", format=over.format),
+        given("lift", "lift", "h", axis.given.unit, entry("lift"), f"{key}.lift", format="0.0##"),
+        given("law", "law", "", "", entry("law"), f"{key}.law", choices="=law_code"),
+        *passing,
+        result("y", "position at its end", "y", axis.given.unit, f'=IF([kind]="spare",0,{reached})',
+               filled(ends, one.rows), scale=shown(axis.motion.size(0), axis.unit), source="lifts up to it"),
     ]  # fmt: skip
 
 
 def extremes(one: AxisRows) -> list[Quantity]:
     """Return what each movement comes to; over a cycle whose length is entered also how long it lasts."""
-    axis, over = one.axis, one.machine.over
+    axis, over, by = one.axis, one.machine.over, "t" if one.machine.over.paced else "δ"
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
-    source = ("C_v h/t", "C_a h/t²", "C_j h/t³", "C_a,rms h/t²")
-    if not over.measured:
-        source = ("y' ω", "y'' ω²", "y''' ω³", "C_a,rms h/δ² ω²")
-    elif not over.paced:
-        source = ("C_v h/δ", "C_a h/δ²", "C_j h/δ³", "C_a,rms h/δ²")
-    mean = doubled(one.ends.own("rms", f"={RMS}")) if one.ends else f"={RMS}"
+    figures = [(word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
+               for k, (word, *_, source, figure) in enumerate(RATES, 1)]  # fmt: skip
+    rms, mean = f"{own(one, 'rms', f'={RMS}')}*omega^2{lift}", "C_a,rms h/{}²"
+
+    def timed(k: int, figure: Callable[[Phase], float]) -> list[float | str]:
+        return moving(one, lambda phase: axis.rate(figure(phase) * axis.speed**k))
+
     return [
-        result("v", "velocity", symbols[0], units[0], f"=[y1]*omega{lift}",
-               moving(one, lambda m: axis.rate(m.y1_max * axis.speed)), source=source[0]),
-        result("a", "acceleration", symbols[1], units[1], f"=[y2]*omega^2{lift}",
-               moving(one, lambda m: axis.rate(m.y2_max * axis.speed**2)), source=source[1]),
-        result("j", "jerk", symbols[2], units[2],
-               f'=IF(ISNUMBER([y3]),[y3]*omega^3{lift},"∞")',
-               moving(one, lambda m: finite(axis.rate(m.y3_max * axis.speed**3))), source=source[2]),
-        result("rms", "RMS acceleration", symbols[3], units[1], f"{mean}*omega^2{lift}",
-               moving(one, lambda m: axis.rate(m.y2_rms * axis.speed**2)), source=source[3]),
+        *(result(name, word, symbols[k - 1], units[k - 1], f"={speed}" if k < 3 else f'=IF(ISNUMBER([y3]),{speed},"∞")',
+                 timed(k, figure), source=source.format(by) if over.measured else "y" + k * "'" + f" ω{RAISED[k]}")
+          for name, word, speed, k, figure, source in figures),
+        result("rms", "RMS acceleration", symbols[3], units[1], rms, timed(2, lambda phase: phase.y2_rms),
+               source=mean.format(by) if over.measured else f"{mean.format('δ')} ω²"),
         *([
             result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',
                    filled([over.shown(p.stop - p.start) for p in axis.given.phases], one.rows), scale=over.length),
@@ -157,20 +139,27 @@ def used(one: AxisRows) -> list[Quantity]:
     ]  # fmt: skip
 
 
+BACKWARDS = (
+    '=IF([stop]="","",IF([stop]>[start],"",'
+    '"ends at "&ROUND([stop],9)&"{0}, "&ROUND([start]-[stop],9)&"{0} before it begins"))'
+)
+EARLY = (
+    '=IF([stop]="","",IF([gap]<0-check_zero,'
+    '"begins at "&ROUND([start],9)&"{0}, "&ROUND({1},9)&"{0} before row "&([k]-1)&" ends",""))'
+)
+NO_FAULT, KINDS = "empty where it does not", "R rest, G velocity, U reversal, B both"
+
+
 def faults(one: AxisRows) -> list[Quantity]:
     """Return what is wrong with each phase, and the rest before it."""
     over, lacking = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
-    if one.ends:
-        lacking = doubled(one.ends.other(lacking, "0"))
     return [
         calc("gap", "rest before", "", "°", "=[begin]-IF([k]=1,0,[end-1])", gaps(one), scale=360.0),
-        calc("backwards", "runs backwards", "", "", BACKWARDS.format(over.after), "", source="empty where it does not"),
-        calc("early", "begins too early", "", "", EARLY.format(over.after, over.told("0-[gap]")), "",
-             source="empty where it does not"),
+        calc("backwards", "runs backwards", "", "", BACKWARDS.format(over.after), "", source=NO_FAULT),
+        calc("early", "begins too early", "", "", EARLY.format(over.after, over.told("0-[gap]")), "", source=NO_FAULT),
         *([beyond(over)] if over.measured else []),
-        calc("lack", "jump of y", "Δy", one.axis.base, lacking,
-             filled([p.lack for p in one.axis.phases], one.rows),
-             source="at its end: the law's lack"),
+        calc("lack", "jump of y", "Δy", one.axis.base, doubled(one.ends.other(lacking, "0")) if one.ends else lacking,
+             filled([p.lack for p in one.axis.phases], one.rows), source="at its end: the law's lack"),
     ]  # fmt: skip
 
 
@@ -178,7 +167,7 @@ def beyond(over: Abscissa) -> Quantity:
     """Return the column of how far a row from ``start`` to ``stop`` goes on beyond the cycle, in words."""
     last = "MAX([start],[stop])"
     late = f'=IF(OR([stop]="",{over.in_degrees(last)}-360<=check_zero),"",{going_beyond(last, over)})'
-    return calc("beyond", "goes beyond the cycle", "", "", late, "", source="empty where it does not", align="left")
+    return calc("beyond", "goes beyond the cycle", "", "", late, "", source=NO_FAULT, align="left")
 
 
 def going_beyond(last: str, over: Abscissa) -> str:
@@ -194,27 +183,6 @@ def gaps(one: AxisRows) -> list[float]:
     return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
 
-BACKWARDS = (
-    '=IF([stop]="","",IF([stop]>[start],"",'
-    '"ends at "&ROUND([stop],9)&"{0}, "&ROUND([start]-[stop],9)&"{0} before it begins"))'
-)
-EARLY = (
-    '=IF([stop]="","",IF([gap]<0-check_zero,'
-    '"begins at "&ROUND([start],9)&"{0}, "&ROUND({1},9)&"{0} before row "&([k]-1)&" ends",""))'
-)
-
-
-def none_in(one: AxisRows, column: str) -> str:
-    """Return the condition that no row of an axis has a message in a column."""
-    return f'COUNTIF([{one.name}.{column}],"?*")=0'
-
-
-def in_row(one: AxisRows, column: str) -> str:
-    """Return the formula of a sentence: the first message in a column of an axis, and its row."""
-    row = first_text(f"[{one.name}.{column}]")
-    return f'[axes.name.{one.axis.number}]&" row "&{row}&" "&INDEX([{one.name}.{column}],{row})'
-
-
 def axis_checks(sheet: Sheet, one: AxisRows) -> None:
     """Declare the checks of one axis; each calls it by its number, as it may get another name.
 
@@ -223,13 +191,17 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
     axis, t, i = one.axis, one.name, one.axis.number
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", one.machine.over
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
+
+    def none_in(column: str, rule: str, said: str) -> Quantity:
+        texts, row = f"[{t}.{column}]", first_text(f"[{t}.{column}]")
+        says = f'[axes.name.{i}]&" row "&{row}&" "&INDEX({texts},{row})'
+        return check(f"{t}_{rule}", f"{label}: {said}", f'COUNTIF({texts},"?*")=0', True, says=says,
+                     rule=over.rule("axes", i, rule))  # fmt: skip
+
     sheet.checks(
-        check(f"{t}_forward", f"{label}: every phase runs forward", none_in(one, "backwards"), True,
-              rule=over.rule("axes", i, "forward"), says=in_row(one, "backwards")),
-        check(f"{t}_follows", f"{label}: no phase begins before the one above ends", none_in(one, "early"), True,
-              rule=over.rule("axes", i, "follows"), says=in_row(one, "early")),
-        *([check(f"{t}_within", f"{label}: no phase goes on beyond the cycle", none_in(one, "beyond"), True,
-                 rule=over.rule("axes", i, "within"), says=in_row(one, "beyond"))] if over.measured else []),
+        none_in("backwards", "forward", "every phase runs forward"),
+        none_in("early", "follows", "no phase begins before the one above ends"),
+        *([none_in("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []),
         check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{lift}", motion.complete,
               says=amount(lack, shown(axis.lack, axis.unit), "a lift lacks ", f" {unit}")),
         room_check(f"{t}_room", one.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),

@@ -1,12 +1,7 @@
 """The sheets Timing and Cycle: the axes over one turn of the master shaft or a cycle, and each sample by sample."""
 
-from functools import partial
 from typing import Any
 
-import numpy as np
-
-from engine.laws.base import Array
-from workbook.book.again import again
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.abscissa import TAKEN, in_unit
@@ -19,7 +14,7 @@ from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import Exportable, Later
 from workbook.motion.pieces import POSITION, finding, sampled
 
-LANE_SHARE = 0.8
+LANE_SHARE = 0.8  # of the height of a lane that an axis takes. Source: S1, 'Timing diagram for a cutting machine'
 PHASE, PHASE_MEASURED, PASSING = 13, 12, 4
 """columns of what is entered of a phase and comes out of it, over a length, and where movements hand over at speed"""
 CURVES = (
@@ -39,8 +34,7 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     sheet.heading("Enter")
     weight = given("gravity", "Gravity", "g", "m/s²", machine.machine.gravity, "gravity", format="0.0####",
                    source="of all drives")  # fmt: skip
-    sheet.rows(*(of_length(machine) if machine.over.measured else at_rate(machine)),
-               *([weight] if machine.machine.weighs else []))  # fmt: skip
+    sheet.rows(*pace(machine), *([weight] if machine.machine.weighs else []))
     columns = PHASE_MEASURED if machine.over.measured else PHASE
     columns += PASSING if any(one.ends is not None for one in axes) else 0
     draw_diagram(sheet, machine, columns)
@@ -69,27 +63,24 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
 
 
-def at_rate(machine: Whole) -> list[Quantity]:
-    """Return the rows of a machine with a master shaft."""
-    return [
-        given("timing_rate", "Production rate", "N", "cycles/min",
-              machine.machine.per_minute, "master.rate", format="0.0##", source="one a turn of the master shaft"),
-        calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
-        calc("omega", "Speed of the master shaft", "ω", "rad/s",
-             "=2*PI()*timing_rate/60", machine.speed, source="2π n / 60"),
-    ]  # fmt: skip
-
-
-def of_length(machine: Whole) -> list[Quantity]:
-    """Return the rows of a machine without one."""
-    over, forces = machine.over, " and process forces" if machine.over.paced else ""
-    what, symbol = ("Time", "t_c") if over.paced else ("Length", f"{over.symbol}_c")
+def pace(machine: Whole) -> list[Quantity]:
+    """Return the rows of a machine with a master shaft, or of one without."""
+    over, rate = machine.over, machine.machine.per_minute
+    if not over.measured:
+        return [
+            given("timing_rate", "Production rate", "N", "cycles/min", rate, "master.rate", format="0.0##",
+                  source="one a turn of the master shaft"),
+            calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
+            calc("omega", "Speed of the master shaft", "ω", "rad/s", "=2*PI()*timing_rate/60", machine.speed,
+                 source="2π n / 60"),
+        ]  # fmt: skip
+    what, symbol, forces = ("Time", "t_c", " and process forces") if over.paced else ("Length", f"{over.symbol}_c", "")
     return [
         given("timing_cycle", f"{what} of a cycle", symbol, over.unit, over.length, "master.cycle",
               format=over.format, source=f"phases, shifts, switches{forces} are in {over.unit} of it"),
         constant(in_unit(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
-        *([calc("timing_rate", "Production rate", "N", "cycles/min", "=60/timing_cycle", machine.machine.per_minute,
-                source="60 / t_c")] if over.paced else []),
+        *([calc("timing_rate", "Production rate", "N", "cycles/min", "=60/timing_cycle", rate, source="60 / t_c")]
+          if over.paced else []),
         calc("omega", "Speed of a turn a cycle" if over.paced else f"A turn a cycle, per {over.unit}", "ω",
              f"rad/{over.unit}", "=2*PI()/timing_cycle", machine.speed,
              source=f"2π / {symbol}; workings count a cycle as one turn, of 360°"),
@@ -193,21 +184,26 @@ def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
         sheet.chart_row(*charts[:3], width=(columns + 2) // 3, height=18)
 
 
-def cycle_sheets(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
-    """Declare a sheet for each axis."""
-    for one in axes:
-        floor = len(axes) + len(machine.machine.switches) - one.axis.number
-        again(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
-
-
 def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
     """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
-    over, i, told = machine.over, one.axis.number, one.axis.told(machine.samples)
+    over, axis, i, told = machine.over, one.axis, one.axis.number, one.axis.told(machine.samples)
     title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
+    unit, lowest, highest = axis.given.unit, f"[axes.low.{i}]", f"[axes.high.{i}]"
+    low, high = (shown(end, axis.unit) for end in axis.motion.reach)
+    by_lift = LANE_SHARE / (high - low) if high > low else 0.0
+    lane = floor + by_lift * (shown(axis.motion.at(told.x).y, axis.unit) - low)
     with sheet.scoped(f"cycle{i}_"):
-        sheet.rows(calc("@name", "Axis", "", "", f"=[axes.name.{i}]", one.axis.given.name, align="left"),
-                   *whole(one, floor))  # fmt: skip
+        sheet.rows(
+            calc("@name", "Axis", "", "", f"=[axes.name.{i}]", axis.given.name, align="left"),
+            calc("@late", "Its phases begin later by", "", "°", f"=[axes_taken.late.{i}]+0", axis.given.shift),
+            calc("@lap", "Travel of a cycle by its angle", "", f"{unit}/°", f"=[axes.travel.{i}]/360",
+                 shown(axis.motion.lifts_sum, axis.unit) / 360.0, scale=shown(axis.motion.size(0), axis.unit) / 360.0),
+            calc("@scale", "Height by lift", "", f"1/{unit}",
+                 f"=IF({highest}>{lowest},timing_lane/({highest}-{lowest}),0)", by_lift),
+            calc("@floor", "Height of position 0", "", "", f"={floor}-@scale*{lowest}", floor - by_lift * low,
+                 scale=1.0),
+        )  # fmt: skip
         sheet.row += 1
         theta = constant("theta", over.angle, "θ", "°", machine.angles.tolist(), format="0.0##")
         time = calc("time", over.name, over.symbol, over.unit, "=[theta]/360*timing_cycle", over.shown(machine.angles),
@@ -216,7 +212,7 @@ def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
             f"cycle{i}", f"The axis over the {over.name}", len(machine.angles),
             time if over.measured else theta,
             *results(one),
-            calc("lane", "in the diagram", "", "", f"=@floor+@scale*([y]-{EARLIER})", lane(one, floor)),
+            calc("lane", "in the diagram", "", "", f"=@floor+@scale*([y]-{EARLIER})", lane),
             *([theta] if over.measured else []),
             calc("p", "angle of its phases", "", "°",
                  "=[theta]-@late-360*INT((MIN([theta],timing_end)-@late+eps)/360)", shown(told.x, DEGREE),
@@ -224,32 +220,6 @@ def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
             *finding(one.pieces, "p", told.x),
         )  # fmt: skip
     sheet.unprinted, sheet.widths = True, {FIRST: 14}
-
-
-def lane(one: AxisRows, floor: int) -> Array:
-    """Return the axis in the diagram: its travel as a share of a lane of height 1, the floor where it stands.
-
-    From where a cycle of its motion begins. Source: S1, 'Timing diagram for a cutting machine'.
-    """
-    motion, (low, high) = one.axis.motion, one.axis.motion.reach
-    y = motion.at(one.axis.told(one.machine.samples).x).y
-    return floor + LANE_SHARE * (y - low) / (high - low) if high > low else np.full(y.shape, float(floor))
-
-
-def whole(one: AxisRows, floor: int) -> list[Quantity]:
-    """Return what is the same at all samples of an axis: its shift, what a cycle goes on by, and its lane."""
-    axis, i, unit = one.axis, one.axis.number, one.axis.given.unit
-    low, high = (shown(end, axis.unit) for end in axis.motion.reach)
-    by_lift = LANE_SHARE / (high - low) if high > low else 0.0
-    lowest, highest = f"[axes.low.{i}]", f"[axes.high.{i}]"
-    return [
-        calc("@late", "Its phases begin later by", "", "°", f"=[axes_taken.late.{i}]+0", axis.given.shift),
-        calc("@lap", "Travel of a cycle by its angle", "", f"{unit}/°", f"=[axes.travel.{i}]/360",
-             shown(axis.motion.lifts_sum, axis.unit) / 360.0, scale=shown(axis.motion.size(0), axis.unit) / 360.0),
-        calc("@scale", "Height by lift", "", f"1/{unit}",
-             f"=IF({highest}>{lowest},timing_lane/({highest}-{lowest}),0)", by_lift),
-        calc("@floor", "Height of position 0", "", "", f"={floor}-@scale*{lowest}", floor - by_lift * low, scale=1.0),
-    ]  # fmt: skip
 
 
 def results(one: AxisRows) -> list[Quantity]:
