@@ -126,8 +126,8 @@ def kinds(one: Handing) -> list[Quantity]:
                    f"=(INDEX(law_a{i},{no})*{end(f'h{i}')}+{end(f'b{i}')})*{rate}^2", at_end(i, 2))
           for i, word in enumerate(WORDS)),
         *(one.number(f"{name}{i}", f"has {what} at its {word}",
-                     f"=IF(ABS(IF(INDEX([{one.asked}.settled{i}],[k])=1,INDEX([{one.asked}.{asked}{i}],[k]),[{law}{i}]))"
-                     f">check_zero*[peak{order}],1,0)",
+                     f"=IF(ABS(IF(INDEX([{one.asked}.settled{i}],[k])=1,INDEX([{one.asked}.{asked}{i}],[k]),"
+                     f"[{law}{i}]))>check_zero*[peak{order}],1,0)",
                      one.spread([int(step.kinds[i] in kinds) for step in one.handed]))
           for i, word in enumerate(WORDS)
           for order, (name, what, law, asked, kinds) in enumerate((("moves", "a velocity", "v", "w", "GB"),
