@@ -78,19 +78,10 @@ class TorqueInterval:
             return self.force.at(load)
         if shaft == 0 and self.braked:
             return np.zeros(load.y.shape)
-        return self._driven(load, shaft)
-
-    def _driven(self, load: Motion3, shaft: int) -> Array:
-        """Return the torque (Nm) of a shaft but the load's, whatever holds it."""
         turning = self.train.shaft(load, self.within)
         weights = self.weights[shaft]
         found = weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration
         return np.asarray(found + self.no_load(shaft))
-
-    @property
-    def brake_torque(self) -> float:
-        """What the brake holds (Nm); 0 where none does."""
-        return float(np.abs(self._driven(self.load(np.array([self.low])), 0))[0]) if self.braked else 0.0
 
     def no_load(self, shaft: int) -> float:
         """Return the torque (Nm) of the motor's shaft that opposes its rotation, whatever the load; 0 of another."""

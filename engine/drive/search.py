@@ -6,7 +6,6 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.drive.train import Force
 from engine.laws.base import Array
@@ -52,39 +51,31 @@ def extremes(
     """
     u = np.linspace(low, high, nodes + 1)
     values = function(u)
-    places = [_tops(sign * values) for sign in signs]
-    best = [Found(float(values[top[0]]), float(u[top[0]])) for top in places]
-    tops = np.concatenate(places)
-    whose = np.repeat(np.arange(len(signs)), [top.size for top in places])
-    before, after = np.maximum(tops - 1, 0), np.minimum(tops + 1, nodes)
-    signed = np.asarray(signs)[whose, None] * values[np.array([before, tops, after]).T]
-    goal = np.maximum(least, [sign * one.value for sign, one in zip(signs, best, strict=True)])[whose]
-    hopeful = 2.0 * signed[:, 1] - signed.min(axis=1) >= goal
-    left, right, whose = u[before][hopeful], u[after][hopeful], whose[hopeful]
-    share = np.linspace(0.0, 1.0, PARTS + 1)
-    for _ in range(ROUNDS if left.size else 0):
-        points = left[:, None] + (right - left)[:, None] * share
-        found = function(points.ravel()).reshape(points.shape)
-        sign = np.asarray(signs)[whose]
-        each, k = np.arange(left.size), (sign[:, None] * found).argmax(axis=1)
-        reached, spread = sign * found[each, k], found.max(axis=1) - found.min(axis=1)
-        for one in np.argsort(reached):
-            if reached[one] > signs[whose[one]] * best[whose[one]].value:
-                best[whose[one]] = Found(float(found[one, k[one]]), float(points[one, k[one]]))
-        goal = np.maximum(least, [sign * one.value for sign, one in zip(signs, best, strict=True)])[whose]
-        worth = (reached + spread > goal) & (spread > FLAT * np.abs(values).max())
-        if not worth.any():
-            break
-        left, right = points[each, np.maximum(k - 1, 0)][worth], points[each, np.minimum(k + 1, PARTS)][worth]
-        whose = whose[worth]
-    return tuple(best)
+    return tuple(_top(function, sign, u, sign * values, least) for sign in signs)
 
 
-def _tops(values: Array) -> NDArray[np.intp]:
-    """Return the places that are not lower than their neighbours, the highest first, no more than :data:`TOPS`."""
+def _top(function: Function, sign: float, u: Array, values: Array, least: float) -> Found:
+    """Return where a function, times a sign, is largest; ``values`` of it at u are known."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     tops = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]))
-    return np.asarray(tops[np.argsort(-values[tops], kind="stable")[:TOPS]])
+    tops = tops[np.argsort(-values[tops], kind="stable")[:TOPS]]
+    best = Found(float(values[tops[0]]), float(u[tops[0]]))
+    before, after = np.maximum(tops - 1, 0), np.minimum(tops + 1, u.size - 1)
+    reached, spread = values[tops], values[tops] - np.minimum(values[before], values[after])
+    left, right = u[before], u[after]
+    for _ in range(ROUNDS):
+        worth = (reached + spread >= max(least, best.value)) & (spread > FLAT * np.abs(values).max())
+        if not worth.any():
+            break
+        points = np.linspace(left[worth], right[worth], PARTS + 1, axis=1)
+        found = sign * function(points.ravel()).reshape(points.shape)
+        each, k = np.arange(len(found)), found.argmax(axis=1)
+        reached, spread = found[each, k], found.max(axis=1) - found.min(axis=1)
+        highest = int(reached.argmax())
+        if reached[highest] > best.value:
+            best = Found(float(reached[highest]), float(points[highest, k[highest]]))
+        left, right = points[each, np.maximum(k - 1, 0)], points[each, np.minimum(k + 1, PARTS)]
+    return Found(sign * best.value, best.x)
 
 
 def crossed(function: Function, low: float, high: float, nodes: int) -> list[float]:

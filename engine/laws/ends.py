@@ -1,6 +1,5 @@
 """What a movement has to meet at its two ends, and which laws can."""
 
-from abc import abstractmethod
 from dataclasses import astuple, dataclass, replace
 from typing import ClassVar, NamedTuple
 
@@ -81,11 +80,6 @@ class EndedLaw(Law):
         return self.TAKES
 
     @property
-    @abstractmethod
-    def own_acceleration(self) -> tuple[bool, bool]:
-        """Whether it begins, and whether it ends, with an acceleration of its own."""
-
-    @property
     def fixes_ends(self) -> bool:
         """Whether it keeps the velocities that it has at its ends, whatever is beside it."""
         return False
@@ -147,11 +141,11 @@ def kind(v: float, a: float) -> str:
 
 def kinds(law: Law) -> tuple[str, str]:
     """Return the kinds of end, of R, G, U and B, that a law can have at its begin and at its end."""
+    scale = law.coefficients
+    begin, end = (kind(at.v / (scale.cv or 1.0), at.a / (scale.ca or 1.0)) for at in (law.start, law.end))
     if not isinstance(law, EndedLaw):
-        scale = law.coefficients
-        ends = [(end.v / (scale.cv or 1.0), end.a / (scale.ca or 1.0)) for end in (law.start, law.end)]
-        return kind(*ends[0]), kind(*ends[1])
+        return begin, end
     if "a" in law.takes:
         return "RGUB", "RGUB"
-    begin, end = (("UB" if own else "RG")[: 1 + len(law.takes)] for own in law.own_acceleration)
+    begin, end = (("UB" if own in "UB" else "RG")[: 1 + len(law.takes)] for own in (begin, end))
     return begin, end

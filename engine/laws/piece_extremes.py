@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
 from engine.laws.ladder import Curve, narrowed, trimmed, zeros
-from engine.laws.piece import Piece, Sine, carried, cut, gains
+from engine.laws.piece import Piece, carried, cut, gains
 
-CELLS = 512  # at least, in which the power of a mixed piece is searched for changes of sign
+CELLS = 512  # at least, in which the power of a piece with sines is searched for changes of sign
 ROUNDS = 4  # of narrowing a cell: a stationary value is then right to the last digit
 JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
 EDGE = 1e-7  # of a piece: a peak so near to its end lies at it
@@ -27,44 +27,18 @@ def acceleration(piece: Piece) -> Curve:
 def stationary_power_points(piece: Piece, v0: float) -> list[float]:
     """Return where v·a of a piece that is entered with velocity ``v0`` is stationary.
 
-    Of a polynomial by the ladder; of one sine in closed form; of a piece of both, or of two sines, where the
-    slope a² + v j changes its sign between samples.
+    Of a polynomial by the ladder; of a piece with sines where the slope a² + v j changes its sign between samples.
     """
     a = acceleration(piece)
     if not a.sines:
         return zeros(a.times(a.integral(v0)).derivative(), piece.duration) if a.c else []
-    if len(a.sines) == 1 and not a.c:
-        return _sine_power(a.sines[0], piece.duration, v0)
-    return _searched_power(piece, v0)
-
-
-def _sine_power(sine: Sine, duration: float, v0: float) -> list[float]:
-    """Return where 2g cos²x − k cos x = g, x = ωu + φ, with v = k − g cos x and a = P sin x, g = P/ω."""
-    p, w, phi = sine
-    g = p / w
-    if g == 0.0:
-        return []
-    k = v0 + g * math.cos(phi)
-    root = math.hypot(k, math.sqrt(8.0) * g)
-    far = (k + math.copysign(root, k)) / (4.0 * g)
-    low, high = sorted((phi, phi + w * duration))
-    found = []
-    for cos in (far, -0.5 / far):
-        angle = math.acos(cos) if abs(cos) <= 1.0 else None
-        for x in (angle, -angle) if angle is not None else ():
-            turns = range(math.ceil((low - x) / math.tau), math.floor((high - x) / math.tau) + 1)
-            found += [(x + n * math.tau - phi) / w for n in turns]
-    return found
-
-
-def _searched_power(piece: Piece, v0: float) -> list[float]:
     row = np.array(piece.row)[:, None]
 
     def rises(u: Array) -> NDArray[np.bool_]:
         _, v, a, j = gains(u, row)
         return np.asarray(a * a + (v0 + v) * j >= 0.0)
 
-    cells = CELLS + int(max(abs(w) for _, w, _ in piece.sines) * piece.duration * 16.0)
+    cells = CELLS + int(max(abs(w) for _, w, _ in a.sines) * piece.duration * 16.0)
     grid = np.linspace(0.0, piece.duration, cells + 1)
     up = rises(grid)
     at = np.flatnonzero(up[1:] != up[:-1])

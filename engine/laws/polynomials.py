@@ -32,12 +32,6 @@ class EndedPolynomial(EndedLaw):
         return tuple((table @ self.ends.values[: table.shape[1]]).tolist())
 
     @property
-    def own_acceleration(self) -> tuple[bool, bool]:
-        """Whether it begins and ends with an acceleration that follows from the other ends."""
-        follows = "a" not in self.takes
-        return follows, follows
-
-    @property
     def asked(self) -> tuple[float, float]:
         """Those that it begins and ends with: also where they follow from stroke and velocities."""
         return self.start.a, self.end.a

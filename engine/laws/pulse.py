@@ -36,12 +36,6 @@ class Pulse:
         last = carried(self.pieces)[-1]
         return (last.s + last.ds) / self.gain
 
-    @property
-    def outer(self) -> float:
-        """p(0), where the law begins or ends."""
-        first = next(piece for piece in self.pieces if piece.duration > 0.0)
-        return first.c[0] + first.amplitude * math.sin(first.phase)
-
 
 def _edged(stages: Callable[[float, float, float], tuple[Piece, ...]], shares: tuple[float, float, float]) -> Pulse:
     """Return a pulse of three stages: an edge up, a constant, an edge down; backwards it has these exchanged."""

@@ -135,11 +135,6 @@ class PulseLaw(EndedLaw):
         return Edge.of(c.rise, self.acceleration * c.rise_time), Edge.of(c.fall, self.deceleration * c.fall_time)
 
     @property
-    def own_acceleration(self) -> tuple[bool, bool]:
-        """Whether the first pulse begins, and the second ends, above 0."""
-        return self.pulses.rise.outer != 0.0, self.pulses.fall.outer != 0.0
-
-    @property
     def early(self) -> int:
         """How many of its monotone pieces are of the first pulse."""
         return sum(len(parts) for k, parts in self._stages(at_peaks) if k < len(self.pulses.rise.pieces))

@@ -56,11 +56,6 @@ class Spline(EndedLaw):
         return replace(self, natural=(free[0], free[1]))
 
     @property
-    def own_acceleration(self) -> tuple[bool, bool]:
-        """Whether an end is not natural: it then begins with what the points ask for."""
-        return not self.natural[0], not self.natural[1]
-
-    @property
     def fixes_ends(self) -> bool:
         """Whether both ends are settled by itself: by an entered slope, or as natural ones."""
         return all(free or slope is not None for free, slope in zip(self.natural, self.slopes, strict=True))

@@ -1,5 +1,6 @@
 """A motor's brake: the dwells that it holds, by hand; what it holds, by the formula of the static load."""
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -34,7 +35,8 @@ def test_parts_at_rest_that_follow_each_other_are_one_dwell(durations, direction
 
 def exact(drive_cycle):
     """The largest torque that a brake holds in dwells, at the motor's shaft (Nm)."""
-    return max(one.brake_torque for one in drive_cycle.torque_intervals)
+    held = [one for one in drive_cycle.torque_intervals if one.braked]
+    return max((abs(replace(one, braked=False).torque(np.array([one.low]))[0]) for one in held), default=0.0)
 
 
 def cycle_of(brake, speed=TURN, holding="brake", efficiency=0.9):

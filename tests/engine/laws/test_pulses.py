@@ -64,8 +64,6 @@ def test_a_pulse_is_of_height_1_and_nowhere_negative(pulse):
     found = coefficients_of(lasting)
     assert found.ca_max == pytest.approx(1.0, abs=1e-13)
     assert found.ca_min >= -1e-13
-    outer = gains(np.array([0.0]), np.array(lasting[0].row)[:, None])[2]
-    assert pulse.outer == pytest.approx(outer[0], abs=1e-13)
 
 
 @given(pulses)
