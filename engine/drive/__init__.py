@@ -1,8 +1,8 @@
 """Drives: a motor, gears, a mechanism and a load, and what their motion over a cycle asks of them. SI units.
 
 mechanisms      screw, belt, rollers …; crank-slider, rocker, table of positions; the register of all
-chain           stages and parts on shafts; the torque at each shaft
-loads, losses   masses on guides, forces, cylinders; efficiency by the direction of power
+chain           stages and parts on shafts; losses by the direction of power; the torque at each shaft
+loads           masses on guides, forces, cylinders
 motor           its limits, its peak torque over the speed, derating
 drive           a motor, with its brake, on a mechanism of constant ratio: torque, speed and power for any motion
 train           a motor, gears and a mechanism of any ratio, and the forces of the process
@@ -14,14 +14,13 @@ quadrature      a load at points of a cycle, as the sheets have it
 drive_points    its motor there; rate_by_points: the highest rate by these points
 """
 
-from engine.drive.chain import Load, Mechanism, Part, Stage
+from engine.drive.chain import NEAR, Load, Mechanism, Part, Stage
 from engine.drive.drive import Drive
 from engine.drive.loads import Slide, cylinder, resisting
-from engine.drive.losses import NEAR, STANDSTILL, direction, loss_factor
 from engine.drive.mechanisms.registry import KINDS, Kind
-from engine.drive.motor import LimitCheck, Motor, derating
+from engine.drive.motor import STANDSTILL, LimitCheck, Motor, derating
 
 __all__ = [
     "KINDS", "NEAR", "STANDSTILL", "Drive", "Kind", "LimitCheck", "Load", "Mechanism", "Motor", "Part", "Slide",
-    "Stage", "cylinder", "derating", "direction", "loss_factor", "resisting",
+    "Stage", "cylinder", "derating", "resisting",
 ]  # fmt: skip

@@ -3,12 +3,31 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from engine.drive.losses import NEAR, Method, loss_factor
 from engine.laws.base import Array, require_finite
+
+Method = Literal["physical", "document"]
+"""losses that help to brake, or S4's way: always against the motor"""
+
+NEAR = 1e-9
+"""Nm (N at a load that travels); a load that drives with less counts as driven, or rounding would choose the side"""
+
+
+def gives_back(torque: ArrayLike, direction: ArrayLike, near: float = NEAR) -> NDArray[np.bool_]:
+    """Return whether what is behind a stage drives it: a torque (Nm, or N) against the direction of motion.
+
+    ``torque`` is what it must be driven with, ``direction`` 1, −1, or 0 at rest, where nothing flows back.
+    """
+    return np.asarray(np.asarray(torque) * np.asarray(direction) < -near)
+
+
+def held_factor(efficiency: float, back_efficiency: float) -> float:
+    """Return f at rest: as if the motor drove; 0 of a stage that locks itself."""
+    return 0.0 if back_efficiency <= 0.0 else 1.0 / efficiency
 
 
 @dataclass(frozen=True)
@@ -47,9 +66,20 @@ class Stage:
 
     def factor(
         self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR
-    ) -> Array:  # fmt: skip
-        """Return f of the rule of losses for a torque behind it: see :func:`engine.drive.losses.loss_factor`."""
-        return loss_factor(torque, direction, self.efficiency, method, near, self.back_efficiency)
+    ) -> Array:
+        """Return f, by which it multiplies the torque behind it.
+
+        1/η where power flows to the load and at rest; where the load drives, the efficiency backward. A stage whose
+        efficiency backward is 0 or less locks itself: it must be driven then, and at rest it holds the load by itself,
+        f = 0. With the document's method 1/η always.
+        Source: S1, 'Feeding group', last equation, where f = 1; S4, problem 1, where inertia and torque behind the
+        screw are over η; S5, step 7.
+        """
+        if method == "document":
+            return np.full(np.broadcast(torque, direction).shape, 1.0 / self.efficiency)
+        back = self.efficiency if self.back_efficiency is None else self.back_efficiency
+        forward = np.where(np.asarray(direction) == 0.0, held_factor(self.efficiency, back), 1.0 / self.efficiency)
+        return np.where(gives_back(torque, direction, near), back, forward)
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive.chain import Mechanism, require_not_negative
-from engine.drive.losses import Method
+from engine.drive.chain import Mechanism, Method, require_not_negative
 from engine.laws.base import Array
 
 Holding = Literal["motor", "brake"]

@@ -176,8 +176,6 @@ FAR = 1e6
 CLOSE = 1e-10
 """of the rate: how near to the highest rate is near enough"""
 
-STEPS = 200
-
 
 class HighestRate(NamedTuple):
     """The highest speed of the abscissa (1/s) at which every check holds, and the axis and the limit that bind there.
@@ -203,17 +201,16 @@ def highest_rate(axes: Mapping[str, LimitChecks]) -> HighestRate:
 
 def of_axis(checks: LimitChecks) -> tuple[float, str]:
     """Return the highest speed of one axis, and the limiting factor."""
-    speed = checks.drive_cycle.speed
-    holds, fails = (speed, 2.0 * speed) if checks.ok else (0.5 * speed, speed)
-    while holds > speed / FAR and not at_speed(checks, holds).ok:
-        holds, fails = 0.5 * holds, holds
-    if holds <= speed / FAR:
-        return 0.0, named(at_speed(checks, holds))
-    while fails < speed * FAR and at_speed(checks, fails).ok:
-        holds, fails = fails, 2.0 * fails
-    if fails >= speed * FAR:
-        return math.inf, ""
-    return _narrowed(checks, holds, fails)
+    speed, way = checks.drive_cycle.speed, 2.0 if checks.ok else 0.5
+    known = speed
+    while at_speed(checks, way * known).ok == checks.ok:
+        known *= way
+        if not 1.0 / FAR < known / speed < FAR:
+            return (math.inf, "") if checks.ok else (0.0, named(at_speed(checks, known)))
+    from scipy.optimize import brentq  # slow to import, and most commands need no highest rate
+
+    met = brentq(lambda rate: over(at_speed(checks, rate)), *sorted((known, way * known)), rtol=CLOSE)
+    return met * (1.0 - 2.0 * CLOSE), named(at_speed(checks, met * (1.0 + 2.0 * CLOSE)))
 
 
 def at_speed(checks: LimitChecks, speed: float) -> LimitChecks:
@@ -229,24 +226,3 @@ def named(checks: LimitChecks) -> str:
 def over(checks: LimitChecks) -> float:
     """Return by how much the most used limit is overstepped, as a share of it: below 0 where all hold."""
     return min(checks.worst.use, 2.0) - 1.0 if checks.worst else -1.0
-
-
-def _narrowed(checks: LimitChecks, low: float, high: float) -> tuple[float, str]:
-    """Return the last speed between two that holds, by false position with halved weights (Illinois), and what fails.
-
-    Source: M. Dowell, P. Jarratt, A modified regula falsi method, BIT 11 (1971) 168–174.
-    """
-    at_high = at_speed(checks, high)
-    below, above = over(at_speed(checks, low)), over(at_high)
-    name, last = named(at_high), 0
-    for _ in range(STEPS):
-        if high - low <= CLOSE * high:
-            break
-        middle = low + (high - low) * min(max(-below / (above - below), 1e-3), 1.0 - 1e-3) if above > below else low
-        one = at_speed(checks, middle)
-        if one.ok:
-            low, below, above, last = middle, over(one), above * (0.5 if last < 0 else 1.0), -1
-        else:
-            high, above, below, last = middle, over(one), below * (0.5 if last > 0 else 1.0), 1
-            name = named(one)
-    return low, name

@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from engine.drive.chain import require_not_negative
-from engine.drive.losses import STANDSTILL
 from engine.laws.base import Array
+
+STANDSTILL = 1e-9
+"""rad/s (m/s of a load that travels); a slower shaft counts as standing"""
 
 
 class Falling(NamedTuple):

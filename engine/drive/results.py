@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.drive.cycle import DriveCycle, TorqueInterval
-from engine.drive.search import Function, extremes, integral
+from engine.drive.search import extremes, integral
 from engine.laws.base import Array
 from engine.laws.ladder import Curve, zeros
 
@@ -63,7 +63,7 @@ class DriveResults:
     @cached_property
     def speed(self) -> Bounds:
         """Speed of the motor (rad/s)."""
-        return self._bounds(_speed_candidates, TorqueInterval.motor_speed)
+        return self._bounds(TorqueInterval.motor_speed, lambda one: None if one.train.linkage else one.piece.curves[1])
 
     @cached_property
     def torque(self) -> Bounds:
@@ -72,12 +72,12 @@ class DriveResults:
 
     def shaft_torque(self, shaft: int) -> Bounds:
         """Return the torque (Nm) that drives a shaft; behind the motor's, of what a stage gives."""
-        return self._bounds(lambda one: _torque_candidates(one, shaft), lambda one, u: one.torque(u, shaft))
+        return self._bounds(lambda one, u: one.torque(u, shaft), lambda one: one.curve(shaft))
 
     @cached_property
     def power(self) -> Bounds:
         """Power (W) of the motor, with the losses of its winding."""
-        return self._bounds(lambda one: _searched(one, one.power), TorqueInterval.power)
+        return self._bounds(TorqueInterval.power, lambda _: None)
 
     @cached_property
     def rms_torque(self) -> float:
@@ -117,11 +117,11 @@ class DriveResults:
         each = ((partial(of, one), one.low, one.high) for one in self.drive_cycle.torque_intervals)
         return math.fsum(integral(*one, scale) for one in each)
 
-    def _bounds(self, candidates: Callable[[TorqueInterval], Array], of: OfInterval) -> Bounds:
-        """Return the extremes of a quantity, each of which is at one of the candidates of its interval."""
+    def _bounds(self, of: OfInterval, curve: Callable[[TorqueInterval], Curve | None]) -> Bounds:
+        """Return the extremes of a quantity, which is a curve over u in each interval or is searched."""
         ends = []
         for one in self.drive_cycle.torque_intervals:
-            u = candidates(one)
+            u = _candidates(one, of, curve(one))
             values = of(one, u)
             for k in (int(values.argmin()), int(values.argmax())):
                 ends.append(Extreme(float(values[k]), one.piece.phase, one.piece.begin + float(u[k])))
@@ -132,30 +132,13 @@ def _turning(one: TorqueInterval, u: Array) -> Array:
     return np.abs(one.motor_speed(u))
 
 
-def _speed_candidates(one: TorqueInterval) -> Array:
-    """Return where the motor can be fastest: at the ends and where y'' is 0; where the ratio changes, by a search."""
-    if one.train.linkage:
-        return _searched(one, one.motor_speed)
-    return _turns(one, one.piece.curves[1])
-
-
-def _torque_candidates(one: TorqueInterval, shaft: int) -> Array:
-    """Return where a torque can be largest: at the ends and where its slope is 0; where the ratio changes, searched."""
-    curve = one.curve(shaft)
+def _candidates(one: TorqueInterval, of: OfInterval, curve: Curve | None) -> Array:
+    """Return where a quantity can be largest: at the ends and where the slope of its curve is 0, or by a search."""
     if curve is None:
-        return _searched(one, lambda u: one.torque(u, shaft))
-    return _turns(one, curve)
-
-
-def _turns(one: TorqueInterval, curve: Curve) -> Array:
-    """Return the ends of an interval, and where a curve turns round in it."""
-    places = zeros(curve.derivative(), one.piece.duration)
-    return np.array([one.low, *(u for u in places if one.low < u < one.high), one.high])
-
-
-def _searched(one: TorqueInterval, function: Function) -> Array:
-    lowest, highest = extremes(function, one.low, one.high, one.nodes)
-    return np.array([one.low, lowest.x, highest.x, one.high])
+        inner = [found.x for found in extremes(partial(of, one), one.low, one.high, one.nodes)]
+    else:
+        inner = [u for u in zeros(curve.derivative(), one.piece.duration) if one.low < u < one.high]
+    return np.array([one.low, *inner, one.high])
 
 
 class Means(NamedTuple):

@@ -157,12 +157,7 @@ class Motion:
         table = np.empty((4, flat.size))
         for k in np.unique(index):
             here, phase = index == k, self.phases[k]
-            values = phase.law.evaluate(xi[here])
-            per = phase.scale / phase.duration
-            table[0, here] = self._begins[k] + phase.scale * values.s
-            table[1, here] = per * values.v
-            table[2, here] = per / phase.duration * values.a
-            table[3, here] = per / phase.duration**2 * values.j
+            table[:, here] = scaled(phase, self._begins[k], phase.law.evaluate(xi[here]))
         return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
 
     def at_speed(self, x: Real, speed: float) -> TimeValues[Real]:

@@ -108,8 +108,8 @@ class Ends(NamedTuple):
     end: MotionValues[float]
 
 
-def scaled(phase: Phase, y: float, at: Kinematics[float]) -> MotionValues[float]:
-    """Return what a phase that begins at y makes of its law at one ξ."""
+def scaled(phase: Phase, y: float, at: Kinematics[Real]) -> MotionValues[Real]:
+    """Return what a phase that begins at y makes of its law at ξ."""
     d, per = phase.duration, phase.scale / phase.duration
     return MotionValues(y + phase.scale * at.s, per * at.v, per / d * at.a, per / d**2 * at.j)
 

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.drive.chain import gives_back
 from engine.drive.drive_points import TIED
-from engine.drive.losses import gives_back
 from engine.drive.quadrature import LoadPoints
 from engine.drive.results import Energy
 from engine.laws.base import Array

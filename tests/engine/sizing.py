@@ -14,14 +14,19 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from engine.drive import Drive, Load, Mechanism, Motor, direction
+from engine.drive import STANDSTILL, Drive, Load, Mechanism, Motor
+from engine.drive.chain import Method
 from engine.drive.drive import Holding
-from engine.drive.losses import Method
 from engine.drive.motor import Reserve, reserve
 from engine.laws.base import Array
 from engine.laws.inverse import breaks, is_monotone
 from engine.motion import Motion, Phase
 from tests.engine.integrals import crossings, integral
+
+
+def direction(speed: ArrayLike) -> Array:
+    """Return 1 for a shaft that turns forward, −1 backward, 0 for one that stands."""
+    return np.where(np.abs(speed) < STANDSTILL, 0.0, np.sign(speed))
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,6 @@ from engine.drive import (
     Motor,
     Part,
     Stage,
-    direction,
-    loss_factor,
     resisting,
 )
 from engine.drive.motor import reserve
@@ -27,6 +25,7 @@ from engine.motion import Motion, Phase
 from tests.engine.sizing import (
     OperatingPoints,
     Sizing,
+    direction,
     effective_inertia,
     from_shaft,
     lossless_rms,
@@ -52,12 +51,15 @@ def drive(torque=67.0, resists="always", ratio=1 / 8, efficiency=1.0, motor=MOTO
     return Drive(chain, motor.inertia)
 
 
+LOSSY = Stage("gear", 1.0, 0.8)
+
+
 def at_rollers(one, w, dw):
     """Direction, resisting torque, total torque and loss factor for speeds and accelerations of the rollers."""
     going = direction(w)
     load = one.mechanism.load.resisting(going) / one.mechanism.ratio_from(1)
     total = one.torques(np.multiply(dw, RADIUS), going)[1]
-    return going, load, total, loss_factor(total, going, one.mechanism.stages[0].efficiency)
+    return going, load, total, one.mechanism.stages[0].factor(total, going)
 
 
 def torque(one, w, dw):
@@ -146,8 +148,8 @@ def test_losses_add_when_driving_and_help_when_braking(w, dw, factor):
     ],
 )
 def test_rounding_never_decides_the_losses(torque, going, factor):
-    assert loss_factor(torque, going, 0.8) == factor
-    assert loss_factor(torque, going, 0.8, "document") == 1 / 0.8
+    assert LOSSY.factor(torque, going) == factor
+    assert LOSSY.factor(torque, going, "document") == 1 / 0.8
 
 
 def test_the_document_counts_losses_against_the_motor_always():
@@ -308,5 +310,5 @@ def test_what_cannot_be_is_refused(made, message):
 
 
 def test_beside_a_large_torque_what_rounding_leaves_of_a_small_one_is_none():
-    assert loss_factor(-0.01, 1.0, 0.8, near=3e9 * NEAR) == 1 / 0.8
-    assert loss_factor(-4.0, 1.0, 0.8, near=3e9 * NEAR) == 0.8
+    assert LOSSY.factor(-0.01, 1.0, near=3e9 * NEAR) == 1 / 0.8
+    assert LOSSY.factor(-4.0, 1.0, near=3e9 * NEAR) == 0.8

@@ -8,13 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.drive import Load, direction
+from engine.drive import Load
 from engine.drive.motor import TorqueCurve
 from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
 from engine.motion import Motion, Phase
 from engine.selection.catalogue import Motors, Reducers
 from engine.selection.task import Task, accelerating_factor, ratio_curves, ratio_ranges
 from tests.engine.selection.tasks import rms_torque, sampled_task
+from tests.engine.sizing import direction
 
 TASK = Task(acceleration_rms=300.0, torque_rms=9.0, power_rate_mean=1100.0, max_speed=30.0)
 AT_REST = Task(acceleration_rms=0.0, torque_rms=9.0, power_rate_mean=0.0, max_speed=30.0)

@@ -7,8 +7,8 @@ between points, and the parabola finds it to 0.5 %.
 
 from typing import NamedTuple
 
+from engine.drive.chain import held_factor
 from engine.drive.drive_points import peak
-from engine.drive.losses import held_factor
 from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import STANDSTILL
 from engine.laws.base import Array
