@@ -25,7 +25,7 @@ from workbook.entries.design import as_entered
 from workbook.reading.descriptions import read_machine
 from workbook.serve.handler import COOKIE
 from workbook.serve.live import fragment
-from workbook.serve.toml import edited
+from workbook.serve.tables import edited
 from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 

@@ -15,17 +15,18 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from workbook.build import build, write_inputs
+from workbook.build import build
 from workbook.cluster import pool
 from workbook.judging.many import Target, verify_many
 from workbook.pool import cores
-from workbook.reading.descriptions import read_machine
+from workbook.reading.descriptions import read_machine, write_machine
 from workbook.studies.folder import Parts
-from workbook.studies.model import Study
 from workbook.studies.plan import Plan, planned
 from workbook.studies.run import run
+from workbook.studies.space import Study
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
+from workbook.writing.place import write_text
 
 MACHINE = TEMPLATES["machine"].description  # its first axis is S1's feeding group
 DESIGNS, BOOKS = 1_000_000, 1_000
@@ -45,7 +46,7 @@ def study(designs: int, folder: Path) -> Plan:
     machine = read_machine(MACHINE)
     feeding = {"axes": machine.axes[:1], "clearances": []}
     feeding["selection"] = machine.selection.model_copy(update={"axis": None})
-    write_inputs(machine.model_copy(update=feeding), folder / "feed.toml")
+    write_text(folder / "feed.toml", write_machine(machine.model_copy(update=feeding)))
     return planned(Study.model_validate(told), folder / "feed.toml", "benchmark")
 
 

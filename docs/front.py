@@ -12,9 +12,8 @@ from xml.etree.ElementTree import tostring
 
 from workbook.pool import HERE
 from workbook.reports.study import names_of, picture
-from workbook.studies.evaluate import Evaluator
+from workbook.studies.evaluate import Evaluator, require_names
 from workbook.studies.folder import Parts
-from workbook.studies.named import require_names
 from workbook.studies.plan import Plan, read_study
 from workbook.studies.run import run
 

@@ -20,7 +20,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from docs.witnesses import settle, shown, written
 from tests.functions.calc import Calc
 from workbook.book.address import Address
-from workbook.functions import oxt
+from workbook.functions import publish
 from workbook.functions.names import definitions
 from workbook.witnesses.formulon import Formulon, cells
 from workbook.witnesses.ironcalc import IronCalc
@@ -129,7 +129,7 @@ def main() -> None:
     try:
         with tempfile.TemporaryDirectory() as folder:
             add_in = Path(folder) / "motion.oxt"
-            oxt.write(add_in)
+            publish.write_add_in(add_in)
             calc.install(add_in)
         fresh = page(answers(calc))
     finally:

@@ -15,7 +15,7 @@ from pathlib import Path
 from docs import browsing
 from docs.contact import contact
 from tests.functions.calc import Calc
-from workbook.functions import oxt
+from workbook.functions import publish
 from workbook.template import FOLDER
 from workbook.witnesses.libreoffice import convert
 
@@ -43,7 +43,7 @@ def printed(name: str, folder: Path) -> Path:
         return convert(book, "pdf", folder)
     calc = Calc()
     try:
-        oxt.write(folder / "motion.oxt")
+        publish.write_add_in(folder / "motion.oxt")
         calc.install(folder / "motion.oxt")
         return Path(shutil.copy(calc.computed(book, "pdf"), folder))
     finally:

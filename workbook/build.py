@@ -23,7 +23,6 @@ from workbook.reading.descriptions import (
     read_machine,
     require_possible,
     template_named,
-    write_machine,
 )
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
@@ -34,7 +33,7 @@ from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed
 from workbook.writing.archive import same_book
-from workbook.writing.place import refuse_existing, replace
+from workbook.writing.place import refuse_existing
 from workbook.writing.write import save
 
 LARGE = 10_000_000  # bytes of a file: one below is far within the limits of reading
@@ -43,28 +42,9 @@ READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "r
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
-    """Write the workbook of a machine.
+    """Write the workbook of a machine; return a line for each check that fails.
 
-    Parameters
-    ----------
-    machine : Machine
-        The description, read or made.
-    path : Path
-        Of the workbook.
-    overwrite : bool
-        Whether a file that exists is replaced.
-
-    Returns
-    -------
-    list of str
-        A line for each check that fails.
-
-    Raises
-    ------
-    WriteError
-        Where ``path`` exists or cannot be written.
-    InputError
-        For a machine that the engine refuses.
+    Raises WriteError where ``path`` exists or cannot be written, InputError for a machine that the engine refuses.
     """
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
@@ -109,33 +89,24 @@ def described(path: Path, motors: Path | None = None, reducers: Path | None = No
     Raises ReadError and InputError, with a line for each fault.
     """
     machine = read_machine(path)
-    named = {"motors": motors, "reducers": reducers}
+    files = {entry: file for entry, file in (("motors", motors), ("reducers", reducers)) if file is not None}
     choice = getattr(machine, "selection", None)
     if not isinstance(choice, Products):
-        unused = [f"--{entry}" for entry, file in named.items() if file is not None]
-        if unused:
-            raise InputError([f"{path}: {machine.template} chooses no motor; {' and '.join(unused)} cannot be used"])
+        if files:
+            unused = " and ".join(f"--{entry}" for entry in files)
+            raise InputError([f"{path}: {machine.template} chooses no motor; {unused} cannot be used"])
         return machine
-    for entry, file in named.items():
-        beside = path.parent / f"{entry}.csv"
-        if file is None and entry not in choice.model_fields_set and beside.exists():
-            named[entry] = beside
-    return with_catalogues(machine, choice, named, str(path))
-
-
-def with_catalogues(machine: Machine, choice: Products, named: dict[str, Path | None], where: str) -> Machine:
-    """Return the machine with other catalogues, in tables that have room for them."""
-    rows = {entry: READERS[entry](file) for entry, file in named.items() if file is not None}
-    if not rows:
+    besides = {entry: path.parent / f"{entry}.csv" for entry in READERS if entry not in choice.model_fields_set}
+    files = {entry: beside for entry, beside in besides.items() if beside.exists()} | files
+    if not files:
         return machine
-    data = as_entered(machine)
-    data["sizes"], entries = machine.sizes.model_dump(), data["selection"]
-    for entry, products in rows.items():
+    data = as_entered(machine) | {"sizes": machine.sizes.model_dump()}
+    for entry, file in files.items():
+        products = data["selection"][entry] = READERS[entry](file)
         if len(products) > MOST_PRODUCTS:
-            raise InputError([f"{named[entry]}: {len(products)} products; expected at most {MOST_PRODUCTS}"])
-        entries[entry] = products
-        data["sizes"][entry] = max(data["sizes"][entry], len(products))
-    return checked(template_named(machine.template, where), data, lambda key: f"{where}: {key}")
+            raise InputError([f"{file}: {len(products)} products; expected at most {MOST_PRODUCTS}"])
+        data["sizes"][entry] = max(data["sizes"][entry], len(products))  # tables have room for them
+    return checked(template_named(machine.template, str(path)), data, lambda key: f"{path}: {key}")
 
 
 def inputs(path: Path) -> tuple[Machine, list[str]]:
@@ -169,16 +140,6 @@ def regenerate(path: Path, output: Path, overwrite: bool = False) -> tuple[list[
     return notes + not_carried(match, machine.template, own), failing(book)
 
 
-def write_inputs(machine: Machine, path: Path, overwrite: bool = False) -> None:
-    """Write a machine description, whole or not at all; raise WriteError as :func:`build` does."""
-    replace(path, lambda draft: write_text(draft, write_machine(machine)), overwrite)
-
-
-def write_text(path: Path, text: str) -> None:
-    """Write UTF-8 with plain line ends on every system."""
-    path.write_bytes(text.encode())
-
-
 def committed() -> list[Path]:
     """Return the committed machine descriptions, several of some templates; the workbook of each lies beside it."""
     return sorted(FOLDER.glob("*.toml"))
@@ -198,14 +159,11 @@ def stale_templates() -> list[Path]:
     """Return the committed files that today's code would generate differently."""
     from workbook.functions import publish
 
-    books = [description.with_suffix(".xlsx") for description in swept_between(committed()) if stale(description)]
-    return books + publish.stale_files()
-
-
-def stale(description: Path) -> bool:
-    """Whether the workbook beside a committed description differs from a fresh one."""
-    book = description.with_suffix(".xlsx")
+    found = []
     with tempfile.TemporaryDirectory() as folder:
-        fresh = Path(folder) / book.name
-        build(read_machine(description), fresh)
-        return not book.exists() or not same_book(fresh, book)
+        for description in swept_between(committed()):
+            book = description.with_suffix(".xlsx")
+            build(read_machine(description), fresh := Path(folder) / book.name)
+            if not (book.exists() and same_book(fresh, book)):
+                found.append(book)
+    return [*found, *publish.stale_files()]

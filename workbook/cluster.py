@@ -67,7 +67,7 @@ def local(jobs: int) -> Iterator[Any]:
 
 @contextmanager
 def remote(scheduler: str) -> Iterator[Any]:
-    """Give a client of a scheduler; raise ClusterError."""
+    """Give a client of a scheduler; raise ClusterError unless there are workers, all with this version of ours."""
     import asyncio
 
     import dask
@@ -81,7 +81,14 @@ def remote(scheduler: str) -> Iterator[Any]:
             said = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
             raise ClusterError(f"--scheduler {scheduler}: {said}") from error
         try:
-            require_workers(client, scheduler)
+            if not client.scheduler_info()["workers"]:
+                raise ClusterError(f"--scheduler {scheduler}: it has no workers; expected one or more")
+            said = client.run(operator.attrgetter("__version__"), workbook, on_error="return")
+            for address, version in sorted(said.items()):
+                if version != workbook.__version__:
+                    there = f"motionbook {version}" if isinstance(version, str) else "no motionbook"
+                    expected = f"expected {workbook.__version__}, as here"
+                    raise ClusterError(f"--scheduler {scheduler}: the worker {address} has {there}; {expected}")
             yield client
         finally:
             with suppress(Exception):  # of one that is gone
@@ -100,18 +107,6 @@ async def answered(scheduler: str) -> None:
         await wait_for(other.identity(), parse_timedelta(WAIT))
     finally:
         await other.close_rpc()
-
-
-def require_workers(client: Any, scheduler: str) -> None:
-    """Raise ClusterError unless there are workers, all with this version of motionbook."""
-    if not client.scheduler_info()["workers"]:
-        raise ClusterError(f"--scheduler {scheduler}: it has no workers; expected one or more")
-    said = client.run(operator.attrgetter("__version__"), workbook, on_error="return")
-    for address, version in sorted(said.items()):
-        if version != workbook.__version__:
-            there = f"motionbook {version}" if isinstance(version, str) else "no motionbook"
-            expected = f"expected {workbook.__version__}, as here"
-            raise ClusterError(f"--scheduler {scheduler}: the worker {address} has {there}; {expected}")
 
 
 class Workers(Pool):

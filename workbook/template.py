@@ -15,8 +15,6 @@ from workbook.scaling import Scaling
 from workbook.unfinished import with_entries
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
-
-
 M = TypeVar("M", bound=Machine)
 MOST = 99  # parts of a kind that are told apart by numbers
 
@@ -97,20 +95,7 @@ def has(data: Any, key: str) -> bool:
 
 
 def finish(book: Book, sources: tuple[str, ...]) -> Book:
-    """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles.
-
-    Parameters
-    ----------
-    book : Book
-        With all its sheets.
-    sources : tuple of str
-        Documents that formulas are from.
-
-    Returns
-    -------
-    Book
-        The same.
-    """
+    """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles, sources."""
     checks_sheet(book)
     close(book, sources)
     repeat_verdict(book)

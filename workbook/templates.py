@@ -4,22 +4,15 @@ import sys
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from importlib import import_module
-from importlib.metadata import EntryPoint, entry_points
+from importlib.metadata import entry_points
 from typing import TypeAlias
 
 from workbook.entries.machine import Machine
 from workbook.template import Template
 
-MODULES = {
-    "machine": "machine",
-    "indexing-overlap": "overlap",
-    "flying-cutter": "flying",
-    "motion-laws": "laws",
-}
+MODULES = {"machine": "machine", "indexing-overlap": "overlap", "flying-cutter": "flying", "motion-laws": "laws"}
 """where each template is declared, under workbook/machines/"""
 GROUP = "motionbook.templates"  # the group of entry points by which packages bring their own
-
-
 AnyTemplate: TypeAlias = Template[Machine]  # a template as those see it who know it by its name only
 
 
@@ -32,7 +25,14 @@ class Register(Mapping[str, AnyTemplate]):
         found: dict[str, AnyTemplate] = {}
         for point in entry_points(group=GROUP):
             try:
-                found[point.name] = loaded(point, MODULES.keys() | found.keys())
+                template = point.load()
+                if not isinstance(template, Template):
+                    raise ValueError(f"it is a {type(template).__name__}; expected a Template")
+                if template.name != point.name:
+                    raise ValueError(f"it calls itself {template.name!r}; expected the name of its entry point")
+                if point.name in MODULES.keys() | found.keys():
+                    raise ValueError("another template has that name")
+                found[point.name] = template
             except Exception as error:  # whatever another package does, the rest works
                 print(f"The template {point.name!r} of {point.value} cannot be used: {error}", file=sys.stderr)
         return found
@@ -49,18 +49,6 @@ class Register(Mapping[str, AnyTemplate]):
 
     def __len__(self) -> int:
         return len(MODULES) + len(self.others)
-
-
-def loaded(point: EntryPoint, taken: set[str]) -> AnyTemplate:
-    """Return the template of an entry point; raise ValueError where it is none, or its name is taken."""
-    template = point.load()
-    if not isinstance(template, Template):
-        raise ValueError(f"it is a {type(template).__name__}; expected a Template")
-    if template.name != point.name:
-        raise ValueError(f"it calls itself {template.name!r}; expected the name of its entry point")
-    if point.name in taken:
-        raise ValueError("another template has that name")
-    return template
 
 
 TEMPLATES = Register()

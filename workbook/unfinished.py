@@ -98,7 +98,10 @@ class Unfinished:
         for i in range(guard.rows):
             columns[MESSAGE][i] = next((columns[name][i] for name in guard.columns if columns[name][i]), "")
         if USED in block.columns:
-            columns[USED] = in_use(guard.rows, [self._as_entered(guard.table, q) for q in self._inputs(guard.table)])
+            table = self.book.blocks[guard.table]
+            entered = [q._replace(value=self.values.get((guard.table, table.columns[q.name] - table.column), q.value))
+                       for q in self._inputs(guard.table)]  # fmt: skip
+            columns[USED] = in_use(guard.rows, entered)
         said = next((in_row(i, message) for i, message in enumerate(columns[MESSAGE], 1) if message), "")
         known = {
             at: value
@@ -125,12 +128,6 @@ class Unfinished:
 
     def _inputs(self, table: str) -> list[Quantity]:
         return [q for q in self.book.blocks[table].quantities if q.role == "input"]
-
-    def _as_entered(self, table: str, q: Quantity) -> Quantity:
-        """Return an input of a table with what was entered."""
-        block = self.book.blocks[table]
-        put = self.values.get((table, block.columns[q.name] - block.column))
-        return q if put is None else q._replace(value=put)
 
     def _told(self, q: Quantity, where: str, rule: str, turns: dict[Address, int]) -> str | None:
         """Return what a rule's check says: nothing where it holds, None where the entries do not tell."""

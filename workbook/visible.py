@@ -9,15 +9,11 @@ UNFIT = ("Cc", "Cf", "Cs", "Cn", "Zl", "Zp")
 
 
 def visible(text: str, kept: str = "") -> str:
-    """Return a text in one line, with a visible escape for each character that is none to read, but those ``kept``."""
+    r"""Return a text in one line, with escapes such as ``\x1b`` of what is none to read, but those ``kept``."""
     if text.isprintable():
         return text
-    return "".join(escaped(c) if category(c) in UNFIT and c not in kept else c for c in text)
-
-
-def escaped(character: str) -> str:
-    r"""Return an escape such as ``\x1b``."""
-    return character.encode("unicode_escape", "surrogatepass").decode()
+    return "".join(c.encode("unicode_escape", "surrogatepass").decode() if category(c) in UNFIT and c not in kept else c
+                   for c in text)  # fmt: skip
 
 
 def found(value: Any) -> str:

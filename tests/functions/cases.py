@@ -10,7 +10,7 @@ from engine.laws.inverse import inverse
 from engine.motion import Phase
 from engine.motion.joining import Rates, joined
 from tests.functions.case import NUM, Case
-from workbook.functions.addin.motion_functions.laws import OWN_WIDTH
+from workbook.functions.addin.motion_functions.library import OWN_WIDTH
 from workbook.functions.declared import CODES, TAKES
 from workbook.laws.registry import CODES as BASIC
 from workbook.laws.registry import FAMILY

@@ -3,13 +3,13 @@
 import pytest
 
 from tests.functions.calc import Calc
-from workbook.functions import oxt
+from workbook.functions import publish
 
 
 @pytest.fixture(scope="session")
 def add_in(tmp_path_factory):
     path = tmp_path_factory.mktemp("oxt") / "motion.oxt"
-    oxt.write(path)
+    publish.write_add_in(path)
     return path
 
 

@@ -16,10 +16,10 @@ from tests.functions.calc import Calc
 from tests.functions.case import NUM, VALUE, Case, read, write
 from tests.functions.cases import CLASSIC, engine_law, known, value_cases
 from tests.functions.edges import edge_cases
-from workbook.functions import oxt
+from workbook.functions import publish
 from workbook.functions.addin.motion_functions import library
 from workbook.functions.addin.motion_functions.cells import parameters
-from workbook.functions.addin.motion_functions.laws import LAWS, OWN_WIDTH
+from workbook.functions.addin.motion_functions.library import LAWS, OWN_WIDTH
 from workbook.functions.declared import CODES, FUNCTIONS, PARAMETERS
 from workbook.laws.own import OWN_ENTRIES
 from workbook.template import FOLDER
@@ -244,7 +244,7 @@ def test_the_installed_types_are_those_declared(calc):
 
 
 def test_the_types_were_made_from_what_is_declared():
-    assert (oxt.PACKAGE / "motion.idl").read_text(encoding="utf-8") == idl()
+    assert (publish.PACKAGE / "motion.idl").read_text(encoding="utf-8") == idl()
 
 
 @pytest.mark.parametrize("code", CODES)
@@ -262,7 +262,7 @@ def test_the_add_in_knows_no_other_law():
 
 
 def test_the_same_bytes_each_time(add_in, tmp_path):
-    oxt.write(tmp_path / "again.oxt")
+    publish.write_add_in(tmp_path / "again.oxt")
     assert (tmp_path / "again.oxt").read_bytes() == add_in.read_bytes()
 
 
@@ -275,7 +275,7 @@ def test_the_components_python_is_old_enough_and_needs_nothing_else(add_in):
         absolute = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom) and not n.level]
         plain = [alias.name for n in ast.walk(tree) if isinstance(n, ast.Import) for alias in n.names]
         assert {*plain, *(str(n.module).split(".cells")[0] for n in absolute)} - ALLOWED <= {
-            f"motion_functions.{module}" for module in ("composed", "law")
+            f"motion_functions.{module}" for module in ("cells", "law")
         }
 
 

@@ -16,8 +16,7 @@ from workbook.cli import app
 from workbook.functions import publish
 from workbook.functions.declared import CODES, FUNCTIONS
 from workbook.functions.names import definitions
-from workbook.functions.page import declare
-from workbook.functions.shown import EXAMPLE
+from workbook.functions.page import EXAMPLE, declare
 from workbook.writing import archive
 
 SHEET = "xl/worksheets/sheet1.xml"

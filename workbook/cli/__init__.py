@@ -9,12 +9,12 @@ from pathlib import Path
 
 from typer.exceptions import TyperException
 
-from workbook.cli import books, cams, tools
+from workbook.cli import books, tools
 from workbook.cli.options import app
 from workbook.errors import AGREES, UNREADABLE, MotionbookError
 from workbook.reports.terminal import ERR, lasting, say
 
-__all__ = ["app", "books", "cams", "main", "tools"]
+__all__ = ["app", "books", "main", "tools"]
 
 
 def main() -> None:
@@ -36,7 +36,8 @@ def ran() -> int:
     try:
         return int(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped
     except TyperException as error:
-        say(ERR, f"{error.format_message()} See --help.", "red")
+        said = error.format_message().replace("Value error, ", "")  # pydantic's words
+        say(ERR, f"{said} See --help.", "red")
     except MotionbookError as error:
         for line in str(error).splitlines():
             say(ERR, line, "red")

@@ -147,7 +147,7 @@ def diff(
 
     Exit code 0: nothing differs. 1: something does. 2: one of them cannot be read.
     """
-    from workbook.commands import diff as command
+    from workbook.commands import oracle as command
 
     raise typer.Exit(command.diff(old, new, as_json, html, force))
 

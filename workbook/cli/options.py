@@ -1,7 +1,7 @@
 """The command line ``motionbook``, to which the modules beside add commands, and options that several of these have."""
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 from typer import Argument, Option
@@ -52,33 +52,29 @@ def named_place(name: str) -> Path:
     return Path(name)
 
 
-Machine = Annotated[
-    Path | None,
-    Argument(metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named."),
-]
+Machine = Annotated[Path | None, Argument(
+    metavar="[MACHINE.toml]", help="Machine description; the cutting machine when none is named."
+)]  # fmt: skip
 Book = Annotated[Path, Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
-Books = Annotated[
-    list[Path],
-    Argument(metavar="BOOK|FOLDER...", parser=named_place, help="Workbooks built by motionbook, or folders of them."),
-]
+Books = Annotated[list[Path], Argument(
+    metavar="BOOK|FOLDER...", parser=named_place, help="Workbooks built by motionbook, or folders of them."
+)]  # fmt: skip
 Force = Annotated[bool, Option("--force", help="Replace the output file if it exists.")]
 Json = Annotated[bool, Option("--json", help="Print JSON for machines instead of a table.")]
 With = Annotated[
     list[str] | None,
-    Option(
-        "--with",
-        metavar="|".join((*WITNESSES, ALL)),
-        parser=witness_named,
-        help="Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that are "
-        "on this machine.",
-    ),
-]
-Scheduler = Annotated[
-    str | None,
-    Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
-]
+    Option("--with", metavar="|".join((*WITNESSES, ALL)), parser=witness_named,
+           help="Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that "
+                "are on this machine."),
+]  # fmt: skip
+Scheduler = Annotated[str | None, Option(
+    metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."
+)]  # fmt: skip
 Jobs = Annotated[int | None, Option(min=1, metavar="N", help="Processes at once; else one a core.")]
-Of = Annotated[str, Option(metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft.")]
+Of = Annotated[
+    Literal["load", "shaft"],
+    Option(metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft."),
+]
 Fresh = Annotated[bool, Option("--fresh", help="Verify the book again, also where these bytes were verified before.")]
 Source = Annotated[str, Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
 CamFile = Annotated[Path, Argument(metavar="FILE", help="A controller's cam table.")]

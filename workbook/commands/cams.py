@@ -1,5 +1,6 @@
 """What runs in a machine: a controller's file read, identified, and compared with a book's axis."""
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -7,32 +8,33 @@ import numpy as np
 
 from engine.cams.identify import THINNED
 from engine.motion.pieces import SAME
-from workbook import build as making
-from workbook.commands import switching
-from workbook.commands.export import LOAD, SHAFT, chosen, require_side, shafts, tolerated
+from workbook.axes import CamSwitch
+from workbook.commands.export import LOAD, SHAFT, Switched, chosen, shafts, takes, tolerated
 from workbook.commands.verify import opened, vouched
 from workbook.controllers import described
-from workbook.controllers.files import read_table, text_of
 from workbook.controllers.handing import certified
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.table import equidistant
-from workbook.errors import AGREES, DISAGREES, TargetError
+from workbook.controllers.target import Target, Track, differences, read_table, text_of
+from workbook.errors import AGREES, DISAGREES, ReadError, TargetError
 from workbook.reading.descriptions import checked, template_named, write_machine
 from workbook.reports.cams import excess, show, told
-from workbook.reports.terminal import ERR, OUT, say, say_data, say_json
+from workbook.reports.terminal import ERR, give, say, say_data, say_json
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
 from workbook.writing.place import refuse_existing, refuse_itself
 
 TURN = described.TURN
-LONGEST = 80  # characters of a title
+LONGEST, LONGEST_NAME = 80, 24  # characters of a title, and of a switch's name
 NEAR = 1e-6  # of the cycle: so far the file's may be from the book's
 
 
 def read(file: Path, source: str, output: Path | None, force: bool, tolerance: str | None = None) -> None:
     """Tell what a controller's file was made of, and write it as a description."""
     target = target_named(source)
-    share = thinned(tolerance)
+    order, share = tolerated(tolerance) if tolerance is not None else ("y", THINNED)
+    if order != "y":
+        raise TargetError(f"--tolerance {tolerance}: expected y and a share of the reach, as y=0.01%")
     if output is not None:
         refuse_itself(output, file)
         refuse_existing(output, force)
@@ -55,30 +57,20 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     if units[0] == "°" and equidistant(table.x) and abs(reach + step - TURN) < NEAR * TURN:  # as of a column a degree
         said = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
         say(ERR, f"{said}; if it is a turn, add its end", "yellow")
-    if output is None:
-        say_data(write_machine(machine))
-        return
-    making.write_inputs(machine, output, overwrite=force)
-    say(OUT, f"Wrote {output.absolute()}")
-
-
-def thinned(tolerance: str | None) -> float:
-    """Return the share of the reach that a spline may be off by; raise TargetError for another order than y."""
-    if tolerance is None:
-        return THINNED
-    order, share = tolerated(tolerance)
-    if order != "y":
-        raise TargetError(f"--tolerance {tolerance}: expected y and a share of the reach, as y=0.01%")
-    return share
+    give(write_machine(machine), output, force)
 
 
 def read_switches(file: Path, source: str, output: Path | None) -> None:
     """Tell the switches of a controller's file as entries of a machine's description."""
     if output is not None:
         raise TargetError("switches alone are no machine; expected no -o: paste what is printed into a description")
-    found = switching.lanes_of(file, target_named(source))
+    found, rows = lanes_of(file, target_named(source)), []
     say(ERR, f"{len(found)} switches, {sum(len(one.on) for one in found)} times of being on")
-    say_data(switching.entries(found))
+    for one in found:
+        times = ", ".join(f"[{begin:.9g}, {end:.9g}]" for begin, end in one.on)
+        name = json.dumps(visible(one.name)[:LONGEST_NAME], ensure_ascii=False)
+        rows.append(f"[[switches]]\nname = {name}\non = [{times}]\n")
+    say_data("\n".join(rows))
 
 
 def compare(
@@ -87,11 +79,10 @@ def compare(
 ) -> int:  # fmt: skip
     """Compare what a controller makes of a file with an axis of a book, or with its switches; return the exit code."""
     target = target_named(source)
-    require_side(of)
     if switches == (axis is not None):
         raise TargetError("expected either --axis NAME or --switches")
     if switches:
-        switching.lanes_of(file, target)  # what cannot be read is told before the book is verified
+        lanes_of(file, target)  # what cannot be read is told before the book is verified
     held = dict(map(tolerated, tolerance)) or dict(target.tolerance)
     table = None if switches else read_table(file, target)
     read = opened(book)
@@ -104,7 +95,7 @@ def compare(
     if vouched(book, read, unverified, fresh) is None:
         return DISAGREES
     if table is None or meant is None:
-        return switching.compared(book, template.switches(read.machine), file, target, as_json)
+        return compared(book, template.switches(read.machine), file, target, as_json)
     profile = meant.profile
     for given, own in zip(table.x[[0, -1]], profile.edges[[0, -1]], strict=True):
         if abs(float(given) - float(own)) > max(NEAR, SAME) * profile.total:
@@ -121,3 +112,25 @@ def compare(
         return AGREES
     say(ERR, f"{meant.name}: {excess(made, held)}", "red")
     return DISAGREES
+
+
+def lanes_of(file: Path, target: Target) -> list[Track]:
+    """Return the switches of a controller's file; raise ReadError, in one line, where it is none."""
+    tappets = takes(target)
+    try:
+        return tappets.read(text_of(file, target))
+    except TargetError as error:
+        raise ReadError(f"{file}: {error}") from None
+
+
+def compared(book: Path, lanes: Sequence[CamSwitch], file: Path, target: Target, as_json: bool) -> int:
+    """Compare the switches of a file with those of a book; return the exit code."""
+    tappets = takes(target, lanes)
+    found = Switched(lanes, "", differences(lanes, lanes_of(file, target)), tappets, file)
+    if as_json:
+        say_json(found.told(target))
+    else:
+        found.show(target)
+    for line in found.beyond:
+        say(ERR, f"{line}: {book.name} has it elsewhere", "red")
+    return DISAGREES if found.beyond else AGREES

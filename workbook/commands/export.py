@@ -1,29 +1,27 @@
-"""From a verified book to a controller's file, with the certificate of what a reader of its own finds in it."""
+"""From a verified book to a controller's file of axes or switches, certified by what an independent reader finds."""
 
+import math
 import os
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from dataclasses import replace as replaced
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
+from engine.timing import Differing
 from workbook.axes import CamAxis, CamSwitch
-from workbook.build import write_text
-from workbook.commands import switching
-from workbook.commands.switching import Switched, require_some, switched, takes
 from workbook.commands.verify import opened, vouched
-from workbook.controllers import files
 from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
-from workbook.controllers.target import Handed, Target
+from workbook.controllers.registry import targets
+from workbook.controllers.target import MOST_OFF, Handed, HandedTracks, Tappets, Target, differences, header, tracks
 from workbook.entries.machine import Machine
 from workbook.errors import AGREES, DISAGREES, TargetError, WriteError
 from workbook.reports import cams, page
-from workbook.reports.terminal import ERR, OUT, say, say_json
+from workbook.reports.terminal import ERR, OUT, say, say_json, show_table, shown
 from workbook.templates import TEMPLATES
 from workbook.visible import visible
-from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, replace
+from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, write_text
 
 AUTO = "auto"
 LOAD, SHAFT = "load", "shaft"
@@ -31,22 +29,82 @@ SEPARATORS = {"semicolon": ";", "comma": ",", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
 
 
-@dataclass(frozen=True)
-class Asked:
+class Switched(NamedTuple):
+    """The switches of a machine with their file's text, and how each differs when that is read back."""
+
+    switches: Sequence[CamSwitch]
+    text: str
+    found: Sequence[Differing]
+    tappets: Tappets
+    path: Path
+
+    @property
+    def pairs(self) -> list[tuple[CamSwitch, Differing]]:
+        """Each switch with how it differs."""
+        return list(zip(self.switches, self.found, strict=True))
+
+    @property
+    def beyond(self) -> list[str]:
+        """In a line each, what is farther off than numbers of 32 bits hold."""
+        return [f"{one.name}: an edge is off by {differs.largest:.3g} {one.x_unit}"
+                for one, differs in self.pairs if differs.largest > MOST_OFF]  # fmt: skip
+
+    @property
+    def rows(self) -> list[list[str]]:
+        """A row of texts for each switch."""
+        return [[one.name, str(differs.edges), f"{differs.largest:.3g} {one.x_unit}",
+                 f"{differs.x:.6g} {one.x_unit}" if differs.largest else "", f"{differs.duration:.3g} {one.x_unit}"]
+                for one, differs in self.pairs]  # fmt: skip
+
+    def show(self, target: Target) -> None:
+        """Print how each switch differs when its file is read back."""
+        title = shown(f"Switches to {target.name}: {self.tappets.title}")
+        show_table(OUT, cams.SWITCHED, self.rows, (1, 2, 3, 4), title)
+
+    def told(self, target: Target) -> dict[str, Any]:
+        """Return the same as data."""
+        switches = [{"switch": one.name, "unit": one.x_unit, "edges": differs.edges,
+                     "largest": differs.largest if math.isfinite(differs.largest) else None, "at": differs.x,
+                     "apart": differs.duration} for one, differs in self.pairs]  # fmt: skip
+        return {"switches": switches, "target": target.name, "file": str(self.path),
+                "untested": [claim.what for claim in self.tappets.untested]}  # fmt: skip
+
+
+def takes(target: Target, switches: Sequence[CamSwitch] | None = None) -> Tappets:
+    """Return how a target takes switches; raise TargetError where it does not, or where the machine has none."""
+    if switches is not None and not switches:
+        raise TargetError("the machine has no switches; expected some, or --axis NAME")
+    if target.tappets is None:
+        taking = [one.name for one in targets() if one.tappets]
+        raise TargetError(f"{target.name} takes no switches; expected one of {', '.join(taking)}")
+    return target.tappets
+
+
+def switched(
+    machine: str, switches: Sequence[CamSwitch], target: Target, signs: tuple[str, str], mark: Sequence[str], path: Path
+) -> Switched:  # fmt: skip
+    """Return the file of a machine's switches, read back."""
+    tappets = takes(target)
+    header = (f"Switches of {machine}: {tappets.title}", "angles in °; on from one to the other", *mark,
+              *(f"untested: {claim.what} ({claim.source})" for claim in tappets.untested))  # fmt: skip
+    cycle, held = switches[0].switch.cycle, tracks(switches, tappets)
+    text = tappets.write(HandedTracks(held, "Switches", tuple(map(visible, header)), cycle, *signs))
+    return Switched(switches, text, differences(switches, tappets.read(text)), tappets, path)
+
+
+class Asked(NamedTuple):
     """What is asked of an export beside the book."""
 
     target: Target
     points: int | None  # None for the fewest
     tolerance: Mapping[str, float]
     held: bool  # whether a tolerance was asked for: then nothing is written beyond it
-    separator: str
-    decimal: str
+    signs: tuple[str, str]  # between columns, and of decimals
     unverified: bool
     of: str  # the load or the motor's shaft
 
 
-@dataclass(frozen=True)
-class Exported:
+class Exported(NamedTuple):
     """An axis with its file's text, and what was made of it when that was read back."""
 
     axis: CamAxis
@@ -61,7 +119,6 @@ def asked_for(
 ) -> Asked:  # fmt: skip
     """Return what is asked for; raise TargetError where it cannot be meant."""
     target = target_named(to)
-    require_side(of)
     if equal and target.spacing == "breaks":
         raise TargetError(f"{to} has segments between the breaks of a motion; expected no --equidistant")
     target = replaced(target, spacing="equal") if equal else target
@@ -70,21 +127,13 @@ def asked_for(
     if points != AUTO:
         allowed(target, int(points))
     for name, value, known in (("separator", separator, SEPARATORS), ("decimal", decimal, DECIMALS)):
-        if value not in known:
-            raise TargetError(f"--{name} {value}: expected {' or '.join(known)}")
         if name not in target.signs and value != next(iter(known)):
             raise TargetError(f"{to} has no {name} to choose; expected no --{name}")
     if SEPARATORS[separator] == DECIMALS[decimal]:
         raise TargetError("a comma parts the columns and is the decimal sign; expected two signs")
     held = dict(map(tolerated, tolerance))
-    return Asked(target, None if points == AUTO else int(points), held or dict(target.tolerance), bool(held),
-                 SEPARATORS[separator], DECIMALS[decimal], unverified, of)  # fmt: skip
-
-
-def require_side(of: str) -> None:
-    """Raise TargetError for a side of an axis that there is none of."""
-    if of not in (LOAD, SHAFT):
-        raise TargetError(f"--of {of}: expected {LOAD} or {SHAFT}")
+    count, signs = None if points == AUTO else int(points), (SEPARATORS[separator], DECIMALS[decimal])
+    return Asked(target, count, held or dict(target.tolerance), bool(held), signs, unverified, of)
 
 
 def tolerated(text: str) -> tuple[str, float]:
@@ -110,30 +159,33 @@ def export(
     read = opened(book)
     if read is None:
         return DISAGREES
-    axes, lanes, names = planned(read.machine, axis, asked, everything, switches)
-    paths = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
-    if output is not None and not everything:  # -o names a file; with --all, the folder in which they lie side by side
-        paths = [output]
-    refuse_any_existing(paths, force)
+    machine = read.machine
+    axes, lanes, names = planned(machine, axis, asked, everything, switches)
+    beside = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
+    paths = beside if output is None or everything else [output]  # with --all, -o names the folder in which they lie
+    there = [path for path in paths if os.path.lexists(path)]
+    if there and not force:
+        verb = "exists" if len(there) == 1 else "exist"
+        raise WriteError(f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
+                         "there, -o names another place)")  # fmt: skip
+    for path in paths:
+        refuse_existing(path, force)
     refuse_one_for_two(*paths, report)
     mark = vouched(book, read, asked.unverified, fresh)
     if mark is None:
         return DISAGREES
     with ERR.status("Exporting …"):
-        machine, signs = read.machine, (asked.separator, asked.decimal)
-        state = (("number", machine.number), ("revision", machine.revision))
-        told = ", ".join([machine.title, *(f"{label} {text}" for label, text in state if text)])
+        state = [f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name))]
+        told = ", ".join([machine.title, *state])
         found = [exported(told, one, name, asked, mark, path)
                  for one, name, path in zip(axes, names, paths, strict=False)]  # fmt: skip
-        turned = switched(told, lanes, asked.target, signs, mark, paths[-1]) if lanes else None
-    tell(found, turned, asked, as_json)
-    if missed(found, turned, asked):
+        turned = switched(told, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
+    if not kept(found, turned, asked, as_json):
         return DISAGREES
     page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
-    files = [(one.path, one.text) for one in found] + ([(turned.path, turned.text)] if turned else [])
-    for path, text in files:
-        replace(path, lambda draft, text=text: write_text(draft, text), force)  # type: ignore[misc]
+    for path, text in [(one.path, one.text) for one in found] + ([(turned.path, turned.text)] if turned else []):
+        write_text(path, text, force)
         say(ERR if as_json else OUT, f"Wrote {path.absolute()}")
     return AGREES
 
@@ -141,12 +193,20 @@ def export(
 def planned(
     machine: Machine, axis: str | None, asked: Asked, everything: bool, switches: bool
 ) -> tuple[list[CamAxis], Sequence[CamSwitch], list[str]]:
-    """Return axes and switches to export, and what each file is called, the switches' last; raise TargetError."""
+    """Return axes and switches to export, and what each file is called, the switches' last; raise TargetError.
+
+    The switches are those asked for, and with every axis where the target takes some.
+    """
     template = TEMPLATES[machine.template]
-    known = template.axes(machine)
+    known, lanes = template.axes(machine), template.switches(machine) if switches or everything else []
     called = dict(zip((one.name for one in known), slugs([one.name for one in known]), strict=True))
     axes = [] if switches else chosen(known, axis, machine.template)
-    lanes = asked_lanes(asked.target, template.switches(machine), switches, everything)
+    if switches:
+        takes(asked.target, lanes)
+    elif lanes and asked.target.tappets is None:
+        left = ", ".join(visible(one.name) for one in lanes)
+        say(ERR, f"{asked.target.name} takes no switches: {left} stay in the book", "yellow")
+        lanes = []
     names = [called[one.name] for one in axes]
     if asked.of == SHAFT:
         axes = shafts(axes, everything)
@@ -172,59 +232,29 @@ def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
     return found
 
 
-def refuse_any_existing(paths: Sequence[Path], force: bool) -> None:
-    """Raise WriteError, which names all of them, where files are there that may not be replaced."""
-    there = [path for path in paths if os.path.lexists(path)]
-    if there and not force:
-        verb = "exists" if len(there) == 1 else "exist"
-        raise WriteError(f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
-                         "there, -o names another place)")  # fmt: skip
-    for path in paths:
-        refuse_existing(path, force)
-
-
-def asked_lanes(target: Target, lanes: Sequence[CamSwitch], only: bool, everything: bool) -> Sequence[CamSwitch]:
-    """Return the switches to export: those asked for, and with every axis where the target takes some."""
-    if only:
-        require_some(lanes)
-        takes(target)
-        return lanes
-    if not everything or not lanes:
-        return []
-    if target.tappets is None:
-        names = ", ".join(visible(one.name) for one in lanes)
-        say(ERR, f"{target.name} takes no switches: {names} stay in the book", "yellow")
-        return []
-    return lanes
-
-
-def tell(found: Sequence[Exported], turned: Switched | None, asked: Asked, as_json: bool) -> None:
-    """Print the certificates, what is untested, and what misses a tolerance that nobody asked for."""
+def kept(found: Sequence[Exported], turned: Switched | None, asked: Asked, as_json: bool) -> bool:
+    """Print the certificates, what is untested, what misses a tolerance; return whether all keeps to what was asked."""
     target = asked.target
     if as_json:
         told: list[Any] = [cams.told(one.axis, one.made, target, str(one.path)) for one in found]
-        told += [switching.told(turned, target)] if turned else []
-        say_json(told)
+        say_json([*told, *([turned.told(target)] if turned else [])])
     else:
         for one in found:
             cams.show(one.axis, one.made, target)
         if turned:
-            switching.show(turned, target)
+            turned.show(target)
     for claim in (*(target.untested if found else ()), *(turned.tappets.untested if turned else ())):
         say(ERR, f"Untested: {claim.what} ({claim.source})")
-    for one in found:
-        if asked.points is None and not asked.held and one.made.excess(asked.tolerance) > 1.0:
-            say(ERR, f"{one.axis.name}: {cams.excess(one.made, asked.tolerance)}: the best there is", "yellow")
-
-
-def missed(found: Sequence[Exported], turned: Switched | None, asked: Asked) -> bool:
-    """Tell what is beyond the tolerance that was asked for; whether anything is."""
-    lines = [f"{one.axis.name}: {cams.excess(one.made, asked.tolerance)}"
-             for one in found if asked.held and one.made.excess(asked.tolerance) > 1.0]  # fmt: skip
-    lines += turned.beyond if turned else []
-    for line in lines:
+    missed = [f"{one.axis.name}: {cams.excess(one.made, asked.tolerance)}"
+              for one in found if one.made.excess(asked.tolerance) > 1.0]  # fmt: skip
+    if not asked.held:
+        for line in missed if asked.points is None else ():
+            say(ERR, f"{line}: the best there is", "yellow")
+        missed = []
+    missed += turned.beyond if turned else []
+    for line in missed:
         say(ERR, f"{line}; nothing is written", "red")
-    return bool(lines)
+    return not missed
 
 
 def chosen(axes: Sequence[CamAxis], name: str | None, template: str) -> list[CamAxis]:
@@ -248,9 +278,7 @@ def slugs(names: Sequence[str]) -> list[str]:
             for k, (name, one) in enumerate(zip(plain, like, strict=True), 1)]  # fmt: skip
 
 
-def exported(
-    machine: str, axis: CamAxis, name: str, asked: Asked, mark: Sequence[str], path: Path
-) -> Exported:  # fmt: skip
+def exported(machine: str, axis: CamAxis, name: str, asked: Asked, mark: Sequence[str], path: Path) -> Exported:
     """Return the text of the file of a machine's axis, and the certificate of what a reader of its own finds in it."""
     target = asked.target
     if asked.points is None:
@@ -258,13 +286,12 @@ def exported(
     else:
         made = certified(target, tabulated(target, axis, asked.points), axis.profile)
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
-    header = tuple(visible(line) for line in (
+    lines = (
         f"{machine}, axis {axis.name}: {target.title}",
-        files.header(made.points, " or ".join(made.certificates), equal, units),
+        header(made.points, " or ".join(made.certificates), equal, units),
         *mark,
         *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),
-    ))  # fmt: skip
-    handed = Handed(made.table, name, header, units, axis.repeats, asked.separator, asked.decimal)
+    )
+    handed = Handed(made.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs)
     text = target.write(handed)
-    again = certified(target, reread(target, text, made.table), axis.profile)
-    return Exported(axis, text, again, path)
+    return Exported(axis, text, certified(target, reread(target, text, made.table), axis.profile), path)

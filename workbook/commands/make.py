@@ -1,6 +1,5 @@
 """Descriptions and books: a new description, its schema, the book, what is entered in it, the committed templates."""
 
-import json
 import re
 from contextlib import suppress
 from keyword import iskeyword
@@ -12,16 +11,15 @@ from workbook.commands.verify import digest_of
 from workbook.described import schema as schemas
 from workbook.described.commented import commented
 from workbook.errors import AGREES, DISAGREES, InputError, ReadError, WriteError
-from workbook.intake import odd, read_text
+from workbook.intake import read_text
 from workbook.reading.descriptions import template_named, write_machine
 from workbook.remembered import recall, remember
-from workbook.reports.terminal import ERR, OUT, say, say_data, shown
+from workbook.reports.terminal import ERR, OUT, give, say, shown
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, refuse_suffix, replace
+from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, refuse_suffix, write_text
 
 INPUTS = "inputs"
-ARGUMENT = "TEMPLATE"
 STARTER = Path(workbook.__file__).parent / "starter"
 NAME = re.compile(r"[a-z][a-z0-9_]{0,30}")
 
@@ -42,31 +40,20 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
 
 
 def inputs(book: Path, output: Path | None, force: bool) -> None:
-    """Read what was entered into a workbook."""
+    """Read what was entered into a workbook, and what that leaves behind; once for the same bytes."""
     refuse_itself(output, book)
     if output is not None:
         refuse_existing(output, force)
     with ERR.status(shown(f"Reading {book} …")):
-        text, notes = entered(book)
-    show("Note:", notes)
-    if output is None:
-        say_data(text)
-        return
-    replace(output, lambda draft: making.write_text(draft, text), force)
-    say(OUT, f"Wrote {output.absolute()}")
-
-
-def entered(book: Path) -> tuple[str, list[str]]:
-    """Return what was entered into a workbook as a description, and what it leaves behind; once for the same bytes."""
-    sha256 = digest_of(book)
-    known = recall(INPUTS, sha256) if sha256 else None
-    if known:
-        return str(known["text"]), [str(note) for note in known["notes"]]
-    machine, notes = making.inputs(book)
-    text = write_machine(machine)
-    if sha256 and sha256 == digest_of(book):
-        remember(INPUTS, sha256, {"text": text, "notes": notes})
-    return text, notes
+        sha256 = digest_of(book)
+        known = recall(INPUTS, sha256) if sha256 else None
+        if not known:
+            machine, notes = making.inputs(book)
+            known = {"text": write_machine(machine), "notes": notes}
+            if sha256 and sha256 == digest_of(book):
+                remember(INPUTS, sha256, known)
+    show("Note:", known["notes"])
+    give(known["text"], output, force)
 
 
 def regenerate(book: Path, output: Path, force: bool) -> None:
@@ -103,19 +90,18 @@ def show(mark: str, lines: list[str], style: str = "") -> None:
 
 def new(template: str, output: Path | None, force: bool) -> None:
     """Write a description with every key, and its schema beside it."""
-    chosen = template_named(template, ARGUMENT)
+    chosen = template_named(template, "TEMPLATE")
     target = output or Path(f"{chosen.name}.toml")
     refuse_existing(target, force)
     beside = target.parent / f"{chosen.name}.schema.json"
     refuse_one_for_two(target, beside)
     made = schemas.text(schemas.schema(chosen))
     kept = False
-    with suppress(OSError, ReadError):
-        kept = not odd(beside) and read_text(beside, "a schema") == made
+    with suppress(ReadError):
+        kept = read_text(beside, "a schema") == made
     if not kept:
-        refuse_existing(beside, force)
-        replace(beside, lambda draft: making.write_text(draft, made), force)
-    replace(target, lambda draft: making.write_text(draft, commented(chosen, f"./{beside.name}")), force)
+        write_text(beside, made, force)
+    write_text(target, commented(chosen, f"./{beside.name}"), force)
     say(OUT, f"Wrote {target.absolute()}, and {beside.name} beside it, from which an editor completes its keys")
 
 
@@ -132,7 +118,7 @@ def new_template(name: str, folder: Path | None) -> None:
     try:
         target.mkdir(parents=True)
         for file, text in texts.items():
-            making.write_text(target / renamed(file, name), renamed(text, name))
+            (target / renamed(file, name)).write_bytes(renamed(text, name).encode())
     except OSError as error:
         raise WriteError(f"{target}: {error.strerror}") from error
     then = f"python -m pip install -e {target}, then motionbook build {target}/{name}.toml"
@@ -146,9 +132,5 @@ def renamed(text: str, name: str) -> str:
 
 def schema(template: str | None, output: Path | None, force: bool) -> None:
     """Write the schema of a template's descriptions, or of any template's."""
-    made = schemas.any_schema() if template is None else schemas.schema(template_named(template, ARGUMENT))
-    if output is None:
-        say_data(json.dumps(made, indent=1, ensure_ascii=False))
-        return
-    replace(output, lambda draft: making.write_text(draft, schemas.text(made)), force)
-    say(OUT, f"Wrote {output.absolute()}")
+    made = schemas.any_schema() if template is None else schemas.schema(template_named(template, "TEMPLATE"))
+    give(schemas.text(made), output, force)

@@ -1,26 +1,46 @@
-"""Verify a workbook that motionbook did not build against declarations in Python; write a first file of them."""
+"""Compare two workbooks or descriptions; verify any workbook against declarations in Python, and draft these."""
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from openpyxl import load_workbook
 from openpyxl.styles import PatternFill
 
-from workbook.build import write_text
-from workbook.errors import AGREES, DISAGREES
+from workbook.differences.design import compare, read
+from workbook.errors import AGREES, DISAGREES, InputError
 from workbook.judging.verify import present
 from workbook.oracle.cells import draft
 from workbook.oracle.declared import load
 from workbook.oracle.judge import FIRST, Judge, Judged, describe
 from workbook.reading.files import BookFile, open_book
+from workbook.reports import differences as told
+from workbook.reports import page
 from workbook.reports.page import figure
-from workbook.reports.terminal import ERR, OUT, say, say_data, say_json, show_table, shown
+from workbook.reports.terminal import ERR, OUT, give, say, say_json, show_table, shown
 from workbook.witnesses.registry import WITNESSES as REGISTER
 from workbook.writing.place import refuse_existing, refuse_itself, replace
 
 WITNESSES = (FIRST, "formualizer")  # the evaluators asked by default
 COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
+
+
+def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) -> int:
+    """Tell what differs between two books or descriptions; return the exit code."""
+    page.ready(html, (".html",), force)
+    with ERR.status(shown(f"Comparing {old} and {new} …")):
+        before, after = read(old), read(new)
+    if before.machine.template != after.machine.template:
+        kinds = f"{old} is of the template {before.machine.template}, {new} of {after.machine.template}"
+        raise InputError([f"{kinds}; expected two of one template"])
+    found = compare(before, after)
+    page.write(html, lambda: told.page(before, after, found), force)
+    if as_json:
+        say_json(told.data(found))
+    elif found.same:
+        say(OUT, "The same machine")
+    else:
+        told.show(OUT, found)
+    return AGREES if found.same else DISAGREES
 
 
 def against(
@@ -35,10 +55,17 @@ def against(
         file = open_book(path)
         names = [name for name in present(witnesses)[0] if not REGISTER[name]().kept]
         found = Judge(file, load(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
-    if marked is not None:
-        replace(marked, lambda draft: mark(path, found, draft), force)
+    if marked is not None:  # a copy in which the formula cells of each class have a colour of their own
+        copy = load_workbook(path)
+        for cell, kind in found.coverage.items():
+            copy[cell.sheet].cell(cell.row, cell.column).fill = PatternFill("solid", fgColor=COLOURS[kind])
+        replace(marked, copy.save, force)
     if as_json:
-        say_json(data(found), default=str)
+        wrong = [one.__dict__ | {"cell": str(one.cell)} for one in found.wrong]
+        cells = {str(cell): kind for cell, kind in found.coverage.items()}
+        known = {"known": found.dimensions.known, "formulas": found.dimensions.formulas}
+        say_json({"cases": found.cases, "covered": found.covered, "findings": wrong, "cells": cells,
+                  "dimensions": known, "notes": found.notes}, default=str)  # fmt: skip
     else:
         show(file, found)
     return DISAGREES if found.wrong or (cover is not None and found.covered < cover) else AGREES
@@ -46,21 +73,7 @@ def against(
 
 def write_draft(path: Path, output: Path | None, force: bool) -> None:
     """Write a first file of declarations for a workbook."""
-    text = draft(open_book(path))
-    if output is None:
-        say_data(text)
-        return
-    replace(output, lambda target: write_text(target, text), force)
-    say(OUT, f"Wrote {output.absolute()}")
-
-
-def data(found: Judged) -> dict[str, Any]:
-    """Return what came of a comparison as JSON has it."""
-    wrong = [{"cell": str(one.cell), **{k: v for k, v in one.__dict__.items() if k != "cell"}} for one in found.wrong]
-    cells = {str(cell): kind for cell, kind in found.coverage.items()}
-    known = {"known": found.dimensions.known, "formulas": found.dimensions.formulas}
-    return {"cases": found.cases, "covered": found.covered, "findings": wrong, "cells": cells, "dimensions": known,
-            "notes": found.notes}  # fmt: skip
+    give(draft(open_book(path)), output, force)
 
 
 def show(file: BookFile, found: Judged) -> None:
@@ -77,11 +90,3 @@ def show(file: BookFile, found: Judged) -> None:
         say(OUT, note)
     count = f"{len(found.wrong)} {'finding' if len(found.wrong) == 1 else 'findings'}"
     say(OUT, count if found.wrong else "Every compared cell is what the declarations give")
-
-
-def mark(path: Path, found: Judged, target: Path) -> None:
-    """Write a copy of the workbook in which the formula cells of each class have a colour of their own."""
-    book = load_workbook(path)
-    for cell, kind in found.coverage.items():
-        book[cell.sheet].cell(cell.row, cell.column).fill = PatternFill("solid", fgColor=COLOURS[kind])
-    book.save(target)

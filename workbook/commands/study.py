@@ -11,20 +11,18 @@ from tempfile import TemporaryDirectory
 
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from workbook.build import described, write_text
+from workbook.build import described
 from workbook.cluster import pool
 from workbook.errors import AGREES, DISAGREES, FAILS, InputError, ReadError, WriteError
 from workbook.pool import cores
 from workbook.reports import study as page
 from workbook.reports.terminal import ERR, OUT, say
-from workbook.studies.evaluate import Evaluator
+from workbook.studies.evaluate import Evaluator, Named, listed, require_names
 from workbook.studies.folder import ENDS, Parts, join, read, require_format
-from workbook.studies.judged import Judged, picked
-from workbook.studies.named import Named, listed, require_names
 from workbook.studies.plan import Plan, read_study
-from workbook.studies.run import paced, run
+from workbook.studies.run import Judged, paced, picked, run
 from workbook.studies.summary import Summary
-from workbook.writing.place import refuse_existing, replace
+from workbook.writing.place import refuse_existing, replace, write_text
 
 SHORT, LONG = 4.0, 5.0
 """seconds: a study that takes fewer is worked out by this process alone; one that takes more is announced"""
@@ -89,13 +87,13 @@ def ran(
         replace(results, lambda draft: join(names, rows, draft, results.suffix.lower()), over)
     seconds = time.perf_counter() - begin
     told = json.dumps({"digest": plan.digest} | asdict(found), ensure_ascii=False, indent=1)
-    replace(others[0], lambda draft: write_text(draft, f"{told}\n"), over)
+    write_text(others[0], f"{told}\n", over)
     judged = None
     if found.best and not unverified:  # the best one's book, where nobody looks
         with TemporaryDirectory() as folder, ERR.status("Verifying the best …"):
             judged = picked(plan, found.best[0], Path(folder) / "best.xlsx", False)
     when = datetime.now().astimezone()
-    replace(others[1], lambda draft: write_text(draft, page.page(plan, found, named, judged, when)), over)
+    write_text(others[1], page.page(plan, found, named, judged, when), over)
     parts.remove()
     show(plan, found, results, seconds)
     if judged:

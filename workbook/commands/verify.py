@@ -21,8 +21,8 @@ from workbook.judging.verify import verify as judged
 from workbook.pool import cores
 from workbook.remembered import recall, remember
 from workbook.reports import console, page
-from workbook.reports.servers import junit as junit_xml
-from workbook.reports.servers import sarif as as_sarif
+from workbook.reports.page import junit as junit_xml
+from workbook.reports.page import sarif as as_sarif
 from workbook.reports.terminal import ERR, OUT, say, shown
 from workbook.witnesses.beside import NAME, Beside, beside, digest
 from workbook.writing.place import refuse_one_for_two
@@ -78,32 +78,26 @@ def opened(book: Path) -> Opened | None:
 def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) -> tuple[str, ...] | None:
     """Return the header's lines on a book that is right or not to be asked; None, after it was said, if it is wrong."""
     lines = ["NOT VERIFIED: nobody compared the book with the engine"] if unverified else []
-    if not unverified:
-        findings, failing = verdict(book, fresh)
-        if findings:
+    if not unverified:  # these bytes are verified once, unless ``fresh``
+        sha256 = digest_of(book)
+        known = recall(VERDICT, sha256) if sha256 and not fresh else None
+        if not known:
+            with ERR.status(shown(f"Verifying {book} …")), beside([book], None, None) as helper:
+                report = judged(book, beside=helper)
+            known = {"findings": len(report.findings), "failing": [check.line for check in report.failing]}
+            if sha256 and sha256 == digest_of(book):
+                keep(sha256, report)
+        if findings := int(known["findings"]):
             said = f"{findings:,} cells of the book are not what the engine computes"
             say(ERR, f"{book}: {said}; motionbook verify names them, --unverified exports all the same", "red")
             return None
-        lines += [f"the design FAILS: {line}" for line in failing]
+        lines += [f"the design FAILS: {line}" for line in known["failing"]]
     for line in lines:
         say(ERR, f"Warning: {line}", "yellow")
     mark = f"made by motionbook {__version__} from {book.name}, SHA-256 {digest(book)}"
     if found.state != state(book):
         raise TargetError(f"{book}: it changed while it was read; try again")
     return (mark, *lines)
-
-
-def verdict(book: Path, fresh: bool = False) -> tuple[int, list[str]]:
-    """Return how many findings verify has in a book, and its failing checks; unless ``fresh``, of these bytes once."""
-    sha256 = digest_of(book)
-    known = recall(VERDICT, sha256) if sha256 and not fresh else None
-    if known:
-        return int(known["findings"]), [*map(str, known["failing"])]
-    with ERR.status(shown(f"Verifying {book} …")), beside([book], None, None) as helper:
-        report = judged(book, beside=helper)
-    if sha256 and sha256 == digest_of(book):
-        keep(sha256, report)
-    return len(report.findings), [check.line for check in report.failing]
 
 
 def keep(sha256: str, report: Report) -> None:

@@ -12,10 +12,9 @@ from engine.cams.interpolation import straight
 from engine.laws.base import Array
 from engine.motion.pieces import SAME, CamProfile
 from workbook.axes import CamAxis
-from workbook.controllers.files import parsed
 from workbook.controllers.number import step_of
 from workbook.controllers.table import RULES, Rule, Table
-from workbook.controllers.target import Target
+from workbook.controllers.target import Target, parsed
 from workbook.errors import TargetError
 
 GROWTH = (1.25, 2.0)
@@ -70,9 +69,20 @@ def certified(target: Target, table: Table, meant: CamProfile) -> Made:
 
 
 def tabulated(target: Target, axis: CamAxis, n: int) -> Table:
-    """Return the table of n points at most, in the target's numbers; raise TargetError beyond its limits."""
+    """Return the table of n points at most, in the target's numbers; raise TargetError beyond its limits.
+
+    They are at equal steps, or on the breaks and where the rule needs them.
+    """
     allowed(target, n)
-    return filled(target, axis.profile, placed(target, axis.profile, n), (axis.x_unit, axis.y_unit))
+    of, units = axis.profile, (axis.x_unit, axis.y_unit)
+    if target.spacing == "equal":
+        return filled(target, of, equal(of, n), units)
+    if n < (needed := fewest(target, of)):
+        raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
+    exact = target.exact(of) if target.exact else None
+    before = before_jumps(target, of)
+    x = spread(of, n - len(before), RULES[target.rules[0]].order, steps(target, of), exact)
+    return filled(target, of, np.union1d(x, before), units)
 
 
 def allowed(target: Target, n: int) -> None:
@@ -82,18 +92,6 @@ def allowed(target: Target, n: int) -> None:
         raise TargetError(f"{target.name}: {n:,} points; expected {least:,} to {most:,}")
     if target.counts and n not in target.counts:
         raise TargetError(f"{target.name}: {n:,} points; expected one of {', '.join(map(str, target.counts))}")
-
-
-def placed(target: Target, of: CamProfile, n: int) -> Array:
-    """Return the places of at most n points: at equal steps, or on the breaks and where the rule needs them."""
-    if target.spacing == "equal":
-        return equal(of, n)
-    if n < (needed := fewest(target, of)):
-        raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
-    exact = target.exact(of) if target.exact else None
-    before = before_jumps(target, of)
-    x = spread(of, n - len(before), RULES[target.rules[0]].order, steps(target, of), exact)
-    return np.union1d(x, before)
 
 
 def before_jumps(target: Target, of: CamProfile) -> Array:
@@ -135,12 +133,8 @@ def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> 
 
 def fewest(target: Target, of: CamProfile) -> int:
     """Return the fewest points that do for a motion."""
-    least = target.points[0]
-    return (
-        least
-        if target.spacing == "equal"
-        else max(least, int(steps(target, of).sum()) + 1 + len(before_jumps(target, of)))
-    )
+    needed = 0 if target.spacing == "equal" else int(steps(target, of).sum()) + 1 + len(before_jumps(target, of))
+    return max(target.points[0], needed)
 
 
 def reread(target: Target, text: str, made: Table) -> Table:
@@ -214,8 +208,14 @@ def nearest(tries: Tries, tolerance: Mapping[str, float]) -> Made:
     best: Made | None = None
     before, idle = 0, 0
     for made in tried(tries, tolerance):
-        if made.excess(tolerance) <= 1.0:
-            return made if target.counts else fewer(tries, tolerance, before, made)
+        if made.excess(tolerance) <= 1.0:  # between it and the one before, to a hundredth of the points
+            low, high = max(before, fewest(target, tries.axis.profile) - 1), made.points
+            while high - low > max(1, high // COARSE) and not target.counts and (one := tries.of((low + high) // 2)):
+                if one.excess(tolerance) <= 1.0:
+                    made, high = one, (low + high) // 2
+                else:
+                    low = (low + high) // 2
+            return made
         idle += 1
         if best is None or made.excess(tolerance) < BETTER * best.excess(tolerance):
             best, idle = made, 0
@@ -226,18 +226,6 @@ def nearest(tries: Tries, tolerance: Mapping[str, float]) -> Made:
         said = f"{tries.axis.name} has breaks for {fewest(target, tries.axis.profile)} points"
         raise TargetError(f"{target.name}: {said}; at most {target.points[1]} fit")
     return best
-
-
-def fewer(tries: Tries, tolerance: Mapping[str, float], low: int, made: Made) -> Made:
-    """Return the table of the fewest points above ``low`` that still keeps to the tolerance, to a hundredth of them."""
-    high = made.points
-    low = max(low, fewest(tries.target, tries.axis.profile) - 1)
-    while high - low > max(1, high // COARSE) and (one := tries.of((low + high) // 2)):
-        if one.excess(tolerance) <= 1.0:
-            made, high = one, (low + high) // 2
-        else:
-            low = (low + high) // 2
-    return made
 
 
 def curve(target: Target, axis: CamAxis) -> list[Made]:

@@ -14,17 +14,18 @@ if TYPE_CHECKING:
 
 CLAIMS = tomllib.loads(Path(__file__).with_name("claims.toml").read_text(encoding="utf-8"))
 TARGETS = tuple(name for name in CLAIMS if not name.endswith(" switches"))
-"""each declared in the file in ``targets`` that is called as its name begins, up to the -"""
+MODULES = ("br", "codesys", "columns", "mitsubishi", "rockwell", "siemens", "twincat")
+"""the files in ``targets`` in which these are declared"""
 
 
 def targets() -> list[Target]:
     """Return every target, in the order of the register."""
-    return [target(name) for name in TARGETS]
+    found = [import_module(f"workbook.controllers.targets.{module}").TARGETS for module in MODULES]
+    return sorted((one for some in found for one in some), key=lambda one: TARGETS.index(one.name))
 
 
 def target(name: str) -> Target:
     """Return the target of a name; raise TargetError, which lists those there are."""
     if name not in TARGETS:
         raise TargetError(f"no target is named {name!r}; expected one of {', '.join(TARGETS)}")
-    declared: tuple[Target, ...] = import_module(f"workbook.controllers.targets.{name.partition('-')[0]}").TARGETS
-    return next(one for one in declared if one.name == name)
+    return targets()[TARGETS.index(name)]

@@ -1,48 +1,25 @@
-"""Structured Text: comments, literals, and a reader of what is assigned in it."""
+"""A reader of what is assigned in Structured Text."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import islice
 
 import numpy as np
 
 from engine.laws.base import Array
-from workbook.controllers.number import NUMBER, literal
+from workbook.controllers.number import NUMBER
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.errors import TargetError
 
-LINE_COMMENT = re.compile(r"//[^\n]*")
+COMMENT = re.compile(r"//[^\n]*|\(\*.*?(?:\*\)|\Z)", re.DOTALL)
 ASSIGNED = re.compile(r"\b([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
 INDEXED = re.compile(r"\[([0-9]{1,9})\]\s{0,9}\.\s{0,9}([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
 PLAIN = re.compile(NUMBER)
 
 
-def comments(lines: Iterable[str]) -> str:
-    """Return lines as comments."""
-    return "".join(f"// {line}\n" for line in lines)
-
-
-def rows(table: Table, names: Sequence[str]) -> list[dict[str, str]]:
-    """Return the fields of each point and the texts of their numbers."""
-    written = [[literal(value) for value in values] for values in table.columns.values()]
-    return [dict(zip(names, row, strict=True)) for row in zip(*written, strict=True)]
-
-
-def assigned(element: str, fields: Mapping[str, str]) -> str:
-    """Return the assignments of an element's fields, in a line."""
-    return " ".join(f"{element}.{name} := {value};" for name, value in fields.items())
-
-
 def stripped(text: str) -> str:
     """Return a text without its comments."""
-    kept = []
-    rest = LINE_COMMENT.sub(" ", text)
-    while rest:
-        before, begun, rest = rest.partition("(*")
-        kept.append(before)
-        if begun:
-            rest = rest.partition("*)")[2]
-    return " ".join(kept)
+    return COMMENT.sub(" ", text)
 
 
 def columns(found: Iterable[tuple[int, str, str]], names: Sequence[str]) -> list[Array]:

@@ -88,11 +88,7 @@ def given(part: T | None, said: str) -> T:
     return part
 
 
-def _quintics(table: Table) -> CamProfile:
-    v, a = (given(part, "y' and y''; expected both, for polynomials of degree 5") for part in (table.v, table.a))
-    return interpolation.quintics(table.x, table.y, v, a)
-
-
+BOTH = "y' and y''; expected both, for polynomials of degree 5"
 LOCAL, CENTRAL = "cubics by neighbours", "cubics by the line between neighbours"
 
 RULES: dict[str, Rule] = {
@@ -103,7 +99,7 @@ RULES: dict[str, Rule] = {
     "periodic cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "periodic"), 4, 2),
     LOCAL: Rule(lambda t: interpolation.parabolas(t.x, t.y), 4, 2),
     CENTRAL: Rule(lambda t: interpolation.central(t.x, t.y), 4, 2),
-    "quintics": Rule(_quintics, 6),
+    "quintics": Rule(lambda t: interpolation.quintics(t.x, t.y, given(t.v, BOTH), given(t.a, BOTH)), 6),
     "polynomials": Rule(lambda t: given(t.profile, "polynomials; expected them"), 6),
 }
 """what is between the points, by name"""

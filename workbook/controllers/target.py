@@ -1,28 +1,36 @@
-"""What a target declares: numbers, limits, the rule between points, who writes and who reads its files; its tracks."""
+"""What a target declares: numbers, limits, the rule between points, who writes and who reads; its files; its tracks."""
 
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from pathlib import Path
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from tornado.template import Loader
 
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 from engine.timing import Differing, Switch, differing
 from workbook.axes import CamSwitch
-from workbook.controllers.number import LREAL, Number
+from workbook.controllers.number import LREAL, Number, literal
 from workbook.controllers.registry import CLAIMS
 from workbook.controllers.table import Table
-from workbook.errors import TargetError
+from workbook.errors import ReadError, TargetError
+from workbook.intake import read_text
 from workbook.visible import visible
 
 CALLED = re.compile(r"^(?:// |# )?track (\d{1,4}): ([^\r\n]{1,80})", re.MULTILINE)
 MOST_OFF = 1e-2  # of an edge, in degrees: numbers of 32 bits hold it to 1e-5
+LAYOUTS = Loader(str(Path(__file__).with_name("targets")), autoescape=None, whitespace="all")
 Spacing = Literal["free", "equal", "breaks"]  # of points: anywhere, at equal steps alone, or on the breaks at least
 NEVER = " (never on)"
 MOST_TRACKS, MOST_TIMES = 1000, 10_000
+MOST = 8_000_000  # bytes: a tag of 25,000 points
+LARGEST = 1e12  # of x, y and derivatives
+NARROWEST, SHORTEST = 1e-9, 1e-12  # of the whole of x, and of its unit: the smallest step from point to point
+COUNTED = re.compile(r"; ([0-9]{1,9}) points(?: at equal steps)?; between them")
 
 
 class Claim(NamedTuple):
@@ -61,6 +69,19 @@ class Handed:
     repeats: bool = True  # whether the cycle follows upon itself
     separator: str = ";"  # like the decimal sign asked for where texts have columns
     decimal: str = "."
+
+
+def layout(name: str, **more: Any) -> Callable[[Any], str]:
+    """Return what writes a file as the template of that name in ``targets`` has it, with functions that this calls."""
+
+    def write(handed: Any) -> str:
+        given = {"handed": handed, "literal": literal} | more
+        if isinstance(handed, Handed):
+            points = list(zip(*(map(literal, column) for column in handed.table.columns.values()), strict=True))
+            given |= {"cam": f"Cam_{handed.name}", "points": points, "n": len(points)}
+        return LAYOUTS.load(name).generate(**given).decode()
+
+    return write
 
 
 class Track(NamedTuple):
@@ -153,7 +174,7 @@ def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
     return found
 
 
-def gathered(text: str, rows: Iterable[tuple[float, float, float]], cycle: float = 360.0) -> list[Track]:
+def gathered(text: str, rows: Iterable[Sequence[float]], cycle: float = 360.0) -> list[Track]:
     """Return the tracks of times, with the names that comments of the text tell; raise TargetError, by track."""
     names = {int(number): name.strip() for number, name in CALLED.findall(text)}
     found: dict[int, list[tuple[float, float]]] = {number: [] for number in names}
@@ -178,9 +199,62 @@ def gathered(text: str, rows: Iterable[tuple[float, float, float]], cycle: float
     return made
 
 
-def certified(given: Sequence[CamSwitch], found: Sequence[Track]) -> list[Differing]:
+def differences(given: Sequence[CamSwitch], found: Sequence[Track]) -> list[Differing]:
     """Return how each track differs from the switch that is meant; raise TargetError where there are others."""
     if [one.number for one in found] != [*range(1, len(given) + 1)]:
         raise TargetError(f"tracks {', '.join(str(one.number) for one in found[:9])}; expected 1 to {len(given)}")
     pairs = zip(given, found, strict=True)
     return [differing(one.switch, Switch(one.name, track.on, one.switch.cycle)) for one, track in pairs]
+
+
+def read_table(path: Path, target: Target) -> Table:
+    """Return the table of a target's file; raise ReadError, in one line, where it is none."""
+    text = text_of(path, target)
+    try:
+        return parsed(text, target)
+    except TargetError as error:
+        raise ReadError(f"{path}: {error}") from None
+
+
+def text_of(path: Path, target: Target) -> str:
+    """Return the text of a target's file, without what ends a text of old."""
+    return read_text(path, f"a file for {target.name}", MOST, foreign=True).rstrip("\x1a\x00")
+
+
+def parsed(text: str, target: Target) -> Table:
+    """Return the table of a text; raise TargetError where it is none, or has not the points that its header tells.
+
+    Nor has a motion a number so large, or a step of x so small: fits would overflow.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is refused by point
+        table = target.read(text)
+    for name, column in table.columns.items():
+        size = np.abs(column)
+        if size.max() > LARGEST:
+            k = int(size.argmax())
+            raise TargetError(f"point {k + 1}: {name} is {column[k]:.6g}; expected at most {LARGEST:.0e} either way")
+    least = max(SHORTEST, NARROWEST * float(table.x[-1] - table.x[0]))
+    steps = np.diff(table.x)
+    if steps.min() < least:
+        k = int(steps.argmin())
+        raise TargetError(f"point {k + 2}: x rises by {steps[k]:.3g}; expected a step of at least {least:.3g}")
+    if table.profile is not None:  # a stretch's largest term: of its polynomial, or a sine's amplitude, angle or phase
+        of = table.profile
+        far = np.maximum(np.abs(of.edges[:-1] - of.origins), np.abs(of.edges[1:] - of.origins))[:, None]
+        with np.errstate(over="ignore", invalid="ignore", under="ignore"):
+            powers = np.abs(of.c) * far ** np.arange(of.c.shape[1])
+            amplitude, rate, phase = np.moveaxis(np.abs(of.sines), 2, 0)
+            terms = np.hstack([powers, amplitude, rate * far, phase]).max(axis=1)
+        if not np.all(terms <= LARGEST):
+            k = int(np.argmin(terms <= LARGEST))
+            raise TargetError(f"segment {k + 1}: a term reaches {terms[k]:.3g}; expected at most {LARGEST:.0e}")
+    told = COUNTED.search(text)
+    if told and int(told[1]) != len(table.x):
+        raise TargetError(f"{len(table.x)} points; its header tells {told[1]} (is the file cut off?)")
+    return table
+
+
+def header(points: int, between: str, equal: bool, units: tuple[str, str]) -> str:
+    """Return the line of a header that tells units, points, whether at equal steps, and what is between them."""
+    counted = f"{points} points{' at equal steps' if equal else ''}"
+    return f"x in {units[0]}, y in {units[1]}; {counted}; between them {between}"

@@ -8,18 +8,28 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from workbook.functions.addin.motion_functions.laws import LAWS, OWN_TAKES, Text
+from workbook.functions.addin.motion_functions.library import LAWS
 from workbook.laws.registry import FAMILY, IncompleteError
 
+
+class Text(NamedTuple):
+    """The same words in English, Italian and German."""
+
+    en: str
+    it: str
+    de: str
+
+
 NAMESPACE = "MOTION"
+TEXTS = tomllib.loads(Path(__file__).with_name("functions.toml").read_text(encoding="utf-8"))
 CODES: tuple[str, ...] = tuple(code for code, page in FAMILY.items() if page.functions)
 """codes of the laws that the functions know: of every family but points, which are a table of their own"""
 PARAMETERS = {code: len(FAMILY[code].parameters) for code in CODES if code != "OWN"}
 """codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of pieces"""
-if wrong := [code for code, count in PARAMETERS.items() if code not in LAWS or bool(LAWS[code].takes) != bool(count)]:
-    raise IncompleteError(f"addin/motion_functions/laws.py lacks {', '.join(wrong)}, or words for their parameters")
-TAKES: dict[str, Text] = {code: one.takes for code, one in LAWS.items() if one.takes} | {"OWN": OWN_TAKES}
-"""what each law takes that takes anything"""
+SAID = {code: Text(*one["says"]) for one in TEXTS["takes"] for code in one["codes"]}
+TAKES = {code: SAID[code] for code in (*LAWS, "OWN") if code in SAID}  # what each law takes that takes anything
+if wrong := [code for code, count in PARAMETERS.items() if code not in LAWS or (code in SAID) != bool(count)]:
+    raise IncompleteError(f"motion_functions/library.py lacks {', '.join(wrong)}, or functions.toml what they take")
 
 
 class Argument(NamedTuple):
@@ -60,7 +70,6 @@ def told(texts: Sequence[str]) -> Text:
     return Text(*made)
 
 
-TEXTS = tomllib.loads(Path(__file__).with_name("functions.toml").read_text(encoding="utf-8"))
 ARGUMENTS = {
     name: Argument(one["kind"], Text(*one["name"]), told(one["help"]), one.get("optional", False))
     for name, one in TEXTS["arguments"].items()

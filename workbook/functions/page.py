@@ -1,20 +1,41 @@
-"""The page that shows each function in use: a law, a motion of phases, shafts and a profile, all to be changed."""
+"""The page that shows each function in use: what is entered there, to be changed, and what the engine says of it."""
 
+import math
 from collections.abc import Iterable
-from math import isfinite
-from typing import Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
+from pydantic import BeforeValidator, Field
 
+from engine.drive import Part
+from engine.laws import Law
 from engine.laws.inverse import inverse
+from engine.motion import Motion, Phase
+from engine.motion.joining import joined
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given, result
 from workbook.book.rows import filled
-from workbook.functions.declared import FUNCTIONS, TAKES, Argument
-from workbook.functions.shown import EMPTY_PHASES, EMPTY_PIECES, LAW_STEPS, MOTION_STEPS, WIDTH, Shown
+from workbook.entries.types import Model, NotNegative, Number, Share
+from workbook.functions.declared import CODES, FUNCTIONS, TAKES, TEXTS, Argument
+from workbook.laws.entries import Laws, as_listed
 from workbook.laws.family import value_at
+from workbook.laws.registry import CODES as BASIC
 from workbook.laws.registry import FAMILY
 
+LAW_STEPS, MOTION_STEPS = 100, 120
+EMPTY_PIECES, EMPTY_PHASES = 2, 2
+WIDTH = 8  # parameters of a phase's law, at most: an own law of one piece
+
+VIA = "VIA"
+if TYPE_CHECKING:
+    LawCode = str
+    RowCode = str
+else:
+    LawCode = Annotated[Literal[CODES], BeforeValidator(as_listed)]
+    """a law that the functions know"""
+    RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]
+    """a law of a phase, or what stands for it where a velocity is prescribed"""
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
 RANGES = {
     code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]"
@@ -38,27 +59,84 @@ QUIET = "ISERROR([fn_probe.fn_probe])"
 WORKS = '=IF(ISERROR([fn_probe.fn_probe]),"no: they need Excel 365 or 2024, or LibreOffice with motion.oxt","yes")'
 
 
+class ShownPhase(Model):
+    """A row of the table of phases."""
+
+    law: RowCode
+    duration: Number
+    lift: Number = 0.0
+    p: Annotated[list[Number], Field(max_length=WIDTH)] = Field(default_factory=list)
+
+    @property
+    def made(self) -> Phase:
+        """The engine's phase."""
+        return Phase(FAMILY[self.law].law_of(self.p), self.lift, self.duration)
+
+
+class Shaft(Model):
+    """A shaft with its inertia, and its speed over that of the reference shaft."""
+
+    inertia: NotNegative
+    ratio: Number
+
+
+class Interval(Model):
+    """An interval of a profile: its value and how long it lasts."""
+
+    value: Number
+    duration: NotNegative
+
+
+class Shown(Model):
+    """Every input of the page."""
+
+    law: LawCode = "MTP"
+    xi: Share = 0.3
+    s: Share = 0.3
+    x: NotNegative = 120.0
+    laws: Laws = Laws({code: {"family": code} for code in CODES if code not in BASIC})
+    phases: list[ShownPhase]
+    shafts: list[Shaft]
+    profile: list[Interval]
+
+    @cached_property
+    def one(self) -> Law:
+        """The law that is chosen."""
+        return FAMILY[self.law].law_of(self.parameters)
+
+    @property
+    def parameters(self) -> list[float]:
+        """The numbers that the chosen law takes, piece after piece those of the own law."""
+        return FAMILY[self.law].numbers(self.laws[self.law]) if self.law in TAKES else []
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The phases, joined: they take over velocities from straight lines."""
+        return joined([phase.made for phase in self.phases], periodic=False).motion
+
+
+EXAMPLE = Shown.model_validate(TEXTS["example"])
+
+
 def declare(shown: Shown) -> Book:
     """Declare the book."""
     book = Book("motion-functions", "Motion laws as functions")
     sheet = book.sheet("Functions", 'Motion laws as functions of your own sheets, as in  =MOTION.S("CIC", B7, 0)')
     sheet.texts.append(Text(1, FIRST, book.title, "title"))
     sheet.texts.append(Text(2, FIRST, sheet.purpose, "note"))
-    introduction(sheet)
-    entries(sheet, shown)
+    introduction(sheet, shown)
     functions(sheet, shown)
     sheet.chart_row(*(curve(*words, "law") for words in LAW_CURVES), width=4, height=13)
     parameters(sheet, shown)
     motion(sheet, shown)
     sums(sheet, shown)
-    arguments(sheet)
     samples(sheet, shown)
     sheet.print_columns = 17
     return book
 
 
-def introduction(sheet: Sheet) -> None:
-    """Say how the functions come into another workbook, and whether they compute here."""
+def introduction(sheet: Sheet, shown: Shown) -> None:
+    """Say how the functions come into another workbook, and whether they compute here; declare what examples take."""
     sheet.heading("In your own workbook")
     for line in (
         "1  Excel 365, 2024 or Excel for the web: open your workbook beside this one.",
@@ -71,10 +149,6 @@ def introduction(sheet: Sheet) -> None:
         result("fn_works", "Do the functions compute here?", "", "", WORKS, "yes", align="center"),
         result("fn_probe", "One of them: the middle of a cubic", "", "", PROBE, 0.5, source="0.5"),
     )
-
-
-def entries(sheet: Sheet, shown: Shown) -> None:
-    """Declare what the examples take: change it, and everything below follows."""
     sheet.heading("Enter for the examples")
     sheet.rows(
         given("fn_law", "Law", "", "", shown.law, "law", align="center", source="its parameters stand below"),
@@ -124,8 +198,11 @@ def results(shown: Shown) -> list[Any]:
     """Return the engine's value of each function for the entries, #NUM! where there is none."""
     law, motion, k = shown.one.evaluate(shown.xi), shown.motion.at(shown.x), shown.one.coefficients
     xi = "#NUM!" if shown.law == "DWL" else inverse(shown.one, shown.s)
-    jerk = k.cj if isfinite(k.cj) else "#NUM!"
-    return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion[:3], shown.reduced, shown.rms]
+    jerk = k.cj if math.isfinite(k.cj) else "#NUM!"
+    reduced = math.fsum(Part("", one.inertia, speed_ratio=one.ratio).reflected for one in shown.shafts)
+    value, duration = np.array([(one.value, one.duration) for one in shown.profile]).T
+    rms = float(np.sqrt(value**2 @ duration / duration.sum()))
+    return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion[:3], reduced, rms]
 
 
 LAW_CURVES = [(word.capitalize(), "xi", name, "ξ", name) for name, word in DERIVATIVES.items()]
@@ -178,8 +255,8 @@ def sums(sheet: Sheet, shown: Shown) -> None:
         ))  # fmt: skip
 
 
-def arguments(sheet: Sheet) -> None:
-    """Declare what each argument takes."""
+def samples(sheet: Sheet, shown: Shown) -> None:
+    """Declare what each argument takes, then the sampled law and the sampled motion."""
     found: dict[str, Argument] = {a.name.en: a for f in FUNCTIONS for a in f.arguments}
     sheet.heading("The arguments")
     sheet.table(
@@ -187,10 +264,6 @@ def arguments(sheet: Sheet) -> None:
         constant("argument", "argument", "", "", list(found), align="left"),
         constant("takes", "what it takes", "", "", [a.help.en for a in found.values()], align="left"),
     )  # fmt: skip
-
-
-def samples(sheet: Sheet, shown: Shown) -> None:
-    """Declare the sampled law and the sampled motion."""
     sheet.heading("The sampled law and the sampled motion")
     xi, x = np.arange(LAW_STEPS + 1) / LAW_STEPS, np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
     sheet.table("law", "The law", LAW_STEPS + 1, calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", xi),

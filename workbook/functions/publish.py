@@ -1,20 +1,30 @@
-"""The files by which Excel gets the functions: a workbook with the names, and their text."""
+"""The files by which spreadsheets get the functions: a workbook with the names, their text, the add-in ``motion.oxt``.
+
+The add-in is an archive of the component, its types, and the texts of the function wizard. ``motion.rdb`` holds the
+types in LibreOffice's own form, made by its SDK of ``motion.idl``, which a test compares with the functions:
+unoidl-write program/types.rdb program/types/offapi.rdb motion.idl motion.rdb
+"""
 
 import re
 import tempfile
 from collections.abc import Callable
 from filecmp import cmp
+from importlib import resources
+from operator import attrgetter
 from pathlib import Path
 
 from openpyxl.workbook.defined_name import DefinedName
 
-from workbook.functions.declared import NAMESPACE
+from workbook import __version__
+from workbook.errors import WriteError
+from workbook.functions.declared import FUNCTIONS, NAMESPACE, TEXTS, Text
 from workbook.functions.names import definitions
-from workbook.functions.page import declare
-from workbook.functions.shown import EXAMPLE, Shown
+from workbook.functions.page import EXAMPLE, Shown, declare
+from workbook.reports.html import rendered
 from workbook.template import FOLDER
 from workbook.writing import archive
 from workbook.writing.archive import same_book
+from workbook.writing.place import refuse_existing, replace
 from workbook.writing.write import pack, parts
 
 SHEET = "xl/worksheets/sheet1.xml"
@@ -28,6 +38,7 @@ there (right-click its tab > Move or Copy); the names come with it.
 By hand: Formulas > Name Manager > New for each entry below: its name, and its formula under Refers to.
 The names that begin with _ are called by the others: take them all.
 """
+PACKAGE = resources.files("workbook.functions") / "addin"
 
 
 def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
@@ -36,9 +47,7 @@ def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
     The cell that says whether the functions compute has no saved value: a program shows what is saved and does not ask.
     """
     names = [DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored) for one in definitions()]
-    made = parts(
-        declare(shown), Shown, names, f"{NAMESPACE}."
-    )  # no other names: a copied sheet brings along these alone
+    made = parts(declare(shown), Shown, names, f"{NAMESPACE}.")  # a copied sheet brings along these names alone
     pack(archive.dynamic(made | {SHEET: WHETHER.sub(rb"\1\2", made[SHEET])}), path, overwrite=True)
 
 
@@ -70,3 +79,31 @@ def stale_files() -> list[Path]:
             if not same:
                 found.append(kept)
     return found
+
+
+def write_add_in(path: Path, overwrite: bool = False) -> None:
+    """Write the add-in; raise WriteError where ``path`` exists, is not named .oxt, or cannot be written."""
+    if path.suffix.lower() != ".oxt":
+        raise WriteError(f"{path}: LibreOffice installs only files named .oxt; expected such a name")
+    refuse_existing(path, overwrite)
+    data = archive.zipped(add_in())
+    replace(path, lambda draft: draft.write_bytes(data), overwrite)
+
+
+def add_in() -> dict[str, bytes]:
+    """Return the files of the add-in by name, in order: texts are on every system the same bytes."""
+    texts = [
+        "META-INF/manifest.xml",
+        "description.xml",
+        *(f"description/{one}.txt" for one in Text._fields),
+        "motion.py",
+    ]
+    category = Text(*TEXTS["category"])
+    wizard = rendered("functions/addin/CalcAddIns.xcu", namespace=NAMESPACE, functions=FUNCTIONS, category=category)
+    made = {name: (PACKAGE / name).read_text(encoding="utf-8").encode() for name in texts}
+    made["description.xml"] = made["description.xml"].replace(b"VERSION", __version__.encode())
+    made |= {"CalcAddIns.xcu": wizard.encode(), "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
+    for module in sorted((PACKAGE / "motion_functions").iterdir(), key=attrgetter("name")):
+        if module.name.endswith(".py"):
+            made[f"pythonpath/motion_functions/{module.name}"] = module.read_text(encoding="utf-8").encode()
+    return made

@@ -1,9 +1,8 @@
 """The certificates of an export: in words, as tables of a terminal, as JSON, as one page of HTML with pictures."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
-from xml.etree.ElementTree import Element
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from engine.cams.certificate import Certificate
 from workbook.axes import CamAxis
 from workbook.controllers.handing import ORDERS, Made, automatic, curve, rules_of
 from workbook.controllers.target import Target
-from workbook.reports.html import document, e, table
+from workbook.reports.html import document, markup, rendered
 from workbook.reports.plot import Line, plot
 from workbook.reports.terminal import OUT, show_table, shown
 
@@ -55,21 +54,17 @@ def rows(axis: CamAxis, of: Certificate) -> list[list[str]]:
 
 
 def told(axis: CamAxis, made: Made, target: Target, path: str) -> dict[str, Any]:
-    """Return a certificate as data."""
-    rules = {name: figures(axis, one) for name, one in made.certificates.items()}
+    """Return a certificate as data, the figures of each rule by derivative."""
+    rules: dict[str, dict[str, Any]] = {}
+    for name, of in made.certificates.items():
+        found = rules[name] = dict[str, Any]()
+        for k, (word, unit, one) in enumerate(zip(WORDS, axis.units, of.deviations, strict=True)):
+            share = one.share if math.isfinite(one.share) else None
+            found[word] = {"unit": unit, "largest": one.largest, "share": share, "at": one.x, "peak": one.peak}
+            if k < len(of.jumps):
+                found[word] |= {"jump": of.jumps[k], "closure": of.closure[k]}
     return {"axis": axis.name, "target": target.name, "file": path, "points": made.points, "x_unit": axis.x_unit,
             "rules": rules, "untested": [claim.what for claim in target.untested]}  # fmt: skip
-
-
-def figures(axis: CamAxis, of: Certificate) -> dict[str, Any]:
-    """Return the figures of a certificate by derivative."""
-    found: dict[str, Any] = {}
-    for k, (word, unit, one) in enumerate(zip(WORDS, axis.units, of.deviations, strict=True)):
-        share = one.share if math.isfinite(one.share) else None
-        found[word] = {"unit": unit, "largest": one.largest, "share": share, "at": one.x, "peak": one.peak}
-        if k < len(of.jumps):
-            found[word] |= {"jump": of.jumps[k], "closure": of.closure[k]}
-    return found
 
 
 def page(
@@ -77,55 +72,40 @@ def page(
     switches: Sequence[Sequence[str]] = (),
 ) -> str:  # fmt: skip
     """Return the page of the axes that were exported to a target, and of its switches, a row of texts each."""
+
+    def advice(axis: CamAxis) -> str:
+        """Return how many points it should have."""
+        best = automatic(target, axis, tolerance)
+        asked = ", ".join(f"{WORDS[ORDERS.index(o)]} {percent(t)}" for o, t in tolerance.items())
+        kept = "the fewest that keep" if best.excess(tolerance) <= 1.0 else "the best there is, which does not keep"
+        return f"Recommended: {best.points} points, {kept} to {asked} of its peak."
+
     title = f"Cam tables for {target.title}"
-    how = (
-        f"motionbook {workbook.__version__}. Each file was read back by an independent reader, the motion rebuilt by "
-        "the target's rule and compared with the engine over the whole cycle. No controller was run."
-    )
-    body = [e("h1", title), e("p", how, css="quiet")]
     claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
-    body += [e("p", f"{claim.certainty}: {claim.what} ({claim.source})") for claim in claims]
-    for axis, made in found:
-        body += section(axis, made, target, tolerance)
-    if switches:
-        body += [e("h2", "Switches"), table(SWITCHED, switches, (1, 2, 3, 4))]
-    return document(title, body)
+    return document(title, rendered(
+        "reports/cams.html", title=title, version=workbook.__version__, target=target,
+        claims=claims, found=found, advice=advice,
+        headings=HEADINGS, rows=rows, pictures=pictures, switched=SWITCHED, switches=switches,
+    ))  # fmt: skip
 
 
-def section(axis: CamAxis, made: Made, target: Target, tolerance: Mapping[str, float]) -> list[Element]:
-    """Return what is to be said of one axis, and how many points it should have."""
-    best = automatic(target, axis, tolerance)
-    asked = ", ".join(f"{WORDS[ORDERS.index(o)]} {percent(t)}" for o, t in tolerance.items())
-    kept = "the fewest that keep" if best.excess(tolerance) <= 1.0 else "the best there is, which does not keep"
-    advice = f"Recommended: {best.points} points, {kept} to {asked} of its peak."
-    said = [e("h2", axis.name), e("p", f"{made.points} points; x in {axis.x_unit}, y in {axis.y_unit}. {advice}")]
-    for name, certificate in made.certificates.items():
-        said += [e("h3", name[:1].upper() + name[1:]), table(HEADINGS, rows(axis, certificate), (1, 3, 4, 5))]
-    return [*said, over_points(axis, made, target), *over_cycle(axis, made, target)]
-
-
-def over_points(axis: CamAxis, made: Made, target: Target) -> Element:
-    """Return the picture of errors over the number of points."""
+def pictures(axis: CamAxis, made: Made, target: Target) -> Iterator[str]:
+    """Yield pictures: errors over the number of points; the acceleration meant and made by each rule; its errors."""
     tried = sorted([*curve(target, axis), made], key=lambda one: one.points)
-    x = np.array([float(one.points) for one in tried])
+    points = np.array([float(one.points) for one in tried])
     drawn = []
     for order, word in zip(ORDERS, WORDS, strict=True):
         shares = np.array([one.share(order) for one in tried])
-        drawn.append(Line(word, x, np.clip(np.nan_to_num(shares, posinf=FLOOR), FLOOR, None)))
+        drawn.append(Line(word, points, np.clip(np.nan_to_num(shares, posinf=FLOOR), FLOOR, None)))
     title = f"{axis.name}: largest error over the number of points; {made.points} were taken"
-    return plot(title, ("points", "of the peak"), drawn, (True, True))
-
-
-def over_cycle(axis: CamAxis, made: Made, target: Target) -> list[Element]:
-    """Return the pictures of the acceleration meant and what each rule makes of it, and of both errors."""
+    yield markup(plot(title, ("points", "of the peak"), drawn, (True, True)))
     begin, end = axis.profile.edges[[0, -1]]
     x = np.linspace(begin, end, SAMPLES)
     meant = axis.profile.at(x)
     found = {name: rule.made(made.table).at(x) for name, rule in rules_of(target, made.table).items()}
     drawn = [Line("meant", x, meant.y2), *(Line(name, x, one.y2) for name, one in found.items())]
-    pictures = [plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)]
+    yield markup(plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn))
     for k, word in ((0, "position"), (2, "acceleration")):
         errors = [Line(name, x, one[k] - meant[k]) for name, one in found.items()]
         title = f"{axis.name}: error of the {word} over the cycle"
-        pictures.append(plot(title, (axis.x_unit, axis.units[k]), errors))
-    return pictures
+        yield markup(plot(title, (axis.x_unit, axis.units[k]), errors))

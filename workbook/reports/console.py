@@ -1,9 +1,9 @@
-"""What the commands print of one report or of many: tables for people, JSON for machines."""
+"""What the commands print of reports, one or many, and of the laws: tables for people, JSON for machines."""
 
 import math
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
 from typing import Any
@@ -13,10 +13,11 @@ from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
 from rich.table import Column, Table
 
+from engine.laws import CATALOGUE
+from engine.laws.continuity import WORDS, continuity
 from workbook.judging.many import Outcome
 from workbook.judging.report import FOLLOWS, Finding, Report
-from workbook.reports.page import VERDICTS, figure, own_verdict, where
-from workbook.reports.servers import line
+from workbook.reports.page import VERDICTS, figure, line, own_verdict, where
 from workbook.reports.terminal import say, say_json, show_table, shown
 from workbook.visible import visible
 
@@ -27,6 +28,13 @@ WITNESS = ("name", "version", "absent", "compared", "at_fault", "unfinished", "w
 LONG = 50  # characters: a shorter formula is shown whole
 AROUND = 12  # characters before and after the difference
 WORD = re.compile(r"[\w.$!']")
+FIGURES = {"C_v": "cv", "C_a+": "ca_max", "C_a−": "ca_min", "C_a,rms": "ca_rms", "C_j": "cj", "max(v·a)": "va_max"}
+COSTS = {"min(v·a)": "va_min", "C_a,rms²/12": "loss"}
+SMOOTH = ("smooth_at_ends", "smooth_inside")
+VENDORS = {"siemens": "Siemens LCamHdl", "twincat": "TwinCAT", "codesys": "CODESYS", "sew": "SEW"}
+EXPLAINED = (
+    "C_a,rms²/12: heat of a pure inertia against the cubic's, the least between two rests; smooth: what is continuous."
+)
 
 
 def plain(value: Any) -> Any:
@@ -154,12 +162,12 @@ def show(
     outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool, everything: bool = False
 ) -> None:  # fmt: skip
     """Print a run: in full where one file was named ``alone``, else the summary of all."""
+    if not alone and as_json:
+        compared = sum(o.report.compared for o in outcomes if o.report)
+        say_json({"files": [entry(o) for o in outcomes], "compared": compared})
+        return
     if not alone:
-        if as_json:
-            compared = sum(o.report.compared for o in outcomes if o.report)
-            say_json({"files": [entry(o) for o in outcomes], "compared": compared})
-        else:
-            show_summary(outcomes, out)
+        show_summary(outcomes, out)
         return
     for text in outcomes[0].reason.splitlines():
         say(err, text, "red")
@@ -178,8 +186,9 @@ def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
         cells, found = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("-", "-")
         table.add_row(shown(str(o.path)), cells, found, shown(said.row, said.colour))
     console.print(table)
-    for text in (text for outcome in outcomes for text in worst(outcome)):
-        say(console, text)
+    for outcome in outcomes:
+        for text in worst(outcome):
+            say(console, text)
     compared = sum(o.report.compared for o in outcomes if o.report)
     count = Counter[str](outcome.verdict for outcome in outcomes)
     told = [f"{count[verdict]} {words.several}" for verdict, words in VERDICTS.items() if count[verdict]]
@@ -207,3 +216,41 @@ def entry(outcome: Outcome) -> dict[str, Any]:
         return known | {"compared": 0, "findings": [], "reason": outcome.reason}
     known.update(report_data(outcome.report), sha256=outcome.sha256)
     return known
+
+
+def catalogue() -> list[dict[str, Any]]:
+    """Return every law's names, source, coefficients, for its parameters as delivered, continuity, names elsewhere."""
+    rows: list[dict[str, Any]] = []
+    for law in (one() for one in CATALOGUE):
+        figures = {name: plain(getattr(law.coefficients, field)) for name, field in (FIGURES | COSTS).items()}
+        smooth = dict(zip(SMOOTH, (WORDS[order] for order in continuity(law)), strict=True))
+        told = {"code": law.code, "name": law.name, "aliases": list(law.aliases), "source": law.source}
+        rows.append(told | figures | smooth | {"names": law.vendors._asdict()})
+    return rows
+
+
+def show_catalogue(console: Console) -> None:
+    """Print the catalogue of laws: figures, what each costs, then the names that they have elsewhere."""
+    rows = catalogue()
+    show_laws(console, rows, FIGURES, ())
+    console.print("Unit rise and time, parameters as delivered. --json adds aliases and sources.")
+    show_laws(console, rows, COSTS, SMOOTH)
+    console.print(EXPLAINED)
+    named = Table("Code", title="Names elsewhere, as far as they are sure", title_justify="left")
+    for vendor in VENDORS.values():
+        named.add_column(vendor, overflow="fold")
+    for row in rows:
+        if any(row["names"].values()):
+            named.add_row(row["code"], *(row["names"][vendor] for vendor in VENDORS))
+    console.print(named)
+
+
+def show_laws(console: Console, rows: Sequence[dict[str, Any]], numbers: Iterable[str], words: Iterable[str]) -> None:
+    """Print a table of the laws with some of their figures, and what is said of them in words."""
+    table = Table()
+    for heading in ("Code", "Law", *numbers, *(word.replace("_", " ") for word in words)):
+        table.add_column(heading, no_wrap=heading != "Law", justify="right" if heading in numbers else "left")
+    for row in rows:
+        figures = ("∞" if row[f] == "inf" else f"{row[f]:.5g}" for f in numbers)
+        table.add_row(row["code"], row["name"], *figures, *(row[word] for word in words))
+    console.print(table)

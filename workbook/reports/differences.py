@@ -1,6 +1,5 @@
 """What differs between two designs: on the terminal, as JSON, as a page with both timing diagrams."""
 
-from collections.abc import Iterator, Sequence
 from typing import Any
 from xml.etree.ElementTree import Element
 
@@ -8,7 +7,7 @@ import numpy as np
 from rich.console import Console
 
 from workbook.differences.design import Change, Design, Differences
-from workbook.reports.html import document, e, table
+from workbook.reports.html import document, markup, rendered
 from workbook.reports.plot import Line, plot
 from workbook.reports.terminal import say, show_table
 from workbook.templates import TEMPLATES
@@ -50,24 +49,18 @@ def show(console: Console, found: Differences) -> None:
             say(console, f"{title}: {sign} {line}")
 
 
-def signed(lines: dict[str, list[str]]) -> Iterator[tuple[str, str]]:
-    """Yield the lines that are gone with a minus, and those that came with a plus."""
-    yield from (("−", line) for line in lines["old"])
-    yield from (("+", line) for line in lines["new"])
+def signed(lines: dict[str, list[str]]) -> list[tuple[str, str]]:
+    """Return the lines that are gone with a minus, and those that came with a plus."""
+    return [*(("−", line) for line in lines["old"]), *(("+", line) for line in lines["new"])]
 
 
 def page(old: Design, new: Design, found: Differences) -> str:
     """Return the page of all differences, with the motions of both sides over one another."""
     title = f"{old.path.name} and {new.path.name}"
-    body = [e("h1", title), e("p", "The same machine." if found.same else f"Old: {old.path}. New: {new.path}.")]
-    for name, heading in KINDS:
-        changes: Sequence[Change] = getattr(found, name)
-        if changes:
-            body += [e("h2", heading), table(HEADINGS, [row(one) for one in changes], numbers=(2, 3, 5))]
-    for name, heading in LINES:
-        lines = [e("p", f"{sign} {line}") for sign, line in signed(getattr(found, name))]
-        body += [e("h2", heading), *lines] if lines else []
-    return document(title, [*body, *diagrams(old, new)])
+    return document(title, rendered(
+        "reports/differences.html", title=title, old=old, new=new, found=found, kinds=KINDS, lines=LINES, row=row,
+        headings=HEADINGS, signed=signed, drawn=[*map(markup, diagrams(old, new))],
+    ))  # fmt: skip
 
 
 def diagrams(old: Design, new: Design) -> list[Element]:
@@ -82,4 +75,4 @@ def diagrams(old: Design, new: Design) -> list[Element]:
                 lines.append(Line(name, x, one.profile.at(x).y))
         if len(lines) < 2 or not np.allclose(lines[0].y, lines[1].y, rtol=0.0, atol=1e-9 * np.ptp(lines[1].y)):
             found.append(plot(f"{axis.name}: position over the cycle", (axis.x_unit, axis.y_unit), lines))
-    return [e("h2", "Motions that differ"), *found] if found else []
+    return found

@@ -1,21 +1,28 @@
-"""The report of a run as one page of HTML, for the project's folder: no script, nothing fetched from elsewhere."""
+"""The report of a run: one page of HTML; JUnit XML for CI servers; SARIF 2.1.0 for code hosts.
 
+Source: OASIS, Static Analysis Results Interchange Format (SARIF) Version 2.1.0, 2020.
+"""
+
+import json
 import math
 import platform
 from collections.abc import Callable, Sequence
-from datetime import datetime
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, NamedTuple
-from xml.etree.ElementTree import Element
 
 import workbook
-from workbook.build import write_text
 from workbook.errors import WriteError
 from workbook.judging.compare import TOLERANCE
 from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Ran, Report
-from workbook.reports.html import Content, document, e, table
-from workbook.writing.place import refuse_existing, replace
+from workbook.reports.html import document, e, markup, rendered
+from workbook.writing.place import refuse_existing, write_text
+
+COUNTED = (("tests", ""), ("failures", "failure"), ("errors", "error"), ("skipped", "skipped"))
+DESIGN = "the machine's own checks"
+SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+OTHERS = {"design": "a check of the machine's own fails", "unreadable": "the file cannot be read"}
 
 
 class Verdict(NamedTuple):
@@ -57,69 +64,15 @@ ELSEWHERE = "(no sheet)"
 
 def page(outcomes: Sequence[Outcome], when: datetime) -> str:
     """Return the report of a run: a summary of all workbooks, then a section for each."""
-    compared = sum(o.report.compared for o in outcomes if o.report)
     names = ", ".join(o.path.name for o in outcomes) if len(outcomes) < 3 else f"{len(outcomes)} workbooks"
     title = f"Verification of {names}"
-    body = [
-        e("h1", title),
-        e("p", f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
-               f"{platform.system()} {platform.machine()}", css="quiet"),
-        e("p", f"Each formula was compared with the generated one, and its value, at the entered inputs and at others, "
-               f"with that of an independent engine. A value agrees where it deviates by no more than {TOLERANCE:.0e} "
-               f"of the greatest in its column. {compared:,} formula cells were compared."),
-    ]  # fmt: skip
-    if len(outcomes) > 1:
-        body.append(summary(outcomes))
-    for number, outcome in enumerate(outcomes, 1):
-        body += section(outcome, f"book{number}")
-    return document(title, body)
-
-
-def summary(outcomes: Sequence[Outcome]) -> Element:
-    """Return the table of all workbooks, each with a link to its section."""
-    rows: list[list[Content]] = []
-    for number, o in enumerate(outcomes, 1):
-        counts = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("–", "–")
-        rows.append([e("a", str(o.path), href=f"#book{number}"), *counts, verdict(o)])
-    return table(("Workbook", "Formula cells", "Findings", "Verdict"), rows, numbers=(1, 2))
-
-
-def section(outcome: Outcome, name: str) -> list[Element]:
-    """Return what is to be said of one workbook."""
-    head = [e("h2", outcome.path.name, id=name), e("p", verdict(outcome))]
-    if outcome.report is None:
-        return head + [e("p", line) for line in outcome.reason.splitlines()]
-    report = outcome.report
-    failing: list[list[Content]] = []
-    failing += ([e("span", f"{c.sheet}!{c.cell}", css="cell"), c.what, c.found, c.says] for c in report.failing)
-    sheets: list[list[Content]] = []
-    for sheet, found in by_sheet(report).items():
-        largest = deviation(report.deviations.get(sheet))
-        sheets.append([sheet, f"{report.cells.get(sheet, 0):,}", largest, str(len(found))])
-    notices: list[list[Content]] = [[where(f), f.what, figure(f.computed, 15), figure(f.expected, 15)]
-                                    for f in report.notices]  # fmt: skip
-    title = f"Notices ({len(notices):,}): reworded or gone, but misleading nobody"
-    checked = ("Cell", "Check", "Says", "Where, and by how much")
-    return [
-        *head, facts(outcome, report), *titled("The machine's own checks that fail", checked, failing),
-        *titled("Sheets", ("Sheet", "Formula cells", "Largest deviation", "Findings"), sheets, (1, 2, 3)),
-        *findings(report), *titled(title, ("Cell", "What", "Found", "Expected"), notices), *remarks(report),
-    ]  # fmt: skip
-
-
-def facts(outcome: Outcome, report: Report) -> Element:
-    """Return the table of what was verified, and by what."""
-    known: list[tuple[str, Content]] = [
-        ("File", e("span", str(outcome.path.absolute()), css="value")),
-        ("SHA-256", e("code", outcome.sha256)),
-        ("Template", report.template),
-        *(("Witness", witness(ran)) for ran in report.witnesses),
-        ("Formula cells declared", f"{report.declared:,}"),
-        ("Formula cells compared", f"{report.compared:,}"),
-        ("Findings", report.findings_words),
-        ("The machine's own checks", own_verdict(report)),
-    ]
-    return e("table", e("tbody", *(e("tr", e("th", k, scope="row"), e("td", v)) for k, v in known)), css="facts")
+    versions = f"motionbook {workbook.__version__}, Python {platform.python_version()}"
+    return document(title, rendered(
+        "reports/page.html", title=title, when=f"{when:%Y-%m-%d %H:%M:%S %z}", outcomes=outcomes,
+        versions=f"{versions}, {platform.system()} {platform.machine()}", tolerance=f"{TOLERANCE:.0e}",
+        compared=sum(o.report.compared for o in outcomes if o.report), kinds=KINDS, verdict=verdict, witness=witness,
+        own_verdict=own_verdict, by_sheet=by_sheet, deviation=deviation, where=where, told=told, figure=figure,
+    ))  # fmt: skip
 
 
 def witness(ran: Ran) -> str:
@@ -138,32 +91,12 @@ def own_verdict(report: Report) -> str:
     return f"{said}, {report.unfinished:,} cells unfinished" if report.unfinished else said
 
 
-def titled(title: str, heads: Sequence[str], rows: list[list[Content]], numbers: Sequence[int] = ()) -> list[Element]:
-    """Return a table below its title; nothing where it has no rows."""
-    return [e("h3", title), table(heads, rows, numbers)] if rows else []
-
-
 def by_sheet(report: Report) -> dict[str, list[Finding]]:
     """Return the findings of each sheet that was compared or has any, and those of no sheet."""
     found: dict[str, list[Finding]] = {sheet: [] for sheet in report.cells}
     for finding in report.findings:
         found.setdefault(finding.sheet or ELSEWHERE, []).append(finding)
     return found
-
-
-def findings(report: Report) -> list[Element]:
-    """Return the table of all findings, worst first, and what their kinds mean."""
-    if not report.findings:
-        said = "None: every formula cell computes what the engine computes, and shows it."
-        return [e("h3", "Findings"), e("p", said)]
-    headings = ("Cell", "Kind", "What", "Found", "Expected", "Deviation", "By")
-    meanings = "; ".join(f"{kind}: {KINDS[kind]}" for kind in dict.fromkeys(f.kind for f in report.findings))
-    head = e("h3", f"Findings, worst first: {report.findings_words}")
-    rows: list[list[Content]] = [
-        [e("span", where(f), css="cell"), e("span", f.kind, css="kind"), f.what, e("span", told(f), css="value"),
-         e("span", figure(f.expected, 15), css="value"), deviation(f.deviation), f.witness] for f in report.findings
-    ]  # fmt: skip
-    return [head, table(headings, rows, numbers=(5,)), e("p", f"{meanings}.", css="quiet")]
 
 
 def told(finding: Finding) -> str:
@@ -177,20 +110,9 @@ def where(finding: Finding) -> str:
     return f"{finding.sheet}!{finding.cell}" if finding.sheet else finding.cell
 
 
-def remarks(report: Report) -> list[Element]:
-    """Return the notes, and the formula cells of the engineer's own."""
-    lines = [*report.notes, *([report.following_words] if report.following else [])]
-    said = [e("h3", "Notes"), *(e("p", line) for line in lines)] if lines else []
-    if report.own:
-        said += [e("h3", f"Cells of your own ({len(report.own):,})"),
-                 e("p", f"{report.own_words}: the engine has no value for them."),
-                 e("p", ", ".join(report.own), css="cell")]  # fmt: skip
-    return said
-
-
-def verdict(outcome: Outcome) -> Element:
+def verdict(outcome: Outcome) -> str:
     """Return the verdict in words; its colour only repeats them."""
-    return e("span", VERDICTS[outcome.verdict].page, css=f"verdict {outcome.verdict.replace(' ', '-')}")
+    return markup(e("span", VERDICTS[outcome.verdict].page, css=f"verdict {outcome.verdict.replace(' ', '-')}"))
 
 
 def figure(value: Any, digits: int = 10) -> str:
@@ -215,4 +137,67 @@ def ready(path: Path | None, suffixes: Sequence[str], overwrite: bool) -> None:
 def write(path: Path | None, text: Callable[[], str], overwrite: bool) -> None:
     """Write a report where one was asked for, whole or not at all; raise WriteError where that cannot be."""
     if path is not None:
-        replace(path, lambda draft: write_text(draft, text()), overwrite)
+        write_text(path, text(), overwrite)
+
+
+class Case(NamedTuple):
+    """A case of JUnit: whether it failed, is an error or was skipped, and why."""
+
+    name: str
+    tag: str = ""
+    message: str = ""
+    type: str = ""
+    lines: str = ""
+
+
+def junit(outcomes: Sequence[Outcome], when: datetime) -> str:
+    """Return the run as JUnit XML: a suite for each workbook, a case for each sheet; findings are failures."""
+    return rendered("reports/junit.xml", suites=[(outcome, cases(outcome)) for outcome in outcomes], counted=COUNTED,
+                    when=f"{when.astimezone(UTC):%Y-%m-%dT%H:%M:%S}", own_verdict=own_verdict, witness=witness,
+                    count=lambda cases, tag: sum(tag in ("", case.tag) for case in cases))  # fmt: skip
+
+
+def cases(outcome: Outcome) -> list[Case]:
+    """Return a case for each sheet of a workbook and one for its own checks, or one for a book that was not read."""
+    report, found = outcome.report, list[Case]()
+    if report is None:
+        tag = "skipped" if outcome.verdict == "no machine" else "error"  # it was rightly passed over
+        return [Case("open", tag, outcome.reason.partition("\n")[0], outcome.verdict, outcome.reason)]
+    for sheet, some in by_sheet(report).items():
+        more = f" (and {len(some) - 1} more)" if len(some) > 1 else ""
+        failed = ("failure", line(some[0]) + more, some[0].kind, "\n".join(map(line, some))) if some else ()
+        found.append(Case(sheet, *failed))
+    lines = "\n".join(check.line for check in report.failing)
+    return [*found, Case(DESIGN) if report.holds else Case(DESIGN, "failure", own_verdict(report), "design", lines)]
+
+
+def line(finding: Finding) -> str:
+    """Return a finding in one line."""
+    what = f" ({finding.what})" if finding.what else ""
+    by = f" [{finding.witness}]" if finding.witness else ""
+    found, expected = told(finding), figure(finding.expected, 15)
+    return f"{where(finding)}{what}: {finding.kind}: found {found}, expected {expected}{by}"
+
+
+def sarif(outcomes: Sequence[Outcome]) -> str:
+    """Return the run: each finding is an error, each failing check of a machine a warning."""
+    rules = [{"id": kind, "shortDescription": {"text": words}} for kind, words in (KINDS | OTHERS).items()]
+    driver = {"name": "motionbook", "version": workbook.__version__, "rules": rules}
+    results = []
+    for one in outcomes:
+        if one.verdict == "unreadable":
+            results.append(result(one, "unreadable", "error", one.reason))
+        for finding in one.report.findings if one.report else ():
+            results.append(result(one, finding.kind, "error", line(finding), f"{finding.sheet}!{finding.cell}"))
+        for check in one.report.failing if one.report else ():
+            results.append(result(one, "design", "warning", check.line, f"{check.sheet}!{check.cell}"))
+    run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
+    return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, ensure_ascii=False, indent=1) + "\n"
+
+
+def result(outcome: Outcome, rule: str, level: str, text: str, cell: str = "") -> dict[str, Any]:
+    """Return a result; the cell is its logical location, as a workbook has no lines."""
+    where: dict[str, Any] = {"physicalLocation": {"artifactLocation": {"uri": outcome.path.as_posix()}}}
+    if cell:
+        where["logicalLocations"] = [{"fullyQualifiedName": cell}]
+    return {"ruleId": rule, "level": level, "message": {"text": text}, "locations": [where]}

@@ -173,39 +173,29 @@ class Point(NamedTuple):
     y: float
 
 
-def front_picture(title: str, labels: tuple[str, str], points: Sequence[Point]) -> Element:
-    """Return the picture. Raises ValueError for no points."""
-    if not points:
-        raise ValueError("no points are given; expected one or more")
-    x, y = np.array([one.x for one in points]), np.array([one.y for one in points])
-    across = scale(wider(x), LEFT, WIDTH - ROOM, powers=False)
-    up = scale(wider(y), HEIGHT - BOTTOM, TOP, powers=False)
+def front_picture(
+    title: str, labels: tuple[str, str], points: Sequence[Point], links: Sequence[str] = ()
+) -> Element:  # fmt: skip
+    """Return the picture of one point or more, with room beside the outermost; each leads to the link given for it."""
+    x, y = np.array([(one.x, one.y) for one in points]).T
+    wider = [np.array([v.min() - MARGIN * np.ptp(v), v.max() + MARGIN * np.ptp(v)]) for v in (x, y)]
+    across = scale(wider[0], LEFT, WIDTH - ROOM, powers=False)
+    up = scale(wider[1], HEIGHT - BOTTOM, TOP, powers=False)
     svg = framed(title, labels, across, up)
     places = list(zip(across.at(x).tolist(), up.at(y).tolist(), strict=True))
     taken = [(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
-    for one, (px, py) in zip(points, places, strict=True):
-        SubElement(svg, "circle", {"cx": f"{px:.1f}", "cy": f"{py:.1f}", "r": f"{RADIUS}", "fill": POINT})
-        found = next(
-            (
-                (words, box)
-                for words in (one.name, one.short)
-                for box in around(px, py, words)
-                if all(box[k + 2] < other[k] or other[k + 2] < box[k] for other in taken for k in (0, 1))
-            ),
-            None,
-        )
-        if found:
-            words, box = found
-            taken.append(box)
-            text(svg, words, box[0], box[3] - 3.0)
+    if links:
+        svg.set("role", "group")  # a picture by itself may have no links in it
+    for k, (one, (px, py)) in enumerate(zip(points, places, strict=True)):
+        about = {"href": links[k], "aria-label": f"Open design {k + 1}"} if links else {}
+        SubElement(SubElement(svg, "a", about) if links else svg, "circle",
+                   {"cx": f"{px:.1f}", "cy": f"{py:.1f}", "r": f"{RADIUS}", "fill": POINT})  # fmt: skip
+        for words, box in ((name, box) for name in (one.name, one.short) for box in around(px, py, name)):
+            if all(box[k + 2] < other[k] or other[k + 2] < box[k] for other in taken for k in (0, 1)):
+                taken.append(box)
+                text(svg, words, box[0], box[3] - 3.0)
+                break
     return svg
-
-
-def wider(values: Array) -> Array:
-    """Return numbers with room at both ends."""
-    low, high = float(values.min()), float(values.max())
-    room = MARGIN * (high - low)
-    return np.array([low - room, high + room])
 
 
 def around(x: float, y: float, words: str) -> list[Box]:

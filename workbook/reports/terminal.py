@@ -2,16 +2,19 @@
 
 import io
 import json
+import os
 import sys
 from collections.abc import Callable, Container, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any, TextIO
+from pathlib import Path
+from typing import Any
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
 from workbook.visible import visible
+from workbook.writing.place import write_text
 
 OUT = Console()
 ERR = Console(stderr=True)
@@ -38,6 +41,15 @@ def say_json(data: Any, **ways: Any) -> None:
     say_data(f"{json.dumps(data, ensure_ascii=False, indent=1, **ways)}\n")
 
 
+def give(text: str, output: Path | None, force: bool) -> None:
+    """Print lines of data, or write them to a file that is named."""
+    if output is None:
+        say_data(text)
+    else:
+        write_text(output, text, force)
+        say(OUT, f"Wrote {output.absolute()}")
+
+
 def show_table(
     console: Console, headings: Iterable[str], rows: Iterable[Iterable[str]], right: Container[int] = (),
     title: str | Text | None = None, **look: Any,
@@ -51,63 +63,50 @@ def show_table(
     console.print(grid)
 
 
-class Lasting(io.RawIOBase):
+class Lasting(io.TextIOWrapper):
     """An output that takes whatever is written, also when what it leads to takes no more; ``fault`` says why not."""
 
-    def __init__(self, raw: Any) -> None:
-        self.raw = raw
-        self.fault: OSError | None = None
+    fault: OSError | None = None
 
-    def write(self, data: Any) -> int:
-        """Write as long as that is possible; return how many bytes were taken."""
-        if self.fault is None:
-            try:
-                return int(self.raw.write(data) or 0)
-            except OSError as error:
-                self.fault = error
-        return len(data)
+    def write(self, text: str) -> int:
+        """Write as long as that is possible."""
+        with self._kept():
+            super().write(text)
+        return len(text)
 
-    def writable(self) -> bool:
-        """Return True."""
-        return True
+    def flush(self) -> None:
+        """Hand on what was written, as long as that is possible."""
+        with self._kept():
+            super().flush()
 
-    def fileno(self) -> int:
-        """Return the number that the system knows it by."""
-        return int(self.raw.fileno())
-
-    def isatty(self) -> bool:
-        """Whether it is a terminal."""
-        return bool(self.raw.isatty())
+    @contextmanager
+    def _kept(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            self.fault = self.fault or error
+            os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())  # the rest goes nowhere
 
 
 @contextmanager
 def lasting() -> Iterator[Callable[[], OSError | None]]:
-    """Let both outputs of this process last; give what flushes them, and tells why the first took no more."""
+    """Let both outputs of this process last; give what flushes them, and tells why the first took no more.
+
+    They print names of files too, on terminals that lack their letters.
+    """
     before = sys.stdout, sys.stderr
-    out, sys.stderr = map(lasted, before)
-    sys.stdout = out
+    out, err = (Lasting(one.buffer, one.encoding, "backslashreplace", line_buffering=True) for one in before)
+    sys.stdout, sys.stderr = out, err
 
     def fault() -> OSError | None:
-        for stream in (sys.stdout, sys.stderr):
-            stream.flush()
-        raw = getattr(getattr(out, "buffer", None), "raw", None)
-        return raw.fault if isinstance(raw, Lasting) else None
+        out.flush()
+        err.flush()
+        return out.fault
 
     try:
         yield fault
     finally:
         fault()
         sys.stdout, sys.stderr = before
-
-
-def lasted(stream: TextIO) -> TextIO:
-    """Return a text over an output that lasts: names of files too, on terminals that lack their letters."""
-    buffer = getattr(stream, "buffer", None)
-    raw = getattr(buffer, "raw", buffer)
-    stream.flush()
-    if isinstance(raw, io.RawIOBase):
-        lasts = io.BufferedWriter(Lasting(raw))
-        return io.TextIOWrapper(lasts, stream.encoding, "backslashreplace", line_buffering=True)
-    if isinstance(stream, io.TextIOWrapper):
-        stream.reconfigure(errors="backslashreplace")
-    return stream
+        out.detach()
+        err.detach()

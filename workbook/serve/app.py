@@ -13,26 +13,48 @@ from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError
 
-from workbook.build import write_text
+from workbook.build import inputs
+from workbook.controllers.registry import TARGETS
 from workbook.errors import InputError, WriteError
 from workbook.intake import read_text
-from workbook.serve import controller, fields, live, pages, studied, study
-from workbook.serve.folder import LARGEST, Folder, plain, state
-from workbook.serve.handler import REPORT, Action, Page
+from workbook.serve import fields, live, pages, study
+from workbook.serve.handler import LARGEST, REPORT, Action, Folder, Page, plain, state
 from workbook.serve.work import Work, WorkError
 from workbook.templates import TEMPLATES
-from workbook.writing.place import replace
+from workbook.writing.place import write_text
 
 STATIC = {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")} | {
     "favicon.ico": "icon.svg"
 }
 SVG = "image/svg+xml"
 drawn: dict[str, str] = {}  # the pictures of the gallery, by templates
+ALL = "all"
+ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
+known: dict[str, list[str]] = {}  # the names of the axes of books that were read, by the SHA-256 of the file
+
+
+def writes(command: str, suffix: str) -> Action:
+    """Return what writes a file by a command from another one of the folder, under a name that is free."""
+
+    async def write(page: Page) -> str | None:
+        path = page.file()
+        return await page.made(command, path, page.folder.free(f"{path.stem}{suffix}"))
+
+    return write
+
+
+def works_out(function: Callable[[str, str], str]) -> Action:
+    """Return what a function of a description's name and text gives of one of the folder."""
+
+    async def work_out(page: Page, name: str) -> str:
+        return await page.work.beside(function, name, read_text(page.folder.file(name), "a description"))
+
+    return work_out
 
 
 async def home(page: Page) -> str:
     """Show the folder."""
-    return pages.home(page.folder, page.verdicts, page.work.waiting)
+    return pages.home(page.folder.path, page.folder.files(), page.verdicts, page.work.waiting)
 
 
 async def download(page: Page, name: str) -> bytes:
@@ -56,7 +78,7 @@ async def edit(page: Page, name: str) -> str:
     number, results = page.get_query_argument("pick"), page.folder.file(asked)
     if not number.isdecimal():
         raise InputError([f"{number!r}: expected the place of a design"])
-    text = await page.work.beside(studied.picked, results, int(number))
+    text = await page.work.beside(study.picked, results, int(number))
     said = f"Design {int(number)} of {asked}, beside the saved {name}. It is not saved yet."
     return pages.editor(name, text, state(path), said, f"{results.stem}-{int(number)}.toml")
 
@@ -83,11 +105,6 @@ async def enter(page: Page) -> str:
     return await page.work.beside(fields.entered, name, page.text(), *asked)
 
 
-async def to_print(page: Page, name: str) -> str:
-    """Show a description as a page to print."""
-    return await page.work.beside(live.sheet, name, read_text(page.folder.file(name), "a description"))
-
-
 async def picture(page: Page, name: str) -> str:
     """Send the picture of a template in the gallery, which is drawn once."""
     if name not in TEMPLATES:
@@ -112,7 +129,7 @@ async def save(page: Page) -> str | None:
         path = page.folder.free(page.get_body_argument("as"))
     elif state(path) != page.get_body_argument("state"):
         raise WriteError(f"{name} changed since it was opened; open it again and repeat your change")
-    replace(path, lambda draft: write_text(draft, text), overwrite=True)
+    write_text(path, text, overwrite=True)
     if page.get_body_argument("then") == "edit":
         page.redirect(f"/edit/{path.name}")
         return None
@@ -123,35 +140,12 @@ async def save(page: Page) -> str | None:
     return pages.printed(path.name, done.text, "", path, book)
 
 
-async def build(page: Page) -> str | None:
-    """Build the workbook of a description."""
-    path = page.file()
-    return await page.made("build", path, page.folder.free(f"{path.stem}.xlsx"))
-
-
 async def verify(page: Page) -> str:
     """Verify a workbook of the folder and return the report."""
     path = page.file()
     more = [pages.post("/inputs", path.name, "Edit what is entered"),
             pages.post("/regenerate", path.name, "Build anew")]  # fmt: skip
     return await page.reported(path, *more)
-
-
-async def inputs(page: Page) -> str | None:
-    """Write what was entered in a workbook as a description, and edit it."""
-    path = page.file()
-    return await page.made("inputs", path, page.folder.free(f"{path.stem}.toml"))
-
-
-async def regenerate(page: Page) -> str | None:
-    """Build a workbook anew by today's formulas."""
-    path = page.file()
-    return await page.made("regenerate", path, page.folder.free(f"{path.stem}.xlsx"))
-
-
-async def short(page: Page, name: str) -> str:
-    """Return in a line for the first page what a description comes to."""
-    return await page.work.beside(live.in_short, name, read_text(page.folder.file(name), "a description"))
 
 
 async def upload(page: Page) -> str:
@@ -173,32 +167,72 @@ async def compare(page: Page) -> str:
     return pages.framed(text) if text else pages.printed("Comparison", done.text, "")
 
 
-async def missing(page: Page) -> str:
-    """Say that there is nothing at an address."""
-    raise HTTPError(404)
+async def controller(page: Page, name: str) -> str:
+    """Show the form of an export, with the axes of the workbook."""
+    path = page.folder.file(name)
+    digest = state(path)
+    if digest not in known:
+        known[digest] = await page.work.beside(axes, path)
+    return pages.page(f"{name}: controller", "controller", name=name, axes=[*known[digest], ALL], targets=TARGETS,
+                      orders=ORDERS)  # fmt: skip
+
+
+async def export(page: Page) -> str:
+    """Write an axis into the folder as a controller's file, under a name that is free; return its certificate."""
+    book, axis = page.file(), page.get_body_argument("axis")
+    options = ["--all"] if axis == ALL else ["--axis", axis]
+    options += ["--equidistant"] if page.get_body_argument("equidistant", "") else []
+    for order in ORDERS:
+        if share := page.get_body_argument(order, ""):
+            options += ["--tolerance", f"{order}={share}%"]
+    with tempfile.TemporaryDirectory() as made:
+        done = await page.work.run(
+            "export", book, "--to", page.get_body_argument("target"), "--points", page.get_body_argument("points"),
+            *options, "--report", REPORT, folder=made,
+        )  # fmt: skip
+        report, links = "", []
+        for file in sorted(Path(made).iterdir()):
+            if file.name == REPORT:
+                report = file.read_text(encoding="utf-8")
+                continue
+            place = page.folder.free(file.name)
+            with place.open("xb") as written:
+                written.write(file.read_bytes())
+            links.append(pages.link(f"/file/{place.name}", f"Download {place.name}"))
+    return pages.framed(report, *links) if report else pages.printed(book.name, done.text, "not written")
+
+
+async def read(page: Page) -> str:
+    """Write what a controller's file was made of as a description, under a name that is free, and edit it."""
+    file = page.upload("table")
+    with tempfile.TemporaryDirectory() as folder:
+        table = Path(folder) / plain(file.filename, "table.txt")
+        table.write_bytes(file.body)
+        target = page.folder.free(f"{table.stem}.toml")
+        done = await page.work.run("read", table, "--from", page.get_body_argument("target"), "-o", target)
+    if done.code:
+        return pages.printed(table.name, done.text, "not read")
+    return pages.editor(target.name, target.read_text(encoding="utf-8"), state(target), done.text)
+
+
+def axes(book: Path) -> list[str]:
+    """Return the names of the axes of a workbook that a controller can be given."""
+    machine, _ = inputs(book)
+    return [one.name for one in TEMPLATES[machine.template].axes(machine)]
 
 
 GET: dict[str, Action] = {
-    r"/": home, r"/file/([^/]+)": download, r"/edit/([^/]+)": edit, r"/short/([^/]+)": short,
-    r"/print/([^/]+)": to_print, r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary,
-    r"/study/([^/]+)": study.show, r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller.show,
+    r"/": home, r"/file/([^/]+)": download, r"/edit/([^/]+)": edit, r"/short/([^/]+)": works_out(live.in_short),
+    r"/print/([^/]+)": works_out(live.sheet), r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary,
+    r"/study/([^/]+)": study.show, r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
 POST: dict[str, Action] = {
-    "/new": new, "/save": save, "/inputs": inputs, "/regenerate": regenerate, "/live": live_panel, "/fields": form,
-    "/set": enter, "/build": build, "/verify": verify, "/upload": upload, "/compare": compare, "/study": study.new,
-    "/begin": study.go_on, "/cancel": study.cancel, "/export": controller.export, "/read": controller.read,
+    "/new": new, "/save": save, "/build": writes("build", ".xlsx"), "/inputs": writes("inputs", ".toml"),
+    "/regenerate": writes("regenerate", ".xlsx"), "/live": live_panel, "/fields": form, "/set": enter,
+    "/verify": verify, "/upload": upload, "/compare": compare, "/study": study.new, "/begin": study.go_on,
+    "/cancel": study.cancel, "/export": export, "/read": read,
 }  # fmt: skip
-
-
-def application(folder: Folder, token: str, hosts: list[str], work: Work) -> Application:
-    """Return the application that serves a folder to who has the token."""
-    shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
-    handlers: list[Any] = [(path, Page, shared | {"method": method, "action": action})
-                           for method, actions in (("GET", GET), ("POST", POST))
-                           for path, action in actions.items()]  # fmt: skip
-    nothing = shared | {"method": "GET", "action": missing}
-    return Application(handlers, token=token, hosts=hosts, default_handler_class=Page, default_handler_args=nothing)
 
 
 async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]) -> None:
@@ -207,10 +241,15 @@ async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]
     sockets = bind_sockets(port, "127.0.0.1")
     port = sockets[0].getsockname()[1]
     hosts = [f"127.0.0.1:{port}", f"localhost:{port}"]
-    server = HTTPServer(application(folder, token, hosts, work), max_buffer_size=LARGEST + 2**20)
+    shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
+    handlers: list[Any] = [(path, Page, shared | {"method": method, "action": action})
+                           for method, actions in (("GET", GET), ("POST", POST))
+                           for path, action in actions.items()]  # fmt: skip
+    application = Application(handlers, token=token, hosts=hosts, default_handler_class=Page,
+                              default_handler_args=shared | {"method": "GET", "action": None})  # fmt: skip
+    server = HTTPServer(application, max_buffer_size=LARGEST + 2**20)
     server.add_sockets(sockets)
-    address = f"http://127.0.0.1:{port}/?token={token}"
-    tell(address)
+    tell(address := f"http://127.0.0.1:{port}/?token={token}")
     if browse:
         webbrowser.open(address)
     try:

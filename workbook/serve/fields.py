@@ -30,8 +30,11 @@ def form(name: str, text: str, part: str) -> str:
     tables = tables_of(template.name, data)
     parts = dict.fromkeys(part_of(one.place) for one in tables)
     chosen = next((one for one in parts if written(one) == part), ())
-    options = [e("option", called(one, data), value=written(one), **({"selected": "selected"} if one == chosen else {}))
-               for one in parts]  # fmt: skip
+    options = []
+    for one in parts:
+        listed = data.get(one[0]) if one[1:] else None
+        called = f"{counted(one)} {listed[int(one[1])].get('name', '') if listed else ''}".strip() if one else "machine"
+        options.append(e("option", called, value=written(one), **({"selected": "selected"} if one == chosen else {})))
     said = faults(name, text, data)
     shown = [row for one in tables if part_of(one.place) == chosen for row in rows(one, said, data)]
     return markup(e("label", "Part ", e("select", *options, id="part")), e("div", *shown))
@@ -48,15 +51,6 @@ def entered(name: str, text: str, path: str, do: str, value: str) -> str:
     if not isinstance(place, list) or not place or not all(isinstance(part, str) for part in place):
         raise InputError([f"{path!r}: expected the names of an entry"])
     return changed(text, template.name, data, tuple(place), do, value)
-
-
-def called(part: Place, data: dict[str, Any]) -> str:
-    """Return what a part of a description is called."""
-    if not part:
-        return "machine"
-    rows_ = data.get(part[0])
-    row = rows_[int(part[1])] if part[1:] and rows_ else {}
-    return f"{counted(part)} {row.get('name', '')}".strip()
 
 
 def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:

@@ -1,23 +1,27 @@
-"""What every address has in common: who may ask, and what is done there with a file of the folder."""
+"""What every address has in common: who may ask, and the files of the folder that is served, and nothing outside it."""
 
 import base64
 import hashlib
 import hmac
+import re
 import tempfile
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any, TypeAlias
-from xml.etree.ElementTree import Element
 
 from tornado.httputil import HTTPFile
 from tornado.web import HTTPError, RequestHandler
 
-from workbook.errors import MotionbookError, WriteError
+from workbook.errors import MotionbookError, ReadError, WriteError
 from workbook.reports.html import STYLE
 from workbook.serve import pages
-from workbook.serve.folder import Folder
 from workbook.serve.work import Work
 
+KINDS = (".toml", ".xlsx", ".xlsm")  # descriptions and workbooks: what the first page lists
+MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")
+"""what is written and downloaded: also cam tables, and the results of studies"""
+NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
+LARGEST = 60_000_000  # bytes of an upload: what verify takes of a file at most
 COOKIE = "motionbook"
 REPORT = "report.html"
 STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
@@ -27,13 +31,60 @@ POLICY = (
 )
 
 
+class Folder:
+    """A folder of machines."""
+
+    def __init__(self, path: Path) -> None:
+        if not path.is_dir():
+            raise ReadError(f"{path}: there is no such folder")
+        self.path = path.resolve()
+
+    def files(self) -> list[Path]:
+        """Return its descriptions and workbooks, by name."""
+        found = (path for path in self.path.iterdir() if path.suffix.lower() in KINDS)
+        return sorted(path for path in found if path.is_file() and not path.name.startswith((".", "~$")))
+
+    def file(self, name: str) -> Path:
+        """Return a file of the folder; raise ReadError for a name that is none."""
+        path = self._within(name)
+        if path.suffix.lower() not in MADE or not path.is_file():
+            raise ReadError(f"{name}: there is no such file of a machine in this folder")
+        return path
+
+    def free(self, name: str) -> Path:
+        """Return where a new file can be written: the name, or that with a number."""
+        path = self._within(name)
+        if path.suffix.lower() not in MADE:
+            raise WriteError(f"{name}: expected a name that ends in {', '.join(MADE)}")
+        numbered = (path.with_stem(f"{path.stem}-{number}") for number in range(2, 1000))
+        return path if not path.exists() else next(one for one in numbered if not one.exists())
+
+    def _within(self, name: str) -> Path:
+        path = self.path / name
+        if not NAME.fullmatch(name) or name.startswith(".") or path.resolve().parent != self.path:
+            raise ReadError(f"{name!r}: expected the plain name of a file in this folder")
+        return path
+
+
+def plain(name: str, otherwise: str) -> str:
+    """Return the name of a file that was sent, without folders; ``otherwise`` where it is none."""
+    last = Path(name).name
+    return last if NAME.fullmatch(last) else otherwise
+
+
+def state(path: Path) -> str:
+    """Return by what a later version of a file is told from this one."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
 class Page(RequestHandler):
     """A page, which answers only at its own address and to who has the token of the first address.
 
     The Host is compared against DNS rebinding, the Origin of what is posted against pages from elsewhere.
     """
 
-    def initialize(self, method: str, action: "Action", folder: Folder, work: Work, verdicts: dict[str, str]) -> None:
+    def initialize(self, method: str, action: "Action | None", folder: Folder, work: Work,
+                   verdicts: dict[str, str]) -> None:  # fmt: skip
         """Take what is done by which method at this address, and what all pages share."""
         self.method, self.action = method, action
         self.folder, self.work, self.verdicts = folder, work, verdicts
@@ -67,6 +118,8 @@ class Page(RequestHandler):
         """Do what is done at this address, and answer with what that gives."""
         if self.request.method != self.method:
             raise HTTPError(405)
+        if self.action is None:  # there is nothing at this address
+            raise HTTPError(404)
         answer = await self.action(self, *names)
         if answer is not None:
             self.finish(answer)
@@ -112,7 +165,7 @@ class Page(RequestHandler):
         files = [one for one in (source, target) if isinstance(one, Path) and one.exists()]
         return pages.printed(Path(source).name, done.text, "not written" if done.code else "", *files)
 
-    async def reported(self, path: Path, *links: Element) -> str:
+    async def reported(self, path: Path, *links: str) -> str:
         """Verify a workbook and return its report, links above it."""
         with tempfile.TemporaryDirectory() as folder:
             report = Path(folder) / REPORT

@@ -1,11 +1,12 @@
-"""What a description comes to: beside its text while it is edited, on a page to print, in a line, as a picture."""
+"""What a description comes to: beside its text while it is edited, with handles at edges; in print, in a line."""
 
+import re
 from collections.abc import Iterator
 from contextlib import suppress
 from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import NamedTuple
-from xml.etree.ElementTree import Element, tostring
+from typing import Any, NamedTuple
+from xml.etree.ElementTree import Element, SubElement, tostring
 
 import numpy as np
 
@@ -17,11 +18,20 @@ from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError
 from workbook.reading.descriptions import checked, counted, parsed, template_named
 from workbook.reports.differences import figure
-from workbook.reports.html import Content, document, e, markup, table
-from workbook.reports.plot import Line, plot, scales
-from workbook.serve.edges import Edge, add_handles, edges
+from workbook.reports.html import Content, document, e, markup, rendered
+from workbook.reports.plot import Line, Scales, plot, scales
 from workbook.template import FOLDER
+from workbook.visible import visible
 
+AXIS = re.compile(r"(?m)^\[\[axes\]\]")
+HEADER = re.compile(r"(?m)^\s*\[")
+TABLE = re.compile(r"(?m)^\s*\[\[axes\.phases\]\]")
+INLINE = re.compile(r"(?m)^\s*phases\s*=\s*\[")
+ENTRY = re.compile(r"\b(?:start|stop)\s*=\s*(-?\d[\d.]*)")
+SHIFT = re.compile(r"(?m)^\s*shift\s*=\s*(-?\d[\d.]*)")
+NAME = re.compile(r"(?m)^\s*name\s*=.*$")
+STEPS = 360  # steps of a cycle: of one in degrees, a degree
+RADIUS = "6"
 CHARTS = 6  # of a design at most: those that an edit changes, else the first
 KEPT = 4  # designs that are remembered: the saved one, and the latest
 NEAR = 1e-9  # of a line's range: a smaller change is none
@@ -32,20 +42,103 @@ DRAWN, FEWER, MANY = 4, 2, 12
 """charts below the table of axes, and how many where it is longer than this"""
 
 
-class Drawn(NamedTuple):
-    """A chart of a book and its lines."""
+class Edge(NamedTuple):
+    """What is dragged in the diagram: where phases of an axis begin or end, or its whole lane.
 
-    chart: Chart
-    lines: list[Line]
+    ``value`` is as entered; ``places`` are where its numbers stand in the text. A lane without a shift in the text has
+    the place for one, and ``before`` is what is to be written before its number.
+    """
+
+    axis: str
+    value: float
+    places: list[tuple[int, int]]
+    lane: bool = False
+    before: str = ""
+
+    @property
+    def key(self) -> str:
+        """What the page finds its handle by, also in the next picture."""
+        return f"{self.axis} {'lane' if self.lane else format(self.value, 'g')}"
+
+
+def edges(text: str, machine: Any) -> Iterator[Edge]:
+    """Yield the lane and the edges of each axis whose entries stand in the text as the machine has them."""
+    marks = [found.start() for found in AXIS.finditer(text)]
+    axes = getattr(machine, "axes", [])
+    if len(marks) != len(axes):
+        return
+    for axis, begin, end in zip(axes, marks, [*marks[1:], len(text)], strict=False):
+        head = (text, begin, ended(text, text.index("\n", begin), end))
+        shift, name = SHIFT.search(*head), NAME.search(*head)
+        if shift and float(shift[1]) == axis.shift:
+            yield Edge(axis.name, axis.shift, [shift.span(1)], lane=True)
+        elif not shift and not axis.shift and name:  # there is room for one
+            yield Edge(axis.name, 0.0, [(name.end(), name.end())], lane=True, before="\nshift = ")
+        lists = [(one.end(), ended(text, one.end(), end)) for one in TABLE.finditer(text, begin, end)]
+        for one in INLINE.finditer(text, begin, end):
+            depth, at = 1, one.end()
+            while depth and at < end:
+                depth += {"[": 1, "]": -1}.get(text[at], 0)
+                at += 1
+            lists.append((one.end(), at))
+        numbers = (one for place in sorted(lists) for one in ENTRY.finditer(text, *place))
+        found = [(float(one[1]), one.span(1)) for one in numbers
+                 if "#" not in text[text.rfind("\n", 0, one.start()) + 1 : one.start()]]  # fmt: skip
+        entered = [value for phase in axis.phases for value in (phase.start, phase.stop)]
+        if [value for value, _ in found] == entered:
+            for value in dict.fromkeys(entered):
+                yield Edge(axis.name, value, [place for one, place in found if one == value])
+
+
+def ended(text: str, begin: int, end: int) -> int:
+    """Return where the next table begins, or the part of a text ends."""
+    following = HEADER.search(text, begin, end)
+    return following.start() if following else end
+
+
+def add_handles(svg: Element, scales: Scales, lines: list[Line], found: list[Edge], shifts: dict[str, float]) -> None:
+    """Add a handle to the timing diagram for each edge, on the line of its axis; a lane's is the name at its line."""
+    across, up = scales
+    drawn = {line.name: line for line in lines}
+    names = {one.text: one for one in svg.iter("text")}
+    svg.set("role", "group")
+    for edge in found:
+        line = drawn.get(edge.axis)
+        if line is None:
+            continue
+        begin, cycle = float(line.x[0]), float(np.ptp(line.x))
+        width = across.end - across.begin
+        if edge.lane:
+            handle = names[visible(edge.axis)]
+        else:
+            later = edge.value + shifts[edge.axis] - begin
+            at = np.array([begin + (later if 0.0 <= later <= cycle else later % cycle)])
+            x, y = across.at(at)[0], up.at(np.interp(at, line.x, line.y))[0]
+            handle = SubElement(svg, "circle", {"r": RADIUS, "cx": f"{x:.1f}", "cy": f"{y:.1f}"})
+            SubElement(handle, "title").text = f"{edge.axis}: {edge.value:g}"
+        handle.attrib.update({
+            "class": "lane" if edge.lane else "edge", "tabindex": "0", "role": "slider",
+            "aria-label": f"{edge.axis}, {'shift' if edge.lane else 'edge of a phase'}",
+            "aria-valuenow": f"{edge.value:g}", "data-edge": edge.key, "data-value": f"{edge.value!r}",
+            "data-step": f"{10.0 ** round(np.log10(cycle / STEPS)):g}", "data-across": f"{cycle / width!r}",
+            "data-places": " ".join(f"{low}-{high}" for low, high in edge.places), "data-before": edge.before,
+        })  # fmt: skip
 
 
 class Shown(Design):
     """A design with its charts."""
 
     @cached_property
-    def charts(self) -> list[tuple[tuple[str, str], Drawn]]:
-        """The charts of its book, by the titles of the sheet and their own."""
-        return list(charts_of(self.book))
+    def charts(self) -> list[tuple[tuple[str, str], tuple[Chart, list[Line]]]]:
+        """The charts of its book that have lines, each once, by the titles of its sheet and its own."""
+        found, seen = [], set[tuple[Series, ...]]()
+        for sheet in self.book.sheets:
+            for chart, *_ in sheet.charts:
+                drawn = [one for series in chart.series if (one := line(self.book, chart, series)).x.size]
+                if drawn and chart.series not in seen:
+                    found.append(((sheet.title, chart.title), (chart, drawn)))
+                seen.add(chart.series)
+        return found
 
     @cached_property
     def figures(self) -> dict[Key, Figure]:
@@ -62,15 +155,9 @@ def fragment(name: str, text: str, saved: str) -> str:
     old = None
     with suppress(MotionbookError):
         old = design(name, saved)
-    faults = [e("p", f"{counted(fault.key)}: {fault.said}") for fault in new.machine.design.faults]
-    fails = failing(new)
-    return markup(
-        *([e("h2", "Unfinished"), *faults] if faults else []),
-        e("h2", "Checks that fail"),
-        table(("Sheet", "Check", "Where, and by how much"), fails, ()) if fails else e("p", "None: all are OK."),
-        e("div", *pictures(new, old, list(edges(text, new.machine))), css="pictures"),
-        e("h2", "Results, in short"), table(("", "Now", "Saved", "Change", "Unit"), results(new, old), (1, 2, 3)),
-    )  # fmt: skip
+    drawn = pictures(new, old, list(edges(text, new.machine)))
+    return rendered("serve/fragment.html", new=new, counted=counted, fails=failing(new), results=results(new, old),
+                    drawn=[*map(markup, drawn)])  # fmt: skip
 
 
 @lru_cache(KEPT)
@@ -106,30 +193,18 @@ def results(new: Shown, old: Shown | None) -> list[list[Content]]:
 
 def pictures(new: Shown, old: Shown | None, found: list[Edge]) -> list[Element]:
     """Return the timing diagram with handles at edges, the charts that an edit changes, else the first of the book."""
-    known = {title: one.lines for title, one in old.charts} if old else {}
-    all_ = [(one, others if (others := known.get(title)) and differ(one.lines, others) else [])
-            for title, one in new.charts]  # fmt: skip
+    known = dict(old.charts) if old else {}
+    all_ = [(chart, lines, others if (others := known.get(title, (chart, []))[1]) and differ(lines, others) else [])
+            for title, (chart, lines) in new.charts]  # fmt: skip
     shifts = {axis.name: axis.shift for axis in getattr(new.machine, "axes", [])} if found else {}
-    all_.sort(key=lambda both: not (both[0].chart.lanes or both[1]))
+    all_.sort(key=lambda one: not (one[0].lanes or one[2]))
     drawn = []
-    for one, before in all_[:CHARTS]:
-        chart = one.chart
-        svg = plot(chart.title, (chart.x, chart.y), one.lines, (False, chart.log_y), before=before)
+    for chart, lines, before in all_[:CHARTS]:
+        svg = plot(chart.title, (chart.x, chart.y), lines, (False, chart.log_y), before=before)
         if chart.lanes:
-            add_handles(svg, scales([*one.lines, *before]), one.lines, found, shifts)
+            add_handles(svg, scales([*lines, *before]), lines, found, shifts)
         drawn.append(svg)
     return drawn
-
-
-def charts_of(book: Book) -> Iterator[tuple[tuple[str, str], Drawn]]:
-    """Yield the charts of a book that have lines, each once, by the titles of its sheet and its own."""
-    seen: set[tuple[Series, ...]] = set()
-    for sheet in book.sheets:
-        for chart, *_ in sheet.charts:
-            drawn = [one for series in chart.series if (one := line(book, chart, series)).x.size]
-            if drawn and chart.series not in seen:
-                yield (sheet.title, chart.title), Drawn(chart, drawn)
-            seen.add(chart.series)
 
 
 def line(book: Book, chart: Chart, series: Series) -> Line:
@@ -153,28 +228,9 @@ def differ(lines: list[Line], others: list[Line]) -> bool:
 
 
 def sheet(name: str, text: str) -> str:
-    """Return the page of a description."""
+    """Return the page of a description: results of the whole machine, those of each axis in a row, pictures."""
     shown = design(name, text)
     machine: Machine = shown.machine
-    known = [f"{word} {value}" for word in KNOWN if (value := getattr(machine, word))]
-    lines = [": ".join(map(str, row)) for row in failing(shown)]
-    more = [f"and {len(lines) - LINES} more"] if len(lines) > LINES else []
-    word = e("span", "FAIL" if lines else "OK", css=f"verdict {'fails' if lines else 'agrees'}")
-    whole, axes = figures(shown)
-    first, *others = pictures(shown, None, [])
-    below = others[: FEWER if len(shown.axes) > MANY else DRAWN]
-    body = [
-        e("h1", machine.title, " ", word),
-        e("p", ", ".join([name, machine.template, *known]), css="quiet"),
-        e("p", "Print this page by Ctrl+P; it is one page of A4.", css="quiet screen"),
-        e("div", *(e("p", line) for line in (*lines[:LINES], *more))),
-        e("div", whole, first, css="columns"), *axes, e("div", *below, css="pictures"),
-    ]  # fmt: skip
-    return document(machine.title, [e("div", *body, css="sheet")])
-
-
-def figures(shown: Shown) -> tuple[Element, list[Element]]:
-    """Return the results of the whole machine, and the table of those that each axis has, a row an axis."""
     whole: list[list[Content]] = []
     of: dict[str, dict[str, Content]] = {}
     for label, value, _, _, unit in results(shown, None):
@@ -184,9 +240,13 @@ def figures(shown: Shown) -> tuple[Element, list[Element]]:
         else:
             whole.append([label, short(str(value)), unit])
     names = list(dict.fromkeys(what for row in of.values() for what in row))
-    rows = [[axis, *(row.get(what, "") for what in names)] for axis, row in of.items()]
-    axes = [table(("Axis", *names), rows, range(1, len(names) + 1))] if rows else []
-    return table(("Result", "", ""), whole, (1,)), axes
+    drawn = pictures(shown, None, [])[: 1 + (FEWER if len(shown.axes) > MANY else DRAWN)]
+    return document(machine.title, rendered(
+        "serve/sheet.html", title=machine.title, lines=[": ".join(map(str, row)) for row in failing(shown)], most=LINES,
+        known=[name, machine.template, *(f"{word} {value}" for word in KNOWN if (value := getattr(machine, word)))],
+        whole=whole, names=names, axes=[[axis, *(row.get(what, "") for what in names)] for axis, row in of.items()],
+        drawn=[*map(markup, drawn)],
+    ))  # fmt: skip
 
 
 def short(value: str) -> str:
@@ -212,5 +272,5 @@ def in_short(name: str, text: str) -> str:
 
 def picture(template: str) -> str:
     """Return the first chart of a template's committed description as a picture of its own."""
-    text = (FOLDER / f"{template}.toml").read_text(encoding="utf-8")
-    return tostring(pictures(design(template, text), None, [])[0], encoding="unicode")
+    shown = design(template, (FOLDER / f"{template}.toml").read_text(encoding="utf-8"))
+    return tostring(pictures(shown, None, [])[0], encoding="unicode")

@@ -1,37 +1,65 @@
 """The page Study: choose what varies, follow the work, open the designs of the front."""
 
+import re
 import time
+import tomllib
+from collections.abc import Mapping
 from pathlib import Path
-from xml.etree.ElementTree import Element
+from typing import Any, NamedTuple
 
-from workbook.build import write_text
+import tomli_w
+from pydantic import ValidationError
+
+from workbook.build import described
+from workbook.commands.study import known
+from workbook.entries.design import as_entered
+from workbook.entries.machine import Machine
+from workbook.errors import InputError, MotionbookError, ReadError
+from workbook.intake import read_text
+from workbook.laws.entries import ENTRIES, references
 from workbook.pool import cores
-from workbook.reports.html import Content, e, markup, table
-from workbook.serve import pages, studied
+from workbook.reading.descriptions import parsed, template_named, write_machine
+from workbook.reports import study as reported
+from workbook.reports.html import shown
+from workbook.serve import pages
 from workbook.serve.handler import Page
-from workbook.serve.work import Job
+from workbook.serve.tables import differing, edited
 from workbook.studies import folder
-from workbook.studies.named import Label
+from workbook.studies.evaluate import Label, listed, require_names
+from workbook.studies.paths import held, leaves, written
+from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, planned, read_study
+from workbook.studies.run import machine_of
+from workbook.studies.space import Study
+from workbook.studies.summary import Summary
+from workbook.writing.place import write_text
 
 ROWS = 6  # results that a form can ask for
 ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at least": "at least",
          "at most": "at most", "off": "no constraint"}  # fmt: skip
 """what can be asked of a result, with its words in the form"""
 SENT = ("result", "what", "value", "key", "values", "takes")  # the fields of a form that stand in several rows
+RANGE = re.compile(r"(\S+) to (\S+?)(?: in (\d+))?")
+ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
+SHARE, STEPS = 0.1, 5
+"""of a number, to either side, and in so many values: what is proposed"""
+GOALS = ("minimise", "maximise", "results")
+BOUNDS = {"at least": "min", "at most": "max"}
+OFF = "off"
 
 
 async def vary(page: Page, name: str) -> str:
     """Show the form of a study of a description."""
     path = page.folder.file(name)
-    return form(name, *await page.work.beside(studied.choices, path))
+    tables, results = await page.work.beside(choices, path)
+    return pages.page(f"{name}: study", "vary", name=name, tables=tables, results=results, rows=ROWS, asked=ASKED)
 
 
 async def new(page: Page) -> None:
     """Write a study under a name that is free, begin it and follow it."""
     base = page.file()
     asked = {key: page.get_body_arguments(key) for key in (*page.request.body_arguments, *SENT)}
-    text = studied.composed(base.name, asked)
-    await page.work.beside(studied.require_study, text, base)
+    text = composed(base.name, asked)
+    await page.work.beside(require_study, text, base)
     path = page.folder.free(f"{base.stem}-study.toml")
     write_text(path, text)
     await begin(page, path)
@@ -61,10 +89,7 @@ async def cancel(page: Page) -> None:
 
 async def show(page: Page, name: str) -> str:
     """Show a study; the script fetches how far it is."""
-    base = studied.base_of(page.folder.file(name))
-    above = [pages.back(), e("p", pages.link(f"/edit/{base}", f"Edit {base}"))] if base else [pages.back()]
-    panel = e("div", e("p", "…", css="quiet"), id="study", **{"data-name": name})
-    return pages.page(name, [e("h1", name), *above, panel], "study")
+    return pages.page(name, "study", "study", base=base_of(page.folder.file(name)))
 
 
 async def progress(page: Page, name: str) -> str:
@@ -72,62 +97,144 @@ async def progress(page: Page, name: str) -> str:
     path = page.folder.file(name)
     job, results = page.work.jobs.get(path.name), path.with_suffix(".csv")
     if job is not None and job.done is None:
-        return markup(working(path.name, *folder.progress(results), job))
+        done, size = folder.progress(results)
+        rate = (done - job.before) / max(time.monotonic() - job.begun, 1.0)
+        words = f"{done:,} of {size:,} designs, {rate:,.1f}/s" if size else "Measuring how long a design takes …"
+        bar = f'<p><progress value="{done}" max="{max(size, 1)}"></progress> {words}</p>'
+        return f'<div data-running="yes">{bar}{pages.post("/cancel", path.name, "Cancel")}</div>'
     if path.with_suffix(".json").exists():
-        found = await page.work.beside(studied.front, path)
-        return found + markup(pages.link(f"/file/{results.name}", "Download all designs"))
+        found = await page.work.beside(front, path)
+        return found + pages.link(f"/file/{results.name}", "Download all designs")
     done, size = folder.progress(results)
     words = f"{done:,} of {size:,} designs are worked out." if size else "No design is worked out."
-    said = [e("pre", job.done.text)] if job and job.done and job.done.text else []
-    return markup(e("p", words), pages.post("/begin", path.name, "Go on" if size else "Begin"), *said)
+    said = f"<pre>{shown(job.done.text)}</pre>" if job and job.done and job.done.text else ""
+    return f"<p>{words}</p>{pages.post('/begin', path.name, 'Go on' if size else 'Begin')}{said}"
 
 
-def working(name: str, done: int, size: int, job: Job) -> Element:
-    """Return how far a study is that is at work, and what cancels it."""
-    rate = (done - job.before) / max(time.monotonic() - job.begun, 1.0)
-    bar = e("progress", value=str(done), max=str(max(size, 1)))
-    words = f"{done:,} of {size:,} designs, {rate:,.1f}/s" if size else "Measuring how long a design takes …"
-    return e("div", e("p", bar, f" {words}"), pages.post("/cancel", name, "Cancel"), **{"data-running": "yes"})
+class Field(NamedTuple):
+    """An entry that can vary: its key, its value now, over what it is proposed to vary.
+
+    ``known`` are the words that it may be, ``givers`` the phases that can give the room that this one takes.
+    """
+
+    key: str
+    now: str
+    over: str
+    known: list[str]
+    givers: list[str]
 
 
-def form(name: str, tables: dict[str, list[studied.Field]], results: list[tuple[str, Label]]) -> str:
-    """Return the page of what can vary in a description, and of the results to ask for."""
-    what = e("select", *(e("option", said, value=key) for key, said in ASKED.items()), name="what",
-             **{"aria-label": "What is asked of it"})  # fmt: skip
-    asked = [e("p", e("label", "Result ", field("result", list="results"), " "), e("label", what, " "),
-               e("label", "bound ", field("value", size="8"))) for _ in range(ROWS)]  # fmt: skip
-    options = [e("option", label.words + (f" [{label.unit}]" if label.unit else ""), value=key)
-               for key, label in results]  # fmt: skip
-    ways = pages.choice("way", ("full", "sobol", "evolution"))
-    body = [
-        e("h1", f"{name}: study"), pages.back(), e("p", pages.link(f"/edit/{name}", f"Edit {name}")),
-        e("p", "Tick what varies, and say over which values: 80 to 100 in 5, or 80, 90, 100, or all (laws, products). "
-               "A design is feasible where its book has no FAIL and its results keep to the constraints."),
-        pages.form("/study", pages.hidden("name", name), e("h2", "Best, and constraints"), *asked,
-                   e("datalist", *options, id="results"),
-                   e("p", pages.label("Designs:", "way"), ways, pages.label(" not in full, how many", "designs"),
-                     e("input", type="number", name="designs", id="designs", value="1000", min="1")),
-                   e("h2", "What varies"), *(varying(*one) for one in tables.items()),
-                   e("p", pages.button("Begin"))),
-    ]  # fmt: skip
-    return pages.page(f"{name}: study", body)
+def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]]:
+    """Return the entries that can vary by their tables, and the results that may be asked for, fast ones first."""
+    machine: Any = described(base)
+    data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
+    words = {one.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for one in references(machine)}
+    tables: dict[str, list[Field]] = {}
+    for key, value in leaves(data, PRODUCTS):
+        *above, last = key.split(".")
+        if last == "name" and above and above[-1] in PRODUCTS:
+            words[key] = [one.name for one in getattr(machine.selection, PRODUCTS[above[-1]])]
+        if isinstance(value, float) or key in words:
+            known, over = [ALL, *words[key]] if key in words else [], ALL
+            if not known:
+                low, high = sorted((value * (1.0 - SHARE), value * (1.0 + SHARE)))
+                over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
+            rows = len(held(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
+            givers = [written([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
+            row = Field(written([*above, last]), reported.figure(value), over, known, givers)
+            named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
+            tables.setdefault(f"{written(above)} {named}".strip(), []).append(row)
+    return tables, [one for _, names in listed(machine) for one in names]
 
 
-def varying(path: str, rows: list[studied.Field]) -> Element:
-    """Return the entries of a table that can vary."""
-    lines: list[list[Content]] = []
-    for one in rows:
-        tick = e("label", e("input", type="checkbox", name="vary", value=one.key), f" {one.key.rpartition('.')[2]}")
-        listed = e("datalist", *(e("option", value=word) for word in one.known), id=f"list-{one.key}")
-        over = field("values", value=one.over, list=f"list-{one.key}", **{"aria-label": f"{one.key}: values"})
-        givers = e("select", e("option", "–", value=""), *(e("option", phase, value=phase) for phase in one.givers),
-                   name="takes", **{"aria-label": f"{one.key}: takes its room from"})  # fmt: skip
-        room = givers if one.givers else pages.hidden("takes", "")
-        lines.append([tick, one.now, e("span", pages.hidden("key", one.key), over, listed), room])
-    last = "Takes its room from" if any(one.givers for one in rows) else ""
-    return e("details", e("summary", path or "The machine"), table(("Entry", "Now", "Over", last), lines, (1,)))
+def base_of(path: Path) -> str:
+    """Return the name of the description that a study begins with; nothing where the study does not tell it."""
+    try:
+        return str(parsed(read_text(path, "a study, a .toml file"), path).get("base", ""))
+    except MotionbookError:
+        return ""
 
 
-def field(name: str, **attributes: str) -> Element:
-    """Return a field of one line that may be empty."""
-    return e("input", type="text", name=name, **attributes)
+def composed(base: str, asked: Mapping[str, list[str]]) -> str:
+    """Return the text of a study of what a form asks for, lists of texts by the names of its fields."""
+    study: dict[str, Any] = {"title": f"Study of {Path(base).stem}", "base": base}
+    constraints: dict[str, Any] = {}
+    for name, what, value in zip(asked["result"], asked["what"], asked["value"], strict=True):
+        if name and what in GOALS:
+            study.setdefault(what, []).append(name)
+        elif name and what in BOUNDS:
+            constraints.setdefault(name, {})[BOUNDS[what]] = value_of(value)
+        elif name:
+            constraints[name] = what
+    study |= {"constraints": constraints} if constraints else {}
+    kind = asked["way"][0]
+    study["way"] = {"kind": kind} | ({} if kind == "full" else {"designs": int(value_of(asked["designs"][0]))})
+    values = dict(zip(asked["key"], asked["values"], strict=True))
+    givers = {key: {"takes": phase} for key, phase in zip(asked["key"], asked.get("takes", []), strict=False) if phase}
+    study["vary"] = [{"key": key} | varied(key, values[key]) | givers.get(key, {}) for key in asked.get("vary", [])]
+    return tomli_w.dumps(study)
+
+
+def varied(key: str, text: str) -> dict[str, Any]:
+    """Return what an entry varies over: ``80 to 100 in 5``, values with commas between, or all."""
+    text = text.strip()
+    if text == ALL:
+        return {"all": CATALOGUE if key.endswith(".name") else LAWS}
+    if span := RANGE.fullmatch(text):
+        ends = {"from": value_of(span[1]), "to": value_of(span[2])}
+        return ends | ({"steps": int(span[3])} if span[3] else {})
+    return {"values": [value_of(one.strip(), or_text=True) for one in text.split(",") if one.strip()]}
+
+
+def value_of(text: str, or_text: bool = False) -> Any:
+    """Return the number that a text is; of another one, it as it is where that may be, else raise InputError."""
+    try:
+        return float(text)
+    except ValueError:
+        if or_text:
+            return text
+        raise InputError([f"{text!r}: expected a number"]) from None
+
+
+def require_study(text: str, base: Path) -> None:
+    """Raise InputError for a study that asks for what there is not."""
+    try:
+        study = Study.model_validate(tomllib.loads(text))
+    except ValidationError as error:
+        raise InputError(lines_of(error, "study")) from None
+    require_names(planned(study, base, "study"), "study")
+
+
+def front(path: Path) -> str:
+    """Return the HTML of what came of a study; each of the best designs is a link to its description."""
+    plan, found = found_in(path)
+    named = require_names(plan, str(path))
+    links = [f"/edit/{plan.study.base}?study={path.name}&pick={n}" for n in range(1, len(found.best) + 1)]
+    return reported.front(plan, found, named, links=links)
+
+
+def found_in(path: Path) -> tuple[Plan, Summary]:
+    """Return a study and what is known of it; raise ReadError where these do not go together."""
+    plan, results = read_study(path), path.with_suffix(".json")
+    found = known(plan, results, own=True)
+    if found is None:
+        raise ReadError(f"{results.name}: results of this study before it or its machine was changed; delete them")
+    return plan, found
+
+
+def picked(path: Path, number: int) -> str:
+    """Return the description of one of the best designs of a study: the text of its base with other entries."""
+    plan, found = found_in(path)
+    if not 1 <= number <= len(found.best):
+        raise InputError([f"design {number}: expected 1 to {len(found.best)}"])
+    machine: Machine = machine_of(plan, found.best[number - 1])
+    base = path.parent / str(plan.study.base)
+    text = read_text(base, "a machine description, a .toml file")
+    try:
+        changed = edited(text, differing(as_entered(plan.base), as_entered(machine)))
+        template = template_named(plan.base.template, "template")
+        if template.model_for(data := parsed(changed, base)).model_validate(data) == machine:
+            return changed
+    except (MotionbookError, ValidationError):
+        pass
+    return write_machine(machine)

@@ -1,20 +1,26 @@
-"""The tables and entries of a description's text by their places, and what a form changes in them."""
+"""The tables and entries of a description's text by their places, and what is changed in them; its comments stay."""
 
 import json
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import tomlkit
+from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import Array, InlineTable
 
-from workbook.described.keys import Key, Section, sections
+from workbook.described.keys import Key, Section, sections, toml
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
-from workbook.serve.toml import edited
 from workbook.template import has
 from workbook.templates import TEMPLATES
 
 Place = tuple[str, ...]  # the way to an entry: names, and numbers of rows from 0
+
+NOTHING = object()  # stands where a description has no entry
+COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")
+"""a line of entries, the blanks before its comment, and the comment"""
 
 
 class Table(NamedTuple):
@@ -28,21 +34,19 @@ class Table(NamedTuple):
 def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
     """Return the tables that a description of a template has, and those that it leaves out."""
     way = next((key for key in TEMPLATES[template].others if has(data, key)), "")
-    return [one for section in known(template, way) for one in found(section, data)]
+    made = []
+    for section in known(template, way):
+        for place, entries in tables_at(section.path.split(".") if section.path else [], data):
+            kind = entries.get(KIND) if isinstance(entries, dict) else None
+            if not section.kind or section.kind == kind:
+                made.append(Table(place, section, entries if isinstance(entries, dict) else None))
+    return made
 
 
 @lru_cache
 def known(template: str, way: str = "") -> list[Section]:
     """Return the tables of a template's descriptions."""
     return sections(TEMPLATES[template], way)
-
-
-def found(section: Section, data: Any) -> Iterator[Table]:
-    """Yield each table of a section that a description has, and one without entries where it could have it."""
-    for place, entries in tables_at(section.path.split(".") if section.path else [], data):
-        kind = entries.get(KIND) if isinstance(entries, dict) else None
-        if not section.kind or section.kind == kind:
-            yield Table(place, section, entries if isinstance(entries, dict) else None)
 
 
 def tables_at(path: list[str], data: Any, place: Place = ()) -> Iterator[tuple[Place, Any]]:
@@ -68,9 +72,6 @@ def written(place: Place) -> str:
     return json.dumps(place, ensure_ascii=False)
 
 
-# --- changes
-
-
 def changed(text: str, template: str, data: dict[str, Any], place: Place, do: str, value: str) -> str:
     """Return the text with an entry set to what a field says, or a table or row added, copied or removed.
 
@@ -87,8 +88,11 @@ def changed(text: str, template: str, data: dict[str, Any], place: Place, do: st
     key = key_of(tables, place)
     new = value_of(key, value.strip())
     changes: list[tuple[Place, Any]] = [(place, new)] if new is not None or at(data, place) is not None else []
-    if key.name == KIND and isinstance(new, str):
-        changes += of_kind(template, place, new, above)
+    if key.name == KIND and isinstance(new, str):  # the table becomes one of another kind
+        keys = [key for one in sections_at(template, place[:-1]) if one.kind in ("", new) for key in one.keys]
+        gone = above.keys() - {key.name for key in keys}
+        changes += [((*place[:-1], name), None) for name in above if name in gone]
+        changes += [((*place[:-1], name), made) for name, made in required(keys).items() if name not in above]
     return edited(text, changes)
 
 
@@ -156,12 +160,52 @@ def required(keys: Sequence[Key]) -> dict[str, Any]:
     return {key.name: key.example for key in keys if key.required and key.example is not None}
 
 
-def of_kind(template: str, place: Place, kind: str, old: dict[str, Any]) -> Iterator[tuple[Place, Any]]:
-    """Yield what changes in a table that becomes one of another kind."""
-    kept = [key for one in sections_at(template, place[:-1]) if one.kind in ("", kind) for key in one.keys]
-    for name in old:
-        if name not in {key.name for key in kept}:
-            yield (*place[:-1], name), None
-    for name, value in required(kept).items():
-        if name not in old:
-            yield (*place[:-1], name), value
+def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
+    """Return the text with other values at paths, names and row numbers from 0; None takes an entry away.
+
+    Raises InputError for a text that is not TOML, and for a path that does not lead to an entry.
+    """
+    try:
+        document = tomlkit.parse(text)
+        for path, value in changes:
+            put(document, path, value)
+        before, after = text.split("\n"), tomlkit.dumps(document).split("\n")
+    except (TOMLKitError, LookupError, TypeError, ValueError) as error:
+        raise InputError([f"the text cannot be changed there: {error}"]) from None
+    if len(before) == len(after):  # each comment keeps its column, where the line leaves room for it
+        for k, (one, other) in enumerate(zip(before, after, strict=True)):
+            then, now = COMMENTED.fullmatch(one), COMMENTED.fullmatch(other)
+            if then and now and then[3] == now[3]:
+                after[k] = f"{now[1]:<{then.start(3) - 1}} {now[3]}"
+    return "\n".join(after)
+
+
+def put(table: Any, path: Place, value: Any) -> None:
+    """Set an entry below a table, or take it away."""
+    *above, last = path
+    for part in above:
+        if isinstance(table, list):
+            table = table[int(part)]
+            continue
+        if part not in table:
+            table[part] = tomlkit.inline_table() if isinstance(table, InlineTable) else tomlkit.table()
+        table = table[part]
+    key = int(last) if isinstance(table, list) else last
+    if value is None:
+        del table[key]
+    elif isinstance(table, list) and key == len(table):
+        table.append(tomlkit.parse(f"x = {toml(value)}")["x"] if isinstance(table, Array) else value)
+    else:
+        table[key] = value
+
+
+def differing(old: Any, new: Any, path: Place = ()) -> Iterator[tuple[Place, Any]]:
+    """Yield the paths of the entries by which a description differs from another, with the new values."""
+    if isinstance(old, dict) and isinstance(new, dict):
+        for key in {**old, **new}:
+            yield from differing(old.get(key, NOTHING), new.get(key, NOTHING), (*path, key))
+    elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
+        for k, (one, other) in enumerate(zip(old, new, strict=True)):
+            yield from differing(one, other, (*path, str(k)))
+    elif old is not new and old != new:
+        yield path, None if new is NOTHING else new

@@ -1,7 +1,9 @@
-"""The results of designs: those that differ only in what scales at once, all others one by one."""
+"""The results of designs: those that differ only in what scales at once, others one by one; what they are called."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fnmatch import filter as matching
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -12,14 +14,28 @@ from numpy.typing import NDArray
 from workbook.book.declare import Book
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
+from workbook.errors import InputError
 from workbook.scaling import Column, Results
-from workbook.studies.model import Bound
-from workbook.studies.plan import Plan
+from workbook.studies.paths import nearest
+from workbook.studies.plan import Plan, book_names
+from workbook.studies.space import Bound
 from workbook.templates import TEMPLATES
 
 Values = NDArray[Any]
 ENDLESS = "∞"  # what a book shows of a jerk where the acceleration jumps
 NOTHING = "this result has no value"
+UNITS = {"mass": "kg"}
+ROW = re.compile(r"(.+)\.(\d+)")
+
+
+class Label(NamedTuple):
+    """What a result is called, and its unit."""
+
+    words: str
+    unit: str
+
+
+Named = dict[str, Label]
 
 
 @dataclass(frozen=True)
@@ -87,8 +103,10 @@ class Evaluator:
     def table(self, begin: int, columns: Sequence[Column]) -> Table:
         """Return the results of designs that are numbered from ``begin``."""
         count = len(columns[0].places)
+        places = np.array([columns[k].places for k in self._outer], dtype=np.intp).reshape(-1, count)
+        cuts = np.flatnonzero((places[:, 1:] != places[:, :-1]).any(axis=0)) + 1  # others follow in an outer dimension
         found: list[tuple[Found, int]] = []
-        for first, last in groups(columns, self._outer, count):
+        for first, last in pairwise([0, *cuts.tolist(), count]):
             some = [Column(one.values, one.places[first:last]) for one in columns]
             found.append((self._group(some, last - first), last - first))
         results = {name: together([wide(one.results.get(name, np.nan), n) for one, n in found]) for name in self.names}
@@ -125,8 +143,16 @@ class Evaluator:
             return Found({}, {}, str(error).replace("\n", " "))
 
     def _beyond(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return which designs do not keep to bounds."""
-        return {name: ~keeps(bound, np.asarray(values[name])) for name, bound in self.plan.bounds.items()}
+        """Return which designs do not keep to bounds, or are another text; what is no number keeps to none."""
+        found: dict[str, Any] = {}
+        for name, bound in self.plan.bounds.items():
+            if isinstance(bound, str):
+                found[name] = np.asarray(values[name]) != bound
+            else:
+                numbers = np.asarray(values[name]).astype(np.float64)
+                low, high = -np.inf if bound.min is None else bound.min, np.inf if bound.max is None else bound.max
+                found[name] = ~((numbers >= low) & (numbers <= high))
+        return found
 
     def _scaled(self, machine: Machine, scaled: Mapping[str, Column], count: int) -> Found:
         """Return what is found of designs that differ only in what scales."""
@@ -151,16 +177,6 @@ class Evaluator:
 def wide(values: Any, count: int) -> Values:
     """Return a value for each of so many designs."""
     return np.broadcast_to(np.asarray(values), count)
-
-
-def groups(columns: Sequence[Column], outer: Sequence[int], count: int) -> Iterator[tuple[int, int]]:
-    """Yield from which row to which designs follow each other that are the same in the outer columns."""
-    if not outer:
-        yield 0, count
-        return
-    indices = np.array([columns[k].places for k in outer])
-    cuts = np.flatnonzero((indices[:, 1:] != indices[:, :-1]).any(axis=0)) + 1
-    yield from pairwise([0, *cuts.tolist(), count])
 
 
 def together(parts: Sequence[Values]) -> Values:
@@ -189,10 +205,63 @@ def of_book(book: Book, name: str) -> Any:
     return np.inf if value == ENDLESS else value
 
 
-def keeps(bound: Bound | str, values: Values) -> NDArray[np.bool_]:
-    """Return which results keep to a bound, or are a text."""
-    if isinstance(bound, str):
-        return np.asarray(values == bound)
-    numbers = values.astype(np.float64)  # what is none keeps to nothing
-    low, high = -np.inf if bound.min is None else bound.min, np.inf if bound.max is None else bound.max
-    return np.asarray((numbers >= low) & (numbers <= high))
+def require_names(plan: Plan, where: str) -> Named:
+    """Return the labels of results and constraints; raise InputError for a name that there is not."""
+    book, usual, study = plan.template.declare(plan.base), of_no_book(plan.base), plan.study
+    known = dict.fromkeys([*usual.named, *book_names(book)])
+    checks = [q.name for _, q in book.checks]
+    lines = []
+    for pattern in study.off:
+        if not matching([*checks, *known], pattern):
+            lines.append(f"{where}: constraints: no check is named {pattern!r}; expected {nearest(pattern, checks)}")
+    for name in study.names:
+        if name not in known:
+            lines.append(f"{where}: no result is named {name!r}; expected {nearest(name, known)}")
+            continue
+        value = usual.named[name]() if name in usual.named else of_book(book, name)
+        value = value.ravel()[0].item() if hasattr(value, "ravel") else value
+        text = isinstance(value, str)
+        if name in study.goals and text:
+            lines.append(f"{where}: {name} is a text, {value!r}; expected a number to minimise or maximise")
+        bound = study.bounds.get(name)
+        if bound is not None and text == isinstance(bound, Bound):
+            expected = f'{name} = "OK"' if text else f"{name} = {{ max = ... }}"
+            lines.append(f"{where}: constraints: {name} is {'a text' if text else 'a number'}; expected {expected}")
+    if lines:
+        raise InputError(lines)
+    return {name: label(book, name) for name in dict.fromkeys([*study.names, *plan.bounds, *checks])}
+
+
+def listed(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
+    """Yield headings and the names below them, those of a table's rows as one: ``axis1.v.1…3``."""
+    template = TEMPLATES[machine.template]
+    book, usual = template.declare(machine), of_no_book(machine)
+    inputs = {name for name, block in book.blocks.items() for q in block.quantities if q.role == "input"}
+    named = dict.fromkeys(name for name in book_names(book) if name.partition(".")[0] not in inputs)
+    fast = [name for name in usual.named if name not in usual.slow]
+    slow = [name for name in usual.named if name in usual.slow]
+    others = [name for name in named if name not in usual.named]
+    for heading, names in (("Fast", fast), ("Each design by itself", slow), ("From a book of each design", others)):
+        yield heading, [(name, label(book, name.partition("…")[0])) for name in gathered(names)]
+
+
+def gathered(names: list[str]) -> Iterator[str]:
+    """Yield names, those of a table's rows as one."""
+    rows: dict[str, list[str]] = {}
+    for name in names:
+        found = ROW.fullmatch(name)
+        rows.setdefault(found[1] if found else name, []).append(found[2] if found else "")
+    for name, numbers in rows.items():
+        last = f"…{numbers[-1]}" if len(numbers) > 1 else ""
+        yield f"{name}.{numbers[0]}{last}" if numbers[0] else name
+
+
+def label(book: Book, name: str) -> Label:
+    """Return what a result is called."""
+    block, _, rest = name.partition(".")
+    found = book.blocks.get(block)
+    if found is None:
+        return Label(name.partition("_")[2].replace("_", " "), UNITS.get(name.rpartition("_")[2], ""))
+    column = rest.partition(".")[0]
+    quantity = next(q for q in found.quantities if not column or q.name == column)
+    return Label(quantity.label, quantity.unit)

@@ -4,7 +4,6 @@ import csv
 import hashlib
 import io
 import json
-import os
 import re
 import shutil
 import sys
@@ -19,13 +18,13 @@ import numpy as np
 from workbook.errors import WriteError
 from workbook.studies.evaluate import Table
 from workbook.studies.summary import Summary
-from workbook.writing.place import unwritten
+from workbook.writing.place import replace, unwritten
 
 FORMATS = (".csv", ".parquet")
 ENDS = ("feasible", "fails", "impossible")  # the last columns of a table
 EXTRA = "Parquet wants the package pyarrow: pip install pyarrow; or name the results .csv"
 LOCK, TOLD = "lock", "study.json"
-OWN = re.compile(r"\.?part-[0-9]{8}\.(json|csv|parquet)")
+OWN = re.compile(r"part-[0-9]{8}\.(json|csv|parquet)|\.motionbook-[0-9a-f]{16}\.part")
 """the files of a part, and the drafts left where a process ended; no others are removed"""
 NOTED = re.compile(r"part-([0-9]{8})\.json")  # the file that is written last of a part
 STEP = 64
@@ -71,20 +70,17 @@ class Parts:
             yield
 
     def complete(self) -> set[int]:
-        """Return the numbers of the parts that are whole: their rows are those that were written."""
-        return {number for number in numbers(self.folder) if self._whole(number)}
+        """Return the numbers of the parts whose rows have the length and the digest that were noted when written."""
+        found = set()
+        for number in numbers(self.folder):
+            with suppress(OSError, ValueError, TypeError, KeyError):
+                if json.loads(read(self._noted(number)))["rows"] == told_of(self.rows(number).read_bytes()):
+                    found.add(number)
+        return found
 
     def _own(self) -> list[Path]:
         """Return the files of parts; what else lies in the folder is somebody's own."""
-        return [one for one in self.folder.glob("*part-*") if OWN.fullmatch(one.name)]
-
-    def _whole(self, number: int) -> bool:
-        """Whether the rows of a part have the length and the digest that were noted when they were written."""
-        try:
-            noted = json.loads(read(self._noted(number)))["rows"]
-            return bool(noted == told_of(self.rows(number).read_bytes()))
-        except (OSError, ValueError, TypeError, KeyError):
-            return False
+        return [one for one in self.folder.iterdir() if OWN.fullmatch(one.name)]
 
     def _noted(self, number: int) -> Path:
         return self.folder / f"part-{number:08}.json"
@@ -112,17 +108,11 @@ class Parts:
 
 
 def place(path: Path, data: bytes) -> None:
-    """Write a file beside and rename it; raise WriteError where there is no room."""
-    draft = path.with_name(f".{path.name}")
+    """Write a file whole or not at all; raise WriteError where there is no room."""
     try:
-        with draft.open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(path)
-    except OSError as error:
-        draft.unlink(missing_ok=True)
-        raise WriteError(f"{unwritten(path, error)}; --resume goes on when that is mended") from error
+        replace(path, lambda draft: draft.write_bytes(data), overwrite=True)
+    except WriteError as error:
+        raise WriteError(f"{error}; --resume goes on when that is mended") from error
 
 
 def progress(results: Path) -> tuple[int, int]:
@@ -199,8 +189,11 @@ def require_format(path: Path) -> None:
             raise WriteError(f"{path}: {EXTRA}") from error
 
 
-def columns(labels: list[str], table: Table) -> dict[str, list[Any]]:
-    """Return the columns of a table: number, entries, results, whether it is feasible, and why not."""
+def part(labels: list[str], table: Table, suffix: str) -> bytes:
+    """Return a table as a part of a file of this suffix, without its head.
+
+    Its columns: number, entries, results, whether a design is feasible, and why not.
+    """
     found: dict[str, list[Any]] = {"design": list(range(table.begin + 1, table.begin + len(table) + 1))}
     for label, one in zip(labels, table.entries, strict=True):
         found[label] = np.array(list(one.values), dtype=object)[one.places].tolist()
@@ -210,12 +203,7 @@ def columns(labels: list[str], table: Table) -> dict[str, list[Any]]:
     for name, fails in table.fails.items():
         failing[fails] += f" {name}"
     ends = np.where(table.feasible, "yes", "no").tolist(), [n.lstrip() for n in failing], table.reasons.tolist()
-    return found | dict(zip(ENDS, ends, strict=True))
-
-
-def part(labels: list[str], table: Table, suffix: str) -> bytes:
-    """Return a table as a part of a file of this suffix, without its head."""
-    found = columns(labels, table)
+    found |= dict(zip(ENDS, ends, strict=True))
     if suffix == ".csv":
         return lines(zip(*found.values(), strict=True))
     import pyarrow

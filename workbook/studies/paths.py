@@ -11,6 +11,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError
 
 PART = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
+MISSING = object()  # what is at no entry
 MOST = 12  # names that a message lists
 
 
@@ -32,7 +33,20 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> tupl
     entry: Any = machine
     path: list[str] = []
     for whole, number, plain in PART.findall(key):
-        entry, part = step(entry, whole or number or plain, bool(number), f"{where}: {key!r}")
+        part, known = whole or number or plain, below(entry)
+        if isinstance(entry, list):
+            names = [getattr(one, "name", None) for one in entry]
+            at = int(part) - 1 if number else names.index(part) if part in names else -1
+            entry, part = (entry[at], str(at)) if 0 <= at < len(entry) else (MISSING, part)
+        elif isinstance(entry, RootModel):
+            entry = entry.root.get(part, MISSING)
+        elif isinstance(entry, BaseModel) and not number and part in type(entry).model_fields:
+            entry = getattr(entry, part)
+        else:
+            entry = MISSING
+        if entry is MISSING:
+            said = f"has no {part!r}; expected {nearest(part, known)}" if known else f"is empty before {part!r}"
+            raise InputError([f"{where}: {key!r} {said}"])
         path.append(part)
     if table and not isinstance(entry, BaseModel):
         raise InputError([f"{where}: {key!r} is no table of entries; expected a phase"])
@@ -48,30 +62,10 @@ def below(entry: Any) -> list[str]:
     if isinstance(entry, BaseModel):
         return list(type(entry).model_fields)
     if isinstance(entry, list):
-        names = [getattr(one, "name", None) for one in entry]
-        return [quoted(str(name)) for name in names if name] or [f"[{i}]" for i in range(1, len(entry) + 1)]
+        names = [str(one.name) for one in entry if getattr(one, "name", None)]  # in quotes those with a sign of a path
+        quoted = [f'"{name}"' if re.search(r"[.\[\]]", name) else name for name in names]
+        return quoted or [f"[{i}]" for i in range(1, len(entry) + 1)]
     return []
-
-
-def quoted(name: str) -> str:
-    """Return a name as it stands in a path: in quotes where it has a dot or a bracket in it."""
-    return f'"{name}"' if re.search(r"[.\[\]]", name) else name
-
-
-def step(entry: Any, part: str, numbered: bool, where: str) -> tuple[Any, str]:
-    """Return what is below an entry by a part of a path, and that part as it stands in a description."""
-    if isinstance(entry, list):
-        names = [getattr(one, "name", None) for one in entry]
-        at = int(part) - 1 if numbered else names.index(part) if part in names else -1
-        if 0 <= at < len(entry):
-            return entry[at], str(at)
-    elif isinstance(entry, RootModel) and part in entry.root:
-        return entry.root[part], part
-    elif isinstance(entry, BaseModel) and not numbered and part in type(entry).model_fields:
-        return getattr(entry, part), part
-    known = below(entry)
-    said = f"has no {part!r}" if known else f"is empty before {part!r}"
-    raise InputError([f"{where} {said}" + (f"; expected {nearest(part, known)}" if known else "")])
 
 
 def changed(entry: Any, path: Sequence[str], value: Any) -> Any:

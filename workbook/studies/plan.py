@@ -22,9 +22,8 @@ from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.laws.library import laws
 from workbook.reading.descriptions import counted, parsed, write_machine
-from workbook.studies.model import Bound, Study, Vary
 from workbook.studies.paths import below, changed, held, nearest, path_of, written
-from workbook.studies.space import Dimension, Space, arranged
+from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arranged
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.visible import found
 
@@ -78,7 +77,14 @@ class Plan:
         """Return the machine with these values, or why there is none such."""
         data: dict[str, Any] = self.data
         for one, value in chosen.items():
-            data = with_value(data, one, value)
+            if one.takes:  # room from its neighbour
+                entry, way = EDGES[one.paths[0][-1]]
+                path = (*one.takes, entry)
+                data = dict(changed(data, path, held(data, path) + way * (value - held(data, one.paths[0]))))
+            for path in one.paths:
+                data = dict(changed(data, path, value))
+            if one.paths[0][-1] == "law" and value in ENTRIES and value not in data["laws"]:  # of a new family
+                data = dict(changed(data, ("laws", value), {"family": value}))
         try:
             machine, faults = attempted(type(self.base), self.template.check, data)
         except EntryError as error:
@@ -90,19 +96,6 @@ class Plan:
             said = (one.said if one.rule else f"{counted(one.key)}: {one.said}" for one in faults)
             return "; ".join(dict.fromkeys(said))
         return machine
-
-
-def with_value(data: dict[str, Any], one: Dimension, value: Any) -> dict[str, Any]:
-    """Return a description with a value of a dimension, room from its neighbour, a law of a new family with it."""
-    if one.takes:
-        entry, way = EDGES[one.paths[0][-1]]
-        path = (*one.takes, entry)
-        data = dict(changed(data, path, held(data, path) + way * (value - held(data, one.paths[0]))))
-    for path in one.paths:
-        data = dict(changed(data, path, value))
-    if isinstance(value, str) and value in ENTRIES and one.paths[0][-1] == "law" and value not in data["laws"]:
-        data = dict(changed(data, ("laws", value), {"family": value}))
-    return data
 
 
 EDGES = {"stop": ("start", 1.0), "start": ("stop", 1.0), "duration": ("duration", -1.0)}
@@ -181,11 +174,28 @@ def planned(study: Study, base: Path, where: str) -> Plan:
 def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     """Return what an entry of a study varies; raise InputError, also for values of which no machine can be made."""
     paths = tuple(path_of(plan.base, key, f"{where}, key") for key in vary.keys)
-    takes = taken(plan, vary, paths, where)
-    values = tuple(values_of(plan, vary, paths[0], where))
+    entry, takes = paths[0][-1], tuple[str, ...]()
+    if vary.takes is not None:  # the phase that gives room
+        if len(paths) > 1 or entry not in EDGES:
+            raise InputError([f"{where}, takes: {vary.keys} takes no room; expected one key, of {', '.join(EDGES)}"])
+        takes = path_of(plan.base, vary.takes, f"{where}, takes", table=True)
+        if takes == paths[0][:-1] or EDGES[entry][0] not in below(held(plan.data, takes)):
+            raise InputError([f"{where}, takes: {vary.takes!r} cannot give room; expected another phase"])
+    values, name = vary.values or [], vary.keys[0]
+    if vary.all == "laws":
+        given = next((one for one in references(plan.base) if tuple(one.key.split(".")) == paths[0]), None)
+        if given is None:
+            raise InputError([f"{where}: {name!r} names no law; expected the law of a phase"])
+        values = alike(plan, paths[0], given.name)
+    elif vary.all == "catalogue":
+        products = next((PRODUCTS[part] for part in reversed(paths[0]) if part in PRODUCTS), "")
+        values = [row.name for row in getattr(getattr(plan.base, "selection", None), products, None) or []]
+        if not values:
+            expected = "expected the name of a motor or reducer"
+            raise InputError([f"{where}: {name!r} is none of a catalogue; {expected}"])
     scaling = plan.template.scaling
     part = scaling.part(".".join(paths[0])) if scaling else ""
-    made = Dimension(vary.keys[0], paths, values, vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
+    made = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
     for value in made.values[:MOST_TRIED] or (made.low, made.high):
         said = plan.machine({made: value})
         if isinstance(said, Wrong) or (isinstance(said, str) and made.part):
@@ -193,39 +203,9 @@ def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     return made
 
 
-def taken(plan: Plan, vary: Vary, paths: tuple[tuple[str, ...], ...], where: str) -> tuple[str, ...]:
-    """Return the way to the phase that gives room; raise InputError where none can."""
-    if vary.takes is None:
-        return ()
-    entry = paths[0][-1]
-    if len(paths) > 1 or entry not in EDGES:
-        raise InputError([f"{where}, takes: {vary.keys} takes no room; expected one key, of {', '.join(EDGES)}"])
-    path = path_of(plan.base, vary.takes, f"{where}, takes", table=True)
-    if path == paths[0][:-1] or EDGES[entry][0] not in below(held(plan.data, path)):
-        raise InputError([f"{where}, takes: {vary.takes!r} cannot give room; expected another phase"])
-    return path
-
-
-def values_of(plan: Plan, vary: Vary, path: tuple[str, ...], where: str) -> list[Any]:
-    """Return the values of a list, of all laws, or of a catalogue; none of a range."""
-    if vary.all == "laws":
-        return alike(plan, path, f"{where}: {vary.keys[0]!r}")
-    if vary.all == "catalogue":
-        products = next((PRODUCTS[part] for part in reversed(path) if part in PRODUCTS), "")
-        rows = getattr(getattr(plan.base, "selection", None), products, None) if products else None
-        if not rows:
-            said = f"{vary.keys[0]!r} is none of a catalogue; expected the name of a motor or reducer"
-            raise InputError([f"{where}: {said}"])
-        return [row.name for row in rows]
-    return list(vary.values or [])
-
-
-def alike(plan: Plan, path: tuple[str, ...], where: str) -> list[str]:
+def alike(plan: Plan, path: tuple[str, ...], given: str) -> list[str]:
     """Return the laws with the ends of the one that is entered, of the book and all families, as far as they fit."""
-    given = next((one for one in references(plan.base) if tuple(one.key.split(".")) == path), None)
-    if given is None:
-        raise InputError([f"{where} names no law; expected the law of a phase"])
-    now, kept = ends_of(plan.base, given.name), []
+    now, kept = ends_of(plan.base, given), []
     for name in dict.fromkeys([*plan.base.laws.names, *ENTRIES]):
         machine = plan.machine({Dimension("", (path,)): name})
         if not isinstance(machine, str) and np.allclose(ends_of(machine, name), now, rtol=0.0, atol=ENDS):

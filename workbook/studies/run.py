@@ -1,21 +1,24 @@
-"""A study from its first part to its last: parts are worked out by a pool, of a size that was measured before."""
+"""A study from its first part to its last, worked out by a pool in parts of measured size; the book of a design."""
 
 import pickle
 import time
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from workbook.errors import MotionbookError
+from workbook.build import build
+from workbook.errors import InputError, MotionbookError
+from workbook.judging.compare import TOLERANCE
+from workbook.judging.verify import verify
 from workbook.pool import Died, Pool
-from workbook.studies.evaluate import Evaluator
+from workbook.studies.evaluate import Evaluator, of_book
 from workbook.studies.folder import Parts, part
 from workbook.studies.plan import Plan
 from workbook.studies.space import Shares, Space
-from workbook.studies.summary import Summary, merged, summed
+from workbook.studies.summary import Design, Summary, merged, summed
 
 POPULATION = 15  # designs of a generation for each range, scipy's own figure
 DIED = "the workers that tried them died (out of memory?); --resume tries them again"
@@ -25,8 +28,7 @@ MOST_ROWS = 20_000
 TOGETHER = 24  # designs worked out together to measure what one more takes
 
 
-@dataclass(frozen=True)
-class Pace:
+class Pace(NamedTuple):
     """Seconds for designs that differ only in what scales: what comes first, and for each at most."""
 
     first: float
@@ -66,8 +68,7 @@ def timed(one: Evaluator, space: Space, begin: int, end: int) -> float:
     return time.perf_counter() - begun
 
 
-@dataclass(frozen=True)
-class Piece:
+class Piece(NamedTuple):
     """A part of the designs: its number, the first design and the one behind the last; of a search, where they are."""
 
     number: int
@@ -159,3 +160,55 @@ def evolve(space: Space, parts: Parts, do: Callable[[Iterable[Piece]], None]) ->
         len, [(0.0, 1.0)] * ranges, maxiter=rounds, popsize=POPULATION, rng=space.way.seed, polish=False,
         updating="deferred", workers=tried, tol=1e-9, init="latinhypercube",
     )  # fmt: skip
+
+
+class Judged(NamedTuple):
+    """A design's book: its largest deviation from the study's results, what differs, whether every cell agrees.
+
+    ``failing`` are its checks that FAIL, ``unasked`` those of them that are no constraints of the study.
+    """
+
+    deviation: float
+    differing: tuple[str, ...]
+    failing: tuple[str, ...]
+    unasked: tuple[str, ...]
+    cells: int
+    agrees: bool
+
+    @property
+    def holds(self) -> bool:
+        """Whether the book says what the study said."""
+        return self.agrees and not self.differing and self.failing == self.unasked
+
+
+def machine_of(plan: Plan, design: Design) -> Any:
+    """Return the machine of a design."""
+    chosen = {one: design.entries[one.label] for one in plan.space.dimensions}
+    machine = plan.machine(chosen)
+    if isinstance(machine, str):
+        raise InputError([f"design {design.number + 1}: {machine}"])
+    return machine
+
+
+def picked(plan: Plan, design: Design, path: Path, overwrite: bool) -> Judged:
+    """Build the book of a design, verify it, and compare it with the study's results."""
+    machine = machine_of(plan, design)
+    build(machine, path, overwrite)
+    book = plan.template.declare(machine)
+    # mass and cost of a motor stand in no book
+    apart = {name: deviation(value, of_book(book, name)) for name, value in design.results.items()
+             if name.partition(".")[0] in book.blocks}  # fmt: skip
+    report = verify(path)
+    differing = tuple(name for name, value in apart.items() if not value <= TOLERANCE)
+    failing = tuple(q.name for _, q in book.checks if q.value != "OK")
+    unasked = tuple(filter(plan.study.is_off, failing))
+    return Judged(max(apart.values(), default=0.0), differing, failing, unasked, report.compared, report.agrees)
+
+
+def deviation(one: Any, other: Any) -> float:
+    """Return by which share two results differ; texts by all or nothing."""
+    if isinstance(one, str) or isinstance(other, str):
+        return float(one != other)
+    if one == other:
+        return 0.0
+    return float(abs(one - other) / max(abs(one), abs(other), 1e-12))

@@ -1,5 +1,6 @@
 """What is known of designs without keeping them: how many, what excludes them, the best of them."""
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Self
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 
 from engine.selection.front import front
 from workbook.studies.evaluate import Table
-from workbook.studies.model import Study
+from workbook.studies.space import Study
 
 BEST = 20  # designs that are kept for one objective
 WORST = 1e300  # the score of a design that is none
@@ -63,7 +64,11 @@ def summed(study: Study, labels: list[str], table: Table, scored: bool = False) 
         {name: int((possible & one & (misses == 1)).sum()) for name, one in table.fails.items()},
         dict(zip(reasons.tolist()[:MOST_REASONS], counts.tolist()[:MOST_REASONS], strict=True)),
     )  # fmt: skip
-    found.best = [design(table, labels, int(rows[k])) for k in leading(points)]
+    named = list(zip(labels, table.entries, strict=True))
+    for row in rows[leading(points)].tolist():
+        entries = {label: plain(one.values[one.places[row]]) for label, one in named}
+        results = {name: plain(values[row]) for name, values in table.results.items()}
+        found.best.append(Design(table.begin + row, entries, results))
     if scored:
         found.scores = scores(study, table).tolist()
     return found
@@ -93,12 +98,6 @@ def scores(study: Study, table: Table) -> NDArray[np.float64]:
     return np.where(table.feasible & np.isfinite(objective), objective, worse)
 
 
-def design(table: Table, labels: list[str], row: int) -> Design:
-    """Return a design of a table."""
-    entries = {label: plain(one.values[one.places[row]]) for label, one in zip(labels, table.entries, strict=True)}
-    return Design(table.begin + row, entries, {name: plain(values[row]) for name, values in table.results.items()})
-
-
 def plain(value: Any) -> Any:
     """Return a value as JSON has it."""
     return value.item() if isinstance(value, np.generic) else value
@@ -108,14 +107,12 @@ def merged(study: Study, found: Iterable[Summary]) -> Summary:
     """Return what is known of several tables together."""
     whole = Summary()
     for one in found:
-        whole.designs += one.designs
-        whole.impossible += one.impossible
-        whole.feasible += one.feasible
-        whole.unranked += one.unranked
-        for sums, more in ((whole.without, one.without), (whole.excluded, one.excluded), (whole.alone, one.alone),
-                           (whole.reasons, one.reasons)):  # fmt: skip
-            for name, count in more.items():
-                sums[name] = sums.get(name, 0) + count
+        for part in ("designs", "impossible", "feasible", "unranked"):
+            setattr(whole, part, getattr(whole, part) + getattr(one, part))
+        for part in ("without", "excluded", "alone", "reasons"):
+            sums = Counter(getattr(whole, part))
+            sums.update(getattr(one, part))  # names that count nothing stay
+            setattr(whole, part, dict(sums))
         whole.reasons = dict(sorted(whole.reasons.items(), key=lambda each: -each[1])[:MOST_REASONS])
         ranked = sorted([*whole.best, *one.best], key=lambda each: each.number)  # equals go by their numbers
         points = np.array([[way * each.results[name] for name, way in study.goals.items()] for each in ranked], float)

@@ -50,7 +50,7 @@ def refuse_suffix(path: Path) -> None:
         raise WriteError(f"{path}: what is built is a workbook; expected a name ending in .xlsx")
 
 
-def replace(path: Path, write: Callable[[Path], None], overwrite: bool = False) -> None:
+def replace(path: Path, write: Callable[[Path], object], overwrite: bool = False) -> None:
     """Let ``write`` fill a new file beside ``path``, then move it there; a failure leaves the old file whole.
 
     Raises WriteError where ``path`` exists and ``overwrite`` is not given, also where it came to exist meanwhile.
@@ -80,6 +80,11 @@ def replace(path: Path, write: Callable[[Path], None], overwrite: bool = False) 
         raise unwritten(path, error) from error
     finally:
         draft.unlink(missing_ok=True)
+
+
+def write_text(path: Path, text: str, overwrite: bool = False) -> None:
+    """Write UTF-8 with the same line ends on every system, as :func:`replace` does."""
+    replace(path, lambda draft: draft.write_bytes(text.encode()), overwrite)
 
 
 def begun(folder: Path) -> Path:

@@ -5,8 +5,8 @@ import pytest
 
 from engine import law
 from workbook.controllers import described
-from workbook.controllers.files import read_table
 from workbook.controllers.registry import target
+from workbook.controllers.target import read_table
 from workbook.errors import MotionbookError
 
 X = np.linspace(0.0, 360.0, 361)

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from tests.workbook.controllers.examples import handed
-from workbook.controllers.files import LARGEST, parsed
 from workbook.controllers.registry import TARGETS, target
+from workbook.controllers.target import LARGEST, parsed
 from workbook.errors import TargetError
 
 NUMBER = re.compile(r"(?<![\w.])-?[0-9]+\.?[0-9]*(?:[eE][+-]?[0-9]+)?(?![\w.])")

@@ -16,7 +16,7 @@ from tests.workbook.controllers.examples import TEXT
 from workbook.axes import CamSwitch
 from workbook.build import build
 from workbook.controllers.registry import TARGETS, target
-from workbook.controllers.target import MOST_OFF, HandedTracks, certified, tracks
+from workbook.controllers.target import MOST_OFF, HandedTracks, differences, tracks
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
 
@@ -94,7 +94,7 @@ def test_what_is_read_back_is_what_was_meant(name):
     back = one.read(written(name))
     assert [track.name for track in back][:3] == ["Valve 3", "Film - - sensor" if name == "rockwell" else LANES[1].name,
                                                   "Never"]  # fmt: skip
-    off = certified(LANES, back)
+    off = differences(LANES, back)
     assert [each.edges for each in off] == [4, 2, 0, 0, 2, 2]
     assert max(each.largest for each in off) == pytest.approx(6.1e-6 if name == "rockwell" else 0.0, abs=1e-7)
 
@@ -108,7 +108,7 @@ def test_random_switches_are_read_back(edges, across):
     lanes = [switch("A", *on), switch("B", *on[:1])]
     for name in TAKING:
         one = target(name).tappets
-        off = certified(lanes, one.read(written(name, lanes)))
+        off = differences(lanes, one.read(written(name, lanes)))
         assert max(each.largest for each in off) <= (1e-4 if name == "rockwell" else 0.0)
         assert max(each.duration for each in off) <= (1e-3 if name == "rockwell" else 0.0)
 
@@ -126,7 +126,7 @@ def test_a_switch_that_differs_is_told_by_edge_and_share():
 def outcome(text, one):
     """The line that refuses a text; empty where it is none."""
     try:
-        certified(LANES, one.read(text))
+        differences(LANES, one.read(text))
     except TargetError as error:
         return str(error)
     return ""
@@ -156,7 +156,7 @@ def test_limits_are_refused():
     with pytest.raises(TargetError, match="is no time in REAL"):
         tracks([switch("Short", (200.0, 200.000001))], rockwell)
     with pytest.raises(TargetError, match=r"tracks 1; expected 1 to 2"):
-        certified(LANES[:2], codesys.read(written("codesys", LANES[:1])))
+        differences(LANES[:2], codesys.read(written("codesys", LANES[:1])))
 
 
 # The command
@@ -257,7 +257,7 @@ def test_a_machine_without_switches_says_so(run, book):
 
 
 def test_an_edge_that_is_too_far_off_is_not_written(run, laned, tmp_path, monkeypatch):
-    monkeypatch.setattr("workbook.commands.switching.MOST_OFF", -1.0)
+    monkeypatch.setattr("workbook.commands.export.MOST_OFF", -1.0)
     assert MOST_OFF > 0.0
     code, _, err = run("export", laned, "--switches", "--to", "csv", "--unverified")
     assert code == 1

@@ -20,12 +20,11 @@ from engine.motion import Motion, Phase
 from engine.motion.pieces import CamProfile, profile_of_motion
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
 from workbook.axes import CamAxis
-from workbook.controllers.files import TOLD, header, parsed, read_table
 from workbook.controllers.handing import automatic, certified, filled, reread, tabulated
 from workbook.controllers.number import REAL
 from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.table import Table
-from workbook.controllers.target import Handed
+from workbook.controllers.target import COUNTED, Handed, header, parsed, read_table
 from workbook.errors import MotionbookError, TargetError
 
 GOLDEN = Path(__file__).parent / "golden"
@@ -234,7 +233,7 @@ def test_a_file_that_is_cut_off_is_refused_or_was_whole(name: str) -> None:
         if isinstance(found, str):
             assert "\n" not in found
         else:
-            assert found.x.tolist() == whole.x.tolist() or not TOLD.search(text[:cut])
+            assert found.x.tolist() == whole.x.tolist() or not COUNTED.search(text[:cut])
 
 
 @pytest.mark.parametrize("name", TARGETS)

@@ -10,13 +10,14 @@ import openpyxl
 import pytest
 
 from tests import cutting
-from workbook.build import build, write_inputs
-from workbook.commands.diff import diff
+from workbook.build import build
+from workbook.commands.oracle import diff
 from workbook.differences.design import compare, read
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import checked, read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import convert, program
+from workbook.writing.place import write_text
 
 
 def machine_of(data):
@@ -34,7 +35,7 @@ def data():
 def folder(tmp_path_factory, data):
     """A folder with its description and its book."""
     folder = tmp_path_factory.mktemp("differences")
-    write_inputs(machine_of(data), folder / "old.toml")
+    write_text(folder / "old.toml", write_machine(machine_of(data)))
     build(machine_of(data), folder / "old.xlsx")
     return folder
 
@@ -44,7 +45,7 @@ def edited(folder, data, name, change):
     copy = json.loads(json.dumps(data))
     change(copy)
     path = folder / f"{name}.toml"
-    write_inputs(machine_of(copy), path, overwrite=True)
+    write_text(path, write_machine(machine_of(copy)), overwrite=True)
     return path
 
 

@@ -17,8 +17,7 @@ from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.reading.fitting import counting
 from workbook.reports.console import report_data
-from workbook.reports.page import page
-from workbook.reports.servers import junit
+from workbook.reports.page import junit, page
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.libreoffice import program

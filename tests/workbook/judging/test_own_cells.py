@@ -19,8 +19,7 @@ from workbook.judging.verify import verify
 from workbook.reading import files
 from workbook.reading.descriptions import read_machine
 from workbook.reports.console import report_data
-from workbook.reports.page import page
-from workbook.reports.servers import junit
+from workbook.reports.page import junit, page
 from workbook.witnesses.libreoffice import convert, program
 from workbook.witnesses.registry import WITNESSES
 

@@ -3,7 +3,7 @@
 from rich.console import Console
 
 from engine.laws import CATALOGUE
-from workbook.reports.laws import FIGURES, VENDORS, catalogue, show_catalogue
+from workbook.reports.console import FIGURES, VENDORS, catalogue, show_catalogue
 
 
 def printed(width: int) -> str:

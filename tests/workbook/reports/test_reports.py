@@ -14,8 +14,7 @@ from workbook.errors import WriteError
 from workbook.judging.many import Outcome
 from workbook.judging.report import ORDER, Check, Finding, Ran, Report
 from workbook.reports.html import legal
-from workbook.reports.page import KINDS, page, ready, write
-from workbook.reports.servers import DESIGN, junit
+from workbook.reports.page import DESIGN, KINDS, junit, page, ready, write
 
 WHEN = datetime(2026, 3, 1, 13, 5, 9, tzinfo=UTC)
 EVIL = "<script>alert('&\"')</script>\x07\ud800"

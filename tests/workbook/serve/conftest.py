@@ -12,8 +12,10 @@ from urllib.parse import urlencode
 import pytest
 
 from tests import cutting
-from workbook.build import build, write_inputs
+from workbook.build import build
+from workbook.reading.descriptions import write_machine
 from workbook.serve.handler import COOKIE
+from workbook.writing.place import write_text
 
 BOUNDARY = "----boundary"
 ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")
@@ -77,8 +79,8 @@ def server(tmp_path_factory):
     root.mkdir()
     (root.parent / "secret.toml").write_text("outside")
     machine = cutting.small(cycle=12, law=4)
-    write_inputs(machine, root / "cutting.toml")
-    write_inputs(machine, root / "live.toml")
+    write_text(root / "cutting.toml", write_machine(machine))
+    write_text(root / "live.toml", write_machine(machine))
     build(machine, root / "cutting.xlsx")
     with serving(root) as running:
         yield running

@@ -13,8 +13,9 @@ import pytest
 
 from tests import cutting
 from tests.workbook.serve.conftest import serving
-from workbook.build import write_inputs
+from workbook.reading.descriptions import write_machine
 from workbook.serve.work import Done, Work
+from workbook.writing.place import write_text
 
 RATE = "master.rate"
 LONG = {"result": "drive1_rms", "what": "minimise", "value": "", "way": "full", "designs": "9", "key": RATE,
@@ -64,7 +65,7 @@ def test_a_hundred_commands_wait_for_their_turn(monkeypatch):
 
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="the processes of a machine are listed in /proc")
 def test_a_study_ends_with_the_server_and_its_parts_stay(tmp_path):
-    write_inputs(cutting.small(cycle=12, law=4), tmp_path / "long.toml")
+    write_text(tmp_path / "long.toml", write_machine(cutting.small(cycle=12, law=4)))
     with serving(tmp_path) as server:
         server.ask("/study", server.form(name="long.toml", **LONG))
         while not [*tmp_path.glob("*.parts/part-*.json")]:

@@ -6,8 +6,7 @@ from xml.etree.ElementTree import fromstring
 import pytest
 
 from workbook.reading.descriptions import write_machine
-from workbook.serve.edges import edges
-from workbook.serve.live import design, fragment
+from workbook.serve.live import design, edges, fragment
 from workbook.template import FOLDER
 
 TEXT = (FOLDER / "machine.toml").read_text(encoding="utf-8")

@@ -6,7 +6,7 @@ from tests import cutting
 from workbook.latest import remember
 from workbook.reading.descriptions import write_machine
 from workbook.serve.live import design
-from workbook.serve.toml import edited
+from workbook.serve.tables import edited
 
 TEXT = write_machine(cutting.small(cycle=12, law=4))
 DRIVE = ("axes", "0", "motor", "inertia")

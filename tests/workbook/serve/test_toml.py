@@ -5,7 +5,7 @@ import tomllib
 import pytest
 
 from workbook.errors import InputError
-from workbook.serve.toml import differing, edited
+from workbook.serve.tables import differing, edited
 from workbook.template import FOLDER
 
 TEXT = (FOLDER / "machine.toml").read_text(encoding="utf-8")

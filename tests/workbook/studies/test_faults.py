@@ -202,6 +202,7 @@ def test_a_command_killed_at_any_time_goes_on_to_the_same_bytes(tmp_path, monkey
 def test_a_command_killed_while_it_writes_its_results_goes_on(tmp_path, monkeypatch, written_so_far):
     """Results, what is known of them, and the page are three files: some of them may be there already."""
     from workbook.commands import study as command_
+    from workbook.writing import place
 
     study, results = written(tmp_path, laws("MTP", "CUB"), **GOALS), tmp_path / "r.csv"
     placed, count = command_.replace, []
@@ -212,7 +213,8 @@ def test_a_command_killed_while_it_writes_its_results_goes_on(tmp_path, monkeypa
         if len(count) == written_so_far:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr(command_, "replace", replace)
+    for module in (command_, place):
+        monkeypatch.setattr(module, "replace", replace)
     with pytest.raises(KeyboardInterrupt):
         command_.study(study, results, None, 1, False, None, True, False)
     with pytest.raises(WriteError, match="the file exists"):

@@ -10,11 +10,9 @@ from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, base, 
 from tests.workbook.studies.test_study import chosen, run
 from workbook.errors import InputError, ReadError
 from workbook.reading.descriptions import read_machine
-from workbook.studies.evaluate import Evaluator
-from workbook.studies.judged import picked
-from workbook.studies.named import gathered, require_names
+from workbook.studies.evaluate import Evaluator, gathered, require_names
 from workbook.studies.plan import read_study
-from workbook.studies.run import Pace
+from workbook.studies.run import Pace, picked
 from workbook.studies.summary import summed
 from workbook.templates import TEMPLATES
 

@@ -15,10 +15,9 @@ from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, SIZES,
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.reading.descriptions import read_machine
-from workbook.studies.evaluate import Evaluator, of_book
-from workbook.studies.judged import deviation
-from workbook.studies.named import require_names
+from workbook.studies.evaluate import Evaluator, of_book, require_names
 from workbook.studies.plan import read_study
+from workbook.studies.run import deviation
 from workbook.templates import TEMPLATES
 
 

@@ -17,8 +17,7 @@ from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.build import build, committed
 from workbook.functions import publish
-from workbook.functions.page import declare
-from workbook.functions.shown import EXAMPLE
+from workbook.functions.page import EXAMPLE, declare
 from workbook.judging.compare import TOLERANCE, difference
 from workbook.judging.comparing import Right
 from workbook.judging.matching import Match, is_formula

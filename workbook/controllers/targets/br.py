@@ -1,14 +1,16 @@
 """B&R: the polynomials of McCamDataType in REAL, as assignments in Structured Text."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from engine.cams.interpolation import quintics_between
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
-from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, counts, literal, read_counts, read_stand, stands
-from workbook.controllers.structured import assigned, comments, indexed, scalar
+from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, counts, read_counts, read_stand, stands
+from workbook.controllers.structured import indexed, scalar
 from workbook.controllers.table import Table, given
-from workbook.controllers.target import Handed, Target
+from workbook.controllers.target import Target, layout
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")
@@ -38,24 +40,18 @@ def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -
     return Table(places, made.at(places).y, profile=made, steps=steps)
 
 
-def write(handed: Handed) -> str:
-    """Return the assignments of the periods and of each polynomial; x counts from the begin of each."""
-    made, name = given(handed.table.profile, "polynomials"), f"Cam_{handed.name}"
-    (dx, dy), offset = handed.table.steps, float(made.c[0, 0])
-    lines = [
-        f"{name}.MasterPeriod := {DINT.text(made.total / dx)}; {name}.SlavePeriod := {DINT.text(made.travel / dy)};",
-        f"{name}.PolynomialNumber := {len(made.c)};",
-    ]
-    for k, (row, end) in enumerate(zip(made.c, made.edges[1:], strict=True)):
-        scales = [dx**i / dy for i in range(len(row))]
-        constant = (row[0] - offset) / dy
-        values = [constant, *(float(c) * one for c, one in zip(row[1:], scales[1:], strict=True))]
-        values += [0.0 for _ in range(len(POWERS) - len(values))]
-        texts = [literal(value, REAL) for value in (*values, round((end - made.edges[0]) / dx))]
-        fields = dict(zip(FIELDS, texts, strict=True)) | {"Reserve": "0"}
-        lines.append(assigned(f"{name}.PolynomialData[{k}]", fields))
-    told = (stands(offset, handed.units[1]), counts((dx, dy), handed.units), f"{name} : McCamDataType")
-    return comments([*handed.header, *told]) + "".join(f"{one}\n" for one in lines)
+def offset(table: Table) -> float:
+    """Return where the axis is when its cam begins."""
+    return float(given(table.profile, "polynomials").c[0, 0])
+
+
+def polynomials(table: Table) -> Iterator[list[float]]:
+    """Yield the coefficients of each polynomial in steps from its begin, and where it ends."""
+    made, (dx, dy) = given(table.profile, "polynomials"), table.steps
+    for row, end in zip(made.c, made.edges[1:], strict=True):
+        scaled = [float(c) * (dx**i / dy) for i, c in enumerate(row)]
+        scaled[0] = (row[0] - offset(table)) / dy
+        yield [*scaled, *[0.0] * (len(POWERS) - len(row)), round((end - made.edges[0]) / dx)]
 
 
 def read(text: str) -> Table:
@@ -68,9 +64,9 @@ def read(text: str) -> Table:
     return table(REAL.rounded(np.array(powers).T), x, read_counts(text), read_stand(text))
 
 
+NAMED = {"offset": offset, "polynomials": polynomials, "fields": FIELDS, "stands": stands, "counts": counts,
+         "DINT": DINT, "REAL": REAL}  # fmt: skip
 TARGETS = (
-    Target(
-        "br", "B&R, polynomials of McCamDataType in Structured Text", ".st", ("polynomials",), ("quintics",),
-        write, read, number=DINT_IN_REAL, points=(2, 129), built=built,
-    ),
+    Target("br", "B&R, polynomials of McCamDataType in Structured Text", ".st", ("polynomials",), ("quintics",),
+           layout("br.st", **NAMED), read, number=DINT_IN_REAL, points=(2, 129), built=built),
 )  # fmt: skip

@@ -5,10 +5,20 @@ import numpy as np
 from engine.cams.certificate import equal
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
-from workbook.controllers.number import DINT, Number, counts, read_counts, read_stand, stands, whole
+from workbook.controllers.number import (
+    DINT,
+    Number,
+    counts,
+    numbers,
+    read_counts,
+    read_stand,
+    remarks,
+    stands,
+    whole,
+    written,
+)
 from workbook.controllers.table import Table
 from workbook.controllers.target import Handed, Target
-from workbook.controllers.text import numbers, remarks, written
 from workbook.errors import TargetError
 
 WHOLE = 1_000_000_000  # a ratio of 100 %, in steps of 1e-7 %
@@ -62,14 +72,11 @@ def read_ratios(text: str) -> Table:
 
 
 TARGETS = (
-    Target(
-        "mitsubishi", "Mitsubishi, coordinates of cam data", ".csv", ("x", "y"), ("straight lines",), write, read,
-        number=DINT, points=(2, 16_384), signs=("separator",), tolerance=(("y", 1e-4), ("v", 0.01)),
-    ),
-    Target(
-        "mitsubishi-ratio", "Mitsubishi, stroke ratios of cam data", ".csv", ("y",), ("straight lines",),
-        write_ratios, read_ratios,
-        number=Number("DINT, 1e-7 %", DINT.largest), points=(RESOLUTIONS[0] + 1, RESOLUTIONS[-1] + 1),
-        counts=tuple(n + 1 for n in RESOLUTIONS), spacing="equal", tolerance=(("y", 1e-4), ("v", 0.01)), built=built,
-    ),
+    Target("mitsubishi", "Mitsubishi, coordinates of cam data", ".csv", ("x", "y"), ("straight lines",), write, read,
+           number=DINT, points=(2, 16_384), signs=("separator",), tolerance=(("y", 1e-4), ("v", 0.01))),
+    Target("mitsubishi-ratio", "Mitsubishi, stroke ratios of cam data", ".csv", ("y",), ("straight lines",),
+           write_ratios, read_ratios,
+           number=Number("DINT, 1e-7 %", DINT.largest), points=(RESOLUTIONS[0] + 1, RESOLUTIONS[-1] + 1),
+           counts=tuple(n + 1 for n in RESOLUTIONS), spacing="equal",
+           tolerance=(("y", 1e-4), ("v", 0.01)), built=built),
 )  # fmt: skip

@@ -1,7 +1,6 @@
 """Rockwell Logix: a CAM array, and switches as an OUTPUT_CAM array, as Tags of L5X; reads CAM_PROFILE too."""
 
 import re
-from collections.abc import Sequence
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
 import numpy as np
@@ -10,7 +9,7 @@ from engine.cams.interpolation import straight
 from engine.motion.pieces import CamProfile
 from workbook.controllers.number import DINT, REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
-from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, Track, gathered
+from workbook.controllers.target import HandedTracks, Tappets, Target, Track, gathered, layout
 from workbook.errors import TargetError
 
 MOST = 400_000  # tags; a CAM of 10,000 points has 70,000
@@ -20,56 +19,23 @@ SLOPES = ("StartSlope", "EndSlope")
 PROFILE_ROW = 14  # integers
 CALCULATED = 2
 POSITION = "1"
-MEMBERS = {
-    "CAM": {"Master": "REAL", "Slave": "REAL", "SegmentType": "DINT"},
-    "OUTPUT_CAM": {"OutputBit": "DINT", "LatchType": "DINT", "UnlatchType": "DINT", "Left": "REAL", "Right": "REAL",
-                   "Duration": "REAL", "EnableType": "DINT", "EnableBit": "DINT"},
-}  # fmt: skip
-RADIX = {"DINT": "Decimal", "REAL": "Float"}
 
 
-def write(handed: Handed) -> str:
-    """Return the tag of the array, and a tag for each slope, which are arguments of MCCP."""
-    table, name = handed.table, f"Cam_{handed.name}"
+def elements(table: Table) -> list[tuple[str, str, int]]:
+    """Return master, slave and whether a cubic begins there, of each point."""
     lines = np.append(table.straight, False) if table.straight is not None else np.zeros(len(table.x), dtype=bool)
-    rows = [(real(x), real(y), str(int(not line))) for x, y, line in zip(table.x, table.y, lines, strict=True)]
-    told = "\n".join(re.sub("-(?=-)", "- ", line) for line in handed.header)
-    packed = ",".join(f"[{','.join(row)}]" for row in rows)
-    slopes = "".join(slope(f"{name}_{which}", value)
-                     for which, value in zip(SLOPES, table.slopes or (0.0, 0.0), strict=True))  # fmt: skip
-    points = tag(name, "CAM", rows, f'<Data Format="L5K"><![CDATA[[{packed}]]]></Data>\n')
-    return (
-        f'<?xml version="1.0" encoding="UTF-8"?>\n<!--\n{told}\nThe slopes are arguments of MCCP.\n-->\n<Tags>\n'
-        f"{points}{slopes}</Tags>\n"
-    )
+    return [(real(x), real(y), int(not line)) for x, y, line in zip(table.x, table.y, lines, strict=True)]
+
+
+def parted(handed: HandedTracks) -> list[tuple[int, float, float]]:
+    """Return the times; one past the end of the cycle as two, as left must be below right."""
+    return [(track, low, high) for track, begin, end in handed.times
+            for low, high in ([(begin, end)] if begin < end else [(begin, handed.cycle), (0.0, end)])]  # fmt: skip
 
 
 def real(value: float) -> str:
     """Return a REAL's text with a point."""
     return literal(value, REAL).replace("E", "e")
-
-
-def tag(name: str, kind: str, rows: Sequence[Sequence[str]], packed: str = "") -> str:
-    """Return the tag of an array, its elements in their decorated form."""
-    elements = ""
-    for k, row in enumerate(rows):
-        members = "".join(f'<DataValueMember Name="{member}" DataType="{of}" Radix="{RADIX[of]}" Value="{value}"/>'
-                          for (member, of), value in zip(MEMBERS[kind].items(), row, strict=True))  # fmt: skip
-        elements += f'<Element Index="[{k}]"><Structure DataType="{kind}">{members}</Structure></Element>\n'
-    return (
-        f'<Tag Name="{name}" TagType="Base" DataType="{kind}" Dimensions="{len(rows)}" Constant="false" '
-        f'ExternalAccess="Read/Write">\n{packed}<Data Format="Decorated">\n'
-        f'<Array DataType="{kind}" Dimensions="{len(rows)}">\n{elements}</Array>\n</Data>\n</Tag>\n'
-    )
-
-
-def slope(name: str, value: float) -> str:
-    """Return the tag of a slope."""
-    return (
-        f'<Tag Name="{name}" TagType="Base" DataType="REAL" Radix="Float" Constant="false" '
-        f'ExternalAccess="Read/Write">\n<Data Format="Decorated"><DataValue DataType="REAL" Radix="Float" '
-        f'Value="{real(value)}"/></Data>\n</Tag>\n'
-    )
 
 
 def read(text: str) -> Table:
@@ -90,8 +56,18 @@ def read(text: str) -> Table:
 
 
 def only_tag(text: str, *kinds: str) -> tuple[list[Element], Element]:
-    """Return the tags of a text, and the one of these types; raise TargetError where it is not one."""
-    tags = list(parsed(text).iter("Tag"))
+    """Return the tags of a text in XML, and the one of these types; raise TargetError where it is not one.
+
+    Of what is too much, or declares a document type, and with it entities, nothing is read.
+    """
+    if "<!DOCTYPE" in text:
+        raise TargetError("it declares a document type or entities, which no engineering tool writes")
+    if text.count("<") > MOST:
+        raise TargetError(f"it has more than {MOST:,} tags; expected a file of one cam")
+    try:
+        tags = list(fromstring(text).iter("Tag"))
+    except (ParseError, ValueError) as error:
+        raise TargetError(f"it is not well-formed XML ({error})") from None
     found = [tag for tag in tags if tag.get("DataType") in kinds]
     if len(found) != 1:
         said = ", ".join(str(tag.get("Name"))[:40] for tag in found[:5]) or "none"
@@ -152,60 +128,34 @@ def profile_table(rows: list[list[str]]) -> Table:
     return Table(x, y, profile=CamProfile(x, x[:-1], powers, np.zeros((len(powers), 0, 3))))
 
 
-def write_switches(handed: HandedTracks) -> str:
-    """Return the tag of the array; a time past the end of the cycle is two elements, as left must be below right."""
-    rows = []
-    for number, begin, end in handed.times:
-        for low, high in [(begin, end)] if begin < end else [(begin, handed.cycle), (0.0, end)]:
-            rows.append((str(number - 1), POSITION, POSITION, real(low), real(high), "0.0", "0", "0"))
-    told = "\n".join(line.replace("--", "- -") for line in (*handed.header, *handed.called))
-    head = f'<?xml version="1.0" encoding="UTF-8"?>\n<!--\n{told}\n-->\n<Tags>\n'
-    return f"{head}{tag(handed.name, 'OUTPUT_CAM', rows)}</Tags>\n"
-
-
 def read_switches(text: str) -> list[Track]:
     """Return the tracks of the one tag of type OUTPUT_CAM."""
     _, cam = only_tag(text, "OUTPUT_CAM")
-    rows = [ranged(k, one) for k, one in enumerate(cam.iter("Element"))]
+    rows = []
+    for k, one in enumerate(cam.iter("Element")):
+        held = {member.get("Name", ""): member.get("Value", "") for member in one.iter("DataValueMember")}
+        if (held.get("LatchType"), held.get("UnlatchType")) != (POSITION, POSITION):
+            expected = f"expected LatchType and UnlatchType {POSITION}"
+            raise TargetError(f"element {k}: it does not switch by position; {expected}")
+        try:
+            bit, low, high = int(held["OutputBit"]), float(held["Left"]), float(held["Right"])
+        except (KeyError, ValueError):
+            raise TargetError(f"element {k}: expected numbers for OutputBit, Left and Right") from None
+        if not low < high:
+            raise TargetError(f"element {k}: Left is {low:.9g}, Right {high:.9g}; expected Left below Right")
+        rows.append((bit + 1, *REAL.rounded(np.array([low, high])).tolist()))
     require_dimensions(cam, len(rows))
     return gathered(text, rows)
 
 
-def ranged(k: int, one: Element) -> tuple[int, float, float]:
-    """Return the track of an element, and from where to where it is on."""
-    held = {member.get("Name", ""): member.get("Value", "") for member in one.iter("DataValueMember")}
-    if (held.get("LatchType"), held.get("UnlatchType")) != (POSITION, POSITION):
-        raise TargetError(f"element {k}: it does not switch by position; expected LatchType and UnlatchType {POSITION}")
-    try:
-        bit, low, high = int(held["OutputBit"]), float(held["Left"]), float(held["Right"])
-    except (KeyError, ValueError):
-        raise TargetError(f"element {k}: expected numbers for OutputBit, Left and Right") from None
-    if not low < high:
-        raise TargetError(f"element {k}: Left is {low:.9g}, Right {high:.9g}; expected Left below Right")
-    ends = REAL.rounded(np.array([low, high])).tolist()
-    return bit + 1, ends[0], ends[1]
-
-
-def parsed(text: str) -> Element:
-    """Return the root of a text in XML; raise TargetError where it is none, too much, or declares a document type."""
-    if "<!DOCTYPE" in text:  # and with it entities
-        raise TargetError("it declares a document type or entities, which no engineering tool writes")
-    if text.count("<") > MOST:
-        raise TargetError(f"it has more than {MOST:,} tags; expected a file of one cam")
-    try:
-        return fromstring(text)
-    except (ParseError, ValueError) as error:
-        raise TargetError(f"it is not well-formed XML ({error})") from None
-
-
-TAPPETS = Tappets(
-    "rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X", write_switches, read_switches,
-    number=REAL, tracks=32,
-)  # fmt: skip
+CAM = layout(
+    "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda one: re.sub("-(?=-)", "- ", one)
+)
+SWITCHES = layout("rockwell-switches.xml", elements=parted, real=real)
+TAPPETS = Tappets("rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X", SWITCHES, read_switches,
+                  number=REAL, tracks=32)  # fmt: skip
 
 TARGETS = (
-    Target(
-        "rockwell", "Rockwell Logix, CAM array as a Tag of L5X", ".xml", ("x", "y", "straight"),
-        ("clamped cubic spline",), write, read, number=REAL, points=(2, 10_000), exact=straight, tappets=TAPPETS,
-    ),
+    Target("rockwell", "Rockwell Logix, CAM array as a Tag of L5X", ".xml", ("x", "y", "straight"),
+           ("clamped cubic spline",), CAM, read, number=REAL, points=(2, 10_000), exact=straight, tappets=TAPPETS),
 )  # fmt: skip

@@ -8,8 +8,7 @@ from typing import Callable
 
 import unohelper
 from com.sun.star.lang import XServiceInfo
-from motion_functions.cells import Cells, motion, named, pairs
-from motion_functions.composed import reflected, root_mean_square
+from motion_functions.cells import Cells, motion, named, pairs, reflected, root_mean_square
 from motion_functions.law import NUM, Refused
 from motionbook import XMotionFunctions
 
@@ -47,22 +46,13 @@ def inverse(law: str, s: float, parameters: Cells) -> float:
 
 
 FUNCTIONS: dict[str, Callable[..., float]] = {
-    "S": partial(of_law, 0),
-    "V": partial(of_law, 1),
-    "A": partial(of_law, 2),
-    "J": partial(of_law, 3),
+    **{name: partial(of_law, n) for n, name in enumerate(("S", "V", "A", "J"))},
+    **{name: partial(coefficient, n) for n, name in enumerate(("CV", "CA", "CARMS", "CJ"))},
+    **{name: partial(of_motion, n) for n, name in enumerate(("POS", "VEL", "ACC"))},
     "XI": inverse,
-    "CV": partial(coefficient, 0),
-    "CA": partial(coefficient, 1),
-    "CARMS": partial(coefficient, 2),
-    "CJ": partial(coefficient, 3),
-    "POS": partial(of_motion, 0),
-    "VEL": partial(of_motion, 1),
-    "ACC": partial(of_motion, 2),
     "JRED": lambda inertias, ratios: reflected(*pairs(inertias, ratios)),
     "RMS": lambda values, durations: root_mean_square(*pairs(values, durations)),
-}
-"""the functions by the names of their methods; what they take is declared in ``functions.toml``"""
+}  # by the names of their methods; what they take is declared in ``functions.toml``
 
 
 class MotionFunctions(unohelper.Base, XMotionFunctions, XServiceInfo):

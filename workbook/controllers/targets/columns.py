@@ -1,0 +1,100 @@
+"""Columns of text: of any tool (and its switches), Kollmorgen KAS, Lenze Global Drive Cam Loader, SEW MOVI-C."""
+
+import re
+
+import numpy as np
+
+from workbook.controllers.number import numbers, remarks, written
+from workbook.controllers.table import CENTRAL, LOCAL, SPLINES, Table
+from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, Track, gathered
+from workbook.errors import TargetError
+
+DENSE = 100  # points: so many tell by their differences what y' is
+FAR = 0.5
+CYCLIC = re.compile(r"CYCLIC;(YES|NO);?")
+COMMENT = re.compile(r"\s//[^\n]*")
+
+
+def write_any(handed: Handed) -> str:
+    """Return comments, a line of titles, and a line a point."""
+    columns = handed.table.columns
+    head = remarks(*handed.header, handed.separator.join(columns))
+    return head + written(columns.values(), handed.separator, handed.decimal)
+
+
+def read_any(text: str) -> Table:
+    """Return the table of a text of two to five columns."""
+    x, y, *more = np.array(numbers(text, (2, 3, 4, 5))).T
+    table = Table(x, y, *more)
+    if table.v is not None and len(x) > DENSE:
+        off = np.abs(np.diff(y) - 0.5 * (table.v[:-1] + table.v[1:]) * np.diff(x)).sum()
+        if off > FAR * np.abs(np.diff(y)).sum():
+            raise TargetError("the third column is not y' by x; derivatives are by the master")
+    return table
+
+
+def write_switches(handed: HandedTracks) -> str:
+    """Return comments, a line of titles, and a line a time."""
+    head = remarks(*handed.header, *handed.called, handed.separator.join(("track", "on from", "to")))
+    tracks, *ends = np.array(handed.times).reshape(-1, 3).T
+    lines = written(ends, handed.separator, handed.decimal).splitlines(keepends=True)
+    return head + "".join(f"{number:.0f}{handed.separator}{line}" for number, line in zip(tracks, lines, strict=True))
+
+
+def read_switches(text: str) -> list[Track]:
+    """Return the tracks of a text of three columns."""
+    return gathered(text, numbers(text, (3,)))
+
+
+def write_kollmorgen(handed: Handed) -> str:
+    """Return the profile; the format has no comment, and units vanish, as an import divides by the largest x and y."""
+    table = handed.table
+    if table.y.max() <= 0.0:
+        raise TargetError("no y is above 0; expected one, as an import divides by the largest")
+    lines = written((table.x, table.y)).replace("\r\n", ";SPLINE\r\n")
+    return f"CYCLIC;{'YES' if handed.repeats else 'NO'};\r\nTABLE_BEGIN;;\r\n{lines}TABLE_END;;\r\n"
+
+
+def read_kollmorgen(text: str) -> Table:
+    """Return the points between TABLE_BEGIN and TABLE_END."""
+    lines = [line for line in map(str.strip, text.splitlines()) if line]
+    frame = [line.rstrip(";") for line in (*lines[1:2], *lines[-1:])]
+    if len(lines) < 4 or not CYCLIC.fullmatch(lines[0]) or frame != ["TABLE_BEGIN", "TABLE_END"]:
+        raise TargetError("expected CYCLIC;YES; then points between TABLE_BEGIN;; and TABLE_END;; (is it cut off?)")
+    lines = lines[2:-1]
+    for n, line in enumerate(lines, 1):
+        if not line.endswith(";SPLINE"):
+            raise TargetError(f"point {n}: {line[:40]!r}; expected x;y;SPLINE")
+    return Table(*np.array(numbers("\n".join(line.removesuffix(";SPLINE") for line in lines), (2,))).T)
+
+
+def write_lenze(handed: Handed) -> str:
+    """Return x and y of each point, the header behind the first as comments on blank lines."""
+    lines = written((handed.table.x, handed.table.y), " ", handed.decimal)
+    return lines + "".join(f" // {line}\r\n" for line in handed.header)
+
+
+def read_lenze(text: str) -> Table:
+    """Return the points; a third column is a profile for the torque, and is passed over."""
+    x, y, *_ = np.array(numbers(COMMENT.sub("", text), (2, 3))).T
+    return Table(x, y)
+
+
+def write_sew(handed: Handed) -> str:
+    """Return the count, and x and y of each point; the format has no comment."""
+    table = handed.table
+    return f"{len(table.x)}\r\n" + written((table.x, table.y), handed.separator, handed.decimal)
+
+
+TARGETS = (
+    Target("csv", "Columns of text: x, y, y', y'', y'''", ".csv", ("x", "y", "y'", "y''", "y'''"), ("quintics",),
+           write_any, read_any, plain=SPLINES, signs=("separator", "decimal"),
+           tappets=Tappets("csv switches", "track, on from, to", write_switches, read_switches)),
+    Target("kollmorgen", "Kollmorgen KAS, cam profile as CSV", ".csv", ("x", "y"), SPLINES,
+           write_kollmorgen, read_kollmorgen, points=(5, 10_000)),
+    Target("lenze", "Lenze Global Drive Cam Loader, text", ".txt", ("x", "y"), (*SPLINES, LOCAL),
+           write_lenze, read_lenze, points=(4, 10_000), signs=("decimal",)),
+    Target("sew", "SEW MOVI-C, cam points as text, cubic", ".txt", ("x", "y"), (LOCAL, CENTRAL),
+           write_sew, lambda text: Table(*np.array(numbers(text, (2,))).T),
+           points=(2, 1024), spacing="equal", signs=("separator", "decimal")),
+)  # fmt: skip
