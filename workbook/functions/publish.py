@@ -14,13 +14,13 @@ from operator import attrgetter
 from pathlib import Path
 
 from openpyxl.workbook.defined_name import DefinedName
+from tornado.template import Template
 
 from workbook import __version__
 from workbook.errors import WriteError
 from workbook.functions.declared import FUNCTIONS, NAMESPACE, TEXTS, Text
 from workbook.functions.names import definitions
 from workbook.functions.page import EXAMPLE, Shown, declare
-from workbook.reports.html import rendered
 from workbook.template import FOLDER
 from workbook.writing import archive
 from workbook.writing.archive import same_book
@@ -99,10 +99,11 @@ def add_in() -> dict[str, bytes]:
         "motion.py",
     ]
     category = Text(*TEXTS["category"])
-    wizard = rendered("functions/addin/CalcAddIns.xcu", namespace=NAMESPACE, functions=FUNCTIONS, category=category)
+    wizard = Template((PACKAGE / "CalcAddIns.xcu").read_text(encoding="utf-8"))
+    told = wizard.generate(namespace=NAMESPACE, functions=FUNCTIONS, category=category)
     made = {name: (PACKAGE / name).read_text(encoding="utf-8").encode() for name in texts}
     made["description.xml"] = made["description.xml"].replace(b"VERSION", __version__.encode())
-    made |= {"CalcAddIns.xcu": wizard.encode(), "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
+    made |= {"CalcAddIns.xcu": told, "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
     for module in sorted((PACKAGE / "motion_functions").iterdir(), key=attrgetter("name")):
         if module.name.endswith(".py"):
             made[f"pythonpath/motion_functions/{module.name}"] = module.read_text(encoding="utf-8").encode()
