@@ -1,7 +1,7 @@
 """What a description says of the laws: named entries, each of a family, and the names by which phases take them."""
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union
@@ -34,10 +34,15 @@ class TakesLaw:
     moves: bool = False
 
 
+def listed(name: Any, names: Sequence[str]) -> str | None:
+    """Return a name as it is listed: MATCH passes over the case of letters, and so does a description."""
+    place = place_of(name, names) if isinstance(name, str) else -1
+    return None if place < 0 else names[place]
+
+
 def as_listed(name: Any) -> Any:
-    """Return a code as the sheet Laws lists it: MATCH passes over the case of letters, and so does a description."""
-    place = place_of(name, CODES) if isinstance(name, str) else -1
-    return name if place < 0 else CODES[place]
+    """Return a code as the sheet Laws lists it, and all else as it is."""
+    return listed(name, CODES) or name
 
 
 NAME = Field(min_length=1, max_length=LONGEST, pattern=NO_FORMULA)
@@ -108,13 +113,6 @@ class Laws(RootModel[dict[str, Entered]]):
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Laws) and [*self.root.items()] == [*other.root.items()]
 
-    def __contains__(self, name: object) -> bool:
-        return name in self.names
-
-    def items(self) -> Iterator[tuple[str, Any]]:
-        """Yield name and entries of each law that has any."""
-        yield from self.root.items()
-
     @property
     def names(self) -> tuple[str, ...]:
         """Every law in the order of the numbers."""
@@ -136,11 +134,6 @@ class Laws(RootModel[dict[str, Entered]]):
         """Return the laws of a family, by name."""
         return {name: entry for name, entry in self.root.items() if entry.family == family}
 
-    def listed(self, name: str) -> str | None:
-        """Return a name as it is listed, whatever the case of its letters; None where there is none such."""
-        place = place_of(name, self.names)
-        return None if place < 0 else self.names[place]
-
 
 def require_names(names: list[Any]) -> None:
     """Raise EntryError for a name that a cell cannot hold, or that a look-up takes for another law's."""
@@ -153,7 +146,7 @@ def require_names(names: list[Any]) -> None:
             looked_up(name)
         except EntryError as error:
             raise EntryError(key_of(name), f"the law's name {error}") from None
-        if name not in CODES and place_of(name, CODES) >= 0:
+        if name not in CODES and listed(name, CODES):
             raise EntryError(key_of(name), f"look-ups take this for the law {as_listed(name)}; expected another name")
     if "DWL" in names:
         raise EntryError("DWL", "a dwell has nothing to enter; expected no entries")
@@ -173,17 +166,15 @@ def in_family(name: str, entry: Any) -> Any:
         if entry.get("family", name) != name:
             raise EntryError(f"{name}.family", f"the law {name} is of its own family; expected another name")
         return {**entry, "family": name}
-    family = entry.get("family")
-    place = place_of(family, ENTRIES) if isinstance(family, str) else -1
-    if place < 0:
-        said = "empty" if family is None else f"no family is named {found(family)}"
-        raise EntryError(f"{key_of(name)}.family", f"{said}; expected {nearest(family, ENTRIES)}")
-    return {**entry, "family": [*ENTRIES][place]}
+    given = entry.get("family")
+    if (family := listed(given, [*ENTRIES])) is None:
+        said = "empty" if given is None else f"no family is named {found(given)}"
+        raise EntryError(f"{key_of(name)}.family", f"{said}; expected {nearest(given, [*ENTRIES])}")
+    return {**entry, "family": family}
 
 
-def nearest(given: Any, known: Iterable[str]) -> str:
+def nearest(given: Any, names: Sequence[str]) -> str:
     """Return in words what was meant: the names that are like the one given, else all of them."""
-    names = [*known]
     alike = get_close_matches(str(given).upper(), [name.upper() for name in names], n=3, cutoff=0.6)
     chosen = [name for name in names if name.upper() in alike] if given is not None else []
     return chosen[0] if len(chosen) == 1 else f"one of {', '.join(chosen or names)}"
@@ -221,13 +212,11 @@ def references(entries: Any, key: str = "") -> Iterator[Reference]:
 def resolve(entries: Model, laws: Laws) -> None:
     """Write the names of laws as they are listed; raise EntryError for one that no law of the book has."""
     for one in references(entries):
-        name = laws.listed(one.name)
+        name = listed(one.name, laws.names)
         if name is None or (one.moves and name == "DWL"):
             known = [known for known in laws.names if not one.moves or known != "DWL"]
             said = "a dwell does not move" if name else f"no law is named {found(one.name)}"
             code = one.name.strip().upper()
-            more = (
-                f'add [laws.{code}] with family = "{code}", or take ' if code in ENTRIES and not name else "expected "
-            )
-            raise EntryError(one.key, f"{said}; {more}{nearest(one.name, known)}")
+            takes = f'add [laws.{code}] with family = "{code}", or take' if code in ENTRIES and not name else "expected"
+            raise EntryError(one.key, f"{said}; {takes} {nearest(one.name, known)}")
         object.__setattr__(one.entries, one.field, name)  # entries are frozen once they are whole

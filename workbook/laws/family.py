@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from engine.laws import Law, Piece
 from workbook.book.declare import Quantity, Sheet, check
-from workbook.book.sentence import Said, amount
+from workbook.book.sentence import amount
 from workbook.entries.types import Model, Number, Positive
 
 COEFFICIENTS = (
@@ -172,8 +172,7 @@ class Page:
         return [
             *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
               for each in self.checks),
-            check("@ends", ends, RESTS if self.rests else REACHES, True,
-                  says=Said(f"{s.says}&{v.says}", f"{s.said}{v.said}")),
+            check("@ends", ends, RESTS if self.rests else REACHES, True, says=s.then(v)),
         ]  # fmt: skip
 
     def variation(self, k: int, room: int) -> dict[str, Any]:

@@ -64,8 +64,7 @@ def points_table(sheet: Sheet, at: Points, first: int, stack: Pieces) -> None:
         calc("va", "v · a", "", "", "=[v]*[a]", rates["va"]),
         calc("g", "slope of v · a", "", "", "=[a]^2+[v]*[j]", rates["g"], source="a² + v j"),
         *(calc(f"top_{f}", f"extreme of {f} before it, or {f}", "", "",
-               CREST.format(f=f, g=g), at.crests(f), source="parabola by both slopes")
-          for f, g in SLOPES.items()),
+               CREST.format(f=f, g=g), at.crests(f), source="parabola by both slopes") for f, g in SLOPES.items()),
         calc("fast", "where v is largest", "", "", FAST, at.fast, source="else 1"),
         calc("back", "the wrong way", "Δv", "", BACK, at.wrong_way),
     )  # fmt: skip
@@ -98,16 +97,8 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
     row = "@first+[k]-1"
 
     def scaled(name: str, label: str, symbol: str, values: Sequence[float]) -> Quantity:
-        formula = f"=[factor]*INDEX([@pieces.{name}],[k])"
-        return result(
-            name,
-            label,
-            symbol,
-            "",
-            formula,
-            [f * value for f, value in zip(factors, values, strict=True)],
-            format="General",
-        )
+        made = [factor * value for factor, value in zip(factors, values, strict=True)]
+        return result(name, label, symbol, "", f"=[factor]*INDEX([@pieces.{name}],[k])", made, format="General")
 
     sheet.table(
         "@mend", "The entries scaled: durations, frequencies and phases stay", n,
@@ -116,8 +107,7 @@ def missing(sheet: Sheet, law: Law, n: int) -> None:
         scaled("P", "scaled amplitude", "P", [piece.amplitude for piece in pieces]),
         calc("factor", "factor", "", "", "=IF([slow]=1,@down,@up)", factors),
         calc("gain_v", "adds to v(1)", "", "", f"=INDEX(piece_dv,{row})", [v for _, v in found.gained]),
-        calc("gain_s", "adds to s(1)", "", "",
-             f"=INDEX(piece_ds,{row})-INDEX(piece_v,{row})*INDEX(piece_d,{row})"
+        calc("gain_s", "adds to s(1)", "", "", f"=INDEX(piece_ds,{row})-INDEX(piece_v,{row})*INDEX(piece_d,{row})"
              f"+[gain_v]*(SUM([@pieces.d])-INDEX(piece_xi,{row})-INDEX(piece_d,{row}))",
              [s for s, _ in found.gained], source="∬a over it, and ∫a over the time that follows"),
         calc("d", "duration", "d", "", "=INDEX([@pieces.d],[k])", [piece.duration for piece in pieces]),
@@ -137,8 +127,7 @@ def sums(found: Groups) -> list[Quantity]:
              "=1E-12*MAX([@mend.size])", found.least, format="0E+00"),
         constant("@alike", "Share of the largest below which travels and factors are none", "", "", ALIKE,
                  format="0E+00"),
-        calc("@s_up", "Travel of those that gain", "S⁺", "",
-             "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_s])", found.s1),
+        calc("@s_up", "Travel of those that gain", "S⁺", "", "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_s])", found.s1),
         calc("@v_up", "Velocity that they gain", "V⁺", "", "=SUMPRODUCT(1-[@mend.slow],[@mend.gain_v])", found.v1),
         calc("@s_down", "Travel of those that lose", "S⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_s])", found.s2),
         calc("@v_down", "Velocity that they lose", "V⁻", "", "=SUMPRODUCT([@mend.slow],[@mend.gain_v])", found.v2),

@@ -38,10 +38,7 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         sheet.heading("Enter")
         entries(sheet, one)
         page.enter(sheet, one, sizes)
-        sheet.heading("Results: the coefficients, for unit rise and time")
-        coefficients(sheet, page, law)
-        sheet.heading("Results: the rise h in the time t_a")
-        risen(sheet, one, rise)
+        results(sheet, one, rise)
         page.work(sheet, one, stack, sizes)
         if page.pieces:
             a = " + ".join(words for name, words in SPELLED.items() if name in page.columns) or "0"
@@ -69,8 +66,7 @@ def entries(sheet: Sheet, one: NamedLaw) -> None:
     )  # fmt: skip
     sheet.rows(
         *(() if one.basic else called),
-        given("@h", "Rise shown", "h", "mm",
-              entered.lift, f"{one.key}.lift", source="any; a return is negative"),
+        given("@h", "Rise shown", "h", "mm", entered.lift, f"{one.key}.lift", source="any; a return is negative"),
         given("@t", "Time of the rise", "t_a", "s", entered.time, f"{one.key}.time"),
         *(given(p.name, p.label, p.symbol, "",
                 value_at(entered, p.key), f"{one.key}.{p.key}", format="0.0000", source=p.source)
@@ -78,24 +74,21 @@ def entries(sheet: Sheet, one: NamedLaw) -> None:
     )  # fmt: skip
 
 
-def coefficients(sheet: Sheet, page: Page, law: Law) -> None:
-    """Declare the law's coefficients, and what they are worked out from."""
+def results(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
+    """Declare the law's coefficients and what they are worked out from, then the largest rates of the rise."""
+    page, law = one.page, one.law
+    sheet.heading("Results: the coefficients, for unit rise and time")
     for name, label, symbol in COEFFICIENTS:
         formula, words = page.coefficients[name]
-        sheet.rows(
-            result(f"@{name}", label, symbol, "", formula, finite(getattr(law.coefficients, name)), source=words)
-        )
+        value = finite(getattr(law.coefficients, name))
+        sheet.rows(result(f"@{name}", label, symbol, "", formula, value, source=words))
     if workings := page.workings(law):
         sheet.heading("Workings")
         sheet.rows(*workings)
-
-
-def risen(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
-    """Declare the largest velocity and accelerations of the rise."""
+    sheet.heading("Results: the rise h in the time t_a")
     sheet.rows(
         calc("@h_m", "Rise in metres", "h", "m", "=@h/1000", rise.lift, source="h / 1000"),
-        result("@yv", "Largest velocity", "ẏ_max", "m/s",
-               "=@cv*ABS(@h_m)/@t", rise.y1_max, source="C_v h / t_a"),
+        result("@yv", "Largest velocity", "ẏ_max", "m/s", "=@cv*ABS(@h_m)/@t", rise.y1_max, source="C_v h / t_a"),
         result("@ya", "Largest acceleration", "ÿ_max", "m/s²",
                "=MAX(@ca_max,-@ca_min)*ABS(@h_m)/@t^2", rise.y2_max, source="C_a h / t_a²"),
         result("@yrms", "RMS acceleration over the rise", "ÿ_rms", "m/s²",

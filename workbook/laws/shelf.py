@@ -139,6 +139,9 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         values = [finite(getattr(one.law.coefficients, name)) for one in laws]
         return result(name, label, symbol, "", formulas, values, format="0.0000")
 
+    def stated(name: str, label: str, symbol: str, field: str, values: Sequence[float], **more: Any) -> Quantity:
+        return calc(name, label, symbol, "", [one.own(getattr(one.page, field)) for one in laws], values, **more)
+
     def end(d: str, label: str, at: str) -> Quantity:
         xi = 0 if at == "first" else 1
         formulas = [one.own(f"=[@samples.{d}.{at}]" if one.page.has_sheet else "=0") for one in laws]
@@ -152,18 +155,12 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         constant("no", "number", "", "", [one.number for one in laws]),
         calc("code", "name", "", "", [one.listed for one in laws], [one.name for one in laws]),
         *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
-        calc("start", "velocity it begins with", "", "",
-             [one.own(one.page.start) for one in laws], [one.law.start.v for one in laws]),
-        calc("v_low", "lowest velocity", "", "",
-             [one.own(one.page.lowest) for one in laws],
-             [slowest(one.law) for one in laws], scale=1.0),
-        calc("wrong", "step of v the wrong way", "", "",
-             [one.own(one.page.wrong) for one in laws], [one.page.stepping(one.law, sizes) for one in laws]),
+        stated("start", "velocity it begins with", "", "start", [one.law.start.v for one in laws]),
+        stated("v_low", "lowest velocity", "", "lowest", [slowest(one.law) for one in laws], scale=1.0),
+        stated("wrong", "step of v the wrong way", "", "wrong", [one.page.stepping(one.law, sizes) for one in laws]),
         *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
-        calc("low", "lowest position", "s_min", "",
-             [one.own(one.page.low) for one in laws], [low for low, _ in reaches], scale=1.0),
-        calc("high", "highest position", "s_max", "",
-             [one.own(one.page.high) for one in laws], [high for _, high in reaches], scale=1.0),
+        stated("low", "lowest position", "s_min", "low", [low for low, _ in reaches], scale=1.0),
+        stated("high", "highest position", "s_max", "high", [high for _, high in reaches], scale=1.0),
         *ends,
     )  # fmt: skip
     names = [*LAW_NAMES, *("way", "early")[: len(ends)]]
@@ -220,8 +217,7 @@ def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
         entry("d"),
         column("s0", "constant of position", "S0", "=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])",
                source="s_k + P/ω² sin φ"),
-        column("s1", "slope of position", "S1", "=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])",
-               source="v_k + P/ω cos φ"),
+        column("s1", "slope of position", "S1", "=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])", source="v_k + P/ω cos φ"),
         *map(entry, (*POWERS, *SINE, *(SECOND if second else ()))),
         column("xi", "begins at", "ξ_k", "=IF([k]=1,0,[xi-1]+[d-1])"),
         *(column(*one) for one in AMPLITUDES[: 6 if second else 3]),

@@ -84,8 +84,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
         calc("at", "abscissa", "x", axis.units[0], f"=[k]*{end}/[export.k.last]", x * axis.unit[0],
              scale=rows.end * axis.unit[0], format="0.0##"),
         *(result(name, label, symbol, axis.units[order + 1], f"={found_by[order]}", shown[order], scale=sizes[order],
-                 source=source)
-          for order, (name, label, symbol, source) in enumerate(told_as)),
+                 source=source) for order, (name, label, symbol, source) in enumerate(told_as)),
         constant("k", "sample", "k", "", list(range(n + 1))),
         *place(axis, told),
         *finding(rows, "p" if later else "at", told.x),

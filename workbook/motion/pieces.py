@@ -184,8 +184,7 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
     q = f"q{suffix}"
     local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},[{q}])"
     return [
-        calc(q, f"{of}piece", "q", "",
-             f"={at.piece(x)}", found.row, format="0", source="last start at or below"),
+        calc(q, f"{of}piece", "q", "", f"={at.piece(x)}", found.row, format="0", source="last start at or below"),
         calc(f"u{suffix}", f"{of}within piece", "u", at.x,
              f"={f'RADIANS({local})' if at.degrees else local}{NOT_ZERO}", found.u + LEAST, source=FROM_START),
         *arguments(rows, suffix, f"[{q}]", found.angles, of),

@@ -57,8 +57,7 @@ class Joints:
             calc(self.asked.order, "Derivatives that must not jump", "", "", formula,
                  ORDERS.index(self.asked.smooth) + 1, format="0"),
             *(calc(f"{self.asked.order}_{name}", f"A jump of {word} up to this is none", "", "", f"={formula}",
-                   JUMP * scale)
-              for name, word, formula, scale in zip(RATES, ORDERS, lost, scales, strict=True)),
+                   JUMP * scale) for name, word, formula, scale in zip(RATES, ORDERS, lost, scales, strict=True)),
         ]  # fmt: skip
 
     @property
@@ -89,8 +88,7 @@ class Joints:
         durations = [piece.duration for piece in self.rows.pieces]
         phases = self.rows.column(lambda piece: piece.phase + 1, room)
         return [
-            calc("d", "duration", "d", at.x, f"=[{at.pieces}.d.same]", filled(durations, room),
-                 scale=self.rows.end),
+            calc("d", "duration", "d", at.x, f"=[{at.pieces}.d.same]", filled(durations, room), scale=self.rows.end),
             calc("p", "phase", "", "", f"=[{at.pieces}.p.same]", phases, format="0"),
             calc("n", "pieces that last, so far", "", "", "=IF([r]=1,0,[n-1])+IF([d]>0,1,0)",
                  self._of(lambda joint: joint.lasting, last.lasting, room), format="0"),

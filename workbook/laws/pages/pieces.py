@@ -212,13 +212,10 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
     sheet.workings(
         entered, "@worked", "Workings: the pieces", BEHIND,
         calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
-        calc("turn", "angle of the sine", "ω d", "rad",
-             "=[omega]*[d]", [one.omega * one.duration for one in pieces]),
+        calc("turn", "angle of the sine", "ω d", "rad", "=[omega]*[d]", [one.omega * one.duration for one in pieces]),
         calc("a0", "a at its start", "", "", "=[c0]+[P]*SIN([phi])", [row.begin for row in at]),
         calc("a1", "a at its end", "", "",
              "=[c0]+[d]*([c1]+[d]*([c2]+[d]*[c3]))+[P]*SIN([omega]*[d]+[phi])", [row.end for row in at]),
-        calc("reached", "a reached", "", "",
-             "=IF([d]>0,[a1],IF([k]=1,0,[reached-1]))", [row.reached for row in at]),
-        calc("jump", "jump of a", "", "",
-             "=IF([d]>0,ABS([a0]-IF([k]=1,0,[reached-1])),0)", [row.jump for row in at]),
+        calc("reached", "a reached", "", "", "=IF([d]>0,[a1],IF([k]=1,0,[reached-1]))", [row.reached for row in at]),
+        calc("jump", "jump of a", "", "", "=IF([d]>0,ABS([a0]-IF([k]=1,0,[reached-1])),0)", [row.jump for row in at]),
     )  # fmt: skip
