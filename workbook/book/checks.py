@@ -73,17 +73,17 @@ def together(verdicts: Sequence[str | None]) -> str | None:
     return "FAIL" if "FAIL" in verdicts else None if None in verdicts else "OK"
 
 
-def all_hold(places: Sequence[int]) -> str:
-    """Return the formula of whether no check at these places fails: as many fail up to each run's end as before it."""
-    ends = [f"[checks.nth.{k}]" for k in places if k + 1 not in places]
-    befores = [f"[checks.nth.{k - 1}]" for k in places if k > 1 and k - 1 not in places]
-    return f'=IF({"+".join(ends)}={"+".join(befores) or 0},"OK","FAIL")'
+def summed_up(book: Book, table: str, label: str, rows: list[list[int]]) -> Quantity:
+    """Return the column ``verdict`` of a table: of each row what the checks at its places say together.
 
-
-def summed_up(book: Book, table: str, label: str, places: list[list[int]]) -> Quantity:
-    """Return the column ``verdict`` of a table: of each row what the checks at its places say together."""
-    book.summed[f"{table}.verdict"] = places
-    return Quantity("verdict", label, "", "", "check", [*map(all_hold, places)], of_some(book)[f"{table}.verdict"])
+    All hold where as many fail up to the end of each run of places as before it.
+    """
+    book.summed[f"{table}.verdict"], formulas = rows, []
+    for places in rows:
+        ends = "+".join(f"[checks.nth.{k}]" for k in places if k + 1 not in places)
+        befores = "+".join(f"[checks.nth.{k - 1}]" for k in places if k > 1 and k - 1 not in places)
+        formulas.append(f'=IF({ends}={befores or 0},"OK","FAIL")')
+    return Quantity("verdict", label, "", "", "check", formulas, of_some(book)[f"{table}.verdict"])
 
 
 def of_some(book: Book) -> dict[str, list[str | None]]:

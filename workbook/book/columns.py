@@ -96,14 +96,10 @@ def pattern_of(open_text: str, formula: Formula, row: int) -> Pattern | None:
         left_open -= moves
         if moves and isinstance(argument, Area):
             top, bottom = offsets if found and found[2] else (offsets[0], offsets[0])
-            if found and found[2] and int_rows(word) != (argument.top, argument.bottom):
+            rows = [int(digits) for digits in re.findall(r"[A-Za-z]\$?([0-9]+)(?=:|$)", word)]
+            if found and found[2] and rows != [argument.top, argument.bottom]:
                 return None  # written from the lower corner to the upper one
             arguments.append(Moving(argument, top, bottom))
         else:
             arguments.append(argument)
     return Pattern(formula, tuple(arguments)) if left_open == 0 else None
-
-
-def int_rows(word: str) -> tuple[int, ...]:
-    """Return the rows of a range's two corners as they are written."""
-    return tuple(int(digits) for digits in re.findall(r"[A-Za-z]\$?([0-9]+)(?=:|$)", word))

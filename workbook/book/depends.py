@@ -41,16 +41,12 @@ class Dependence:
             self._values[at] = cell.expected
             if cell.quantity.formula is not None:
                 formula = self._formulas[at] = readers[title].read(cell.content, cell.row)
-                for area in set(formula.arguments):
-                    if isinstance(area, Area):
-                        self._note(area, at)
-
-    def _note(self, area: Area, at: Address) -> None:
-        if area.size == 1:
-            self._by_cell[area.first].append(at)
-        else:
-            for column in range(area.left, area.right + 1):
-                self._by_column[area.sheet, column][area].append(at)
+                for area in {one for one in formula.arguments if isinstance(one, Area)}:
+                    if area.size == 1:
+                        self._by_cell[area.first].append(at)
+                    else:
+                        for column in area.columns:
+                            self._by_column[area.sheet, column][area].append(at)
 
     def on(self, changed: Iterable[Address], known: Collection[Address] = ()) -> set[Address]:
         """Return the formula cells that hang on ``changed``; those that are ``known`` are not asked, nor passed."""
@@ -59,18 +55,14 @@ class Dependence:
         seen = set(waiting)
         while waiting:
             at = waiting.pop()
-            for reader in self._readers(at):
+            columns = self._by_column[at.sheet, at.column].items()
+            readers = [reader for area, those in columns if area.holds(at) for reader in those]
+            for reader in [*self._by_cell.get(at, ()), *readers]:
                 if reader not in seen and reader not in known and self._reads(reader, at):
                     seen.add(reader)
                     found.add(reader)
                     waiting.append(reader)
         return found
-
-    def _readers(self, at: Address) -> Iterator[Address]:
-        yield from self._by_cell.get(at, ())
-        for area, readers in self._by_column[at.sheet, at.column].items():
-            if area.holds(at):
-                yield from readers
 
     def _reads(self, reader: Address, at: Address) -> bool:
         """Whether a formula, as its values are, reads a cell."""

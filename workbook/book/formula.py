@@ -138,7 +138,8 @@ def read(text: str, sheet: str, area: Resolve, known: dict[str, Area | str] | No
             seen[word] = argument = meant(kind, word, sheet, area)
         arguments.append(argument)
         written.append(word)
-        return dummy(len(arguments), argument)
+        cell = f"A{len(arguments)}"  # of column A: the reference, or range, by which the shape names the argument
+        return cell if isinstance(argument, str) or argument.single else f"{cell}:B{len(arguments)}"
 
     shape = "=" + TOKEN.sub(replaced, text[1:])
     return Formula(shape, tuple(arguments), tuple(written))
@@ -192,7 +193,7 @@ def corner(cell: str) -> tuple[int, int]:
     """Return row and column of ``$B$7``; raise FormulaError where no sheet has such a cell."""
     plain = cell.replace("$", "").upper()
     letters = plain.rstrip("0123456789")
-    row, number = int(plain[len(letters) :]), column(letters)
+    row, number = int(plain[len(letters) :]), column_index_from_string(letters)
     if not (1 <= row <= LAST_ROW and number <= LAST_COLUMN):
         raise FormulaError("#NAME?", f"there is no cell {cell}")
     return row, number
@@ -225,12 +226,6 @@ def anchored(written: str) -> str:
     return re.sub(r"[0-9]+", "r", re.sub(r"[A-Za-z]+", "c", re.sub(_SHEET, "", written)))
 
 
-@lru_cache(maxsize=LAST_COLUMN)
-def column(letters: str) -> int:
-    """Return the number of a column, from 1."""
-    return column_index_from_string(letters)
-
-
 @lru_cache(maxsize=20_000)
 def functions_of(shape: str) -> frozenset[str]:
     """Return the names of the functions that a shape calls."""
@@ -241,8 +236,3 @@ def area_of(place: Place) -> Area:
     """Return a place as an area of formulas."""
     (_, top, left), (_, bottom, right) = place.corners
     return Area(place.sheet, top, left, bottom, right, place.rows == place.columns == 1)
-
-
-def dummy(number: int, argument: Area | str) -> str:
-    """Return the reference by which a shape names its argument: a cell, or a range, of column A."""
-    return f"A{number}" if isinstance(argument, str) or argument.single else f"A{number}:B{number}"

@@ -5,10 +5,11 @@ Programs enforce validations on what is typed alone: what is pasted, or written 
 """
 
 from collections.abc import Iterator, Sequence
+from math import inf
 from typing import Any, NamedTuple
 
 from workbook.book.quantity import WANTED, Quantity, calc, check
-from workbook.book.sentence import Sentence, entered, first_text, quoted
+from workbook.book.sentence import Sentence, figure, first_text, quoted
 
 MESSAGES, MESSAGE, USED = "_messages", "message", "used"
 """behind a table's name the block of its messages; in it the first of each row, and whether a row has any entry"""
@@ -60,7 +61,7 @@ class Guard(NamedTuple):
 
     def message(self, place: int, value: Any) -> Sentence:
         """Return the message on an entry, by its place among those that are watched, from 0."""
-        shown = entered(value) if isinstance(value, int | float) else "empty"
+        shown = figure(value, inf) if isinstance(value, int | float) else "empty"
         if place < len(self.entries):
             q, limit = self.entries[place]
             return Sentence(f"{q.label}: {shown}; expected {limit.expected}")
@@ -135,7 +136,10 @@ def all_empty(inputs: Sequence[Quantity]) -> str:
 def of_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) -> tuple[list[Quantity], Quantity]:
     """Return a table's messages, a column for each entry and rule, and the check; ``filled``: one row must be."""
     table = f"{guard.table}{MESSAGES}"
-    columns = [*used(guard, inputs), *messages(guard), first_of(guard)]
+    first, last = guard.columns[0], guard.columns[-1]
+    among = f"[{first}:{last}]"
+    of_row = f"[{first}]" if first == last else f'IF(COUNTIF({among},"?*")=0,"",INDEX({among},{first_text(among)}))'
+    columns = [*used(guard, inputs), *messages(guard), told(MESSAGE, "what is expected", f"={of_row}")]
     message, row = f"[{table}.{MESSAGE}]", '"row 1, "&'
     condition, says = f'[{table}.{MESSAGE}.1]=""', f"[{table}.{MESSAGE}.1]"
     if guard.rows > 1:
@@ -187,14 +191,6 @@ def messages(guard: Guard) -> Iterator[Quantity]:
     for rule in guard.rules:
         says = f"{quoted(f'{rule.words}: ')}&{shows(f'[{rule.column}]')}" if rule.column else quoted(rule.words)
         yield told(column_of(rule.rule), rule.rule, f'=IF({rule.condition},"",{says})')
-
-
-def first_of(guard: Guard) -> Quantity:
-    """Return the column of the first message of each row."""
-    first, last = guard.columns[0], guard.columns[-1]
-    among = f"[{first}:{last}]"
-    formula = f'=IF(COUNTIF({among},"?*")=0,"",INDEX({among},{first_text(among)}))'
-    return told(MESSAGE, "what is expected", f"=[{first}]" if first == last else formula)
 
 
 def told(name: str, label: str, formula: str) -> Quantity:

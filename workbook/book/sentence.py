@@ -27,14 +27,9 @@ class Sentence(str):
         return all(abs(one - two) <= _ROUNDED + 1e-9 * abs(one) for one, two in zip(ours, theirs, strict=True))
 
 
-def figure(value: float) -> str:
-    """Return a number as sentences show it."""
-    return f"{round(value, DIGITS) + 0.0:.15g}" if abs(value) < LARGEST else BEYOND
-
-
-def entered(value: float) -> str:
-    """Return a number as cells show what is entered."""
-    return f"{round(value, DIGITS) + 0.0:.15g}"
+def figure(value: float, most: float = LARGEST) -> str:
+    """Return a number as sentences show it; cells show what is entered however large."""
+    return f"{round(value, DIGITS) + 0.0:.15g}" if abs(value) < most else BEYOND
 
 
 def quoted(text: str) -> str:

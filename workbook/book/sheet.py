@@ -133,19 +133,15 @@ class Sheet:
         self._place(Block(quantity.name, self, row, column, (quantity,), 1, is_table=False))
 
     def checks(self, *quantities: Quantity) -> None:
-        """Place checks and what each says, and enter them in the book's list, on which the overall verdict rests."""
+        """Place checks and what each says, without the sheet's name, and enter them in the book's list."""
+        name = self.called or self.title
         for q in self._own(quantities):
-            here = q._replace(label=self._without(q.label))
+            rest = q.label.removeprefix(f"{name}: ").removeprefix(f"{name}, ")
+            here = q._replace(label=q.label if rest == q.label else f"{rest[0].upper()}{rest[1:]}")
             said = sentence(here)
             self.put(said, self.row, FIRST + 4)
             self._rows([here._replace(source="")])
             self.book.checks.append((self, q))
-
-    def _without(self, label: str) -> str:
-        """Return what a check is about without the sheet's own name before it."""
-        name = self.called or self.title
-        rest = label.removeprefix(f"{name}: ").removeprefix(f"{name}, ")
-        return f"{rest[0].upper()}{rest[1:]}" if rest != label else label
 
     def table(
         self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (), blank: str = ""

@@ -187,7 +187,8 @@ class Walk:
         unit = cell.unit if cell else str(more.get("unit", ""))
         shown = listed_in if listed_in is not None else self._example(path, of)
         required = field.is_required() or path == "template"
-        return Key(path, sentence(meaning), unit, expectation(kind, constraints), required, default, shown, tuple(rows))
+        meaning = meaning[:1].upper() + meaning[1:]
+        return Key(path, meaning, unit, expectation(kind, constraints), required, default, shown, tuple(rows))
 
     def _of_law(self, path: str) -> Quantity | None:
         """Return a cell for an entry of a family of laws that the committed description has no law of."""
@@ -225,11 +226,6 @@ def join(path: str, name: str) -> str:
 def said(model: type[BaseModel] | None) -> str:
     """Return the first line of what a model says of itself."""
     return ((model.__doc__ if model else "") or "").strip().partition("\n")[0].rstrip(".")
-
-
-def sentence(text: str) -> str:
-    """Return a text that begins with a capital."""
-    return text[:1].upper() + text[1:]
 
 
 def example(data: Any, path: list[str], kind: str = "") -> Any:

@@ -41,12 +41,6 @@ AT_REST = RowRule("dwell", 'OR(AND([law]<>"DWL",[law]<>""),[lift]+0=0)', "lift",
 """a row of phases whose law is the dwell, or that names none, does not lift"""
 
 
-def resting(law: str, lift: float) -> Iterator[DesignError]:
-    """Yield a dwell that is to lift."""
-    if law == "DWL" and lift != 0:
-        yield DesignError("lift", AT_REST.words, AT_REST.rule, 0.0)
-
-
 class TurnPhase(Model):
     """One phase of an axis: angles of the master shaft in degrees, a lift in the axis' unit."""
 
@@ -57,7 +51,8 @@ class TurnPhase(Model):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a dwell that is to lift."""
-        yield from resting(self.law, self.lift)
+        if self.law == "DWL" and self.lift != 0:
+            yield DesignError("lift", AT_REST.words, AT_REST.rule, 0.0)
 
 
 def forward(

@@ -45,7 +45,12 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
             sheet.heading("Pieces", f"On each piece a(u) = {a}, u = ξ − ξ_k; velocity and position are carried on.")
             pieces_table(sheet, page, law)
         sheet.checks(*page.verdicts(one, sizes))
-        draw(sheet, one.called)
+        for row, d, words in ((5, "s", "position"), (20, "v", "velocity"), (35, "a", "acceleration")):
+            chart = Chart(
+                f"{one.called}: {words} {d}(ξ)", "ξ = t / t_a", d, (Series(d, "[@samples.xi]", f"[@samples.{d}]"),),
+                f"Dimensionless {words} of the law {one.called} over the rise, from 0 to 1", (0, 1, 0.1),
+            )  # fmt: skip
+            sheet.chart(chart, column=BEHIND - 6, row=row, width=6, height=14)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = BEHIND - 1
         sheet.one_page = True
@@ -128,13 +133,3 @@ def samples(
         result("ya", "acceleration", "ÿ", "m/s²", "=@h_m/@t^2*[a]", h / t**2 * at.a, source="h a / t_a²"),
         *stack.finding("@no", "xi", stack.locate(stack.number(rise.law), xi), entries),
     )  # fmt: skip
-
-
-def draw(sheet: Sheet, name: str) -> None:
-    """Place the charts of s, v, a beside the figures."""
-    for row, d, words in ((5, "s", "position"), (20, "v", "velocity"), (35, "a", "acceleration")):
-        chart = Chart(
-            f"{name}: {words} {d}(ξ)", "ξ = t / t_a", d, (Series(d, "[@samples.xi]", f"[@samples.{d}]"),),
-            f"Dimensionless {words} of the law {name} over the rise, from 0 to 1", (0, 1, 0.1),
-        )  # fmt: skip
-        sheet.chart(chart, column=BEHIND - 6, row=row, width=6, height=14)

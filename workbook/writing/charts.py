@@ -40,7 +40,7 @@ NUMBERS = re.compile(rb"<numRef><f>([^<]*)</f></numRef>")
 def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     """Return the openpyxl chart for ``chart``, ``width`` by ``height`` cm large."""
     drawn = ScatterChart()
-    drawn.title, drawn.style, drawn.scatterStyle = heading(chart.title, 1300), 2, "lineMarker"
+    drawn.title, drawn.style, drawn.scatterStyle = heading(chart.title, 1300, book), 2, "lineMarker"
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
         ink = series.color or COLOURS[i % len(COLOURS)]
@@ -53,18 +53,15 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     return drawn
 
 
-def heading(text: str, size: int) -> Title:
-    """Return a title of a chart or an axis, in bold of ``size`` hundredths of a point."""
-    properties = CharacterProperties(sz=size, b=True)
-    run = RegularTextRun(rPr=properties, t=text)
-    paragraph = Paragraph(pPr=ParagraphProperties(defRPr=properties), r=[run])
+def heading(text: str, size: int, book: Book) -> Title:
+    """Return a bold title of ``size`` hundredths of a point; ``=name`` shows a cell: it follows units as entered."""
+    look = CharacterProperties(sz=size, b=True)
+    properties = ParagraphProperties(defRPr=look)
+    if text.startswith("="):
+        plain = RichText(p=[Paragraph(pPr=properties)])
+        return Title(tx=ChartText(strRef=cell(text[1:], book)), overlay=False, txPr=plain)
+    paragraph = Paragraph(pPr=properties, r=[RegularTextRun(rPr=look, t=text)])
     return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=False)
-
-
-def linked(name: str, book: Book, size: int) -> Title:
-    """Return a title that shows the cell of this name: it follows the units that are entered."""
-    paragraph = Paragraph(pPr=ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)))
-    return Title(tx=ChartText(strRef=cell(name, book)), overlay=False, txPr=RichText(p=[paragraph]))
 
 
 def cell(name: str, book: Book) -> StrRef:
@@ -96,7 +93,7 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     """Title, scale and number format of both axes."""
     for axis, title, limits in ((drawn.x_axis, chart.x, chart.x_range), (drawn.y_axis, chart.y, chart.y_range)):
         if title:
-            axis.title = linked(title[1:], book, 1000) if title.startswith("=") else heading(title, 1000)
+            axis.title = heading(title, 1000, book)
         axis.delete = False  # Excel hides an axis that does not say so
         axis.number_format, axis.majorTickMark = "General", "out"
         axis.majorGridlines = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))

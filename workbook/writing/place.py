@@ -60,7 +60,8 @@ def replace(path: Path, write: Callable[[Path], object], overwrite: bool = False
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         target = Path(os.path.realpath(path)) if path.is_symlink() else path
-        draft = begun(target.parent)
+        draft = target.parent / f".motionbook-{secrets.token_hex(8)}.part"  # a name of no book
+        os.close(os.open(draft, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))  # with the permissions of any new file
     except OSError as error:
         raise unwritten(path, error) from error
     try:
@@ -85,13 +86,6 @@ def replace(path: Path, write: Callable[[Path], object], overwrite: bool = False
 def write_text(path: Path, text: str, overwrite: bool = False) -> None:
     """Write UTF-8 with the same line ends on every system, as :func:`replace` does."""
     replace(path, lambda draft: draft.write_bytes(text.encode()), overwrite)
-
-
-def begun(folder: Path) -> Path:
-    """Return a new, empty file, with the permissions that the system gives to any; its name is none of a book."""
-    draft = folder / f".motionbook-{secrets.token_hex(8)}.part"
-    os.close(os.open(draft, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
-    return draft
 
 
 def place(draft: Path, target: Path) -> None:
