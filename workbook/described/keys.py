@@ -174,8 +174,7 @@ class Walk:
 
     def _key(self, path: str, field: FieldInfo, of: str = "", listed_in: Any = None) -> Key:
         kind, constraints = unwrap(field.annotation, field.metadata)
-        row = get_args(kind)[0] if get_origin(kind) is list else None
-        table = row if isinstance(row, type) and issubclass(row, BaseModel) else None
+        table = next(iter(tables(get_args(kind)[0])), None) if get_origin(kind) is list else None
         cell = self._cells.get(path) or self._of_law(path)
         meaning = (
             field.description or WORDS.get(path) or (cell.label if cell else said(table) if table else listed(path))

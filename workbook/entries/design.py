@@ -69,46 +69,37 @@ def attempted(model: type[M], check: Callable[[M], None], data: dict[str, Any]) 
         machine = model.model_validate(data)
         check(machine)
     except ValidationError as error:
-        told = error.errors(include_url=False)
-        refused = [fault for fault in told if not numeric(fault, model)]
-        if refused:
+        told = [(fault, numbers_of(fault, model)) for fault in error.errors(include_url=False)]
+        if refused := [fault for fault, numbers in told if numbers is None]:
             raise RefusedError(refused) from None
-        return None, [each for fault in told for each in numbers_of(fault, model)]
+        return None, [each for _, numbers in told for each in numbers or ()]
     except DesignError as error:
         return None, [of_rule("", error)]
     return machine, []
 
 
-def numeric(fault: Any, model: type[BaseModel]) -> bool:
-    """Whether a fault of pydantic's is one of numbers: beyond bounds, not there, or not going together."""
-    key, rule = keys_of(model, fault["loc"])
-    if isinstance(fault.get("ctx", {}).get("error"), TogetherError):
-        return True
-    if key.startswith("sizes") or fault["type"] == "extra_forbidden":
-        return False
-    kind, constraints = rules.field_at(model, rule)
-    if fault["type"] in BEYOND:
-        value = fault["input"]
-        known = isinstance(value, int | float) and value == value  # not nan
-        return known and not rules.beyond_all(value, constraints)
-    if fault["type"] in ("missing", "too_short") and get_origin(kind) is list:
-        return rules.is_table(kind)
-    empty = fault["type"] == "missing" or fault["input"] is None or fault["input"] == {}
-    return empty and (kind is float or get_origin(kind) is Literal or rules.takes_law(constraints))
+def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
+    """Return the faults of a design that one of pydantic's tells; None where it is not one of numbers.
 
-
-def numbers_of(fault: Any, model: type[BaseModel]) -> Iterator[Fault]:
-    """Yield the faults of a design that one of pydantic's tells."""
+    Such are beyond bounds, not there, or do not go together.
+    """
     key, rule = keys_of(model, fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, TogetherError):
-        for error in cause.found:
-            yield of_rule(key, error)
+        return [of_rule(key, error) for error in cause.found]
+    if key.startswith("sizes") or fault["type"] == "extra_forbidden":
+        return None
+    (kind, constraints), value, beyond = rules.field_at(model, rule), fault["input"], fault["type"] in BEYOND
+    if beyond:
+        known = isinstance(value, int | float) and value == value and not rules.beyond_all(value, constraints)
+    elif fault["type"] in ("missing", "too_short") and get_origin(kind) is list:
+        known = rules.is_table(kind)
     else:
-        value = fault["input"] if fault["type"] in BEYOND else None
-        kind, constraints = rules.field_at(model, rule)
-        fits = 0.0 if value is None and kind is float and Ge(0) in constraints else None  # as a cell reads it
-        yield Fault(key, key, "", f"expected {rules.expectation(kind, constraints)}", value, fits)
+        known = fault["type"] == "missing" or value is None or value == {}
+        known = known and (kind is float or get_origin(kind) is Literal or rules.takes_law(constraints))
+    fits = 0.0 if not beyond and kind is float and Ge(0) in constraints else None  # as a cell reads it
+    said = f"expected {rules.expectation(kind, constraints)}"
+    return [Fault(key, key, "", said, value if beyond else None, fits)] if known else None
 
 
 def of_rule(where: str, error: DesignError) -> Fault:
@@ -122,9 +113,7 @@ def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: d
     found = at(example, rule)
     if found is NONE or found is None:
         kind, constraints = rules.field_at(model, rule)
-        if not (isinstance(kind, type) and issubclass(kind, BaseModel)) or any(
-            field.is_required() for field in kind.model_fields.values()
-        ):
+        if len(rules.tables(kind)) != 1 or any(field.is_required() for field in rules.fields(kind).values()):
             return rules.within(kind, constraints)
         found = kind().model_dump()
     return refilled(at(tried, path), found)
@@ -194,10 +183,7 @@ def set_at(data: Any, path: list[str], value: Any) -> None:
     *above, last = path
     for part in above:
         data = data[int(part)] if isinstance(data, list) else data.setdefault(part, {})
-    if isinstance(data, list):
-        data[int(last)] = value
-    else:
-        data[last] = value
+    data[int(last) if isinstance(data, list) else last] = value
 
 
 def differing(

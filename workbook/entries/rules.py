@@ -93,10 +93,9 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
         rule = number_rule(constraints)
     rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
     rule.allow_blank = q.key.find("*") >= 0
-    rule.promptTitle, rule.errorTitle = clip(q.label, 32), clip(q.label, 32)
+    rule.promptTitle = rule.errorTitle = clip(q.label, 32)
     unit = f" [{q.unit}]" if q.unit else ""
-    rule.prompt = clip(f"Enter {expected}{unit}.", 255)
-    rule.error = clip(f"Expected {expected}{unit}.", 255)
+    rule.prompt, rule.error = (clip(f"{word} {expected}{unit}.", 255) for word in ("Enter", "Expected"))
     return rule
 
 
@@ -157,11 +156,9 @@ def takes_law(constraints: list[Any]) -> bool:
 
 def is_table(kind: Any) -> bool:
     """Whether a list is one of rows, each of several entries and none of them a table again."""
-    row = get_args(kind)[0]
-    if not (isinstance(row, type) and issubclass(row, BaseModel)):
-        return False
-    entries = [unwrap(entry.annotation, [])[0] for entry in row.model_fields.values()]
-    return not any(get_origin(one) is list or (isinstance(one, type) and issubclass(one, BaseModel)) for one in entries)
+    rows = tables(get_args(kind)[0])
+    entries = [unwrap(entry.annotation, [])[0] for row in rows for entry in row.model_fields.values()]
+    return bool(rows) and not any(get_origin(one) is list or tables(one) for one in entries)
 
 
 def within(kind: Any, constraints: list[Any]) -> Any:
@@ -200,11 +197,10 @@ def beyond_all(value: float, constraints: list[Any]) -> bool:
 
 def number_rule(constraints: list[Any]) -> DataValidation:
     """Return the rule for a number within bounds."""
-    above = next((c.gt for c in constraints if isinstance(c, Gt)), None)
-    low = next((c.ge for c in constraints if isinstance(c, Ge)), above if above is not None else -1e300)
-    high = next((c.lt if isinstance(c, Lt) else c.le for c in constraints if isinstance(c, Lt | Le)), 1e300)
-    if above is not None and high == 1e300:
-        return DataValidation("decimal", operator="greaterThan", formula1=repr(above))
+    found = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
+    low, high = found.get(">=", found.get(">", -1e300)), found.get("<", found.get("<=", 1e300))
+    if ">" in found and high == 1e300:
+        return DataValidation("decimal", operator="greaterThan", formula1=repr(found[">"]))
     return DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
 
 

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 
 import workbook
 from workbook.entries import rules
-from workbook.entries.design import numeric
+from workbook.entries.design import numbers_of
 from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError
 from workbook.intake import read_text
@@ -123,7 +123,7 @@ def parse(
             model.model_validate(given)
         except ValidationError as error:
             told = error.errors(include_url=False)
-            faults += [f"{where}, {line_of(fault, model, names)}" for fault in told if not numeric(fault, model)]
+            faults += [f"{where}, {line_of(fault, model, names)}" for fault in told if numbers_of(fault, model) is None]
         yield given
 
 
