@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from openpyxl.utils import get_column_letter
@@ -100,27 +101,19 @@ class Block:
 
     def cells(self) -> Iterator[Cell]:
         """Yield the declared cells, column by column, with contents and the engine's values."""
-        for cells in self.by_column():
-            yield from cells
+        return chain.from_iterable(self.by_column())
 
     def by_column(self) -> Iterator[list[Cell]]:
         """Yield the declared cells of each column."""
         for q, column in zip(self.quantities, self.columns.values(), strict=True):
-            values = as_rows(q.value, self.size, f"{self.name}.{q.name}")
-            contents = zip(values, self._formulas(q) or values, strict=True)
-            rows = enumerate(contents)
-            yield [Cell(self, q, i, self.row + i, column, content, value) for i, (value, content) in rows]
-
-    def _formulas(self, q: Quantity) -> list[str] | None:
-        if q.formula is None:
-            return None
-        if isinstance(q.formula, str):
-            pattern = self.sheet.book.resolve(q.formula, self)
-            return [pattern.format(Row(r)) for r in range(self.row, self.row + self.size)]
-        if len(q.formula) != self.size:
-            raise ValueError(f"{self.name}.{q.name}: {len(q.formula)} formulas for {self.size} rows")
-        rows = [self.sheet.book.resolve(text, self) for text in q.formula]
-        return [text.format(Row(self.row + i)) for i, text in enumerate(rows)]
+            where = f"{self.name}.{q.name}"
+            contents = values = as_rows(q.value, self.size, where)
+            if q.formula is not None:
+                texts = as_rows(q.formula, self.size, where)
+                patterns = {text: self.sheet.book.resolve(text, self) for text in set(texts)}
+                contents = [patterns[text].format(Row(row)) for row, text in enumerate(texts, self.row)]
+            both = enumerate(zip(contents, values, strict=True))
+            yield [Cell(self, q, i, self.row + i, column, content, value) for i, (content, value) in both]
 
 
 def span(top: int, left: int, bottom: int, right: int, fixed: str = "$") -> str:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from workbook.book import limits
@@ -99,7 +98,9 @@ class Sheet:
         """Place quantities one below the other; beside inputs with limits what is expected, below all a check."""
         own = self._own(quantities)
         watched = self._limited(own)
-        self._rows(own, {q.name: limits.beside(q, limit) for q, limit in watched})
+        messages = {q.name: limits.beside(q, limit) for q, limit in watched}
+        for q in own:
+            self._row(q, messages.get(q.name))
         if watched:
             name = f"{watched[0][0].name}_entries"
             guard, verdict = limits.of_cells(name, f"{self.called or self.title}: entries within limits", watched)
@@ -111,22 +112,15 @@ class Sheet:
         inputs = [(q, self.book.limit(q.key)) for q in quantities if q.role == "input"]
         return [(q, limit) for q, limit in inputs if limit is not None]
 
-    def _rows(self, quantities: Sequence[Quantity], messages: Mapping[str, Quantity] = MappingProxyType({})) -> None:
-        """Place quantities one below the other, beside some a message in place of their source."""
-        for q in quantities:
-            message = messages.get(q.name)
-            for column, text, style in (
-                (FIRST, q.label, "label"),
-                (FIRST + 1, q.symbol, "symbol"),
-                (FIRST + 3, q.unit, "unit"),
-                (FIRST + 4, "" if message else q.source, "note"),
-            ):
-                if text:
-                    self.texts.append(Text(self.row, column, text, style))
-            self.put(q, self.row, FIRST + 2)
-            if message:
-                self.put(message, self.row, FIRST + 4)
-            self.row += 1
+    def _row(self, q: Quantity, message: Quantity | None = None) -> None:
+        """Place a quantity below the others, perhaps with a message in place of its source."""
+        texts = {"label": q.label, "symbol": q.symbol, "": "", "unit": q.unit, "note": "" if message else q.source}
+        self.texts += [Text(self.row, column, text, style)
+                       for column, (style, text) in enumerate(texts.items(), FIRST) if text]  # fmt: skip
+        self.put(q, self.row, FIRST + 2)
+        if message:
+            self.put(message, self.row, FIRST + 4)
+        self.row += 1
 
     def put(self, quantity: Quantity, row: int, column: int) -> None:
         """Place a quantity in a cell of its own."""
@@ -140,7 +134,7 @@ class Sheet:
             here = q._replace(label=q.label if rest == q.label else f"{rest[0].upper()}{rest[1:]}")
             said = sentence(here)
             self.put(said, self.row, FIRST + 4)
-            self._rows([here._replace(source="")])
+            self._row(here._replace(source=""))
             self.book.checks.append((self, q))
 
     def table(
@@ -238,8 +232,9 @@ class Sheet:
         """Place charts side by side below what is there."""
         column = FIRST
         for i, chart in enumerate(charts):
-            self.chart(chart, column, self.row, width if i else width - 2, height)
-            column += width if i else width - 2
+            wide = width if i else width - 2
+            self.chart(chart, column, self.row, wide, height)
+            column += wide
         self.row += height + 1
 
     def _own(self, quantities: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
