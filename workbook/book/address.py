@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import repeat
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from openpyxl.utils import get_column_letter, quote_sheetname
@@ -68,11 +67,6 @@ class Place(NamedTuple):
         """Return the cells of a column; column 0 if it is gone."""
         sheet, column, rows = self.strip(j, self.rows)
         return [Address(sheet, row, column) for row in rows]
-
-    def plain(self, j: int) -> Iterator[tuple[str, int, int]]:
-        """Yield what is equal to the cells of a column, and made faster than addresses are."""
-        sheet, column, rows = self.strip(j, self.rows)
-        return zip(repeat(sheet), rows, repeat(column))
 
     def strip(self, j: int, rows: int) -> Strip:
         """Return so many cells of a column, from its first."""

@@ -82,30 +82,27 @@ class File:
         yield "]"
 
     def rest(self) -> Iterator[str]:
-        """Yield in comments the keys that have not been written yet."""
-        for one in self.known:
-            if not one.path.startswith("laws."):
-                keys = [key for key in one.keys if (key.path, one.kind) not in self.told]
-                rows = [row for key in one.keys if key not in keys for row in key.rows
-                        if (row.path, one.kind) not in self.told]  # fmt: skip
-                lines = [text for key in keys for text in spare(key)]
-                for row in rows:
-                    entry = f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}"
-                    lines += line(entry, about(row))
-                if lines:
-                    title = one.path.removesuffix(".*").replace(".*", "")
-                    shown = f"[[{title}]]" if one.path.endswith(".*") else f"[{title}]"
-                    kind = [f"# kind = {toml(one.kind)}"] if one.kind else []
-                    yield "\n".join(([f"# {shown}"] if title else []) + kind + lines)
-        yield "\n".join(["# [laws]", *self.laws()])
-
-    def laws(self) -> Iterator[str]:
-        """Yield a line for each family of laws, with its parameters."""
+        """Yield in comments the keys that have not been written yet, and a line for each family of laws."""
+        laws = ["# [laws]"]
         for one in self.known:
             if one.path.startswith("laws."):
                 code = one.path.rpartition(".")[2]
-                shown = {"family": code} | {key.name: example_of(key) for key in one.keys}
-                yield f"# {code} = {toml({name: value for name, value in shown.items() if value is not None})}"
+                laws.append(f"# {code} = {toml({'family': code} | {key.name: example_of(key) for key in one.keys})}")
+                continue
+            keys = [key for key in one.keys if (key.path, one.kind) not in self.told]
+            rows = [row for key in one.keys if key not in keys for row in key.rows
+                    if (row.path, one.kind) not in self.told]  # fmt: skip
+            lines = [text for key in keys for text in spare(key)]
+            for row in rows:
+                lines += line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))
+            title, kind = (
+                one.path.removesuffix(".*").replace(".*", ""),
+                [f"# kind = {toml(one.kind)}"] if one.kind else [],
+            )
+            if lines:
+                shown = f"# [[{title}]]" if one.path.endswith(".*") else f"# [{title}]"
+                yield "\n".join([*([shown] if title else []), *kind, *lines])
+        yield "\n".join(laws)
 
 
 def spare(key: Key) -> Iterator[str]:

@@ -68,27 +68,18 @@ def placed(section: Section, model: type[BaseModel], made: dict[str, Any]) -> It
                 yield key, node
 
 
-def at(made: dict[str, Any], table: dict[str, Any], path: str) -> dict[str, Any] | None:
-    """Return the place of a key in a table of a schema, or None where it has none."""
-    node: dict[str, Any] | None = table
+def at(made: dict[str, Any], table: Any, path: str) -> dict[str, Any] | None:
+    """Return the place of a key in a table of a schema, through references and optional tables, or None."""
     for part in path.split("."):
-        table = table_at(made, node)
-        node = table.get("items") if part == "*" else table.get("properties", {}).get(part)
-        if node is None:
+        for choice in [choice for choice in table.get("anyOf", ()) if choice.get("type") != "null"]:
+            table = choice
+        if "$ref" in table:
+            table = made["$defs"][table["$ref"].removeprefix(REFERENCE)]
+        table = table.get("items") if part == "*" else table.get("properties", {}).get(part)
+        if table is None:
             return None
-    return node
-
-
-def table_at(made: dict[str, Any], node: dict[str, Any] | None) -> dict[str, Any]:
-    """Return the table or list that a place refers to; of an optional one, without the nothing that it may be."""
-    node = node or {}
-    for choice in node.get("anyOf", ()):
-        if choice.get("type") != "null":
-            node = choice
-    if "$ref" in node:
-        found: dict[str, Any] = made["$defs"][node["$ref"].removeprefix(REFERENCE)]
-        return found
-    return node
+    found: dict[str, Any] = table
+    return found
 
 
 def any_schema() -> dict[str, Any]:

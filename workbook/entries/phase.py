@@ -55,9 +55,7 @@ class TurnPhase(Model):
             yield DesignError("lift", AT_REST.words, AT_REST.rule, 0.0)
 
 
-def forward(
-    name: str, phases: Sequence[TurnPhase], unit: str = "°", length: float = TURN
-) -> Iterator[DesignError]:  # fmt: skip
+def forward(name: str, phases: Sequence[TurnPhase], unit: str = "°", length: float = TURN) -> Iterator[DesignError]:
     """Yield the first phase of an axis that runs backwards, or does not last, of a cycle of a length."""
     for row, phase in enumerate(phases, 1):
         if phase.stop <= phase.start:

@@ -147,7 +147,7 @@ class Match:
     def strays(self) -> set[Address]:
         """Return the cells outside of all blocks, and no heading of theirs, to which some formula refers."""
         contents, places = self.file.contents, self._places
-        covered = {cell for place in places.values() for j in range(place.columns) for cell in place.plain(j)}
+        covered = {cell for place in places.values() for j in range(place.columns) for cell in place.down(j)}
         heads = [(place, -self._header_above(name)) for name, place in places.items()]
         covered |= {place.cell(up, j) for place, up in heads for j in range(place.columns)}
         return contents.read([a for a in (*contents.constants, *contents.formula_cells) if a not in covered])

@@ -117,9 +117,7 @@ def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
     )  # fmt: skip
 
 
-def samples(
-    sheet: Sheet, rise: Phase, lift: float, n: int, stack: sampling.Pieces, entries: Sequence[str]
-) -> None:  # fmt: skip
+def samples(sheet: Sheet, rise: Phase, lift: float, n: int, stack: sampling.Pieces, entries: Sequence[str]) -> None:
     """Declare the sampled table: ξ, s, v, a, j and the dimensional y, ẏ, ÿ, by the ``entries`` that pieces may have."""
     xi = np.arange(n + 1) / n
     at, h, t = rise.law.evaluate(xi), rise.lift, rise.duration

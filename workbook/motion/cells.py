@@ -169,9 +169,7 @@ def rows_of_parts(
     return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, end)
 
 
-def rows_of(
-    at: Cells, motion: Motion, stack: Pieces, room: int, places: Sequence[int] | None = None
-) -> PieceRows:  # fmt: skip
+def rows_of(at: Cells, motion: Motion, stack: Pieces, room: int, places: Sequence[int] | None = None) -> PieceRows:
     """Return the pieces of a motion whose phases stand at ``places`` of ``room`` rows, by default the first of them."""
     taken = range(len(motion.phases)) if places is None else places
     pieces = [replace(piece, phase=taken[piece.phase]) for piece in motion_pieces(motion)]

@@ -3,8 +3,6 @@
 from functools import lru_cache
 from typing import Any
 
-from pydantic import BaseModel
-
 from engine.laws import Law
 from engine.motion.pieces import law_pieces
 from workbook.entries.machine import Machine
@@ -14,6 +12,7 @@ from workbook.laws.library import laws
 
 FEW = 8  # rows more than are used, where a description does not say how many
 KNOWN = 256  # laws of which is kept how many pieces they have: a study asks for each many times
+AT_REST = {"law": "DWL", "lift": 0.0}  # the entries of a phase that does not move
 CROWDED = "{} pieces do not fit into {} rows; build it with larger sizes.motion_pieces"
 
 
@@ -49,16 +48,11 @@ def rule_of(i: int) -> str:
     return f"room{i}"
 
 
-def at_rest(phase: BaseModel) -> dict[str, Any]:
-    """Return the entries of a phase that does not move instead."""
-    return phase.model_dump() | {"law": "DWL", "lift": 0.0}
-
-
 def within(phases: list[dict[str, Any]], given: dict[str, Any], room: int) -> list[dict[str, Any]]:
     """Return phases of which some are dwells instead, so that their pieces find room; ``given`` are the laws."""
     number, left = counts(Laws.model_validate(given)), room
     for after, phase in zip(range(len(phases) - 1, -1, -1), phases, strict=True):
         if number[phase["law"]] + after > left:
-            phase |= {"law": "DWL", "lift": 0.0}
+            phase |= AT_REST
         left -= number[phase["law"]]
     return phases

@@ -102,21 +102,19 @@ class Joints:
     def _ends(self, room: int) -> list[Quantity]:
         """Return where each piece ends, with the powers of that; of a motion that opens within one, its begin too."""
         at, pieces = self.rows.at, self.rows.pieces
+
+        def places(suffix: str, of: str, formula: str, u: list[float]) -> list[Quantity]:
+            return place_columns(self.rows, suffix, of, formula, np.array(filled(u, room)), self._taken(room))
+
         if not at.opens:
-            ends = filled([piece.duration for piece in pieces], room)
-            return place_columns(self.rows, "1", "end", "=[d]", np.array(ends), self._taken(room))
+            return places("1", "end", "=[d]", [piece.duration for piece in pieces])
         nexts = [*(piece.begin for piece in pieces[1:]), self.rows.end]
         ends = [after - piece.origin if piece.duration else 0.0 for piece, after in zip(pieces, nexts, strict=True)]
         begins = [piece.begin - piece.origin if piece.duration else 0.0 for piece in pieces]
-        begin, origin = (f"[{at.pieces}.{name}.same]" for name in ("begin", "origin"))
         after = f"IF([r]<{room},INDEX([{at.pieces}.begin],MIN([r]+1,{room})),{at.end})"
-        taken = self._taken(room)
-        return [
-            *place_columns(self.rows, "0", "begin", f"=IF([d]>0,{begin}-{origin},0)", np.array(filled(begins, room)),
-                           taken),
-            *place_columns(self.rows, "1", "end", f"=IF([d]>0,{after}-{origin},0)", np.array(filled(ends, room)),
-                           taken),
-        ]  # fmt: skip
+        from_origin = f"=IF([d]>0,{{}}-[{at.pieces}.origin.same],0)"
+        return [*places("0", "begin", from_origin.format(f"[{at.pieces}.begin.same]"), begins),
+                *places("1", "end", from_origin.format(after), ends)]  # fmt: skip
 
     def _taken(self, room: int) -> list[MotionPiece]:
         """Return the piece of each row; spare rows have the last."""
@@ -178,13 +176,13 @@ class Joints:
         both = zip(self.rows.pieces, self.found, strict=True)
         return next(((piece, joint) for piece, joint in both if joint.order), None)
 
-    def _at_first(self, column: str) -> str:
-        """Return the formula of a column at the first joint that is less smooth than asked."""
-        return f"INDEX([{column}],{self.asked.order}_piece)"
-
     def _first(self) -> list[Quantity]:
         """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
-        asked, name, at, told = self.asked, self.asked.order, self._at_first, self._told()
+        asked, name, told = self.asked, self.asked.order, self._told()
+
+        def at(column: str) -> str:
+            return f"INDEX([{column}],{name}_piece)"
+
         order = at(f"{self.name}.order")
         x, size = in_time(asked, at(f"{self.rows.at.pieces}.begin"), f"ABS({at(f'{self.name}.size')})", order)
         units = ",".join(formula for formula, _ in asked.units)

@@ -32,7 +32,7 @@ from workbook.machines.machine.entries_beside import (
 )
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.motion.asked import Smoothness
-from workbook.motion.room import CROWDED, at_rest, counts, rule_of, settle
+from workbook.motion.room import AT_REST, CROWDED, counts, rule_of, settle
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
 
 MOST_AXES = 24
@@ -232,11 +232,11 @@ class AnyMachine(Exporting):
         needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
                   for axis in self.axes_turned]  # fmt: skip
         room = settle(self, max(needed), 2 * self.sizes.phases + 1)
-        found = [
-            DesignError(f"axes.{i}.phases", CROWDED.format(count, room), rule_of(i + 1), [*map(at_rest, axis.phases)])
-            for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True))
-            if count > room
-        ]
+        found = []
+        for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
+            if count > room:
+                still = [phase.model_dump() | AT_REST for phase in axis.phases]
+                found.append(DesignError(f"axes.{i}.phases", CROWDED.format(count, room), rule_of(i + 1), still))
         if found:
             raise TogetherError(found)
 
