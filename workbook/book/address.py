@@ -1,9 +1,7 @@
 """Where a cell is: sheet, row, column; and where a block of cells is."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 from openpyxl.utils.cell import coordinate_to_tuple
@@ -26,7 +24,7 @@ class Address(NamedTuple):
         return f"{sheet}!{self.a1}"
 
     @classmethod
-    def parse(cls, text: str, sheet: str | None = None) -> Address:
+    def parse(cls, text: str, sheet: str | None = None) -> Self:
         """Read ``Timing!B7``, ``'My sheet'!$B$7``, or ``B7`` on ``sheet``; raise ValueError for anything else."""
         before, _, cell = text.rpartition("!")
         name = before.strip("'").replace("''", "'") if before else sheet
@@ -74,7 +72,7 @@ class Place(NamedTuple):
         below = [self.row + offset for offset in self.rows_at[:rows]]
         return Strip(sheet, column, below or range(first, first + rows))
 
-    def part(self, j: int) -> Place:
+    def part(self, j: int) -> Self:
         """Return the place of one column; column 0 if it is gone."""
         return self._replace(column=self.cell(0, j).column, columns=1, columns_at=())
 

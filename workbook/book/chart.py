@@ -1,9 +1,7 @@
 """What a chart is made of, as sheets declare it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, Self
 
 COLOURS = ("0072B2", "D55E00", "009E73", "CC79A7", "E69F00", "56B4E9", "374151")
 """Of the lines of a chart in their order, where they name none: told apart without red and green (Okabe, Ito 2008)."""
@@ -28,7 +26,7 @@ class Series:
     up: str = ""  # the lengths of strokes up from each point
     right: str = ""  # and to the right
 
-    def within(self, scope: str) -> Series:
+    def within(self, scope: str) -> Self:
         """Return the line with ``scope`` for each ``@`` in its references."""
         name, x, y, up, right = (in_scope(text, scope) for text in (self.name, self.x, self.y, self.up, self.right))
         return replace(self, name=name, x=x, y=y, up=up, right=right)
@@ -49,6 +47,6 @@ class Chart:
     lanes: bool = False  # each line in a lane of its own, named where it begins; heights have no figures
     log_y: bool = False
 
-    def within(self, scope: str) -> Chart:
+    def within(self, scope: str) -> Self:
         """Return the chart with ``scope`` for each ``@`` in the references of its lines."""
         return replace(self, series=tuple(series.within(scope) for series in self.series)) if scope else self

@@ -1,10 +1,8 @@
 """What a failing check says: where, and by how much; its figures are rounded for people."""
 
-from __future__ import annotations
-
 import re
 from itertools import zip_longest
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 DIGITS = 9  # decimals that are shown of an entry, at most
 PLACES = 4  # decimals that are shown of an amount, at most
@@ -54,7 +52,7 @@ class Said(NamedTuple):
     says: str
     said: str
 
-    def then(self, other: Said) -> Said:
+    def then(self, other: Self) -> "Said":
         """Return this sentence with another behind it."""
         return Said("&".join(filter(None, [self.says, other.says])), self.said + other.said)
 

@@ -89,9 +89,9 @@ class Sheet:
         if note:
             self.note(note)
 
-    def note(self, text: str, link: str = "") -> None:
-        """Write a line of explanation, or a link to the sheet that ``link`` names."""
-        self.texts.append(Text(self.row, FIRST, text, "link" if link else "note", link))
+    def note(self, text: str) -> None:
+        """Write a line of explanation."""
+        self.texts.append(Text(self.row, FIRST, text, "note"))
         self.row += 1
 
     def rows(self, *quantities: Quantity) -> None:

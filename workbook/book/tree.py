@@ -1,7 +1,5 @@
 """A formula as a tree of operations, read once for all formulas of the same shape."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -16,7 +14,7 @@ class Node(NamedTuple):
 
     kind: str
     value: Any = None
-    parts: tuple[Node, ...] = ()
+    parts: "tuple[Node, ...]" = ()
 
 
 @lru_cache(maxsize=20_000)

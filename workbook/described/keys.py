@@ -4,8 +4,6 @@ All of it is taken from where it is declared: type, range and default from the m
 that shows the entry, the example from the committed description. A key without a cell says itself what it means.
 """
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
@@ -84,7 +82,7 @@ class Key(NamedTuple):
     required: bool
     default: Any = None
     example: Any = None
-    rows: tuple[Key, ...] = ()  # of a list of rows: what each of them holds
+    rows: "tuple[Key, ...]" = ()  # of a list of rows: what each of them holds
 
     @property
     def name(self) -> str:

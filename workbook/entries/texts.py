@@ -78,9 +78,9 @@ RESERVED = ("Summary", "Cycle", "Drive cycle", "Pieces", "Laws", "Export", "Chec
 """sheets that come later, and a title that Excel keeps for itself"""
 
 
-def sheet_title(name: str, taken: Iterable[str], plain: str = "Law") -> str:
-    """Return a title for the sheet of a name; ``plain`` for a name of which nothing is left."""
-    words = cut(re.sub(r"[\[\]:*?/\\]", "-", name), LONGEST) or plain
+def sheet_title(name: str, taken: Iterable[str]) -> str:
+    """Return a title for the sheet of a name; Law for a name of which nothing is left."""
+    words = cut(re.sub(r"[\[\]:*?/\\]", "-", name), LONGEST) or "Law"
     others = {alike(title) for title in (*taken, *RESERVED)}
     found, more = words, 1
     while alike(found) in others:

@@ -50,7 +50,6 @@ class Cells:
     drifts: bool = False  # whether phases have a column ``drift``, a velocity that is added
     opens: bool = False  # whether they have one of where they begin, if in the middle of a piece
     ends: str = ""  # the table of what phases take from their neighbours, in books that have it
-    peaks: tuple[str, str] = ("y1", "y2")  # the columns of the greatest |y'| and |y''| of a phase
 
     def of_phase(self, column: str) -> str:
         """Return the formula of a figure of a piece's phase."""

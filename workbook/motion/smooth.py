@@ -1,9 +1,7 @@
 """How smooth a motion must be: what jumps at the begin of each of its pieces, and the check of what is asked for."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -41,7 +39,7 @@ class Joints:
         self.rows, self.asked, self.found, self._scales, self._phases = rows, asked, tuple(found), scales, phases
 
     @classmethod
-    def of(cls, rows: PieceRows, motion: Motion, asked: Asked) -> Joints:
+    def of(cls, rows: PieceRows, motion: Motion, asked: Asked) -> Self:
         """Return the joints of a motion of phases."""
         scales = scales_of(motion)
         found = joints(rows.pieces, scales, asked.smooth, asked.periodic)
