@@ -139,24 +139,20 @@ def of_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) 
     first, last = guard.columns[0], guard.columns[-1]
     among = f"[{first}:{last}]"
     of_row = f"[{first}]" if first == last else f'IF(COUNTIF({among},"?*")=0,"",INDEX({among},{first_text(among)}))'
-    columns = [*used(guard, inputs), *messages(guard), told(MESSAGE, "what is expected", f"={of_row}")]
+    used = calc(USED, "row in use", "", "", f"=IF({all_empty(inputs)},0,1)", in_use(guard.rows, inputs), format="0",
+                source="1 where anything is entered")  # fmt: skip
+    required = any(limit.required for _, limit in guard.entries)
+    columns = [*([used] if required else []), *messages(guard), told(MESSAGE, "what is expected", f"={of_row}")]
     message, row = f"[{table}.{MESSAGE}]", '"row 1, "&'
     condition, says = f'[{table}.{MESSAGE}.1]=""', f"[{table}.{MESSAGE}.1]"
     if guard.rows > 1:
         found = first_text(message)
         condition, says, row = f'COUNTIF({message},"?*")=0', f"INDEX({message},{found})", f'"row "&{found}&", "&'
     says = f"{row}{says}"
-    if filled and any(limit.required for _, limit in guard.entries):
+    if filled and required:
         says = f"IF({condition},{quoted(EMPTY)},{says})"
         condition = f"AND(SUM([{table}.{USED}])>0,{condition})"
     return columns, check(guard.check, label, condition, True, says=says)
-
-
-def used(guard: Guard, inputs: Sequence[Quantity]) -> Iterator[Quantity]:
-    """Yield the column of whether a row has any entry, where messages depend on it."""
-    if any(limit.required for _, limit in guard.entries):
-        yield calc(USED, "row in use", "", "", f"=IF({all_empty(inputs)},0,1)", in_use(guard.rows, inputs), format="0",
-                   source="1 where anything is entered")  # fmt: skip
 
 
 def full(guard: Guard, rows: Sequence[int]) -> Quantity:

@@ -150,7 +150,7 @@ class Sheet:
             self.print_rows = above - 1 if self.blocks else self.row + LONG
         inputs = [q for q in quantities if q.role == "input"]
         explained = any(q.source for q in quantities)
-        self._heads(title, FIRST, explained, quantities)
+        self._heads(title, self.row, FIRST, explained, quantities)
         top, unused = self.row + (4 if explained else 3), in_scope(blank or limits.all_empty(inputs), self.scope)
         name = in_scope(name, self.scope)
         block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
@@ -158,22 +158,18 @@ class Sheet:
         if watched := self._limited(quantities):
             last = max(block.columns.values()) + len(watched) + len(rules) + 2
             each = 1 if last <= MOST_COLUMNS else 2
-            self._guard(block, Guard(f"{name}_entries", tuple(watched), tuple(rules), name, size, each), inputs)
+            guard = Guard(f"{name}_entries", tuple(watched), tuple(rules), name, size, each)
+            label = f"{self.called or self.title}, {re.split(r'[:;(]', title)[0].strip()}: entries within limits"
+            some = self.book.limit(inputs[0].key.partition(".*")[0])
+            columns, verdict = limits.of_rows(guard, label, inputs, some is not None and some.required)
+            self.book.guards.append(guard)
+            self.messages.append((block, tuple(columns)))  # until all of the sheet is placed
+            if columns[0].name == limits.USED:
+                room = limits.full(guard, as_rows(columns[0].value, size, limits.USED))
+                self.put(room, top + size, block.columns[inputs[0].name])
+            self.checks(verdict)
+            self.row += 1
         return block
-
-    def _guard(self, block: Block, guard: Guard, inputs: Sequence[Quantity]) -> None:
-        """Place the check of a table of inputs, and keep its messages until all of the sheet is placed."""
-        named = re.split(r"[:;(]", block.title)[0].strip()
-        label = f"{self.called or self.title}, {named}: entries within limits"
-        rows = self.book.limit(inputs[0].key.partition(".*")[0])
-        columns, verdict = limits.of_rows(guard, label, inputs, rows is not None and rows.required)
-        self.book.guards.append(guard)
-        self.messages.append((block, tuple(columns)))
-        if columns[0].name == limits.USED:
-            room = limits.full(guard, as_rows(columns[0].value, block.size, limits.USED))
-            self.put(room, block.row + block.size, block.columns[inputs[0].name])
-        self.checks(verdict)
-        self.row += 1
 
     def place_messages(self) -> None:
         """Place the messages of tables of inputs: to the right of each, where its rows are free."""
@@ -193,26 +189,22 @@ class Sheet:
         free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]
         return next((c for c in free if printed <= c <= MOST_COLUMNS + 1 - wide), free[0])
 
-    def _heads(self, title: str, first: int, explained: bool, quantities: Sequence[Quantity]) -> None:
+    def _heads(self, title: str, row: int, first: int, explained: bool, quantities: Sequence[Quantity]) -> None:
         """Write the title of a table and the heads of its columns."""
-        self.texts.append(Text(self.row, first, title, "subheading"))
+        self.texts.append(Text(row, first, title, "subheading"))
         for column, q in enumerate(quantities, first):
             unit = f"{q.symbol} [{q.unit}]" if q.unit else q.symbol
-            lines = [(q.label, "header"), (unit, "units")]
-            if explained:
-                lines.append((q.source, "equation"))
-            self.texts += [Text(self.row + k, column, text, style) for k, (text, style) in enumerate(lines, 1)]
+            lines = [(q.label, "header"), (unit, "units"), *([(q.source, "equation")] if explained else [])]
+            self.texts += [Text(row + k, column, text, style) for k, (text, style) in enumerate(lines, 1)]
 
     def workings(self, block: Block, name: str, title: str, column: int, *quantities: Quantity) -> None:
         """Place a table in the rows of another, at a column to its right: what is worked out from each of its rows."""
-        explained, after = any(q.source for q in block.quantities), self.row
-        self.row = block.row - (4 if explained else 3)
-        self._heads(title, column, explained, quantities)
-        self.row, own = after, self._own(quantities)
+        explained = any(q.source for q in block.quantities)
+        self._heads(title, block.row - (4 if explained else 3), column, explained, quantities)
+        own, name = self._own(quantities), in_scope(name, self.scope)
         placed = self._place(
-            Block(in_scope(name, self.scope), self, block.row, column, own, block.size, title,
-                  blank=block.blank, lead=block)
-        )  # fmt: skip
+            Block(name, self, block.row, column, own, block.size, title, blank=block.blank, lead=block)
+        )
         block.workings = block.workings or placed
 
     def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:

@@ -113,17 +113,12 @@ def sections(template: AnyTemplate, other: str = "") -> list[Section]:
         for q in block.quantities:
             if q.role == "input":
                 cells.setdefault(ONE.sub(".*", q.key), q)
-    found = Walk(cells, [*examples(template, other)]).sections((type(machine),), "", machine.title)
-    return sorted(found, key=lambda section: LAST.get(section.path.partition(".")[0], 0))
-
-
-def examples(template: AnyTemplate, other: str) -> Iterator[dict[str, Any]]:
-    """Yield the committed descriptions of a template, those with the key of another way first or last."""
     paths = [template.description, *sorted(FOLDER.glob("*.toml"))]
-    found = [tomllib.loads(path.read_text(encoding="utf-8")) for path in paths]
-    ways = [other] if other else [*template.others]
-    own = [data for data in found if data["template"] == template.name]
-    yield from sorted(own, key=lambda data: any(has(data, way) for way in ways) != bool(other))
+    committed = [tomllib.loads(path.read_text(encoding="utf-8")) for path in paths]
+    own, ways = [data for data in committed if data["template"] == template.name], [other] if other else template.others
+    own.sort(key=lambda data: any(has(data, way) for way in ways) != bool(other))  # with that key first, or last
+    found = Walk(cells, own).sections((type(machine),), "", machine.title)
+    return sorted(found, key=lambda section: LAST.get(section.path.partition(".")[0], 0))
 
 
 class Walk:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from engine.laws import Piece
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.piece import Carried, carried
+from engine.laws.piece import carried
 from engine.laws.points import reach, slowest
 from engine.motion.handover import end_mode
 from workbook.book.again import again
@@ -81,25 +81,21 @@ class Row(NamedTuple):
 
 
 def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
-    """Return the rows of the stack: the pieces of each law in the order of their numbers."""
+    """Return the rows of the stack: by their keys the pieces of all laws stand in one rising order."""
     rows = []
     for one in laws:
         found = one.page.stacked(one.law, sizes)
         places = carried([piece for piece, _ in found], one.law.entry)
         for k, ((piece, entered), place) in enumerate(zip(found, places, strict=True), 1):
+            ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
+            values = entries_of(place.piece) | {
+                "xi": place.begin, "s": place.s, "v": place.v, "ds": place.ds, "dv": place.dv,
+                "ps": ps, "pv": pv, "pj": pj, "ps2": ps2, "pv2": pv2, "pj2": pj2,
+                "s0": s0, "s1": s1, "key": 2.0 * one.number + place.begin,
+            }  # fmt: skip
             formulas = {name: one.own(text) for name, text in entered.items()}
-            rows.append(Row(one.name, one.number, k, piece, formulas, worked_out(one.number, place)))
+            rows.append(Row(one.name, one.number, k, piece, formulas, values))
     return rows
-
-
-def worked_out(number: int, place: Carried) -> dict[str, float]:
-    """Return the engine's figures of a piece by column; by 2 · number + ξ all pieces stand in one rising order."""
-    ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
-    return entries_of(place.piece) | {
-        "xi": place.begin, "s": place.s, "v": place.v, "ds": place.ds, "dv": place.dv,
-        "ps": ps, "pv": pv, "pj": pj, "ps2": ps2, "pv2": pv2, "pj2": pj2,
-        "s0": s0, "s1": s1, "key": 2.0 * number + place.begin,
-    }  # fmt: skip
 
 
 def laws_sheet(
@@ -132,7 +128,7 @@ ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
 
 def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
     """Declare the table of laws: name, coefficients, values at both ends."""
-    ends, reaches = meeting(laws) if hands_over else [], [reach(one.law) for one in laws]
+    reaches = [reach(one.law) for one in laws]
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
         formulas = [one.own(f"=@{name}" if one.page.has_sheet else one.page.coefficients[name][0]) for one in laws]
@@ -148,6 +144,10 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         values = [getattr(one.law.start if at == "first" else one.law.end, d) for one in laws]
         return calc(f"{d}{xi}", f"{label} at ξ = {xi}", f"{d}({xi})", "", formulas, values, scale=RISE)
 
+    ways = stated("way", "meets its neighbours' velocity", "", "way", [end_mode(one.law) for one in laws], format="0",
+                  source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial")  # fmt: skip
+    early = constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws])
+    ends = [ways, early] if hands_over else []
     sheet.table(
         "laws", "The laws by number; a phase takes its law by this name", len(laws),
         calc("name", "law in words", "", "",
@@ -163,18 +163,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         stated("high", "highest position", "s_max", "high", [high for _, high in reaches], scale=1.0),
         *ends,
     )  # fmt: skip
-    names = [*LAW_NAMES, *("way", "early")[: len(ends)]]
-    sheet.book.name("laws", **{f"law_{name}": name for name in names})
-
-
-def meeting(laws: Sequence[NamedLaw]) -> list[Quantity]:
-    """Return the columns of how laws meet neighbours that hand velocity over to them."""
-    return [
-        calc("way", "meets its neighbours' velocity", "", "",
-             [one.own(one.page.way) for one in laws], [end_mode(one.law) for one in laws], format="0",
-             source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial"),
-        constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws]),
-    ]  # fmt: skip
+    sheet.book.name("laws", **{f"law_{name}": name for name in (*LAW_NAMES, *(q.name for q in ends))})
 
 
 AMPLITUDES = (  # of the sines in position, velocity and jerk; the last three are there with a second sine

@@ -4,7 +4,6 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import accumulate
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +11,7 @@ import numpy as np
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, Scaled, located, motion_pieces, shares
+from engine.motion.pieces import MotionPiece, Scaled, located, motion_pieces
 from workbook.book.rows import filled
 from workbook.laws.sampling import Pieces
 
@@ -128,19 +127,9 @@ class PieceRows:
         found = Counter(piece.phase for piece in self.pieces)
         return [found[k] for k in range(len(self.firsts))]
 
-    @property
-    def before(self) -> list[int]:
-        """How many pieces there are before each row of phases."""
-        return list(accumulate(self.counts[:-1], initial=0))
-
     def column(self, figure: Callable[[MotionPiece], Any], room: int) -> list[Any]:
         """Return a figure of each piece; spare rows have that of the last."""
         return filled((figure(piece) for piece in self.pieces), room, figure(self.pieces[-1]))
-
-    @property
-    def shares(self) -> list[float]:
-        """Where each piece begins, as a share of the whole motion."""
-        return shares(self.pieces, 0.0, self.end)
 
     def found(self, x: Array) -> Found:
         """Return where samples of the abscissa lie."""

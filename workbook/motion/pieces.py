@@ -1,10 +1,11 @@
 """The table of a motion's pieces, what a table of phases adds for it, and samples: one formula each derivative."""
 
 from collections.abc import Callable, Sequence
+from itertools import accumulate
 from math import perm
 
 from engine.laws.base import Array
-from engine.motion.pieces import MotionPiece
+from engine.motion.pieces import MotionPiece, shares
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
@@ -46,7 +47,8 @@ def phase_table_columns(rows: PieceRows, first: str | Sequence[str], pieces: str
              "=IF([span]>0,1/[span],0)", list(rows.rates), source="0 if spare"),
         calc("first", "row of its law's first piece", "", "", first, list(rows.firsts), format="0", source="on Laws"),
         calc("pieces", "pieces", "", "", pieces, rows.counts, format="0"),
-        calc("before", "pieces before", "", "", "=IF([k]=1,0,[before-1]+[pieces-1])", rows.before, format="0"),
+        calc("before", "pieces before", "", "", "=IF([k]=1,0,[before-1]+[pieces-1])",
+             [*accumulate(rows.counts[:-1], initial=0)], format="0"),
     ]  # fmt: skip
 
 
@@ -86,7 +88,7 @@ def pieces_table(
     opened = [begins("origin", "u counts from", origin, lambda piece: piece.origin)] if at.opens else []
     begin = f"MAX({at.of_phase('opens')},{origin})" if at.opens else origin
     share = calc("share", "begins at this share of the whole", "", "", f"=[begin]/{at.end}",
-                 filled(rows.shares, room, 1.0), source="spare rows: 1")  # fmt: skip
+                 filled(shares(rows.pieces, 0.0, rows.end), room, 1.0), source="spare rows: 1")  # fmt: skip
     block = sheet.table(
         at.pieces, title, room,
         constant("r", "piece", "k", "", list(range(1, room + 1))),

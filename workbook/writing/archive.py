@@ -47,7 +47,11 @@ def completed(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[str, s
     """Return the parts as Excel writes them; ``abouts`` are title and alternative text of each chart, in order."""
     made, core = dict(parts), "docProps/core.xml"
     made[core] = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH, made[core])
-    made["xl/styles.xml"] = ordered(made["xl/styles.xml"])
+    ElementTree.register_namespace("", MAIN)
+    styles = ElementTree.fromstring(made["xl/styles.xml"])
+    for font in styles.iter(f"{{{MAIN}}}font"):  # in the order of the standard (ISO/IEC 29500-1, 18.8.22)
+        font[:] = sorted(font, key=lambda child: FONT_ORDER.index(child.tag.rpartition("}")[2]))
+    made["xl/styles.xml"] = ElementTree.tostring(styles)
     named = (f'name="{escape(title)}" descr="{escape(about)}"'.encode() for title, about in abouts)
     for name, part in made.items():
         if re.fullmatch(r"xl/drawings/drawing\d+\.xml", name):
@@ -89,15 +93,6 @@ def unzipped(data: bytes) -> dict[str, bytes]:
     """Return the parts of an archive by name."""
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         return {info.filename: archive.read(info) for info in archive.infolist()}
-
-
-def ordered(styles: bytes) -> bytes:
-    """Put the elements of each font into the order of the standard (ISO/IEC 29500-1, 18.8.22)."""
-    ElementTree.register_namespace("", MAIN)
-    tree = ElementTree.fromstring(styles)
-    for font in tree.iter(f"{{{MAIN}}}font"):
-        font[:] = sorted(font, key=lambda child: FONT_ORDER.index(child.tag.rpartition("}")[2]))
-    return ElementTree.tostring(tree)
 
 
 def same_book(one: Path, other: Path) -> bool:

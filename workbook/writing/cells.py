@@ -82,12 +82,8 @@ def result(value: Any) -> tuple[str, str]:
         return ' t="b"', f"<v>{value:d}</v>"
     if value is None or not math.isfinite(value):
         return "", ""
-    return "", f"<v>{number(value)}</v>"
-
-
-def number(value: float) -> str:
-    """Return a number with all its digits: openpyxl writes 16, and some need 17 to come back. Cells know no −0."""
-    return str(value) if type(value) is int else repr(float(value) + 0.0).removesuffix(".0")
+    # all its digits: openpyxl writes 16, and some numbers need 17 to come back; cells know no −0
+    return "", f"<v>{value if type(value) is int else repr(float(value) + 0.0).removesuffix('.0')}</v>"
 
 
 def element(name: str, text: str) -> str:

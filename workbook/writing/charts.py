@@ -120,7 +120,7 @@ def named(series: Series, book: Book, ink: str) -> DataLabelList:
 
 
 def filled(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
-    """Return the parts of charts with the values of each range that a line, or its strokes, refer to."""
+    """Return the parts of charts with the values of ranges that they refer to (ISO/IEC 29500-1, 21.2.2.122)."""
     lines = [line for sheet in book.sheets for chart, *_ in sheet.charts for line in chart.series]
     columns = {text for line in lines for text in (line.x, line.y, line.up, line.right) if text}
     ranges = {book.range(text): text for text in columns}
@@ -129,16 +129,11 @@ def filled(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
     def cached(found: re.Match[bytes]) -> bytes:
         range_ = found[1]
         if range_ not in known:
-            cache = numbers(book, ranges[unescape(range_.decode())])
+            values = book.values(ranges[unescape(range_.decode())])
+            points = enumerate(result(value) for value in values)  # what is no number has none
+            cache = "".join(f'<pt idx="{i}">{value}</pt>' for i, (kind, value) in points if value and not kind)
+            cache = f'<numCache><formatCode>General</formatCode><ptCount val="{len(values)}"/>{cache}</numCache>'
             known[range_] = b"<numRef><f>%s</f>%s</numRef>" % (range_, cache.encode())
         return known[range_]
 
     return {name: NUMBERS.sub(cached, part) for name, part in charts.items()}
-
-
-def numbers(book: Book, reference: str) -> str:
-    """Return the cache of one column (ISO/IEC 29500-1, 21.2.2.122); what is no number has no point."""
-    values = book.values(reference)
-    known = enumerate(result(value) for value in values)
-    points = "".join(f'<pt idx="{i}">{value}</pt>' for i, (kind, value) in known if value and not kind)
-    return f'<numCache><formatCode>General</formatCode><ptCount val="{len(values)}"/>{points}</numCache>'

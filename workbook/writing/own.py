@@ -28,8 +28,15 @@ NOTHING = Own()
 def add(own: Own, workbook: Workbook, cells: dict[str, Cells], strings: Strings) -> None:
     """Add to a new workbook, whose cells are ``cells`` by sheet, what an engineer had in the old one."""
     for sheet in own.sheets:
-        cells[sheet.title] = Cells(strings)
-        lay_out(sheet, workbook.create_sheet(sheet.title))
+        cells[sheet.title], new = Cells(strings), workbook.create_sheet(sheet.title)
+        for letter, column in sheet.column_dimensions.items():
+            made = new.column_dimensions[letter]
+            made.min, made.max, made.width, made.hidden = column.min, column.max, column.width, column.hidden
+        for number, row in sheet.row_dimensions.items():
+            new.row_dimensions[number].height = row.height
+        for merged in sheet.merged_cells.ranges:
+            new.merge_cells(merged.coord)
+        new.freeze_panes = sheet.freeze_panes
     for cell, content in own.cells:
         twin = workbook[cell.parent.title].cell(cell.row, cell.column)
         for look in LOOKS if cell.has_style else ():
@@ -42,15 +49,3 @@ def add(own: Own, workbook: Workbook, cells: dict[str, Cells], strings: Strings)
     for cell in own.notes:
         workbook[cell.parent.title].cell(cell.row, cell.column).comment = copy(cell.comment)
     workbook.defined_names.update({name.name: name for name in own.names})
-
-
-def lay_out(old: Worksheet, new: Worksheet) -> None:
-    """Give a sheet the columns, rows, merged cells and panes of another."""
-    for letter, column in old.column_dimensions.items():
-        made = new.column_dimensions[letter]
-        made.min, made.max, made.width, made.hidden = column.min, column.max, column.width, column.hidden
-    for number, row in old.row_dimensions.items():
-        new.row_dimensions[number].height = row.height
-    for merged in old.merged_cells.ranges:
-        new.merge_cells(merged.coord)
-    new.freeze_panes = old.freeze_panes

@@ -61,8 +61,12 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
 
 def wholes(sheet: Sheet, last: int, ends: list[float]) -> Iterator[Whole]:
     """Yield what belongs together: charts, tables with their titles and checks, rows of figures, sections."""
-    for first, end in runs(sorted({block.row for block in sheet.blocks if not block.is_table})):
-        yield Whole(first, end, RUN)
+    rows = {block.row for block in sheet.blocks if not block.is_table}
+    begins, finishes = (
+        sorted(row for row in rows if row - 1 not in rows),
+        sorted(row for row in rows if row + 1 not in rows),
+    )
+    yield from (Whole(first, end, RUN) for first, end in zip(begins, finishes, strict=True))
     heads = sorted(text.row for text in sheet.texts if text.style == "heading" and text.row <= last)
     for _, row, _, _, height in sheet.charts:
         if row <= last:
@@ -77,10 +81,3 @@ def wholes(sheet: Sheet, last: int, ends: list[float]) -> Iterator[Whole]:
     for head, behind in pairwise([*heads, last + 1]):
         yield Whole(head, behind - 1, SECTION)
         yield Whole(head, head + CLOSE, TABLE)
-
-
-def runs(rows: list[int]) -> Iterator[tuple[int, int]]:
-    """Yield the first and the last of rows that follow each other without a gap."""
-    begins = [row for before, row in pairwise([-1, *rows]) if row > before + 1]
-    finishes = [row for row, behind in pairwise([*rows, 10**9]) if behind > row + 1]
-    yield from zip(begins, finishes, strict=True)

@@ -88,7 +88,11 @@ def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
     """Return the width of each column that has one of its own, in digits."""
     found: dict[int, float] = WIDTHS | sheet.widths
     taken = {(text.row, text.column) for text in sheet.texts if text.text}
-    taken |= {place for block in sheet.blocks for place in filled(block)}
+    for block in sheet.blocks:
+        for q, column in zip(block.quantities, block.columns.values(), strict=True):
+            values: list[Any] = as_rows(q.value, block.size, q.name)
+            taken |= {(block.row + i, column) for i, value in enumerate(values)
+                      if q.formula is not None or value not in (None, "")}  # fmt: skip
     for _, top, left, wide, high in sheet.charts:
         taken |= {(row, column) for row in range(top, top + high) for column in range(left, left + wide)}
     for block in sheet.blocks:
@@ -106,15 +110,6 @@ def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
                 run = min(free(found, taken, row, column, step) for row in rows)
                 found[column] = max(has, needed + GAP - (0 if q.wrap else run))
     return found
-
-
-def filled(block: Block) -> Iterator[tuple[int, int]]:
-    """Yield the places of a block's cells that are not empty."""
-    for q, column in zip(block.quantities, block.columns.values(), strict=True):
-        values: list[Any] = as_rows(q.value, block.size, q.name)
-        for row, value in enumerate(values, block.row):
-            if q.formula is not None or value not in (None, ""):
-                yield row, column
 
 
 def free(found: dict[int, float], taken: set[tuple[int, int]], row: int, column: int, step: int) -> float:
