@@ -5,8 +5,7 @@ from datetime import date
 from functools import reduce
 from typing import Annotated, Any, ClassVar, NamedTuple, Self
 
-from pydantic import BeforeValidator, Field, GetJsonSchemaHandler, PrivateAttr, model_validator
-from pydantic.json_schema import JsonSchemaValue
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from workbook.entries.texts import Text
 from workbook.entries.types import EntryError, Model
@@ -94,24 +93,18 @@ class Machine(Model):
         for family, field in (("OWN", "pieces"), ("SPL", "points")):
             room = getattr(self.sizes, field)
             for name, entry in self.laws.of(family).items():
-                if (rows := len(getattr(entry, field))) > room:
-                    raise EntryError(
-                        f"laws.{key_of(name)}.{field}", f"{rows} rows do not fit into {room}; raise sizes.{field}"
-                    )
+                key, rows = f"laws.{key_of(name)}.{field}", len(getattr(entry, field))
+                if rows > room:
+                    raise EntryError(key, f"{rows} rows do not fit into {room}; raise sizes.{field}")
         return self
 
 
 class ExportEntry(Model):
     """The sheet Export: one axis as a table of x, y, y', y'', live in cells, for those who copy and paste."""
 
-    axis: Annotated[int, Field(ge=1)] = Field(description="The axis, by its name or by its number")
-
-    @classmethod
-    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """Take a name too, as editors see it."""
-        made = handler(core)
-        made["properties"]["axis"]["type"] = ["integer", "string"]
-        return made
+    axis: Annotated[int, Field(ge=1)] = Field(
+        description="The axis, by its name or by its number", json_schema_extra={"type": ["integer", "string"]}
+    )
 
 
 class Exporting(Machine):
