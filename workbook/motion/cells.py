@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from engine.laws import Dwell, Law
+from engine.laws import Dwell
 from engine.laws.base import Array
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, Scaled, located, motion_pieces
-from workbook.book.rows import filled
+from workbook.book.rows import filled, spread
 from workbook.laws.sampling import Pieces
 
 RAISED = ("", "", "²", "³", "⁴", "⁵", "⁶", "⁷")
@@ -139,17 +139,12 @@ class PieceRows:
         return Found((place.piece + 1).astype(float), place.u, angles)
 
 
-def number_of(stack: Pieces, law: Law) -> int:
-    """Return the number of a law in its book, which has one dwell."""
-    return 1 if isinstance(law, Dwell) else stack.number(law)
-
-
 def rows_of_parts(
     at: Cells, parts: Sequence[Scaled], pieces: Sequence[MotionPiece], stack: Pieces, end: float,
     begun: Sequence[int] = (),
 ) -> PieceRows:  # fmt: skip
     """Return the pieces of a motion of parts, from 0 to its ``end``; each may begin with any piece of its law."""
-    numbers = [number_of(stack, part.law) for part in parts]
+    numbers = [1 if isinstance(part.law, Dwell) else stack.number(part.law) for part in parts]  # there is one dwell
     starts = [stack.first[number] for number in numbers]
     firsts = [start + first for start, first in zip(starts, begun, strict=True)] if begun else starts
     rows = [starts[piece.phase] + piece.number for piece in pieces]
@@ -161,9 +156,6 @@ def rows_of(at: Cells, motion: Motion, stack: Pieces, room: int, places: Sequenc
     """Return the pieces of a motion whose phases stand at ``places`` of ``room`` rows, by default the first of them."""
     taken = range(len(motion.phases)) if places is None else places
     pieces = [replace(piece, phase=taken[piece.phase]) for piece in motion_pieces(motion)]
-    numbers, lifts, rates = filled([], room, 1), filled([], room), filled([], room)
-    for row, phase in zip(taken, motion.phases, strict=True):
-        numbers[row], lifts[row], rates[row] = number_of(stack, phase.named), phase.lift, phase.rate
-    firsts = [stack.first[number] for number in numbers]
-    rows = [firsts[piece.phase] + piece.number for piece in pieces]
-    return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, float(motion.edges[-1]))
+    parts = (Scaled(phase.named, phase.lift, phase.duration) for phase in motion.phases)
+    placed = spread(parts, taken, room, Scaled(Dwell(), 0.0, 0.0))
+    return rows_of_parts(at, placed, pieces, stack, float(motion.edges[-1]))
