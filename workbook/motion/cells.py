@@ -4,14 +4,11 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import Any
 
 from engine.laws import Dwell
-from engine.laws.base import Array
 from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, Scaled, located, motion_pieces
+from engine.motion.pieces import MotionPiece, Scaled, motion_pieces
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import Pieces
 
@@ -88,14 +85,6 @@ class Cells:
         return f"{self.y}/{self.x}{RAISED[order]}" if order and self.x else self.y
 
 
-class Found(NamedTuple):
-    """Where samples lie: row of the piece (from 1), u from its origin, and the arguments of its sines."""
-
-    row: Array
-    u: Array
-    angles: list[Array]
-
-
 @dataclass(frozen=True)
 class PieceRows:
     """A motion ``at`` its place: the engine's pieces of it, each with its row in the stack of all laws' pieces."""
@@ -130,13 +119,6 @@ class PieceRows:
     def column(self, figure: Callable[[MotionPiece], Any], room: int) -> list[Any]:
         """Return a figure of each piece; spare rows have that of the last."""
         return filled((figure(piece) for piece in self.pieces), room, figure(self.pieces[-1]))
-
-    def found(self, x: Array) -> Found:
-        """Return where samples of the abscissa lie."""
-        place = located(self.pieces, x, 0.0, self.end)
-        omegas, phases = np.array([[sine[1:] for sine in piece.sines] for piece in self.pieces]).T
-        angles = [om[place.piece] * place.u + phi[place.piece] for om, phi in zip(omegas, phases, strict=True)]
-        return Found((place.piece + 1).astype(float), place.u, angles)
 
 
 def rows_of_parts(

@@ -3,9 +3,12 @@
 from collections.abc import Callable, Sequence
 from itertools import accumulate
 from math import perm
+from typing import Any
+
+import numpy as np
 
 from engine.laws.base import Array
-from engine.motion.pieces import MotionPiece, shares
+from engine.motion.pieces import MotionPiece, located, shares
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
@@ -163,7 +166,7 @@ def sine(at: Cells, mark: str, k: int, of: Column, sizes: Sizes) -> tuple[Quanti
     def of_a_sine(formula: str) -> str:
         return f"=IF({at.of_end('mode')}>1,0,{formula})" if at.ends else f"={formula}"
 
-    def turned(order: int) -> list[float]:
+    def amplified(order: int) -> list[float]:
         return of(lambda piece: piece.sines[k][0] * piece.sines[k][1] ** order)
 
     return (
@@ -175,27 +178,32 @@ def sine(at: Cells, mark: str, k: int, of: Column, sizes: Sizes) -> tuple[Quanti
              of_a_sine(of_law(f"phi{mark}")), of(lambda piece: piece.sines[k][2])),
         *(calc(amplitude(order, mark), f"amplitude of {symbol}{words}", "", at.unit(order),
                f"=[{amplitude(order - 1, mark)}]*[om{mark}]",
-               turned(order), scale=sizes(order), source=f"A{mark} ω{RAISED[order]}")
+               amplified(order), scale=sizes(order), source=f"A{mark} ω{RAISED[order]}")
           for order, symbol in enumerate(DERIVATIVES, 1)),
     )  # fmt: skip
 
 
 def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
     """Return the workings of samples at a column ``x``, with its ``values``: the piece, u in it, arguments of sines."""
-    at, found = rows.at, rows.found(values)
+    at, place = rows.at, located(rows.pieces, values, 0.0, rows.end)
     q = f"q{suffix}"
     local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},[{q}])"
     return [
-        calc(q, f"{of}piece", "q", "", f"={at.piece(x)}", found.row, format="0", source="last start at or below"),
+        calc(q, f"{of}piece", "q", "",
+             f"={at.piece(x)}", place.piece + 1.0, format="0", source="last start at or below"),
         calc(f"u{suffix}", f"{of}within piece", "u", at.x,
-             f"={f'RADIANS({local})' if at.degrees else local}{NOT_ZERO}", found.u + LEAST, source=FROM_START),
-        *arguments(rows, suffix, f"[{q}]", found.angles, of),
+             f"={f'RADIANS({local})' if at.degrees else local}{NOT_ZERO}", place.u + LEAST, source=FROM_START),
+        *arguments(rows, suffix, f"[{q}]", turned([rows.pieces[k] for k in place.piece], place.u), of),
     ]  # fmt: skip
 
 
-def arguments(
-    rows: PieceRows, suffix: str, q: str, angles: Sequence[Sequence[float] | Array], of: str = ""
-) -> list[Quantity]:  # fmt: skip
+def turned(pieces: Sequence[MotionPiece], u: Array) -> Array:
+    """Return the arguments ωu + φ of the sines of pieces, each at its u."""
+    _, omega, phi = np.array([piece.sines for piece in pieces]).T
+    return np.asarray(omega * u + phi)
+
+
+def arguments(rows: PieceRows, suffix: str, q: str, angles: Sequence[Any] | Array, of: str = "") -> list[Quantity]:
     """Return the columns of the arguments of the sines at places u of pieces, whose row ``q`` names."""
     return [
         calc(f"x{mark}{suffix}", f"{of}argument of the {which}sine", "ζ", "rad",
@@ -219,12 +227,10 @@ def place_columns(
     rows: PieceRows, suffix: str, of: str, formula: str, u: Array, pieces: Sequence[MotionPiece], q: str = ""
 ) -> list[Quantity]:  # fmt: skip
     """Return the columns of a place u in each piece, of the row ``q`` or else the same, and the arguments of sines."""
-    both = list(zip(pieces, u, strict=True))
-    angles = [[one.sines[k][1] * place + one.sines[k][2] for one, place in both] for k in range(len(rows.marks))]
     return [
         calc(f"u{suffix}", f"{of}: u", "u", rows.at.x, f"{formula}{NOT_ZERO}", u + LEAST, scale=rows.end,
              source=FROM_START),
-        *arguments(rows, suffix, q, angles, f"{of}: "),
+        *arguments(rows, suffix, q, turned(pieces, u), f"{of}: "),
     ]  # fmt: skip
 
 

@@ -3,7 +3,6 @@
 from bisect import bisect_left
 from collections.abc import Iterator, Mapping
 from itertools import accumulate, pairwise
-from typing import NamedTuple
 
 from workbook.book.declare import Sheet
 from workbook.writing.widths import COLUMN_WIDTH
@@ -20,14 +19,6 @@ PAGE, SECTION, RUN, TABLE, CHART = 20, 4, 3, 60, 200  # what a further page cost
 CLOSE = 3  # rows of a section, and of a table, that its heading keeps to
 
 
-class Whole(NamedTuple):
-    """Rows that belong together, and what it costs to cut them."""
-
-    first: int
-    last: int
-    cost: int
-
-
 def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], high: Mapping[int, float]) -> list[int]:
     """Return the rows after which a page ends, of a sheet that prints so many rows and columns at its width.
 
@@ -39,9 +30,9 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
     scale = min(1.0, WIDTH / sum(DIGIT * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))
     room = SPARE * HEIGHT / scale - ends[sheet.head]
     costs = [0] * (last + 1)  # of a page that ends with a row
-    for whole in wholes(sheet, last, ends):
-        for row in range(whole.first, min(whole.last, last + 1)):
-            costs[row] += whole.cost
+    for first, end, cost in wholes(sheet, last, ends):
+        for row in range(first, min(end, last + 1)):
+            costs[row] += cost
     best: dict[int, tuple[int, int]] = {sheet.head: (0, 0)}  # by the row that a page ends with: cost, page before
     for row in range(sheet.head + 1, last + 1):
         found = [
@@ -59,25 +50,22 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
     return made[::-1]
 
 
-def wholes(sheet: Sheet, last: int, ends: list[float]) -> Iterator[Whole]:
-    """Yield what belongs together: charts, tables with their titles and checks, rows of figures, sections."""
-    rows = {block.row for block in sheet.blocks if not block.is_table}
-    begins, finishes = (
-        sorted(row for row in rows if row - 1 not in rows),
-        sorted(row for row in rows if row + 1 not in rows),
-    )
-    yield from (Whole(first, end, RUN) for first, end in zip(begins, finishes, strict=True))
+def wholes(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple[int, int, int]]:
+    """Yield rows of charts, tables with titles and checks, figures, sections, and what it costs to cut them."""
+    rows = sorted({block.row for block in sheet.blocks if not block.is_table})
+    begins, finishes = ([row for row in rows if row + step not in rows] for step in (-1, 1))
+    yield from ((first, end, RUN) for first, end in zip(begins, finishes, strict=True))
     heads = sorted(text.row for text in sheet.texts if text.style == "heading" and text.row <= last)
     for _, row, _, _, height in sheet.charts:
         if row <= last:
-            yield Whole(row, bisect_left(ends, ends[row - 1] + height * ROW), CHART)
+            yield row, bisect_left(ends, ends[row - 1] + height * ROW), CHART
     judged = {block.row for block in sheet.blocks if block.quantities[0].role == "check"}
     for block in sheet.blocks:
         if block.is_table:
             titles = [text.row for text in sheet.texts if text.style == "subheading" and text.row < block.row]
             title, end = max(titles, default=block.row), block.row + block.size - 1
-            yield Whole(title, end + 2 if end + 2 in judged else end, TABLE)
-            yield Whole(title, block.row + CLOSE - 1, TABLE)
+            yield title, end + 2 if end + 2 in judged else end, TABLE
+            yield title, block.row + CLOSE - 1, TABLE
     for head, behind in pairwise([*heads, last + 1]):
-        yield Whole(head, behind - 1, SECTION)
-        yield Whole(head, head + CLOSE, TABLE)
+        yield head, behind - 1, SECTION
+        yield head, head + CLOSE, TABLE
