@@ -107,7 +107,7 @@ def kinds(one: Handing) -> list[Quantity]:
     For these what is asked for counts, where a neighbour or an entry settles it; else what the law has.
     """
     at = one.rows.at
-    no, rate, *peaks = (f"INDEX([{at.phases}.{name}],[k])" for name in ("no", "rate", *at.peaks))
+    no, rate, *peaks = (f"INDEX([{at.phases}.{name}],[k])" for name in ("no", "rate", "y1", "y2"))
     end = f"INDEX([{at.ends}.{{}}],[k])".format
 
     def at_end(i: int, order: int) -> list[float]:
@@ -273,7 +273,7 @@ def in_pieces(one: Handing, room: int) -> list[Quantity]:
                  filled(earlier, room), "0 of the first"),
         one.number("leap", "y'' jumps within its phase",
                    f"=IF([d]>0,IF(ABS(INDEX([{joints}.a0],[r])-[before])>"
-                   f"check_zero*INDEX([{at.phases}.{at.peaks[1]}],[p]),1,0),0)", filled(jumping, room),
+                   f"check_zero*INDEX([{at.phases}.y2],[p]),1,0),0)", filled(jumping, room),
                    "or begins with one"),
         one.rate(3, "jerk", "greater jerk of its ends", "",
                  pulses.format(f"MAX({JERK.format('0')},{JERK.format('[d]')})"),
