@@ -61,16 +61,13 @@ def rests(tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array]:
 
 def tool_angles(left: Room, tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Return the angles in and out for each margin, and whether the cycle rather than the clearance limits one."""
-    found, capped = [], np.zeros(margin.shape, dtype=np.bool_)
-    shares = (passage.split, 1.0 - passage.split)
-    for free, share, rest in zip((left.free_in, left.free_out), shares, rests(tool, passage, margin), strict=True):
-        most = left.both * share
-        way = np.divide(free, rest, out=np.full(rest.shape, np.inf), where=rest > 0.0)
-        capped |= way > most
-        found.append(np.minimum(way, most) - passage.allowance)
-    if min(found[0].min(), found[1].min()) <= 0.0:
+    rest, free = np.array(rests(tool, passage, margin)), np.array([[left.free_in], [left.free_out]])
+    most = left.both * np.array([[passage.split], [1.0 - passage.split]])
+    way = np.divide(free, rest, out=np.full(rest.shape, np.inf), where=rest > 0.0)
+    found = np.minimum(way, most) - passage.allowance
+    if found.min() <= 0.0:
         raise ValueError(f"an allowance of {math.degrees(passage.allowance):g} degrees leaves the tool no angle")
-    return found[0], found[1], capped
+    return found[0], found[1], (way > most).any(axis=0)
 
 
 def overlap(transfer: Transfer, tool: Tool, passage: Passage) -> Schedule:

@@ -47,11 +47,8 @@ class Transfer:
     @property
     def parts(self) -> tuple[Scaled, Scaled]:
         """The movement, and the dwell to the end of the cycle (m, rad)."""
-        there = self.stroke * self.law.end.s
-        return (
-            Scaled(self.law, self.stroke, self.angle),
-            Scaled(Dwell(), 0.0, FULL_TURN - self.angle, self.angle, there),
-        )
+        moves = Scaled(self.law, self.stroke, self.angle)
+        return moves, Scaled(Dwell(), 0.0, FULL_TURN - self.angle, self.angle, self.stroke * self.law.end.s)
 
 
 @dataclass(frozen=True)
@@ -158,11 +155,11 @@ class Schedule:
     def parts(self) -> tuple[Scaled, Scaled, Scaled, Scaled]:
         """Dwell, way out, rest and way in (m, rad) from the tool's arrival; below the tolerance of an angle none."""
         h, dwell, out, into = self.tool.stroke, self.tool.dwell, self.angle_out, self.angle_in
-        rest = FULL_TURN - dwell - into - out
+        stays, rests = (one if one > ANGLE_TOLERANCE else 0.0 for one in (dwell, FULL_TURN - dwell - into - out))
         return (
-            Scaled(Dwell(), 0.0, lasting(dwell), 0.0, h),
+            Scaled(Dwell(), 0.0, stays, 0.0, h),
             Scaled(self.tool.out, -h, out, dwell, h),
-            Scaled(Dwell(), 0.0, lasting(rest), dwell + out),
+            Scaled(Dwell(), 0.0, rests, dwell + out),
             Scaled(self.tool.law, h, into, FULL_TURN - into),
         )
 
@@ -210,11 +207,6 @@ def movement_time(angle: float, rate: float) -> float:
     """
     require_positive(angle=angle, rate=rate)
     return angle / (FULL_TURN * rate)
-
-
-def lasting(angle: float) -> float:
-    """Return an angle (rad), 0 for one that is next to none."""
-    return angle if angle > ANGLE_TOLERANCE else 0.0
 
 
 def pieces_of_parts(parts: Sequence[Scaled], whole: bool = False) -> list[MotionPiece]:

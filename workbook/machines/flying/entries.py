@@ -63,9 +63,8 @@ class LengthsEntry(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a range of lengths that does not rise."""
         if self.longest <= self.shortest:
-            said = (
-                f"from {figure(self.shortest)} mm to {figure(self.longest)} mm; expected a longest above the shortest"
-            )
+            low, high = figure(self.shortest), figure(self.longest)
+            said = f"from {low} mm to {high} mm; expected a longest above the shortest"
             yield DesignError("longest", said, "ordered", 2 * self.shortest)
 
 

@@ -43,17 +43,6 @@ class RatiosSheet:
         self.motors(sheet)
         sheet.not_printed_below()
         sheet.heading("Workings")
-        self.beginning(sheet)
-        self.reducers(sheet)
-        self.over_load_factor(sheet)
-        sheet.print_columns = 20
-
-    def drawn(self, values: Array, rows: int, shows: Any) -> Array:
-        """Return ratios as drawn: the first reducer's where there are none, as a logarithmic axis has no 0."""
-        return np.where(filled(shows, rows, False), filled(np.nan_to_num(values), rows), self.first)
-
-    def beginning(self, sheet: Sheet) -> None:
-        """Declare whether there is a range at all, and where figure 12 begins."""
         (m, _), now = self.view.pair, self.task.load_factor / self.efficiency
         alpha = float(self.ranges.accelerating_factor[m])
         sheet.rows(
@@ -73,6 +62,13 @@ class RatiosSheet:
                  max(LEAST, min(MOST, now / alpha)), "so that the present load is in it"),
             constant("ratio_off", "Where charts hide what is not drawn", "", "", OFF, format="0"),
         )  # fmt: skip
+        self.reducers(sheet)
+        self.over_load_factor(sheet)
+        sheet.print_columns = 20
+
+    def drawn(self, values: Array, rows: int, shows: Any) -> Array:
+        """Return ratios as drawn: the first reducer's where there are none, as a logarithmic axis has no 0."""
+        return np.where(filled(shows, rows, False), filled(np.nan_to_num(values), rows), self.first)
 
     def motors(self, sheet: Sheet) -> None:
         """Declare the motors: α, the ratios that each accepts, and its line in figure 11."""

@@ -28,10 +28,7 @@ ORDER = (
 PIECE = "=IF([k]>COUNTIF(piece_number,[no]),MATCH(1,piece_number,0),MATCH([no],piece_number,0)+[k]-1)"
 """behind the last piece the dwell's, law 1"""
 ORDERS = {"a": 0, "j": 1}  # of derivatives of the acceleration
-SINES = {
-    "a": "+INDEX(piece_P{n},[q])*SIN({x})",
-    "j": "+INDEX(piece_pj{n},[q])*COS({x})",
-}
+SINES = {"a": "+INDEX(piece_P{n},[q])*SIN({x})", "j": "+INDEX(piece_pj{n},[q])*COS({x})"}
 ORDERED = (
     "=IF(ABS([dv])>check_zero*INDEX(law_cv,[no]),0,IF(ABS([da])>check_zero*[ca],1,IF(ABS([dj])>check_zero*[ca],2,3)))"
 )

@@ -13,7 +13,7 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant, entrie
 from workbook.book.sentence import amount
 from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
-from workbook.machines.overlap.cycle import AtAngles
+from workbook.machines.overlap.cycle import SCHEDULES, AtAngles
 from workbook.machines.overlap.entries import LEAST
 from workbook.machines.overlap.view import Station
 from workbook.motion.asked import ABOUT as CONTINUOUS
@@ -125,21 +125,17 @@ def checks(station: Station) -> tuple[Quantity, ...]:
 
 def charts(sheet: Sheet, row: int) -> None:
     """Place the travel under its limit, and the accelerations."""
-    travel = Chart(
-        "Travel of the tool, and what the transfer allows", "master angle θ [°]", "travel y [mm]",
-        (Series("one after the other", "[@motions.theta]",
-                "[@motions.yb]"), Series("with overlap", "[@motions.theta]", "[@motions.ya]"),
-         Series("allowed", "[@motions.theta]", "[@motions.limit]", dashed=True)),
-        "Travel of the tool in both schedules, below the travel that the transfer allows it", (0, 360, 30),
-    )  # fmt: skip
-    acceleration = Chart(
-        "Acceleration of the tool", "master angle θ [°]", "acceleration [m/s²]",
-        (Series("one after the other", "[@motions.theta]",
-                "[@motions.accb]"), Series("with overlap", "[@motions.theta]", "[@motions.acca]")),
-        "Acceleration of the tool over the cycle, one after the other and with overlap", (0, 360, 30),
-    )  # fmt: skip
-    sheet.chart(travel, column=11, row=row, width=7, height=18)
-    sheet.chart(acceleration, column=18, row=row, width=7, height=18)
+    theta = "[@motions.theta]"
+    allowed = Series("allowed", theta, "[@motions.limit]", dashed=True)
+    for column, title, y, name, more, about in (
+        (11, "Travel of the tool, and what the transfer allows", "travel y [mm]", "y", (allowed,),
+         "Travel of the tool in both schedules, below the travel that the transfer allows it"),
+        (18, "Acceleration of the tool", "acceleration [m/s²]", "acc", (),
+         "Acceleration of the tool over the cycle, one after the other and with overlap"),
+    ):  # fmt: skip
+        lines = (Series(words, theta, f"[@motions.{name}{suffix}]") for suffix, (_, words) in SCHEDULES.items())
+        chart = Chart(title, "master angle θ [°]", y, (*lines, *more), about, (0, 360, 30))
+        sheet.chart(chart, column=column, row=row, width=7, height=18)
 
 
 def schedules(sheet: Sheet, station: Station) -> None:
