@@ -23,15 +23,11 @@ LONGER = 1.001  # times the tool length, the shortest product
 
 @dataclass(frozen=True)
 class Tool:
-    """What carries the tool: the length it covers a cycle, that at line speed, and metres per rad of its shaft.
+    """What carries the tool. Raises ValueError unless L_0 ≥ 0, L_T ≥ 0, R_t > 0, and L_T < L_0 where L_0 > 0."""
 
-    ``design_length`` L_0 (0 of a tool that comes back), ``tool_length`` L_T, ``radius`` R_t.
-    Raises ValueError unless 0 ≤ L_0, L_T ≥ 0, R_t > 0, and L_T < L_0 where L_0 > 0.
-    """
-
-    design_length: float
-    tool_length: float
-    radius: float
+    design_length: float  # L_0, that it covers in a cycle; 0 of a tool that comes back
+    tool_length: float  # L_T, that it covers at line speed
+    radius: float  # R_t, metres per rad of its shaft
 
     def __post_init__(self) -> None:
         require(self.radius > 0.0, "radius", self.radius, "more than 0")

@@ -25,10 +25,7 @@ def one_after_the_other(transfer: Transfer, tool: Tool, split: float = 0.5) -> S
 
 @lru_cache(maxsize=256)
 def blocked(transfer: Transfer, passage: Passage) -> tuple[float, float]:
-    """Return the angles (rad) between which the transfer is too far from its ends for the tool to be in.
-
-    Their difference is S2's effective angle: 150° − 2 · 15° = 120°.
-    """
+    """Return the angles (rad) between which the transfer is too far from its ends for a tool in (S2: 15° and 135°)."""
     begin, end = transfer.inverted(transfer.law, np.array(passage.shares)) * transfer.angle
     return float(begin), float(end)
 

@@ -24,16 +24,12 @@ Inverse = Callable[[Law, Array], Array]
 
 @dataclass(frozen=True)
 class Transfer:
-    """The first motion: a law over ``stroke`` (m) in ``angle`` (rad), once a cycle, beginning at 0.
-
-    ``inverted`` says when its law has reached a height.
-    Raises ValueError unless the stroke is above 0 and the angle between 0 and 2π.
-    """
+    """The first motion, once a cycle from 0. Raises ValueError for a stroke of 0 or less, an angle not in 0 to 2π."""
 
     law: Law
-    stroke: float
-    angle: float
-    inverted: Inverse = inverse
+    stroke: float  # m
+    angle: float  # rad
+    inverted: Inverse = inverse  # says when its law has reached a height
 
     def __post_init__(self) -> None:
         require_positive(transfer_stroke=self.stroke, transfer_angle=self.angle)
@@ -53,17 +49,13 @@ class Transfer:
 
 @dataclass(frozen=True)
 class Tool:
-    """The second motion: in over ``stroke`` (m), at the part for the angle ``dwell`` (rad), out again.
-
-    ``law_out`` is the law of the way out, that of the way in if None; ``inverted`` says when they have
-    reached a height. Raises ValueError unless the stroke is above 0 and the dwell at least 0.
-    """
+    """The second motion: in, at the part, out again. Raises ValueError for a stroke of 0 or less, a dwell below 0."""
 
     law: Law
-    stroke: float
-    dwell: float
-    law_out: Law | None = None
-    inverted: Inverse = inverse
+    stroke: float  # m
+    dwell: float  # the angle for which it is at the part (rad)
+    law_out: Law | None = None  # of the way out: that of the way in if None
+    inverted: Inverse = inverse  # says when they have reached a height
 
     def __post_init__(self) -> None:
         require_positive(tool_stroke=self.stroke)
@@ -81,18 +73,14 @@ class Tool:
 class Passage:
     """What one part leaves to the other.
 
-    ``remaining``: share of the transfer's stroke that may be missing, at either end, while the tool is in
-    (S2: 0.65 %). ``clearance`` (m): travel of the tool before it would touch the transfer (S2: 20 mm).
-    ``margin`` (m): what of it is to stay free (S2: 1 mm). ``allowance`` (rad): taken off the tool's angles
-    for the setting of the cam (S2: 5°). ``split``: share of the free angle for the way in.
     Raises ValueError unless 0 ≤ remaining < 1/2, 0 ≤ margin ≤ clearance, allowance ≥ 0 and 0 < split < 1.
     """
 
-    remaining: float
-    clearance: float
-    margin: float = 0.0
-    allowance: float = 0.0
-    split: float = 0.5
+    remaining: float  # share of the transfer's stroke that may be missing, at either end, with the tool in (S2: 0.65 %)
+    clearance: float  # travel (m) of the tool before it would touch the transfer (S2: 20 mm)
+    margin: float = 0.0  # what of it is to stay free (m; S2: 1 mm)
+    allowance: float = 0.0  # taken off the tool's angles for the setting of the cam (rad; S2: 5°)
+    split: float = 0.5  # share of the free angle for the way in
 
     def __post_init__(self) -> None:
         require_finite(clearance=self.clearance, margin=self.margin, allowance=self.allowance)
@@ -127,18 +115,14 @@ def require_positive(**quantities: float) -> None:
 
 @dataclass(frozen=True)
 class Schedule:
-    """Both motions over one turn of the master shaft.
-
-    ``way_in`` and ``way_out`` are the tool's angles, ``arrival`` the angle at which it is at the part;
-    ``limit`` says what keeps the tool from taking longer.
-    """
+    """Both motions over one turn of the master shaft (rad)."""
 
     transfer: Transfer
     tool: Tool
     angle_in: float
     angle_out: float
-    arrival: float
-    limit: Limit = "clearance"
+    arrival: float  # where the tool is at the part
+    limit: Limit = "clearance"  # what keeps the tool from taking longer
 
     @property
     def edges(self) -> tuple[float, float, float, float]:
@@ -181,10 +165,7 @@ class Schedule:
         return movement_time(self.angle_in, rate), movement_time(self.angle_out, rate)
 
     def movement_peaks(self, rate: float) -> tuple[float, float]:
-        """Return the largest accelerations of the ways in and out, C_a h/t_m², in m/s².
-
-        Source: S2, 'Cycloid Cam Profile Analysis', a_max = 2π h_m/t_m² (cycloidal).
-        """
+        """Return the largest accelerations of the ways in and out, C_a h/t_m² (m/s²; S2: 2π h_m/t_m² of a cycloid)."""
         h, (way_in, way_out) = self.tool.stroke, self.times(rate)
         return self.tool.law.coefficients.ca * h / way_in**2, self.tool.out.coefficients.ca * h / way_out**2
 
@@ -193,18 +174,12 @@ class Schedule:
         return max(self.movement_peaks(rate))
 
     def times_lower(self, before: "Schedule") -> float:
-        """Return how many times lower its peak acceleration is than that of another schedule, at any rate.
-
-        Source: S2, 4.154/0.804 = 5.17.
-        """
+        """Return how many times lower its peak acceleration is than another's, at any rate (S2: 4.154/0.804 = 5.17)."""
         return before.peak_acceleration(1.0) / self.peak_acceleration(1.0)
 
 
 def movement_time(angle: float, rate: float) -> float:
-    """Return t_m = B_m/(2π n), in s, of an angle (rad) at n cycles per second (S2: t_m = 10 B_m/N, in degrees and 1/h).
-
-    Raises ValueError unless both are above 0.
-    """
+    """Return t_m = B_m/(2π n), in s, of an angle (rad) at n cycles per second, both above 0 (S2: 10 B_m/N; °, 1/h)."""
     require_positive(angle=angle, rate=rate)
     return angle / (FULL_TURN * rate)
 

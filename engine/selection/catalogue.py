@@ -15,25 +15,22 @@ NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)  # of
 
 @dataclass(eq=False)
 class Motors:
-    """A catalogue of motors, one array each: J_M (kg m²), T_M,N, T_M,max (Nm), ω_M,max (rad/s); size (kg), cost.
+    """A catalogue of motors, an array for each figure; a number counts for all, NaN says that it is not given.
 
-    T_M,max is given up to the largest speed, or falls from ``full_torque_to`` (rad/s) in a straight line to
-    ``end_torque`` (Nm) there. The continuous torque falls from ``stall_torque`` (Nm) to T_M,N at ``rated_speed``
-    (rad/s, the largest speed if NaN). NaN says that a figure is not given; a single number counts for all.
     Raises ValueError for lengths that differ or a figure that cannot be (that names the motor).
     """
 
     names: tuple[str, ...]
-    inertia: Array
-    rated_torque: Array
-    peak_torque: Array
-    max_speed: Array
-    size: Array = field(default_factory=NOT_GIVEN)
+    inertia: Array  # J_M (kg m²)
+    rated_torque: Array  # T_M,N (Nm), the continuous torque at the rated speed
+    peak_torque: Array  # T_M,max (Nm), up to the largest speed or the ``full_torque_to``
+    max_speed: Array  # ω_M,max (rad/s)
+    size: Array = field(default_factory=NOT_GIVEN)  # kg
     cost: Array = field(default_factory=NOT_GIVEN)
-    full_torque_to: Array = field(default_factory=NOT_GIVEN)
-    end_torque: Array = field(default_factory=NOT_GIVEN)
-    stall_torque: Array = field(default_factory=NOT_GIVEN)
-    rated_speed: Array = field(default_factory=NOT_GIVEN)
+    full_torque_to: Array = field(default_factory=NOT_GIVEN)  # rad/s; from there it falls in a straight line
+    end_torque: Array = field(default_factory=NOT_GIVEN)  # to this (Nm) at the largest speed
+    stall_torque: Array = field(default_factory=NOT_GIVEN)  # Nm, from which the continuous torque falls
+    rated_speed: Array = field(default_factory=NOT_GIVEN)  # rad/s; the largest speed if NaN
 
     def __post_init__(self) -> None:
         positive = ("inertia", "rated_torque", "peak_torque", "max_speed")
@@ -62,27 +59,23 @@ class Motors:
 
 @dataclass(eq=False)
 class Reducers:
-    """A catalogue of reducers: i = ω_M/ω_L, η, J_T (kg m², at the motor's shaft), limits, size and cost.
+    """A catalogue of reducers, an array for each figure; a number counts for all, NaN says that it is not given.
 
-    Limits are the largest input speed (rad/s), output torque and mean output torque (Nm), infinite where not given;
-    size (kg) and cost are NaN where not given; the no-load torque (Nm) is that at the input. The output torque
-    holds up to ``full_rate`` cycles (1/s), beyond over ``cycle_factor``. A single number stands for all. Raises
-    ValueError for lengths that differ, i not above 0, η not above 0 and at most 1, or J_T below 0 (that names the
-    reducer).
+    Raises ValueError for lengths that differ or a figure that cannot be (that names the reducer).
     """
 
     names: tuple[str, ...]
-    reduction: Array
-    efficiency: Array
-    inertia: Array
-    max_input_speed: Array
-    max_output_torque: Array
-    max_mean_torque: Array = field(default_factory=NO_LIMIT)
-    size: Array = field(default_factory=NOT_GIVEN)
+    reduction: Array  # i = ω_M/ω_L
+    efficiency: Array  # η, at most 1
+    inertia: Array  # J_T at the motor's shaft (kg m²)
+    max_input_speed: Array  # rad/s
+    max_output_torque: Array  # Nm, up to the ``full_rate``
+    max_mean_torque: Array = field(default_factory=NO_LIMIT)  # of the output (Nm)
+    size: Array = field(default_factory=NOT_GIVEN)  # kg
     cost: Array = field(default_factory=NOT_GIVEN)
-    no_load: Array = field(default_factory=lambda: np.array(0.0))
-    full_rate: Array = field(default_factory=NO_LIMIT)
-    cycle_factor: Array = field(default_factory=lambda: np.array(1.0))
+    no_load: Array = field(default_factory=lambda: np.array(0.0))  # torque at the input (Nm)
+    full_rate: Array = field(default_factory=NO_LIMIT)  # cycles (1/s) up to which the output torque holds
+    cycle_factor: Array = field(default_factory=lambda: np.array(1.0))  # over which it is at more
 
     def __post_init__(self) -> None:
         positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque", "full_rate")

@@ -25,18 +25,14 @@ PARTS = 10_000  # of a unit, in which scores are compared
 
 
 class Wanted(NamedTuple):
-    """What a usable pair meets: the largest inertia ratio, the least and the greatest rated torque over RMS torque.
+    """What a usable pair meets."""
 
-    Besides the factor on the torque that a reducer carries, and the least peak torque and largest speed of a motor over
-    what is asked of it.
-    """
-
-    inertia_ratio: float
-    least_margin: float
+    inertia_ratio: float  # at most
+    least_margin: float  # of the rated over the RMS torque
     greatest_margin: float
-    torque_factor: float
-    least_peak: float = 1.0
-    least_speed: float = 1.0
+    torque_factor: float  # on the torque that a reducer carries
+    least_peak: float = 1.0  # a motor's peak torque over what is asked of it
+    least_speed: float = 1.0  # its largest speed over what is asked of it
 
 
 class Curve(NamedTuple):
@@ -82,17 +78,14 @@ class Used(NamedTuple):
 
 @dataclass(eq=False)
 class PairMatrix:
-    """Every motor of a catalogue (down) behind every reducer (across).
-
-    ``beside`` turns with the motor (kg m²), ``rate`` counts cycles (1/s).
-    """
+    """Every motor of a catalogue (down) behind every reducer (across)."""
 
     load: PointLoad
     motors: Motors
     reducers: Reducers
-    beside: float
+    beside: float  # turns with the motor (kg m²)
     wanted: Wanted
-    rate: float = 0.0
+    rate: float = 0.0  # of cycles (1/s)
 
     def __post_init__(self) -> None:
         r, rated = self.reducers, self.motors.rated_torque

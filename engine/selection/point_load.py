@@ -39,17 +39,13 @@ class Gears(NamedTuple):
 
 
 class Points(NamedTuple):
-    """Points of a cycle, arrays of one length, at the shaft behind the reducer.
+    """Points of a cycle, arrays of one length, at the shaft behind the reducer."""
 
-    α (rad/s²), S (Nm) where it drives the load and where the load drives it (0 elsewhere), the speed (rad/s) and d,
-    the direction of rotation: 1, −1 or 0 at rest.
-    """
-
-    acceleration: Array
-    driving: Array
-    driven: Array
-    speed: Array
-    direction: Array
+    acceleration: Array  # α (rad/s²)
+    driving: Array  # S (Nm) where it drives the load, 0 elsewhere
+    driven: Array  # and where the load drives it
+    speed: Array  # rad/s
+    direction: Array  # d, of rotation: 1, −1 or 0 at rest
 
 
 class Squares(NamedTuple):
@@ -66,7 +62,7 @@ class Squares(NamedTuple):
     direction_load_back: float
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class PointLoad:
     """A load at its points; its largest speed (rad/s) and torque (Nm) at the shaft, and its inertia there (kg m²)."""
 
@@ -75,36 +71,22 @@ class PointLoad:
     torque: float
     inertia: float
 
-    @cached_property
-    def points(self) -> Points:
-        """The points; of a brake that holds the motor no torque reaches it."""
+    def __post_init__(self) -> None:
         load = self.load
-        torque = np.where(load.braked, 0.0, load.output_torque)
+        torque = np.where(load.braked, 0.0, load.output_torque)  # of a brake that holds the motor none reaches it
         back = gives_back(torque, load.direction, 0.0) & (load.train.method == "physical")
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
         each = load.shaft_acceleration, driving, driven, np.abs(load.speed), load.direction
-        return Points(*(one.ravel() for one in each))
-
-    @cached_property
-    def mean_torque(self) -> float:
-        """The mean torque of the shaft, ³√(mean |ω||S|³/mean |ω|) (Nm), by which gears are rated; 0 where it stands."""
-        weight = self.load.share * np.abs(self.load.speed)
-        cubes = weight * np.abs(self.load.output_torque) ** 3
-        return math.cbrt(float(cubes.sum() / weight.sum())) if weight.any() else 0.0
-
-    @cached_property
-    def mean_speed(self) -> float:
-        """The mean of |ω| (rad/s)."""
-        return float((self.load.share * np.abs(self.load.speed)).sum())
-
-    @cached_property
-    def squares(self) -> Squares:
-        """Means over the cycle."""
-        alpha, drives, back, _, way = self.points
-        share = self.load.share.ravel()
-        each = [alpha**2, alpha * drives, alpha * back, drives**2, back**2]
-        each += [way**2, alpha * way, drives * way, back * way]
-        return Squares(*(float(share @ one) for one in each))
+        self.points = Points(*(one.ravel() for one in each))
+        weight = load.share * np.abs(load.speed)
+        cubes = weight * np.abs(load.output_torque) ** 3
+        # the mean torque of the shaft, ³√(mean |ω||S|³/mean |ω|) (Nm), by which gears are rated; 0 where it stands
+        self.mean_torque = math.cbrt(float(cubes.sum() / weight.sum())) if weight.any() else 0.0
+        self.mean_speed = float(weight.sum())  # of |ω| (rad/s)
+        alpha, ahead, behind, _, way = self.points
+        means = [alpha**2, alpha * ahead, alpha * behind, ahead**2, behind**2]
+        means += [way**2, alpha * way, ahead * way, behind * way]
+        self.squares = Squares(*(float(load.share.ravel() @ one) for one in means))  # over the cycle
 
     def rms(self, some: Gears) -> Array:
         """Return the RMS torque of motors (Nm)."""

@@ -22,18 +22,15 @@ NOTHING = 1e-9  # rad/s², Nm, rad/s: an acceleration, a torque, a speed no larg
 
 @dataclass(frozen=True)
 class Task:
-    """What the load asks for, at its own shaft, over a cycle.
+    """What the load asks for, at its own shaft, over a cycle. Source: S5, eqs. (14), (15).
 
-    ``acceleration_rms`` ω̇_L,rms (rad/s²), ``torque_rms`` T*_L,rms (Nm) of the generalized load torque
-    T*_L = T_L + J_L ω̇_L, ``power_rate_mean`` (ω̇_L T*_L)_mean (Nm rad/s²), ``max_speed`` ω_L,max (rad/s).
     Raises ValueError unless the acceleration, the torque and the speed are 0 or more, and |mean| ≤ ω̇_rms T*_rms.
-    Source: S5, eqs. (14), (15).
     """
 
-    acceleration_rms: float
-    torque_rms: float
-    power_rate_mean: float
-    max_speed: float
+    acceleration_rms: float  # ω̇_L,rms (rad/s²)
+    torque_rms: float  # T*_L,rms (Nm), of the generalized load torque T*_L = T_L + J_L ω̇_L
+    power_rate_mean: float  # (ω̇_L T*_L)_mean (Nm rad/s²)
+    max_speed: float  # ω_L,max (rad/s)
 
     def __post_init__(self) -> None:
         for name in ("acceleration_rms", "torque_rms", "max_speed"):
@@ -72,10 +69,7 @@ class Task:
 
     @property
     def load_factor(self) -> float:
-        """β = 2 (ω̇_L,rms T*_L,rms + (ω̇_L T*_L)_mean), in Nm rad/s²; 0 of a load that does not move.
-
-        Source: S5, eq. (15).
-        """
+        """β = 2 (ω̇_L,rms T*_L,rms + (ω̇_L T*_L)_mean), in Nm rad/s²; 0 of a load that does not move: S5, eq. (15)."""
         return 2.0 * (self.acceleration_rms * self.torque_rms + self.power_rate_mean) if self.moves else 0.0
 
 

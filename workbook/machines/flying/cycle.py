@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from engine.flying.pieces import CutPart, cut_joints, cut_parts, cut_pieces, rates_of
+from engine.flying.pieces import cut_joints, cut_parts, cut_pieces, rates_of
 from workbook.book.declare import Book, Sheet, calc, constant, result
 from workbook.entries.units import DEGREE, MM, RPM, shown
 from workbook.laws.sampling import Pieces
@@ -78,19 +78,9 @@ def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces)
         *stack.finding("fly_no", "xi", stack.locate(machine.number, at)),
         *stack.columns({"s": law.s(at)}, "s"),
     )  # fmt: skip
-    parts_table(sheet, machine, cut_parts(machine.cut), rows)
-    joints = joints_of(machine, rows)
-    sheet.rows(pieces_in_all(rows), *joints.order())
-    sheet.row += 1
-    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
-    sheet.row += 1
-    joints.table(sheet, "What jumps where each piece begins", machine.room)
-
-
-def parts_table(sheet: Sheet, machine: Flying, parts: tuple[CutPart, ...], rows: PieceRows) -> None:
-    """Declare the parts of the cycle."""
+    parts = cut_parts(machine.cut)
     of = [part.scaled for part in parts]
-    law, none = "=MATCH(fly_no,piece_number,0)", "=MATCH(1,piece_number,0)"
+    first, none = "=MATCH(fly_no,piece_number,0)", "=MATCH(1,piece_number,0)"
     sheet.table(
         AT.phases, "The parts of the cycle", len(PARTS),
         constant("what", "the tool", "", "", list(PARTS), align="left"),
@@ -110,8 +100,14 @@ def parts_table(sheet: Sheet, machine: Flying, parts: tuple[CutPart, ...], rows:
              [one.y for one in of]),
         *phase_table_columns(
             rows,
-            [law, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_eps,1)')}", none],
+            [first, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_eps,1)')}", none],
             [f"={last_before('fly_no', SPLIT)}-[first]+1", "=fly_waits",
              f"=IF(fly_waits=1,{last_before('fly_no', '1')}-[first]+1,0)", "=IF([span]>0,1,0)"],
         ),
     )  # fmt: skip
+    joints = joints_of(machine, rows)
+    sheet.rows(pieces_in_all(rows), *joints.order())
+    sheet.row += 1
+    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
+    sheet.row += 1
+    joints.table(sheet, "What jumps where each piece begins", machine.room)

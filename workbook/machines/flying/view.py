@@ -67,10 +67,9 @@ class Flying:
 
     def task(self, cut: Cut) -> Task:
         """Return what a cut asks of the drive at the tool's shaft, exactly, from the law's coefficients."""
-        phases = [Phase(self.law, cut.superimposed, cut.moving_time)]
         rest = cut.cycle_time - cut.moving_time
-        if rest > 0.0:
-            phases.append(Phase(Dwell(), 0.0, rest))
+        rests = [Phase(Dwell(), 0.0, rest)] if rest > 0.0 else []
+        phases = [Phase(self.law, cut.superimposed, cut.moving_time), *rests]
         return Task.of_load(self.load, phases, self.tool.radius)
 
     @property
@@ -107,13 +106,15 @@ class ToolDrive:
         self.cycles = "3600/fly_tc", shown(1.0 / cut.cycle_time, PER_HOUR)  # an hour: the formula, and the figure
         self.before = Choosing(chosen, sizes, [self._shaft([*BEFORE, Figure("cycles", "", "", *self.cycles)])])
 
-        self.pair = self._pair()  # motor and reducer in use, by their places in the catalogue, from 0
+        ranked, motors, reducers = self.before.ranked, self.before.motors, self.before.reducers
+        m, r = ranked[self.before.proposed or 0] if ranked else (0, 0)  # the first of all where no pair can do it
+        m = place_of(chosen.motor, motors.names) if chosen.motor else m
+        self.pair = m, place_of(chosen.reducer, reducers.names) if chosen.reducer else r  # in use, by places from 0
         self.gears = self.before.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
-        m, r = self.before.motors, self.before.reducers
-        motor = m.inertia, m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to
-        self.motor = Motor(*(float(one[self.pair[0]]) for one in motor))
+        of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
+        self.motor = Motor(*(float(one[self.pair[0]]) for one in of))
         self.falling = Falling(*self.before.curve(self.pair[0])[1:])
-        limits = r.max_input_speed, self.before.grid.most_output_torque, r.max_mean_torque
+        limits = reducers.max_input_speed, self.before.grid.most_output_torque, reducers.max_mean_torque
         found = [float(one[self.pair[1]]) for one in limits]
         self.limits = [0.0 if np.isinf(one) else one for one in found]  # of the reducer; 0: none
 
@@ -125,23 +126,11 @@ class ToolDrive:
         self.motor_torque = max(self.peak, self.torque / self.gears.ratio, LEAST)  # the scale of its torques
         self.left = self.falling.reserve(self.motor.peak_torque, self.points.torque, self.points.speed)
         self.reserve = reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
+        task, (inertia, ratio, efficiency, _) = self.before.grid.task, self.gears
+        best = ratio * float(best_ratio(task, inertia, efficiency))
+        self.balance = 1.0 / best if task.moves else 0.0  # τ/τ_opt; 0 of a load that does not move: S5, (18), step 7
         self.turns = furthest(self.load, self.cycle.still)  # where the tool stands between points
         self.stroke = float(np.ptp(self.turns[1]))
-
-    def _pair(self) -> tuple[int, int]:
-        """Return motor and reducer: as named, or else proposed; the first of the catalogue where no pair can do it."""
-        view = self.before
-        m, r = view.ranked[view.proposed or 0] if view.ranked else (0, 0)
-        motor, reducer = self.chosen.motor, self.chosen.reducer
-        return (place_of(motor, view.motors.names) if motor else m,
-                place_of(reducer, view.reducers.names) if reducer else r)  # fmt: skip
-
-    @property
-    def balance(self) -> float:
-        """τ/τ_opt; 0 of a load that does not move. Source: S5, eq. (18), step 7."""
-        task = self.before.grid.task
-        inertia, ratio, efficiency, _ = self.gears
-        return 1.0 / (ratio * float(best_ratio(task, inertia, efficiency))) if task.moves else 0.0
 
     def by_point(self, values: Array, spare: float | None = None) -> list[float]:
         """Return values of the points; spare rows have that of the last, or another."""

@@ -9,7 +9,7 @@ from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.entries.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
 from workbook.machines.overlap.cycle import ALLOWED, SCHEDULES, AtAngles, transfer_columns
-from workbook.machines.overlap.view import Overlapping, Station
+from workbook.machines.overlap.view import Overlapping
 
 SAYS = '=IF([free]<0-inverse_bound*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'
 ACROSS = (
@@ -153,9 +153,20 @@ def outlines(sheet: Sheet, machine: Overlapping, states: States) -> None:
         calc("x", "across", "X", "mm", [ACROSS.format(i) for i in numbers], shown(outline.x, MM)),
         calc("y", "height", "z", "mm", [UPWARDS.format(i) for i in numbers], shown(outline.z, MM)),
     )  # fmt: skip
+    across, along = zip(*PUNCH, strict=True)
     for station, before, after in zip(machine.stations, states.before, states.after, strict=True):
+        i = station.number
+        (x, first), (_, second) = (machine.scene.punch(i - 1, travel) for travel in (before, after))
+        whose = "the tool" if machine.alone else f"tool {i}"
         with sheet.scoped(station.scope):
-            punch(sheet, station, before, after)
+            sheet.table(
+                "@punch", f"Outline of {whose}", len(PUNCH),
+                constant("px", "across", "", "", list(across)),
+                constant("py", "along", "", "", list(along)),
+                calc("x", "across", "X", "mm", f"=[places.x.{i}]+[px]*picture_width*overlap_pitch", shown(x, MM)),
+                *(calc(f"y{one}", words, "z", "mm", f"=@stroke-[@view.y{one}]+[py]*picture_body*@stroke", shown(z, MM))
+                  for (one, (_, words)), z in zip(SCHEDULES.items(), (first, second), strict=True)),
+            )  # fmt: skip
     frame, (fx, fy) = machine.scene.frame(), zip(*FRAME, strict=True)
     sheet.table(
         "frame", "Frame of the picture: keeps its scale", len(FRAME),
@@ -164,20 +175,4 @@ def outlines(sheet: Sheet, machine: Overlapping, states: States) -> None:
         calc("x", "across", "X", "mm", "=IF([fx]=1,MAX([places.x])+overlap_pitch,0-overlap_pitch)", shown(frame.x, MM)),
         calc("y", "height", "z", "mm", "=IF([fy]=1,(1+picture_body)*MAX([places.h]),0-picture_plate*MAX([places.h]))",
              shown(frame.z, MM)),
-    )  # fmt: skip
-
-
-def punch(sheet: Sheet, station: Station, before: float, after: float) -> None:
-    """Declare the outline of one tool, by how far it has gone in either schedule (m)."""
-    scene, i = station.machine.scene, station.number
-    (x, first), (_, second) = (scene.punch(i - 1, travel) for travel in (before, after))
-    across, along = zip(*PUNCH, strict=True)
-    whose = "the tool" if station.machine.alone else f"tool {i}"
-    sheet.table(
-        "@punch", f"Outline of {whose}", len(PUNCH),
-        constant("px", "across", "", "", list(across)),
-        constant("py", "along", "", "", list(along)),
-        calc("x", "across", "X", "mm", f"=[places.x.{i}]+[px]*picture_width*overlap_pitch", shown(x, MM)),
-        calc("yb", "one after the other", "z", "mm", "=@stroke-[@view.yb]+[py]*picture_body*@stroke", shown(first, MM)),
-        calc("ya", "with overlap", "z", "mm", "=@stroke-[@view.ya]+[py]*picture_body*@stroke", shown(second, MM)),
     )  # fmt: skip
