@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Container, Iterable, Iterator
 from itertools import count
-from typing import Any
+from typing import Any, TypeVar
 
 from workbook.entries.machine import Machine
 from workbook.laws.family import Page
 from workbook.laws.registry import CODES, FAMILY
 
+M = TypeVar("M", bound=Machine)
 SIX = 6  # variations of a template, unless its laws need more to have their turn
 MOST = 300  # turns after which a law that has not come never will
 
@@ -38,6 +39,14 @@ def variations(
         if turn + 1 >= SIX and not missing:
             return made
     raise LookupError(f"no variation of {machine.template} ever has the law {', '.join(sorted(missing))}")
+
+
+def varying(
+    model: type[M], varied: Callable[[dict[str, Any], int], dict[str, Any]],
+    suited: Callable[[dict[str, Any]], Iterable[str]] = list,
+) -> Callable[[M], list[M]]:  # fmt: skip
+    """Return what gives machines of the same layout as one: its :func:`variations`, as the model has them."""
+    return lambda machine: [model.model_validate(data) for data in variations(machine, varied, suited)]
 
 
 def laws_in(description: Any, names: Container[str]) -> set[str]:

@@ -13,7 +13,7 @@ from workbook.entries.rules import limits
 from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.laws.library import laws
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, single_humped, variations, vary_laws
+from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, single_humped, vary_laws, varying
 from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
 from workbook.machines.flying.entries import DRUM, FlyingCutter
@@ -95,11 +95,6 @@ def truths(given: FlyingCutter) -> list[str]:
     return [f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"]
 
 
-def variants(machine: FlyingCutter) -> list[FlyingCutter]:
-    """Return six machines of the same layout: every law, drum and saw, each case, each limit exceeded."""
-    return [FlyingCutter.model_validate(data) for data in variations(machine, varied, single_humped)]
-
-
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
     k = turn % SIX
@@ -134,10 +129,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-SIZES = {
+SIZES = LAW_SIZES | {
     "cycle": ("cycle", 1), "lengths": ("lengths", 1), "motion_pieces": ("tool_pieces", 0), "motors": ("motors", 0),
     "reducers": ("reducers", 0),
 }  # fmt: skip
-TEMPLATE = Template(
-    "flying-cutter", FlyingCutter, declare, variants, LAW_SIZES | SIZES, check, axes=axes, truths=truths
-)
+VARIED = varying(FlyingCutter, varied, single_humped)
+TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, SIZES, check, axes=axes, truths=truths)

@@ -6,7 +6,7 @@ from workbook.book.declare import Book, calc, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import SIX, factors, law_for, variations, vary_laws
+from workbook.laws.variations import SIX, factors, law_for, vary_laws, varying
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 from workbook.machines.laws.sheet import comparison_sheet, names_sheet
 from workbook.machines.laws.view import Compared
@@ -18,27 +18,18 @@ def declare(given: MotionLaws) -> Book:
     shelf = LawShelf(given.laws, given.sizes)
     view = Compared(given, shelf.named, shelf.stack)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    summary_sheet(
-        book,
-        given,
-        "Motion laws side by side: coefficients, curves over one another, and what each costs.",
-        [
-            calc("about_laws", "Laws compared", "", "", "=COUNT([costs_worked.no])", len(view.moving), format="0"),
-            result("about_loss", "Least copper loss without a jump of acceleration", "", "", "=least_loss",
-                   view.least("loss"), "C_a,rms² / 12", format="0.0000"),
-            result("about_va", "Least power without a jump of acceleration", "", "", "=least_va",
-                   view.least("va"), "max |v·a|", format="0.0000"),
-        ],
-    )  # fmt: skip
+    about = "Motion laws side by side: coefficients, curves over one another, and what each costs."
+    summary_sheet(book, given, about, [
+        calc("about_laws", "Laws compared", "", "", "=COUNT([costs_worked.no])", len(view.moving), format="0"),
+        result("about_loss", "Least copper loss without a jump of acceleration", "", "", "=least_loss",
+               view.least("loss"), "C_a,rms² / 12", format="0.0000"),
+        result("about_va", "Least power without a jump of acceleration", "", "", "=least_va", view.least("va"),
+               "max |v·a|", format="0.0000"),
+    ])  # fmt: skip
     comparison_sheet(book, view)
     names_sheet(book, view)
     shelf.sheets(book)
     return finish(book, ("S1", "S3"))
-
-
-def variants(machine: MotionLaws) -> list[MotionLaws]:
-    """Return six books of the same layout, with other laws drawn and other parameters everywhere."""
-    return [MotionLaws.model_validate(data) for data in variations(machine, varied)]
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
@@ -51,4 +42,5 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-TEMPLATE = Template("motion-laws", MotionLaws, declare, variants, LAW_SIZES | {"cycle": ("samples1", 1)})
+SIZES = LAW_SIZES | {"cycle": ("samples1", 1)}
+TEMPLATE = Template("motion-laws", MotionLaws, declare, varying(MotionLaws, varied), SIZES)

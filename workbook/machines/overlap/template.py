@@ -15,7 +15,7 @@ from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.library import laws
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, variations, vary_laws
+from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, vary_laws, varying
 from workbook.machines.overlap.cycle import cycle_sheets, tool_rows, transfer_rows
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet
@@ -87,11 +87,6 @@ def axes(machine: IndexingOverlap) -> list[CamAxis]:
     return made
 
 
-def variants(machine: IndexingOverlap) -> list[IndexingOverlap]:
-    """Return six machines of the same layout: every law, angles chosen and found, each limit, collisions."""
-    return [IndexingOverlap.model_validate(data) for data in variations(machine, varied)]
-
-
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
     k, entries = turn % SIX, data["overlap"]
@@ -126,4 +121,5 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
 
 
 SIZES = {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1), "motion_pieces": ("tool1_a_pieces", 0)}
-TEMPLATE = Template("indexing-overlap", IndexingOverlap, declare, variants, LAW_SIZES | SIZES, check, laid_out, axes)
+VARIED = varying(IndexingOverlap, varied)
+TEMPLATE = Template("indexing-overlap", IndexingOverlap, declare, VARIED, LAW_SIZES | SIZES, check, laid_out, axes)
