@@ -20,7 +20,6 @@ from engine.selection.task import Task
 
 Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
 RANKS: tuple[str, ...] = get_args(Rank)
-Verdict = Literal["yes", "reducer", "speed", "peak", "RMS", "large", "inertia", "–"]
 PARTS = 10_000  # of a unit, in which scores are compared
 
 
@@ -67,13 +66,6 @@ def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: 
     """Return motors with their reducers in a line: J (kg m²), i, η, no-load torque (Nm)."""
     each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency, no_load)))
     return Gears(*(one.reshape(-1) for one in each))
-
-
-class Used(NamedTuple):
-    """Speed over the motor's largest, RMS torque over its continuous torque at the mean speed."""
-
-    speed: float
-    torque: float
 
 
 @dataclass(eq=False)
@@ -124,10 +116,9 @@ class PairMatrix:
         most = acceleration * torque
         return Task(acceleration, torque, max(-most, min(most, means.mixed + means.mixed_back)), self.load.speed)
 
-    def use(self, motor: int, reducer: int) -> Used:
-        """Return what a pair uses of its motor."""
-        m = self.motors
-        return Used(float(self.speed[reducer] / m.max_speed[motor]), float(self.uses[motor, reducer]))
+    def use(self, motor: int, reducer: int) -> tuple[float, float]:
+        """Return a pair's speed over its motor's largest, its RMS torque over the continuous at the mean speed."""
+        return float(self.speed[reducer] / self.motors.max_speed[motor]), float(self.uses[motor, reducer])
 
     @cached_property
     def uses(self) -> Array:

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.selection.pair_matrix import Used, falling
+from engine.selection.pair_matrix import falling
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
@@ -59,7 +59,7 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
         result("spare", "reserve below the curve", "", "Nm", there("INDEX([@order.spare],[place])"), of("spare"),
                "at the points", scale=torque, format="0.0##;-0.0##;0.0"),
         calc("share", "share of the continuous torque", "", "", pair("share"),
-             filled([view.grid.use(*one).torque for one in pairs], BEST)),
+             filled([view.grid.use(*one)[1] for one in pairs], BEST)),
         calc("holds", "below its curve", "", "", there("IF([spare]>=0,1,0)"),
              filled([int(one.spare >= 0.0) for one in found], BEST, 0), "1 yes, 0 no", format="0"),
         result("reducer", "reducer", "", "", there(at("[reducers.name]", "r"), '"–"'),
@@ -137,7 +137,7 @@ def uses(sheet: Sheet, view: Choosing) -> None:
     """Declare the points of the chart, of the drive's pair the last: left of its edge where there is no pair."""
     pairs = view.ranked[:NAMED]
     names = filled([f"{view.motors.names[m]} + {view.reducers.names[r]}" for m, r in pairs], NAMED, "–")
-    used = filled([view.grid.use(*pair) for pair in pairs], NAMED, Used(-1.0, -1.0))
+    used = filled([view.grid.use(*pair) for pair in pairs], NAMED, (-1.0, -1.0))
     numbers = range(1, NAMED + 1)
     sheet.heading("Workings: as drawn in the chart")
     sheet.rows(*(
@@ -147,11 +147,11 @@ def uses(sheet: Sheet, view: Choosing) -> None:
     ))  # fmt: skip
     points = [(k, f"Pair {k}", f"=IF([@order.m.{k}]>0,[@best.n.{k}]/INDEX([motors.nmax],MAX(1,[@order.m.{k}])),0-1)",
                f"=IF([@order.m.{k}]>0,[@best.share.{k}],0-1)", used[k - 1]) for k in numbers]  # fmt: skip
-    own = Used(view.own.speed / view.held("nmax"), view.own.rms / view.held("rated"))
+    own = (view.own.speed / view.held("nmax"), view.own.rms / view.held("rated"))
     for k, title, speed, torque, one in [*points, (0, "The drive's pair", "=@own_speed/@held_nmax",
                                                    "=@own_rms/@held_rated", own)]:  # fmt: skip
-        sheet.table(f"@use{k}", title, 1, calc("speed", "speed", "", "", speed, [one.speed]),
-                    calc("torque", "RMS torque", "", "", torque, [one.torque]))  # fmt: skip
+        sheet.table(f"@use{k}", title, 1, calc("speed", "speed", "", "", speed, [one[0]]),
+                    calc("torque", "RMS torque", "", "", torque, [one[1]]))  # fmt: skip
 
 
 def chart(sheet: Sheet) -> None:

@@ -124,19 +124,14 @@ def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
             moved = transfer_pieces(sheet, machine, pieces)
         with sheet.scoped(station.scope):
             joints = tool_pieces(sheet, station, pieces)
-            sheet.checks(room_check(station, whose))
+            found = [*OF_TOOL.values(), *([TRANSFER] if i == 1 else [])]
+            most, room = f"MAX({','.join(at.count for at in found)})", "MAX([@a_pieces.r])"
+            label = f"{whose}{'the' if whose else 'The'} tables of pieces have room for all"
+            says = f'{most}&" pieces, and room for "&{room}'
+            sheet.checks(check("@ok_pieces", label, f"{most}<={room}", True, ROOM, says=says))
             sheet.checks(joints.check("@ok_smooth", f"{whose or 'The tool: '}as smooth as asked"))
         if i == 1:
             sheet.checks(moved.check("overlap_ok_smooth", "The transfer: as smooth as asked"))
-
-
-def room_check(station: Station, whose: str) -> Quantity:
-    """Return the check that the tables of pieces have room for all."""
-    found = [*OF_TOOL.values(), *([TRANSFER] if station.number == 1 else [])]
-    label = f"{whose}{'the' if whose else 'The'} tables of pieces have room for all"
-    most, room = f"MAX({','.join(at.count for at in found)})", "MAX([@a_pieces.r])"
-    says = f'{most}&" pieces, and room for "&{room}'
-    return check("@ok_pieces", label, f"{most}<={room}", True, ROOM, says=says)
 
 
 def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:

@@ -18,7 +18,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.sentence import amount
 from workbook.entries.units import MM, PERCENT, shown
 from workbook.laws.sampling import Pieces
-from workbook.machines.overlap.view import Overlapping, Station
+from workbook.machines.overlap.view import Overlapping
 from workbook.motion.cells import FIRST, last_before
 
 ABOUT = (
@@ -55,7 +55,7 @@ def inverse_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
     sheet = book.sheet(
         "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
     )
-    wanted = [in_the_way(machine), *(one for station in machine.stations for one in heights(station))]
+    wanted = all_wanted(machine)
     worst = max(float(np.abs(one.residual).max()) for one in wanted)
     sheet.heading("Results", ABOUT)
     sheet.rows(
@@ -86,38 +86,32 @@ def inverse_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         points(sheet, one, pieces)
 
 
-def in_the_way(machine: Overlapping) -> Wanted:
-    """Return what is asked of the transfer's law: where it has left its place for a tool, and where it comes to it."""
+def all_wanted(machine: Overlapping) -> list[Wanted]:
+    """Return what is asked of the laws: where the transfer leaves its place and comes to it, how far a tool may go."""
     shares: list[float] = []
-    formulas, ends = [], []
+    formulas, ends, of_tools = [], [], []
     for station in machine.stations:
-        whose = "" if machine.alone else f"tool {station.number}: "
-        shares += station.passage.shares
-        formulas += [f"={station.scope}remaining/100", f"=1-{station.scope}remaining/100"]
+        tool, p, n, scope = station.tool, station.passage, machine.sizes.margins, station.scope
+        whose, name = ("", "Tool") if machine.alone else (f"tool {station.number}: ", f"Tool {station.number}")
+        shares += p.shares
+        formulas += [f"={scope}remaining/100", f"=1-{scope}remaining/100"]
         ends += [f"{whose}has left its place", f"{whose}comes to its place"]
-    k = constant("k", "row", "k", "", [i for i, _ in enumerate(ends)])
-    head = constant("what", "where", "", "", ends)
-    title = "Transfer: where it is in the way"
-    return Wanted("inverse_transfer", title, 1, machine.transfer.law, np.array(shares), formulas, (k, head))
-
-
-def heights(station: Station) -> tuple[Wanted, Wanted]:
-    """Return what is asked of a tool's two laws: how far it may have gone."""
-    tool, p, n = station.tool, station.passage, station.machine.sizes.margins
-    margins = np.array([p.margin, *station.margins.margin])
-    gone = p.travelled_share(tool.stroke, margins)
-    k = constant("k", "row", "k", "", list(range(n + 2)), "0: as entered; then the table of margins")
-    margin = calc("margin", "margin", "", "mm",
-                  f"=IF([k]=0,{station.scope}margin,INDEX([{station.scope}margins.margin],MAX([k],1)))",
-                  shown(margins, MM))  # fmt: skip
-    formula = f"MIN(({station.scope}clearance-[margin])/{station.scope}stroke,1)"
-    whose = "Tool" if station.machine.alone else f"Tool {station.number}"
-    name, (row_in, row_out) = f"{station.scope}inverse_", station.law_rows
-    return (
-        Wanted(f"{name}in", f"{whose}, way in", row_in, tool.law, gone, f"={formula}", (k, margin)),
-        Wanted(f"{name}out", f"{whose}, way out, counted in reverse", row_out, tool.out, 1 - gone, f"=1-{formula}",
-               (k, margin)),
-    )  # fmt: skip
+        margins, (row_in, row_out) = np.array([p.margin, *station.margins.margin]), station.law_rows
+        gone = p.travelled_share(tool.stroke, margins)
+        formula = f"MIN(({scope}clearance-[margin])/{scope}stroke,1)"
+        head = (
+            constant("k", "row", "k", "", list(range(n + 2)), "0: as entered; then the table of margins"),
+            calc("margin", "margin", "", "mm",
+                 f"=IF([k]=0,{scope}margin,INDEX([{scope}margins.margin],MAX([k],1)))", shown(margins, MM)),
+        )  # fmt: skip
+        of_tools += [
+            Wanted(f"{scope}inverse_in", f"{name}, way in", row_in, tool.law, gone, f"={formula}", head),
+            Wanted(f"{scope}inverse_out", f"{name}, way out, counted in reverse", row_out, tool.out, 1 - gone,
+                   f"=1-{formula}", head),
+        ]  # fmt: skip
+    where = constant("k", "row", "k", "", list(range(len(ends)))), constant("what", "where", "", "", ends)
+    moved, title = machine.transfer.law, "Transfer: where it is in the way"
+    return [Wanted("inverse_transfer", title, 1, moved, np.array(shares), formulas, where), *of_tools]
 
 
 def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
