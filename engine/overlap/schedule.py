@@ -113,7 +113,7 @@ def require_positive(**quantities: float) -> None:
             raise ValueError(f"{name.replace('_', ' ')} is {value:g}; expected a finite number above 0")
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class Schedule:
     """Both motions over one turn of the master shaft (rad)."""
 
@@ -124,28 +124,24 @@ class Schedule:
     arrival: float  # where the tool is at the part
     limit: Limit = "clearance"  # what keeps the tool from taking longer
 
-    @property
-    def edges(self) -> tuple[float, float, float, float]:
-        """Angles at which the tool sets off, arrives, leaves and is back; not reduced to one turn."""
-        leaves = self.arrival + self.tool.dwell
-        return self.arrival - self.angle_in, self.arrival, leaves, leaves + self.angle_out
-
-    @cached_property
-    def motion(self) -> Motion:
-        """The tool over one turn, counted from its arrival: there no movement wraps."""
-        return whole_turn(self.parts, self.tool.stroke)
-
-    @property
-    def parts(self) -> tuple[Scaled, Scaled, Scaled, Scaled]:
-        """Dwell, way out, rest and way in (m, rad) from the tool's arrival; below the tolerance of an angle none."""
+    def __post_init__(self) -> None:
         h, dwell, out, into = self.tool.stroke, self.tool.dwell, self.angle_out, self.angle_in
+        leaves = self.arrival + dwell
+        # angles at which the tool sets off, arrives, leaves and is back; not reduced to one turn
+        self.edges = self.arrival - into, self.arrival, leaves, leaves + out
         stays, rests = (one if one > ANGLE_TOLERANCE else 0.0 for one in (dwell, FULL_TURN - dwell - into - out))
-        return (
+        # from the tool's arrival (m, rad); dwell and rest below the tolerance of an angle are none
+        self.parts = (
             Scaled(Dwell(), 0.0, stays, 0.0, h),
             Scaled(self.tool.out, -h, out, dwell, h),
             Scaled(Dwell(), 0.0, rests, dwell + out),
             Scaled(self.tool.law, h, into, FULL_TURN - into),
         )
+
+    @cached_property
+    def motion(self) -> Motion:
+        """The tool over one turn, counted from its arrival: there no movement wraps."""
+        return whole_turn(self.parts, self.tool.stroke)
 
     def since(self, angle: ArrayLike) -> Array:
         """Return the angles since the tool's arrival, within one turn, at angles of the master shaft (rad)."""

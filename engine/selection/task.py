@@ -120,12 +120,10 @@ def ratio_ranges(
         *(np.asarray(given, dtype=np.float64) for given in (rated_torque, inertia, max_speed))
     )
     alpha = accelerating_factor(rated, moment)
-    if not task.moves:
-        nothing, none = np.full(alpha.shape, np.nan), np.zeros(alpha.shape, dtype=bool)
-        return Ranges(alpha, nothing, nothing, nothing, nothing, nothing, nothing, nothing, none, none)
-    spare = alpha - task.load_factor / efficiency
-    root, wide, smallest, largest = _ends(spare, moment, task.acceleration_rms, task.torque_rms / efficiency)
-    limit = task.max_speed / fastest
+    known = 1.0 if task.moves else np.nan
+    spare, torque = known * (alpha - task.load_factor / efficiency), known * task.torque_rms / efficiency
+    root, wide, smallest, largest = _ends(spare, moment, task.acceleration_rms, torque)
+    limit = known * task.max_speed / fastest
     lowest = np.fmax(smallest, limit)
     optimum = best_ratio(task, moment, efficiency)
     accepted = lowest <= largest

@@ -22,7 +22,6 @@ from workbook.machines.flying.ratios import RatiosSheet
 from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.view import Flying, ToolDrive, check
 from workbook.motion.asked import smoothness_for
-from workbook.motion.cells import PieceRows
 from workbook.motion.exported import Exportable, export_sheet
 from workbook.selection.catalogue_sheet import catalogue_sheet
 from workbook.selection.page import selection_sheet
@@ -61,19 +60,13 @@ def declare(given: FlyingCutter) -> Book:
     RatiosSheet(drive).declare(book)
     catalogue_sheet(book, given.selection, given.sizes)
     shelf.sheets(book)
-    export_sheet(book, given, exportables(view, rows))
+    shaft = shown(cut.tool.angle(1.0), DEGREE)
+    export_sheet(book, given, [
+        Exportable(name, f'="{name}"', rows, ("s", y, f"{y}/s", f"{y}/s²"), (1.0, one), times, cut.size)
+        for name, y, one, times in (("tool", "mm", shown(1.0, MM), "*1000"),
+                                    ("shaft", "°", shaft, "*1000/fly_r*180/PI()"))
+    ])  # fmt: skip
     return finish(book, ("S5", "S1", "S3"))
-
-
-def exportables(view: Flying, rows: PieceRows) -> list[Exportable]:
-    """Return the tool, and its shaft, as the sheet Export may have them."""
-    shaft = shown(view.cut.tool.angle(1.0), DEGREE)
-    return [
-        Exportable("tool", '="tool"', rows, ("s", "mm", "mm/s", "mm/s²"), (1.0, shown(1.0, MM)), "*1000",
-                   view.cut.size),
-        Exportable("shaft", '="shaft"', rows, ("s", "°", "°/s", "°/s²"), (1.0, shaft), "*1000/fly_r*180/PI()",
-                   view.cut.size),
-    ]  # fmt: skip
 
 
 def axes(machine: FlyingCutter) -> list[CamAxis]:

@@ -59,6 +59,9 @@ class Flying:
         self.room = self.sizes.motion_pieces or 0  # rows of the table of the motion's pieces
         self.times = np.linspace(0.0, self.cut.cycle_time, self.sizes.cycle + 1)  # s
         self.lengths = np.linspace(lengths.shortest, lengths.longest, self.sizes.lengths + 1)  # compared, in mm
+        h, stops = self.cut.displacement, self.cut.speed_range[0] <= SAME_LENGTH * self.line
+        # which row of the cases by product length holds: shorter than L_0, as long, longer, too long to keep on
+        self.case = 1 if h > 0.0 else 2 if not h else 4 if stops else 3
         self.limit = shown(self.cut.limit_length, MM) if self.is_drum else 0.0  # L_p,lim; a saw always reverses
 
     def of(self, length: float, beyond: Beyond | None = None) -> Cut:
@@ -83,13 +86,6 @@ class Flying:
             "rpm": shown(self.line / radius, RPM), "rad/s": self.line / radius, "rad/s²": turning,
             "Nm": hypot(self.load.inertia * turning, self.load.torque), "W/s": self.load.inertia * turning**2,
         }  # fmt: skip
-
-    @property
-    def case(self) -> int:
-        """Which row of the cases by product length holds: shorter than L_0, as long, longer, too long to keep on."""
-        if self.cut.displacement >= 0.0:
-            return 1 if self.cut.displacement else 2
-        return 4 if self.cut.speed_range[0] <= SAME_LENGTH * self.line else 3
 
 
 class ToolDrive:

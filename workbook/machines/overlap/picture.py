@@ -51,8 +51,7 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
     outcome(sheet, machine, states)
     sheet.not_printed_below()
     sheet.heading("Workings")
-    dimensions(sheet, machine)
-    evaluated(sheet, machine, states, pieces)
+    workings(sheet, machine, states, pieces)
     outlines(sheet, machine, states)
     sheet.print_columns = 16
 
@@ -90,8 +89,8 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
     )  # fmt: skip
 
 
-def dimensions(sheet: Sheet, machine: Overlapping) -> None:
-    """Declare the sizes of the parts in the picture."""
+def workings(sheet: Sheet, machine: Overlapping, states: States, pieces: sampling.Pieces) -> None:
+    """Declare the sizes of the parts, their laws at this angle, and the line that marks it in the diagrams."""
     stations, scene = machine.stations, machine.scene
     sheet.rows(
         constant("picture_width", "Width of a tool", "", "",
@@ -114,10 +113,6 @@ def dimensions(sheet: Sheet, machine: Overlapping) -> None:
              machine.each("=MAX(@stroke-@clearance,0)"), shown(scene.tops, MM), "h − c"),
         calc("h", "stroke", "h", "mm", machine.each("=@stroke"), shown(scene.strokes, MM)),
     )  # fmt: skip
-
-
-def evaluated(sheet: Sheet, machine: Overlapping, states: States, pieces: sampling.Pieces) -> None:
-    """Declare the rows that evaluate the laws at this angle, and the line that marks it in the diagrams."""
     sheet.table(
         "view", "The transfer's law at this angle", 1,
         calc("theta", "master angle", "θ", "°", "=overlap_view", states.theta),

@@ -7,7 +7,7 @@ from engine.motion.shifted import Shifted
 from engine.overlap.schedule import pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
 from workbook.axes import CamAxis
-from workbook.book.declare import Book, Quantity, result
+from workbook.book.declare import Book, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.phase import TURN
 from workbook.entries.rules import limits
@@ -37,7 +37,17 @@ def declare(given: IndexingOverlap) -> Book:
     book = Book(given.template, given.title, limit=limits(type(given)))
     book.sizes = {"°": TURN}
     about = "Motions of one machine, one after the other and with overlap: how much the acceleration falls."
-    summary_sheet(book, given, about, in_short(view))
+    which, of = ("Peak", "tool1") if view.alone else ("Largest peak", "overlap")
+    before, after, lower = PRINTED if view.alone else ("", "", "")
+    times = view.stations[0].as_set.times_lower(view.stations[0].before)
+    ratio = result("about_ratio", "The acceleration falls by a factor of", "", "", "=tool1_ratio", times, lower)
+    summary_sheet(book, given, about, [
+        result("about_a0", f"{which} acceleration one after the other", "a_max", "m/s²", f"={of}_a0", view.peaks[0],
+               before),
+        result("about_a1", f"{which} acceleration with overlap", "a_max", "m/s²", f"={of}_a1", view.peaks[1], after),
+        *([ratio] if view.alone else []),
+        result("about_least", "Least clearance over the cycle", "", "mm", f"={of}_least", view.least),
+    ])  # fmt: skip
     overlap_sheet(book, view, shelf.stack)
     picture_sheet(book, view, shelf.stack)
     cycle_sheets(book, view, shelf.stack)
@@ -45,22 +55,6 @@ def declare(given: IndexingOverlap) -> Book:
     shelf.sheets(book)
     export_sheet(book, given, exportables(view, shelf.stack))
     return finish(book, ("S2", "S1", "S3"))
-
-
-def in_short(view: Overlapping) -> list[Quantity]:
-    """Return the results of the first sheet: those of the tool, or the worst of several."""
-    which, of = ("Peak", "tool1") if view.alone else ("Largest peak", "overlap")
-    before, after, lower = PRINTED if view.alone else ("", "", "")
-    first = view.stations[0]
-    ratio = result("about_ratio", "The acceleration falls by a factor of", "", "", "=tool1_ratio",
-                   first.as_set.times_lower(first.before), lower)  # fmt: skip
-    return [
-        result("about_a0", f"{which} acceleration one after the other", "a_max", "m/s²", f"={of}_a0", view.peaks[0],
-               before),
-        result("about_a1", f"{which} acceleration with overlap", "a_max", "m/s²", f"={of}_a1", view.peaks[1], after),
-        *([ratio] if view.alone else []),
-        result("about_least", "Least clearance over the cycle", "", "mm", f"={of}_least", view.least),
-    ]  # fmt: skip
 
 
 def exportables(view: Overlapping, pieces: Pieces) -> list[Exportable]:
