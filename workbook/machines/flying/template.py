@@ -41,15 +41,13 @@ def declare(given: FlyingCutter) -> Book:
     about = (
         "A tool that follows the line while it works: the motion of its drum or slide, and what its drive must give."
     )
-    summary_sheet(
-        book, given, about, [
-            result("about_rate", "Products", "", "1/min", "=fly_rate", shown(cut.rate, PER_MINUTE)),
-            result("about_n", "Greatest speed of the shaft", "n", "rpm", "=fly_w_max*60/(2*PI())", fastest),
-            result("about_dw", "Peak acceleration of the shaft", "ω̇_max", "rad/s²", "=fly_dw",
-                   cut.max_angular_acceleration),
-            result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta),
-        ],
-    )  # fmt: skip
+    summary_sheet(book, given, about, [
+        result("about_rate", "Products", "", "1/min", "=fly_rate", shown(cut.rate, PER_MINUTE)),
+        result("about_n", "Greatest speed of the shaft", "n", "rpm", "=fly_w_max*60/(2*PI())", fastest),
+        result("about_dw", "Peak acceleration of the shaft", "ω̇_max", "rad/s²", "=fly_dw",
+               cut.max_angular_acceleration),
+        result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta),
+    ])  # fmt: skip
     rows = rows_of(view, shelf.stack)
     drive = ToolDrive(view, given.selection, given.sizes)
     cutter_sheet(book, view, joints_of(view, rows), drive.stroke, shelf.named)
