@@ -40,14 +40,9 @@ class Wanted(NamedTuple):
     head: tuple[Quantity, ...]
 
     @property
-    def xi(self) -> Array:
-        """The shares of time."""
-        return between(self.law, self.s).xi
-
-    @property
     def residual(self) -> Array:
-        """How far the law is then from its heights."""
-        return self.law.s(self.xi) - self.s
+        """How far the law is from its heights at the shares of time found for them."""
+        return self.law.s(between(self.law, self.s).xi) - self.s
 
 
 def inverse_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:

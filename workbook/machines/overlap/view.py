@@ -3,7 +3,6 @@
 from collections.abc import Container
 from dataclasses import replace
 from functools import cached_property
-from itertools import count
 
 import numpy as np
 
@@ -39,8 +38,7 @@ class Overlapping:
         moved = machine.overlap.transfer
         self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE), inverted)
         self.rate = si(machine.overlap.rate, PER_HOUR)
-        rows = count(2, 2)
-        self.stations = [Station(self, i, tool, next(rows)) for i, tool in enumerate(machine.overlap.tools)]
+        self.stations = [Station(self, i, tool) for i, tool in enumerate(machine.overlap.tools)]
         peaks = [max(station.peaks[schedule] for station in self.stations) for schedule in (0, 2)]
         self.peaks = peaks[0], peaks[1]  # the largest of any tool in m/s², one after the other and as set
         self.alone = len(self.stations) == 1  # its book has no sheets for each tool then
@@ -66,8 +64,8 @@ class Station:
     transfer's, ``blocked_rows`` those of the transfer's inverted law where it begins and ceases to be in the way.
     """
 
-    def __init__(self, machine: Overlapping, i: int, tool: ToolEntry, row: int) -> None:
-        p, library = tool.passage, machine.library
+    def __init__(self, machine: Overlapping, i: int, tool: ToolEntry) -> None:
+        p, library, row = tool.passage, machine.library, 2 * i + 2
         self.machine, self.given = machine, tool
         self.number, self.key, self.scope = i + 1, f"overlap.tools.{i}", SCOPE.format(i + 1)
         self.law_rows, self.blocked_rows = (row, row + 1), (row - 1, row)
