@@ -19,8 +19,7 @@ from workbook.build import build
 from workbook.errors import ReadError
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Report
-from workbook.judging.shown.book import displayed
-from workbook.judging.verify import verify
+from workbook.judging.verify import displayed, verify
 from workbook.reading.files import open_book
 from workbook.writing.archive import unzipped, zipped
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from workbook.book.address import Address
 from workbook.book.quantity import SAYS
@@ -16,8 +16,12 @@ from workbook.judging.comparing import Comparison, count
 from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match, Pair
 from workbook.judging.order import in_order, is_empty_row, put_back, unlike
-from workbook.judging.report import FAIL, NOTICE, ORDER, Check, Ran, Report
-from workbook.judging.shown.book import displayed
+from workbook.judging.report import FAIL, LAYOUT, NOTICE, ORDER, Check, Ran, Report
+from workbook.judging.shown.charts import charts
+from workbook.judging.shown.looks import Looks, Told, seen
+from workbook.judging.shown.rules import Rules, validations
+from workbook.judging.shown.views import in_view, links, pages
+from workbook.judging.shown.words import words
 from workbook.judging.structure import audit, stale_functions, structure
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
@@ -109,6 +113,28 @@ def judge(
     follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)
+
+
+def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
+    """Enter into a report what a reader is told otherwise than by a fresh build of the same inputs, or what is gone.
+
+    What differs is taste by a short list of permissions (:mod:`workbook.judging.shown.taste`), a finding where a
+    verdict, a figure, its unit or its label may be read otherwise, and else a notice. ``model`` is that of the machine's entries; ``computed`` are the values of the formula cells; where there are none,
+    the engine's are taken.
+    """
+    told = Told()
+    cells = list(seen(match, words(match, report)))
+    links(match, told)
+    looks = Looks(match, model, told)
+    rules = Rules(match, looks, told, torn=any(found.kind == LAYOUT for found in report.findings))
+    rules.judge(cells)
+    for one in cells:
+        looks.judge(one, coloured=one.verdict and rules.has_verdicts(one))
+    seen_pages = pages(match)
+    in_view(match, seen_pages, computed, cells, report, told)
+    charts(match, seen_pages, report)
+    validations(match, model, report)
+    told.enter(report)
 
 
 def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:

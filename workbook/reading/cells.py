@@ -3,14 +3,12 @@
 A number is a number, whatever date its format makes of it.
 """
 
-import zipfile
 from collections.abc import Sequence
-from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from openpyxl.cell.cell import Cell, MergedCell
+from openpyxl.cell.text import Text
 from openpyxl.formula.translate import Translator
-from openpyxl.reader.strings import read_string_table
 from openpyxl.utils import get_column_letter
 from openpyxl.utils.datetime import WINDOWS_EPOCH, from_ISO8601
 from openpyxl.worksheet.dimensions import RowDimension
@@ -20,7 +18,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from workbook.book.address import Address
 from workbook.reading.contents import Cells, entered
 from workbook.reading.guard import Inspected
-from workbook.reading.rows import Rows, Written
+from workbook.reading.rows import Rows, Written, tag
 
 MOST_DIGITS = 300  # of a whole number; one of more may be larger than any that a cell can hold
 TEXTS = {"str": "s", "inlineStr": "s"}
@@ -84,18 +82,14 @@ def formula(held: Written, shared: dict[str, Translator]) -> Any:
     return text
 
 
-def saved_values(file: Path | IO[bytes], inspected: Inspected) -> Cells:
+def saved_values(inspected: Inspected) -> Cells:
     """Return the saved value of each formula cell of a file: a number, a text, True or False, an error; or None."""
-    texts: list[str] | None = None
-    values: Cells = {}
-    for title, rows in inspected.sheets.items():
-        for held in rows.written:
-            if held.how is None:
-                continue
-            if held.kind == "s" and texts is None:
-                texts = strings(file, inspected.strings)
-            values[Address(title, held.row, held.column)] = value(held, texts or [])
-    return values
+    cells = [(title, held) for title, rows in inspected.sheets.items() for held in rows.written if held.how is not None]
+    shared = (
+        (one for one in inspected.strings if tag(one) == "si") if any(held.kind == "s" for _, held in cells) else ()
+    )
+    texts = [str(Text.from_tree(one).content) for one in shared]  # type: ignore[no-untyped-call]
+    return {Address(title, held.row, held.column): value(held, texts) for title, held in cells}
 
 
 def value(held: Written, texts: list[str]) -> Any:
@@ -103,11 +97,3 @@ def value(held: Written, texts: list[str]) -> Any:
     if not held.value or (held.kind == "s" and int(held.value) >= len(texts)):
         return "" if held.kind == "str" else None
     return float(held.value) if held.kind == "n" else entered(content(held, texts), WINDOWS_EPOCH)
-
-
-def strings(file: Path | IO[bytes], part: str) -> list[str]:
-    """Return the texts that several cells share."""
-    if not part:
-        return []
-    with zipfile.ZipFile(file) as archive, archive.open(part) as source:
-        return list(read_string_table(source))

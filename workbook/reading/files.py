@@ -114,7 +114,7 @@ def open_book(path: Path, shown: bool = True) -> BookFile:
     workbook = parsed(path, inspected)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
-    saved = saved_values(path, inspected) if shown else {}
+    saved = saved_values(inspected) if shown else {}
     return BookFile(path, workbook, find_places(workbook), inspected.notes, saved, inspected=inspected)
 
 

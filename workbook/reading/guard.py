@@ -7,7 +7,6 @@ is read. The limits let a machine of 24 axes with a drive each pass, at 720 samp
 import zipfile
 import zlib
 from collections import Counter
-from collections.abc import Iterable
 from copy import copy
 from pathlib import Path
 from typing import IO, NamedTuple
@@ -44,7 +43,7 @@ class Inspected(NamedTuple):
     sheets: dict[str, Rows]  # the rows of each sheet, by its title
     pages: dict[str, Element]  # all of a sheet but its rows
     parts: dict[str, Element]  # the same by the names of their parts
-    strings: str  # the part with the texts that several cells share
+    strings: Element  # the part with the texts that several cells share
     fonts: dict[int, list[Element]]  # within those of these texts that have several, by their numbers
     drawings: dict[str, list[Anchor]]  # of each sheet
     drawn: dict[str, int]  # how much drawings hold besides charts
@@ -81,6 +80,7 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
     roots = {name: scan.root for name, scan in scans.items()}
     found = package(roots, names)
     held = [one for name in names if DRAWING.fullmatch(name) and name in roots for one in roots[name].iter()]
+    strings = roots.get(found.strings, Element("sst"))
     sheets: dict[str, Rows] = {}
     for title, part in found.sheets.items():
         if part not in scans or (rows := scans[part].rows) is None:
@@ -91,15 +91,15 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
         sheets,
         {title: roots[part] for title, part in found.sheets.items()},
         {part: roots[part] for part in found.sheets.values()},
-        found.strings,
-        fonts_within(roots.get(found.strings, ())),
+        strings,
+        fonts_within(strings),
         {title: anchored(roots, part) for title, part in found.sheets.items()},
         {what: sum(tag(one) == name for one in held) for name, what in DRAWN.items()},
         roots[found.workbook],
     )
 
 
-def fonts_within(strings: Iterable[Element]) -> dict[int, list[Element]]:
+def fonts_within(strings: Element) -> dict[int, list[Element]]:
     """Return the fonts within shared texts, of those that have any, by their numbers (ISO/IEC 29500-1, 18.4.7)."""
     texts = (one for one in strings if tag(one) == "si")
     found = {n: [font for font in text.iter() if tag(font) == "rPr"] for n, text in enumerate(texts)}

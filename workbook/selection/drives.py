@@ -136,12 +136,30 @@ def motors_by_drives(sheet: Sheet, view: Choosing) -> None:
     drives, each = view.every_drive, [one.behind_own for one in view.every_drive]
     loads(sheet, view)
     for name, title, formula, figure, spare, more in (
-        ("share", "Their RMS torque over their continuous torque", share, "uses", 0.0,
-         {"format": DASH, "scale": max(1.0, *(float(one.uses.max()) for one in each))}),
-        ("peak", "Their peak torque [Nm]", lambda n: peak(n, drives[n - 1]), "peak", 0.0,
-         {"format": DASH, "scale": max(1e-3, *(float(one.peak.max()) for one in each))}),
-        ("wanted", "What is wanted of them", lambda n: wanted("all_", n, "@behind.at"), "wanted_verdicts", LARGE,
-         {"align": "center"}),
+        (
+            "share",
+            "Their RMS torque over their continuous torque",
+            share,
+            "uses",
+            0.0,
+            {"format": DASH, "scale": max(1.0, *(float(one.uses.max()) for one in each))},
+        ),
+        (
+            "peak",
+            "Their peak torque [Nm]",
+            lambda n: peak(n, drives[n - 1]),
+            "peak",
+            0.0,
+            {"format": DASH, "scale": max(1e-3, *(float(one.peak.max()) for one in each))},
+        ),
+        (
+            "wanted",
+            "What is wanted of them",
+            lambda n: wanted("all_", n, "@behind.at"),
+            "wanted_verdicts",
+            LARGE,
+            {"align": "center"},
+        ),
         ("word", "What they fail first; yes: they can do it", verdict, "verdicts", "–", {"align": "center"}),
     ):
         matrix(sheet, view, f"all_{name}", title, formula, [getattr(one, figure)[:, 0] for one in each], spare, **more)

@@ -88,7 +88,7 @@ class CellWitness(Witness):
 def cached_values(data: bytes, file: BookFile) -> Cells:
     """Return what another copy of the file holds as results of the formula cells of ``file``."""
     try:
-        held = saved_values(io.BytesIO(data), inspect(io.BytesIO(data), len(data)))
+        held = saved_values(inspect(io.BytesIO(data), len(data)))
     except Refusal as refusal:
         raise WitnessError(f"what it wrote cannot be read: {refusal}") from None
     return {a: held.get(a) for a in file.contents.formula_cells}

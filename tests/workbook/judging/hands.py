@@ -8,7 +8,7 @@ import openpyxl
 
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.shown.book import displayed
+from workbook.judging.verify import displayed
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.witnesses.agreed import agreed

@@ -12,7 +12,7 @@ from workbook.book.checks import checks_sheet, repeat_verdict
 from workbook.book.declare import Book, calc, check, constant, given, result
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.shown.book import displayed
+from workbook.judging.verify import displayed
 from workbook.reading.files import open_book
 from workbook.writing.write import save
 

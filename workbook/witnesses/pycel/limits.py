@@ -88,7 +88,9 @@ def odd_root(number: float, exponent: float) -> Any:
     return -(abs(number) ** exponent) if odd else NUM_ERROR
 
 
-def _power(number: float, power: float) -> Any:
+@excel_math_func
+def power(number: float, power: float) -> Any:
+    """Return POWER of a size that a cell can hold."""
     result = raised(number, power) if number or not power else None
     return result if result == NUM_ERROR or number < 0 else excellib.power(number, power)
 
@@ -102,7 +104,7 @@ def product(*factors: Any) -> Any:
     return result if math.isfinite(result) else NUM_ERROR
 
 
-def _sumproduct(*arrays: Any) -> Any:
+def sumproduct(*arrays: Any) -> Any:
     """Return a number of Python's: pycel's ROUND and others fail on NumPy's; a single cell is a range of one."""
     result = excellib.sumproduct(*(array if is_array_arg(array) else ((array,),) for array in arrays))
     return result if isinstance(result, str) else result.item()
@@ -138,7 +140,6 @@ def substitute(text_: str, old_text: str, new_text: str, instance_num: Any = Non
     return text.substitute(text_, old_text, new_text, instance_num)
 
 
-power = excel_math_func(_power)
 round_ = excel_math_func(lambda x, digits=0: _within(MOST_DIGITS, digits, excellib.round_, x, digits))
 trunc = excel_math_func(lambda x, digits=0: _within(MOST_DIGITS, digits, excellib.trunc, x, digits))
 fact = excel_math_func(lambda x: _within(170, max(x, 0), excellib.fact, x))
@@ -148,7 +149,6 @@ factdouble = excel_helper(cse_params=-1)(
 pv = excel_math_func(
     lambda rate, nper, pmt, fv=0, due=0: _within(MOST_PERIODS, nper, excellib.pv, rate, nper, pmt, fv, due)
 )
-sumproduct = _sumproduct
 match, vlookup, hlookup = _searching(lookups.match), _searching(lookups.vlookup), _searching(lookups.hlookup)
 countif, countifs = _searching(stats.countif), _searching(stats.countifs)
 sumif, sumifs = _searching(excellib.sumif), _searching(excellib.sumifs)
