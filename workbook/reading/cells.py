@@ -18,7 +18,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from workbook.book.address import Address
 from workbook.reading.contents import Cells, entered
 from workbook.reading.guard import Inspected
-from workbook.reading.rows import Rows, Written, tag
+from workbook.reading.rows import MAIN, Rows, Written
 
 MOST_DIGITS = 300  # of a whole number; one of more may be larger than any that a cell can hold
 TEXTS = {"str": "s", "inlineStr": "s"}
@@ -85,10 +85,9 @@ def formula(held: Written, shared: dict[str, Translator]) -> Any:
 def saved_values(inspected: Inspected) -> Cells:
     """Return the saved value of each formula cell of a file: a number, a text, True or False, an error; or None."""
     cells = [(title, held) for title, rows in inspected.sheets.items() for held in rows.written if held.how is not None]
-    shared = (
-        (one for one in inspected.strings if tag(one) == "si") if any(held.kind == "s" for _, held in cells) else ()
-    )
-    texts = [str(Text.from_tree(one).content) for one in shared]  # type: ignore[no-untyped-call]
+    shared = inspected.strings.iter(f"{MAIN}si") if any(held.kind == "s" for _, held in cells) else ()
+    made: Any = Text.from_tree
+    texts = [str(made(one).content) for one in shared]
     return {Address(title, held.row, held.column): value(held, texts) for title, held in cells}
 
 
