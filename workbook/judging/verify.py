@@ -119,7 +119,7 @@ def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Rep
     """Enter into a report what a reader is told otherwise than by a fresh build of the same inputs, or what is gone.
 
     What differs is taste by a short list of permissions (:mod:`workbook.judging.shown.taste`), a finding where a
-    verdict, a figure, its unit or its label may be read otherwise, and else a notice. ``model`` is that of the machine's
+    verdict, a figure, its unit or its label may be read otherwise, and else a notice. ``model`` is that of its
     entries; ``computed`` are the values of the formula cells; where there are none, the engine's are taken.
     """
     told = Told()

@@ -88,7 +88,7 @@ def odd_root(number: float, exponent: float) -> Any:
     return -(abs(number) ** exponent) if odd else NUM_ERROR
 
 
-@excel_math_func
+@excel_math_func  # type: ignore[untyped-decorator]
 def power(number: float, power: float) -> Any:
     """Return POWER of a size that a cell can hold."""
     result = raised(number, power) if number or not power else None
