@@ -18,7 +18,7 @@ from workbook.entries.machine import Machine
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.formualizer import Formualizer
+from workbook.witnesses.engines import Formualizer
 
 LEAST = 1e-9
 CALL = re.compile(r"\b(MATCH|INT)\(")

@@ -22,9 +22,9 @@ def made(module: str, name: str) -> Witness:
 
 WITNESSES: dict[str, Callable[[], Witness]] = {
     "pycel": partial(made, "pycel.model", "Pycel"),
-    "formualizer": partial(made, "formualizer", "Formualizer"),
-    "formulon": partial(made, "formulon", "Formulon"),
-    "ironcalc": partial(made, "ironcalc", "IronCalc"),
+    "formualizer": partial(made, "engines", "Formualizer"),
+    "formulon": partial(made, "engines", "Formulon"),
+    "ironcalc": partial(made, "engines", "IronCalc"),
     "libreoffice": partial(made, "libreoffice", "LibreOffice"),  # the slowest
-    "saved": partial(made, "saved", "Saved"),
+    "saved": partial(made, "engines", "Saved"),
 }

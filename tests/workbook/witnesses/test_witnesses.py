@@ -102,7 +102,7 @@ def test_a_workbook_too_large_for_one_witness_is_compared_by_the_others(names, k
     def refused(_: bytes) -> None:
         raise RuntimeError("Unsupported feature: formula cell count limit in workbook")
 
-    monkeypatch.setattr("workbook.witnesses.formualizer.formualizer.recalculate_xlsx_bytes", refused)
+    monkeypatch.setattr("formualizer.recalculate_xlsx_bytes", refused)
     report = verify(press.path, names)
     assert [finding.kind for finding in report.findings] == kinds
     (ran,) = [one for one in report.witnesses if one.name == "formualizer"]

@@ -1,0 +1,138 @@
+"""Spreadsheet engines that others made, each the package of its name, most of them optional; and saved values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from workbook.book.address import Address
+from workbook.errors import TooLargeError, WitnessError
+from workbook.reading.contents import Cells, entered
+from workbook.reading.files import BookFile
+from workbook.witnesses.witness import Witness, bare, cached_values
+
+if TYPE_CHECKING:
+    from formulon import Value, Workbook
+
+ERRORS = {"Div": "#DIV/0!", "Na": "#N/A", "Name": "#NAME?", "Null": "#NULL!", "Num": "#NUM!", "Ref": "#REF!"}
+EVERYWHERE = (0, 0, 2**20 - 1, 2**14 - 1)  # first row and column, last row and column
+
+
+class Formualizer(Witness):
+    """formualizer, in Rust, the fast one: evaluates a copy of the file, and reads the results back."""
+
+    name = "formualizer"
+
+    def values(self, file: BookFile) -> Cells:
+        """Return the value of every formula cell."""
+        import formualizer  # it takes as long as much else
+
+        try:
+            filled = formualizer.recalculate_xlsx_bytes(file.path.read_bytes())["bytes"]
+        except Exception as error:
+            if "cell count limit" in str(error):
+                raise TooLargeError("formualizer takes no workbook of so many formula cells") from error
+            raise WitnessError(f"formualizer cannot evaluate the file: {error}") from error
+        return cached_values(filled, file)
+
+    def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
+        """Yield each set of values with what the formula cells compute at it, in one book that stays open."""
+        import formualizer
+
+        with bare(file) as copy:
+            try:
+                book = formualizer.Workbook.from_bytes(copy.path.read_bytes())
+            except Exception as error:
+                raise WitnessError(f"formualizer cannot read the file: {error}") from error
+        for given in sets:
+            for cell, value in given.items():
+                book.set_value(*cell, value)
+            book.evaluate_all()
+            yield given, {cell: plain_of(book.get_value(*cell)) for cell in file.contents.formula_cells}
+
+
+def plain_of(value: Any) -> Any:
+    """Return a value as other witnesses have it: an error by its text, a date as a number."""
+    return ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else entered(value)
+
+
+class Formulon(Witness):
+    """formulon, in WebAssembly, tested against Excel's own results by its makers: loads the file, recalculates every formula, and reads the results."""
+
+    name = "formulon"
+
+    def values(self, file: BookFile) -> Cells:
+        """Return the value of every formula cell, None where it is empty or no single value."""
+        import formulon  # optional
+
+        try:
+            with formulon.Workbook.load(file.path.read_bytes()) as book:
+                book.recalc()
+                found = cells(book)
+        except formulon.FormulonError as error:
+            raise WitnessError(f"formulon cannot evaluate the file: {error}") from error
+        return {address: found.get(address) for address in file.contents.formula_cells}
+
+
+def cells(book: Workbook) -> Cells:
+    """Return what every cell of a book holds."""
+    from formulon import MergeRange
+
+    found = {}
+    for number in range(book.sheet_count()):
+        title, more = book.sheet_name(number), True
+        cursor: int | None = None
+        while more:
+            some, cursor = book.get_cells_in_range(number, MergeRange(*EVERYWHERE), cursor)
+            more = cursor is not None
+            found.update({Address(title, cell.row + 1, cell.col + 1): plain(cell.value) for cell in some})
+    return found
+
+
+def plain(value: Value) -> Any:
+    """Return a number, a truth value, a text or an error's name; None for anything else."""
+    from formulon import error_display_name
+
+    if value.error_code is not None:
+        return error_display_name(value.error_code)
+    made = value.to_python()
+    return made if isinstance(made, bool | float | str) else None
+
+
+class IronCalc(Witness):
+    """IronCalc, in Rust: loads the file, evaluates every formula, and reads the results."""
+
+    name = "ironcalc"
+
+    def values(self, file: BookFile) -> Cells:
+        """Return the value of every formula cell."""
+        import ironcalc  # optional
+
+        try:
+            with bare(file) as copy:  # an empty cell with a style, and t="n" as openpyxl writes it, would be 0
+                model = ironcalc.load_from_xlsx(str(copy.path), "en", "UTC", "en")
+            model.evaluate()
+        except Exception as error:  # what it cannot read comes up as any exception
+            raise WitnessError(f"IronCalc cannot evaluate the file: {error}") from error
+        numbers = {sheet["name"]: i for i, sheet in enumerate(model.get_worksheets_properties())}
+        return {
+            address: model.get_cell_value(numbers[address.sheet], address.row, address.column)
+            for address in file.contents.formula_cells
+        }
+
+
+class Saved(Witness):
+    """Reads the results that stand in the file."""
+
+    name = "saved"
+    kept = True
+
+    def version(self) -> str | None:
+        """Return what the witness reads; it has no program of its own."""
+        return "values in the file"
+
+    def values(self, file: BookFile) -> Cells:
+        """Return the saved value of every formula cell; raise WitnessError where the file has none."""
+        if all(value is None for value in file.saved.values()):
+            raise WitnessError("the file holds no saved values; open it in Excel or LibreOffice and save it")
+        return file.saved
