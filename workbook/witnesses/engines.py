@@ -25,7 +25,7 @@ class Formualizer(Witness):
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell."""
-        import formualizer  # it takes as long as much else
+        import formualizer  # where it is asked: it takes long to load
 
         try:
             filled = formualizer.recalculate_xlsx_bytes(file.path.read_bytes())["bytes"]
@@ -48,16 +48,16 @@ class Formualizer(Witness):
             for cell, value in given.items():
                 book.set_value(*cell, value)
             book.evaluate_all()
-            yield given, {cell: plain_of(book.get_value(*cell)) for cell in file.contents.formula_cells}
+            yield given, {cell: of_formualizer(book.get_value(*cell)) for cell in file.contents.formula_cells}
 
 
-def plain_of(value: Any) -> Any:
+def of_formualizer(value: Any) -> Any:
     """Return a value as other witnesses have it: an error by its text, a date as a number."""
     return ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else entered(value)
 
 
 class Formulon(Witness):
-    """formulon, in WebAssembly, tested against Excel's own results by its makers: loads the file, recalculates every formula, and reads the results."""
+    """formulon, in WebAssembly, tested against Excel's own results by its makers: recalculates every formula."""
 
     name = "formulon"
 
@@ -85,11 +85,11 @@ def cells(book: Workbook) -> Cells:
         while more:
             some, cursor = book.get_cells_in_range(number, MergeRange(*EVERYWHERE), cursor)
             more = cursor is not None
-            found.update({Address(title, cell.row + 1, cell.col + 1): plain(cell.value) for cell in some})
+            found.update({Address(title, cell.row + 1, cell.col + 1): of_formulon(cell.value) for cell in some})
     return found
 
 
-def plain(value: Value) -> Any:
+def of_formulon(value: Value) -> Any:
     """Return a number, a truth value, a text or an error's name; None for anything else."""
     from formulon import error_display_name
 
