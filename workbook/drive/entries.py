@@ -17,6 +17,11 @@ def in_unit(unit: str, description: str, default: Any = ..., title: str | None =
     return Field(default, title=title, description=description, json_schema_extra={"unit": unit})
 
 
+def noted(default: Any, description: str) -> Any:
+    """Return the field of an entry that may be left out, with what it is."""
+    return Field(default, description=description)
+
+
 class RotatingParts(Model):
     """Rotating parts that turn alike: how many, the inertia of one or a cylinder's size, teeth if they are geared."""
 

@@ -6,27 +6,28 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.drive.entries import Efficiency, RotatingParts, in_unit
-from workbook.entries.texts import LOOKED_UP, NO_FORMULA
+from workbook.drive.entries import Efficiency, RotatingParts, in_unit, noted
+from workbook.entries.texts import LOOKED_UP
 from workbook.entries.types import Angle, DesignError, EmptyCell, EntryError, Model, NotNegative, Number, Positive
+from workbook.machines.machine.entries_beside import Name
 from workbook.selection.catalogue import Factor
 from workbook.selection.entries import COMMITTED, REFERENCE, Products, Ranked
 
-Called = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 Slope = Annotated[float, Field(ge=-90, le=90)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
 """the name of one in the catalogue; empty where its figures are entered"""
-NEEDED = ("inertia", "rated_torque", "peak_torque", "max_speed")
-"""figures of a motor without a name"""
+NEEDED = ("inertia", "rated_torque", "peak_torque", "max_speed")  # figures of a motor without a name
+TRAVELLING_LOAD, TURNING_LOAD = ("mass", "friction", "slope", "force"), ("inertia", "torque", "friction_torque")
+WINDOWS = 4  # process forces of an axis, at most
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
 class PowerEntry(Model):
     """What all drives share: their efficiency between motor and mains, and the hours of running in a year."""
 
-    efficiency: Efficiency = Field(default=1.0, description="Of a drive, between its motor's shaft and the mains")
-    hours: Annotated[float, Field(ge=0, le=8784)] = Field(default=0.0, description="Hours of running in a year")
+    efficiency: Efficiency = noted(1.0, "Of a drive, between its motor's shaft and the mains")
+    hours: Annotated[float, Field(ge=0, le=8784)] = noted(0.0, "Hours of running in a year")
 
 
 class ForceWindow(Model):
@@ -35,12 +36,7 @@ class ForceWindow(Model):
     start: Angle
     stop: Angle
     force: Number
-    resists: Literal["always", "moving"] = Field(
-        default="always", description="Against positive motion always, or against any motion"
-    )
-
-
-WINDOWS = 4
+    resists: Literal["always", "moving"] = noted("always", "Against positive motion always, or against any motion")
 
 
 class SwingingArm(Model):
@@ -58,14 +54,13 @@ class AxisLoad(Model):
     friction: NotNegative = 0.0  # coefficient
     slope: Slope = 0.0  # degrees
     force: Number = 0.0  # N
-    inertia: NotNegative = Field(default=0.0, description="Inertia that turns with the axis, in kg cm²")
-    torque: Number = Field(default=0.0, description="Torque against positive motion, in Nm; always, also at rest")
-    friction_torque: NotNegative = Field(default=0.0, description="Friction torque, in Nm; it opposes the motion")
-    viscous: NotNegative | None = Field(
-        default=None,
-        description="Viscous friction, in N per m/s, or Nm per rad/s; with it the axis' sheet has an entry for it",
+    inertia: NotNegative = noted(0.0, "Inertia that turns with the axis, in kg cm²")
+    torque: Number = noted(0.0, "Torque against positive motion, in Nm; always, also at rest")
+    friction_torque: NotNegative = noted(0.0, "Friction torque, in Nm; it opposes the motion")
+    viscous: NotNegative | None = noted(
+        None, "Viscous friction, in N per m/s, or Nm per rad/s; with it the axis' sheet has an entry for it"
     )
-    arm: SwingingArm | None = Field(default=None, description="The weight of an arm that swings with a turning axis")
+    arm: SwingingArm | None = noted(None, "The weight of an arm that swings with a turning axis")
     windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 
 
@@ -87,30 +82,26 @@ class AxisMotor(Model):
     rated_speed: Positive | None = None  # rpm
     peak_torque: Positive | None = None  # Nm
     max_speed: Positive | None = None  # rpm
-    copper_losses: NotNegative | None = Field(
-        default=None,
-        description="Losses of its winding at the rated torque, in kW; empty: as the catalogue has it, or none",
+    copper_losses: NotNegative | None = noted(
+        None, "Losses of its winding at the rated torque, in kW; empty: as the catalogue has it, or none"
     )
     holding: Literal["motor", "brake"] = "motor"
-    brake: MotorBrake | None = Field(
-        default=None,
-        description="Its brake; with it the axis' sheet has entries and a check of the brake",
+    brake: MotorBrake | None = noted(None, "Its brake; with it the axis' sheet has entries and a check of the brake")
+    temperature: Temperature | None = noted(
+        None, "Ambient temperature in °C, where that lowers its rated torque; empty: as rated"
     )
-    temperature: Temperature | None = Field(
-        default=None, description="Ambient temperature in °C, where that lowers its rated torque; empty: as rated"
-    )
-    rated_at: Temperature = Field(default=40.0, description="Ambient temperature of its rated torque, in °C")
-    limit: Temperature = Field(default=155.0, description="The largest of its winding, in °C")
+    rated_at: Temperature = noted(40.0, "Ambient temperature of its rated torque, in °C")
+    limit: Temperature = noted(155.0, "The largest of its winding, in °C")
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a figure that is missing of a motor without a name, and one hotter than its limit."""
         for name in NEEDED:
             if not self.name and getattr(self, name) is None:
                 yield DesignError(name, UNTOLD, "told", 1.0)
+        hottest = figure(max(self.temperature or 0.0, self.rated_at))
         for name in ("temperature", "rated_at"):
             if (getattr(self, name) or 0.0) >= self.limit:
-                hottest = max(self.temperature or 0.0, self.rated_at)
-                said = f"{figure(hottest)} °C; expected less than the limit, {figure(self.limit)} °C"
+                said = f"{hottest} °C; expected less than the limit, {figure(self.limit)} °C"
                 yield DesignError(name, said, "cool", self.limit - 1.0)
 
 
@@ -135,22 +126,17 @@ class AxisPart(RotatingParts):
     shaft: Literal["motor", "mechanism"]
 
 
-TRAVELLING_LOAD, TURNING_LOAD = ("mass", "friction", "slope", "force"), ("inertia", "torque", "friction_torque")
-
-
 class Choice(Ranked):
     """The catalogues: those that come with the templates where none are entered, or by the word.
 
     With an axis, a sheet Selection looks for its motor and reducer.
     """
 
-    axis: Called | None = Field(
-        default=None, description="Axis with a drive that the sheet Selection looks at; or none"
-    )
-    falling: bool | None = Field(
-        default=None,
-        description="Whether the sheets of drives know motors whose peak torque falls beyond a speed; as the catalogue "
-        "has such motors if empty",
+    axis: Name | None = noted(None, "Axis with a drive that the sheet Selection looks at; or none")
+    falling: bool | None = noted(
+        None,
+        "Whether the sheets of drives know motors whose peak torque falls beyond a speed; as the catalogue has "
+        "such motors if empty",
     )
 
     @model_validator(mode="before")
@@ -162,7 +148,7 @@ class Choice(Ranked):
         rows = data.get("motors", REFERENCE)
         told = COMMITTED["motors"]() if rows == REFERENCE else rows
         known = isinstance(told, (list, tuple)) and data["falling"] is any(map(falling, told))
-        return {key: value for key, value in data.items() if key != "falling"} if known else data
+        return data | {"falling": None} if known else data
 
     @property
     def knows_falling(self) -> bool:

@@ -39,17 +39,15 @@ def rates(machine: AnyMachine) -> list[str]:
 
 def rate_of(view: DriveView) -> Iterator[str]:
     """Yield the line on the highest rate of a drive: the exact one is only searched where entering it again tells."""
-    told = view.highest.rate
-    most = told if isinstance(told, float) else math.inf
+    told, most, says = view.highest.rate, math.inf, str(view.highest.rate)
     if isinstance(told, float):
-        settled = settled_highest(view).rate
+        settled, most, says = settled_highest(view).rate, told, f"about {rounded(told)}"
         if not told or (isinstance(settled, float) and abs(settled - told) <= RATE / 2.0 * told):
             return
     exact, limit = view.exact_highest()
     if abs(exact - most) > RATE * min(exact, most):
-        says = f"about {rounded(told)}" if isinstance(told, float) else told
-        yield (f"{view.driven.called}: the highest rate is {rounded(exact)} cycles/min exactly ({limit}); "
-               f"its sheet says {says}")  # fmt: skip
+        found = f"the highest rate is {rounded(exact)} cycles/min exactly ({limit})"
+        yield f"{view.driven.called}: {found}; its sheet says {says}"
 
 
 def truths(machine: AnyMachine) -> list[str]:

@@ -5,7 +5,7 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import Field
 
-from workbook.drive.entries import Efficiency, in_unit
+from workbook.drive.entries import Efficiency, in_unit, noted
 from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
 
 UNSIZED = "a size of the mechanism is empty"
@@ -13,37 +13,28 @@ LEAST_POINTS = 2
 
 
 def size(label: str, note: str = "", default: Any = None) -> Any:
-    """Return the field of a size in mm, which the sheet of the drive calls so too.
-
-    One without a default must be told; one of None may be empty, until the design is finished or for good.
-    """
+    """Return the field of a size in mm, which the sheet of the drive calls so too; it may be empty by default."""
     return in_unit("mm", f"{label}{note}", default, title=label)
 
 
 class MechanismEntry(Model):
     """What makes the motor's turning the axis' motion."""
 
-    SIZE: ClassVar[str] = ""
-    """the entry that sets the ratio, of a kind with a constant one that is not 1"""
-    UNITS: ClassVar[tuple[str, ...]] = ("mm",)
-    """of axes that it moves"""
-    NEEDED: ClassVar[tuple[str, ...]] = ()
-    """sizes that may be empty in an unfinished design only"""
-    LARGE: ClassVar[dict[str, Any]] = {}
-    """sizes that go together, with which a mechanism whose ratio changes reaches wherever an axis goes"""
-    SLIDES: ClassVar[bool] = False
-    """whether its load travels while its axis turns"""
+    SIZE: ClassVar[str] = ""  # the entry that sets the ratio, of a kind with a constant one that is not 1
+    UNITS: ClassVar[tuple[str, ...]] = ("mm",)  # of axes that it moves
+    NEEDED: ClassVar[tuple[str, ...]] = ()  # sizes that may be empty in an unfinished design only
+    LARGE: ClassVar[dict[str, Any]] = {}  # sizes, with which one whose ratio changes reaches wherever an axis goes
+    SLIDES: ClassVar[bool] = False  # whether its load travels while its axis turns
 
     kind: str
     efficiency: Efficiency = Field(description="Efficiency of the mechanism")
-    back_efficiency: Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)] | None = Field(
-        default=None,
-        description="Efficiency where the load drives it; 0 or less: it locks itself. If empty, 2 - 1/efficiency of a "
-        "screw, and the efficiency of all else",
+    back_efficiency: Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)] | None = noted(
+        None,
+        "Efficiency where the load drives it; 0 or less: it locks itself. If empty, 2 - 1/efficiency of a screw, "
+        "and the efficiency of all else",
     )
-    method: Literal["physical", "document"] = Field(
-        default="physical",
-        description="Losses: by the flow of power through each stage, or over the efficiency always, as S4 has it",
+    method: Literal["physical", "document"] = noted(
+        "physical", "Losses: by the flow of power through each stage, or over the efficiency always, as S4 has it"
     )
 
     @property
@@ -53,9 +44,8 @@ class MechanismEntry(Model):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield the sizes that are missing of a mechanism whose ratio changes."""
-        for name in self.NEEDED:
-            if getattr(self, name) is None:
-                yield DesignError(name, UNSIZED, "sized", 1.0)
+        missing = (name for name in self.NEEDED if getattr(self, name) is None)
+        yield from (DesignError(name, UNSIZED, "sized", 1.0) for name in missing)
 
 
 class Belted(MechanismEntry):
@@ -145,12 +135,9 @@ class CrankSlider(MechanismEntry):
         "; its mass counts as two point masses at its pins: add the slide's to the load, the crank's to the parts",
     )
     offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
-    zero: Literal["inner", "outer"] | None = Field(
-        default=None, description="The dead centre that positions grow from; inner if empty"
-    )
-    branch: Literal["ahead", "behind"] | None = Field(
-        default=None,
-        description="Whether the crank is ahead of the line from shaft to slide, or behind; ahead if empty",
+    zero: Literal["inner", "outer"] | None = noted(None, "The dead centre that positions grow from; inner if empty")
+    branch: Literal["ahead", "behind"] | None = noted(
+        None, "Whether the crank is ahead of the line from shaft to slide, or behind; ahead if empty"
     )
     start: NotNegative | None = size("Distance from that dead centre where the motion begins", "; 0 if empty")
 
@@ -167,11 +154,11 @@ class Rocker(MechanismEntry):
     start_angle: Number | None = in_unit(
         "°", "Angle of the lever from the direction of the slide's line where the motion begins", None
     )
-    slide: Literal["ahead", "behind"] | None = Field(
-        default=None, description="Whether the slide is ahead of the lever's end, or behind; ahead if empty"
+    slide: Literal["ahead", "behind"] | None = noted(
+        None, "Whether the slide is ahead of the lever's end, or behind; ahead if empty"
     )
-    direction: Literal["forward", "backward"] | None = Field(
-        default=None, description="Whether positions grow along the line's direction; forward if empty"
+    direction: Literal["forward", "backward"] | None = noted(
+        None, "Whether positions grow along the line's direction; forward if empty"
     )
 
 
@@ -203,15 +190,10 @@ Mechanism = Annotated[Turned | PressCrank | CrankSlider | Rocker | Table, Field(
 MECHANISMS: dict[str, type[MechanismEntry]] = {
     get_args(model.model_fields["kind"].annotation)[0]: model for model in get_args(get_args(Mechanism)[0])
 }
-"""the models by kind"""
-LINKED = tuple(kind for kind, model in MECHANISMS.items() if model.LARGE and not model.SLIDES)
-"""mechanisms whose ratio changes"""
+LINKED = tuple(kind for kind, model in MECHANISMS.items() if model.LARGE and not model.SLIDES)  # the ratio changes
 BELTED = tuple(kind for kind, model in MECHANISMS.items() if issubclass(model, Belted))
-"""mechanisms of which a belt moves with the load"""
 SLIDING = tuple(kind for kind, model in MECHANISMS.items() if model.SLIDES)
-"""mechanisms whose load travels while their axis turns"""
-SCREWS = ("lead screw",)
-"""mechanisms whose losses are friction in a thread"""
+SCREWS = ("lead screw",)  # whose losses are friction in a thread
 
 
 def some_mechanism(kind: str) -> MechanismEntry:

@@ -104,24 +104,21 @@ def driven(machine: Whole, axis: MovingAxis, stack: Pieces) -> tuple[AxisRows, D
 
 def pace(machine: Whole) -> list[Quantity]:
     """Return the results of how fast the machine goes; where nothing tells that, of how long its cycle is."""
-    over = machine.over
+    over, rate = machine.over, machine.machine.per_minute
     if not over.paced:
         return [result("about_cycle", "Length of a cycle", f"{over.symbol}_c", over.unit, "=timing_cycle", over.length)]
-    return [
-        result("about_rate", "Production rate", "N", "cycles/min", "=timing_rate", machine.machine.per_minute),
-        result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time),
-    ]
+    return [result("about_rate", "Production rate", "N", "cycles/min", "=timing_rate", rate),
+            result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time)]  # fmt: skip
 
 
 def in_short(axis: MovingAxis, view: DriveView | None) -> InShort:
     """Return what the first sheet tells of an axis, and of its drive if it has one."""
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     found = InShort(axis.given.name, high - low, axis.fastest, axis.hardest)
-    if view is None:
-        return found
-    name, driven = axis.given.motor.name if axis.given.motor else "", view.driven
-    return found._replace(reserve=view.reserve, scope=f"drive{axis.number}_", motor=name,
-                          ratio=driven.reducer.ratio, highest=view.highest)  # fmt: skip
+    return found if view is None else found._replace(
+        reserve=view.reserve, scope=f"drive{axis.number}_", motor=axis.given.motor.name if axis.given.motor else "",
+        ratio=view.driven.reducer.ratio, highest=view.highest,
+    )  # fmt: skip
 
 
 def named_drive_sheet(book: Book, view: DriveView) -> None:
@@ -136,20 +133,15 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
 
 def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:
     """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds."""
-    views = list(drives)
-    if not views:
+    rates, column = [(one.driven.axis.given.name, one.highest) for one in drives], "[axes_short.highest]"
+    if not rates:
         return []
-    column, rates = "[axes_short.highest]", [one.highest for one in views]
-    known = [one.rate for one in rates if isinstance(one.rate, float)]
-    least = min(known, default=NONE_BINDS)
-    binding = next((k for k, one in enumerate(rates) if one.rate == least), 0)
-    first = f"MATCH(about_highest,{column},0)" if axes > 1 else ""
-    told = [
-        f"INDEX([axes_short.{name}],{first})" if axes > 1 else f"[axes_short.{name}.1]" for name in ("axis", "binds")
-    ]
+    known = [(one.rate, f"{name}: {one.limit}") for name, one in rates if isinstance(one.rate, float)]
+    least, said = min(known, key=lambda one: one[0], default=(NONE_BINDS, NONE_BINDS))
+    first = f"[axes_short.{{}}],MATCH(about_highest,{column},0)" if axes > 1 else ""
+    told = [f"INDEX({first.format(name)})" if first else f"[axes_short.{name}.1]" for name in ("axis", "binds")]
     time = turn_time(si(least, PER_MINUTE)) if isinstance(least, float) and least > 0 else NO_DRIVE
     shortest = f'=IF(ISNUMBER(about_highest),IF(about_highest>0,60/about_highest,"{NO_DRIVE}"),"{NO_DRIVE}")'
-    said = f"{views[binding].driven.axis.given.name}: {rates[binding].limit}" if known else NONE_BINDS
     return [
         result("about_highest", "Highest rate", "N_max", "cycles/min",
                f'=IF(COUNT({column})=0,"{NONE_BINDS}",MIN({column}))', least, align="right",

@@ -1,6 +1,6 @@
 """Other inputs at which ``verify`` evaluates a machine's book: every law, axis by axis, rests of every kind, shifts."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from engine.selection.pair_matrix import RANKS
@@ -22,55 +22,48 @@ SHIFTS = (0.0, 37.5, -20.0, 360.0, 145.25, 733.0)
 
 def variants(machine: AnyMachine) -> list[AnyMachine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
-    free = any(axis.motor is None for axis in machine.axes)
-    suited = list if free else shaped
+    suited = list if any(axis.motor is None for axis in machine.axes) else suited_to("table")
     return [type(machine).model_validate(data) for data in variations(machine, varied, suited)]
 
 
-def shaped(laws: dict[str, Any]) -> list[str]:
-    """Return the laws that drives take whatever their parameters and neighbours.
+def suited_to(kind: str | None) -> Callable[[dict[str, Any]], list[str]]:
+    """Return what tells which laws an axis takes, whatever their parameters and neighbours; ``kind`` is its mechanism.
 
     Beside a straight line a phase may move there and back: not behind every mechanism.
     """
-    return [name for name, entry in laws.items() if page_of(name, entry).code not in ("LIN", "PO5", "OWN", "SPL")]
 
+    def suited(laws: dict[str, Any]) -> list[str]:
+        pages = {name: page_of(name, entry) for name, entry in laws.items()}
+        straight = [name for name, page in pages.items() if page.way == STRAIGHT and kind not in LINKAGES]
+        return straight + [name for name, page in pages.items() if page.code not in ("LIN", "PO5", "OWN", "SPL")]
 
-def handing(laws: dict[str, Any]) -> list[str]:
-    """Return those with straight lines, for drives of constant ratio."""
-    return [name for name, entry in laws.items() if page_of(name, entry).way == STRAIGHT] + shaped(laws)
+    return suited if kind else list
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn: numbers scaled each by its own factor, choices turned."""
-    k = turn % SIX
-    sizes, scale = data["sizes"], factors(k)
-    vary_laws(data["laws"], k, scale, sizes["pieces"])
-    bend(data["selection"], k)
-    master = data["master"]
-    pace = next(iter(master))
+    k, laws, sizes, master = turn % SIX, data["laws"], data["sizes"], data["master"]
+    scale, pace = factors(k), next(iter(master))
+    vary_laws(laws, k, scale, sizes["pieces"])
+    choose(data, k)
     master[pace] *= next(scale)
     for i, axis in enumerate(data["axes"]):
+        kind = axis["mechanism"]["kind"] if axis["motor"] else None
+        made = phases(i, turn, sizes["phases"], suited_to(kind)(laws))
+        cuts = 2 * len(forces(i, k, 1.0)) if kind else 0
         axis |= {"closes": "feed" if (i + k) % 2 else "position", "smoothness": smoothness_for(turn + i),
-                 "shift": SHIFTS[(i + k) % SIX]}  # fmt: skip
-        driven = axis["motor"] is not None
-        constant = driven and axis["mechanism"]["kind"] not in LINKAGES
-        axis["position"] = 0.0 if driven and not constant else (k - 2) * (7.5 + i)
-        suited = handing(data["laws"]) if constant else shaped(data["laws"]) if driven else data["laws"]
-        made = phases(i, turn, sizes["phases"], suited)
-        cuts = 2 * len(forces(i, k, 1.0)) if driven else 0
-        axis["phases"] = within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1 - cuts)
-        if driven:
+                 "shift": SHIFTS[(i + k) % SIX], "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
+                 "phases": within(made, laws, sizes["motion_pieces"] - len(made) - 1 - cuts)}  # fmt: skip
+        if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])
         else:
             axis["closes"] = ("feed", "open", "position", "open", "feed", "position")[(i + k) % SIX]
             for n, phase in enumerate(axis["phases"]):
-                phase |= passing(k, n, data["laws"], 0.01)
-    if any(axis["motor"] is not None for axis in data["axes"]):
-        data["power"] = {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}
-    if any(axis["motor"] is not None and axis["unit"] == "mm" for axis in data["axes"]):
-        data["gravity"] = 9.81 - 0.7 * k
-    choose(data, k)
+                phase |= passing(k, n, laws, 0.01)
+    driven = [axis for axis in data["axes"] if axis["motor"] is not None]
+    data |= {"power": {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}} if driven else {}
+    data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
     for i, one in enumerate(data["clearances"]):
         one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
                 "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
@@ -81,23 +74,20 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-def bend(products: dict[str, Any], k: int) -> None:
-    """Let the peak torque of motors of the catalogue fall in other ways, of some not, if the book knows such motors."""
-    rows = products["motors"]
-    if not (any(map(falling, rows)) if products["falling"] is None else products["falling"]):
-        return
-    for n, motor in enumerate(rows):
-        level = (n + k) % 4 == 3
-        motor["full_torque_to"] = None if level else motor["max_speed"] * (0.02 + 0.15 * ((n + k) % SIX))
-        motor["end_torque"] = None if level else motor["peak_torque"] * 0.23 * ((n + 2 * k) % 4)
-    products["falling"] = True
-
-
 def choose(data: dict[str, Any], k: int) -> None:
-    """Turn the axis that Selection looks at, what it ranks by, and the limits of pairs: from all to none of them."""
-    if data["selection"]["axis"] is not None:
-        names = [axis["name"] for axis in data["axes"] if axis["motor"]]
-        data["selection"] |= {
+    """Turn the axis that Selection looks at, what it ranks by, and the limits of pairs: from all to none of them.
+
+    If the book knows motors whose peak torque falls, that of the catalogue's falls in other ways, of some not.
+    """
+    products, names = data["selection"], [axis["name"] for axis in data["axes"] if axis["motor"]]
+    if any(map(falling, products["motors"])) if products["falling"] is None else products["falling"]:
+        products["falling"] = True
+        for n, motor in enumerate(products["motors"]):
+            level = (n + k) % 4 == 3
+            motor["full_torque_to"] = None if level else motor["max_speed"] * (0.02 + 0.15 * ((n + k) % SIX))
+            motor["end_torque"] = None if level else motor["peak_torque"] * 0.23 * ((n + 2 * k) % 4)
+    if products["axis"] is not None:
+        products |= {
             "axis": names[k % len(names)], "rank": RANKS[k % len(RANKS)],
             "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
             "least_margin": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k],
@@ -117,22 +107,10 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
     return found
 
 
-def to_and_fro(phases: list[dict[str, Any]], low: float, high: float, k: int) -> None:
-    """Give phases lifts between two positions, from 0 and, but once, back to it."""
-    moving = [phase for phase in phases if phase["lift"]]
-    at = 0.0
-    for n, phase in enumerate(moving):
-        goal = low + (high - low) * (1.0 if n == 0 else (0.45 * n + 0.1 * k) % 1.0)
-        back = n == len(moving) - 1 and k != 3
-        phase["lift"] = (0.0 if back else goal) - at
-        at += phase["lift"]
-
-
 def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products: dict[str, Any]) -> None:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
     motors, reducers = products["motors"], products["reducers"]
     kind = axis["mechanism"]["kind"]
-    travels = axis["unit"] == "mm" or kind in SLIDING
     sized = MECHANISMS[kind].SIZE
     axis["mechanism"] |= ({sized: 7.0 + 11 * k} if sized else {}) | {
         "efficiency": 0.55 + 0.07 * ((i + k) % SIX),
@@ -143,12 +121,16 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     if kind in LINKAGES:
         other, low, high = LINKAGES[kind].varied(i, k, sizes["positions"])
         axis["mechanism"] |= other
-        to_and_fro(axis["phases"], low, high, k)
+        moving, at = [phase for phase in axis["phases"] if phase["lift"]], 0.0
+        for n, phase in enumerate(moving):  # between both positions, from 0 and, but once, back to it
+            goal = low + (high - low) * (1.0 if n == 0 else (0.45 * n + 0.1 * k) % 1.0)
+            phase["lift"] = (0.0 if n == len(moving) - 1 and k != 3 else goal) - at
+            at += phase["lift"]
     if kind in SLIDING:
         crank = 20.0 + 9 * k + i
         axis["mechanism"] |= {"crank_radius": crank, "rod_length": crank * (5.0 - 0.5 * k), "start_angle": 50.0 * k,
                               "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3]}  # fmt: skip
-    load(axis, i, k, travels)
+    axis["load"] = load(axis["load"], i, k, axis["unit"] == "mm" or kind in SLIDING)
     axis["parts"] = parts(k, sizes["rotors"])
     axis["reducer"] = {
         "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
@@ -162,18 +144,18 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 
 
-def load(axis: dict[str, Any], i: int, k: int, travels: bool) -> None:
-    """Give an axis another load, of what travels or of what turns."""
-    viscous = None if axis["load"]["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k]
-    arm = axis["load"]["arm"] and {"mass": 4.0 * k, "radius": 90.0 + 70.0 * i, "angle": 77.0 * k - 90.0}
-    axis["load"] = {
+def load(entries: dict[str, Any], i: int, k: int, travels: bool) -> dict[str, Any]:
+    """Return another load, of what travels or of what turns."""
+    return {
+        "viscous": None if entries["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k],
+        "arm": entries["arm"] and {"mass": 4.0 * k, "radius": 90.0 + 70.0 * i, "angle": 77.0 * k - 90.0},
+        "windows": forces(i, k, 400.0 if travels else 6.0),
+    } | ({
         "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
-        "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k], "windows": forces(i, k, 400.0),
+        "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k],
     } if travels else {
         "inertia": 100.0 * (k + i % 2), "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k], "friction_torque": 0.2 * k,
-        "windows": forces(i, k, 6.0),
-    }  # fmt: skip
-    axis["load"] |= {"viscous": viscous, "arm": arm}
+    })  # fmt: skip
 
 
 def parts(k: int, room: int) -> list[dict[str, Any]]:
