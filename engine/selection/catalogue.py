@@ -35,11 +35,10 @@ class Motors:
     def __post_init__(self) -> None:
         positive = ("inertia", "rated_torque", "peak_torque", "max_speed")
         known = ("size", "cost", "full_torque_to", "end_torque", "stall_torque", "rated_speed")
-        _columns(self, "motor", positive, (), known)
-        halves = np.isnan(self.full_torque_to) == np.isnan(self.end_torque)
-        _require_each("motor", self.names, "end_torque", halves, self.end_torque, "wherever full_torque_to is one")
-        falls = ~(self.full_torque_to >= self.max_speed)
-        _require_each("motor", self.names, "full_torque_to", falls, self.full_torque_to, "below max_speed")
+        _columns(self, positive, (), known)
+        both = np.isnan(self.full_torque_to) == np.isnan(self.end_torque)
+        _require(self, "end_torque", both, "wherever full_torque_to is one")
+        _require(self, "full_torque_to", ~(self.full_torque_to >= self.max_speed), "below max_speed")
         self.stall: Array = np.fmax(self.rated_torque, self.stall_torque)  # at rest, all the time (Nm)
         unknown = np.isnan(self.rated_speed)
         self.falls_to = np.where(unknown, self.max_speed, self.rated_speed)  # where that is the rated torque (rad/s)
@@ -79,34 +78,31 @@ class Reducers:
 
     def __post_init__(self) -> None:
         positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque", "full_rate")
-        _columns(self, "reducer", positive, ("inertia", "no_load", "cycle_factor"), ("size", "cost"))
-        _require_each("reducer", self.names, "efficiency", self.efficiency <= 1.0, self.efficiency, "at most 1")
-        factor = self.cycle_factor
-        _require_each("reducer", self.names, "cycle_factor", factor >= 1.0, factor, "1 or more")
+        _columns(self, positive, ("inertia", "no_load", "cycle_factor"), ("size", "cost"))
+        _require(self, "efficiency", self.efficiency <= 1.0, "at most 1")
+        _require(self, "cycle_factor", self.cycle_factor >= 1.0, "1 or more")
         self.ratio = 1.0 / self.reduction  # τ = ω_L/ω_M
 
 
 def _columns(
-    catalogue: Motors | Reducers, kind: str, positive: tuple[str, ...], other: tuple[str, ...], known: tuple[str, ...]
+    catalogue: Motors | Reducers, positive: tuple[str, ...], other: tuple[str, ...], known: tuple[str, ...]
 ) -> None:
     """Turn what is given into arrays, one value a name, and refuse what cannot be; ``known`` may be NaN."""
-    names = tuple(catalogue.names)
-    catalogue.names = names
+    catalogue.names = tuple(catalogue.names)
+    count = len(catalogue.names)
     for column in (*positive, *other, *known):
         values = np.asarray(getattr(catalogue, column), dtype=np.float64)
-        if values.shape not in ((), (len(names),)):
-            raise ValueError(f"{len(names)} {kind}s are named and {values.size} values of {column} given")
-        values = np.broadcast_to(values, (len(names),))
-        setattr(catalogue, column, values)
-        holds, expected = (values > 0.0, "above 0") if column in positive else (values >= 0.0, "0 or more")
-        if column in known:
-            holds = ~(values < 0.0)
-        _require_each(kind, names, column, holds, values, expected)
+        if values.shape not in ((), (count,)):
+            kinds = type(catalogue).__name__.lower()
+            raise ValueError(f"{count} {kinds} are named and {values.size} values of {column} given")
+        setattr(catalogue, column, np.broadcast_to(values, (count,)))
+        holds = values > 0.0 if column in positive else values >= 0.0
+        _require(catalogue, column, holds | (np.isnan(values) & (column in known)),
+                 "above 0" if column in positive else "0 or more")  # fmt: skip
 
 
-def _require_each(
-    kind: str, names: tuple[str, ...], column: str, holds: NDArray[np.bool_], values: Array, expected: str
-) -> None:
+def _require(catalogue: Motors | Reducers, column: str, holds: NDArray[np.bool_], expected: str) -> None:
     if not holds.all():
-        k = int(np.argmin(holds))
-        raise ValueError(f"{kind} {names[k]!r}: {column} is {values[k]:g}; expected a number {expected}")
+        k, kind = int(np.argmin(holds)), type(catalogue).__name__.lower()[:-1]
+        value = getattr(catalogue, column)[k]
+        raise ValueError(f"{kind} {catalogue.names[k]!r}: {column} is {value:g}; expected a number {expected}")

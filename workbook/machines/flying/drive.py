@@ -109,7 +109,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
     ranked, place = view.before.ranked, (view.before.proposed or 0) + 1
     sheet.heading("Motor and reducer in use")
 
-    def row(kind: str, table: str, column: str, found: int) -> Quantity:
+    def row(kind: str, column: str, found: int) -> Quantity:
         listed = f"SUMPRODUCT(([{kind}s.name]=@{kind}_name)*[sel_{kind}s.k])"
         return calc(f"@{kind}_row", f"{kind.capitalize()}: row of the catalogue", "", "",
                     f'=IF(@{kind}_name="",MAX(1,INDEX([sel_order.{column}],@place)),{listed})', found, "0: not in it",
@@ -124,8 +124,8 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         calc("@place", "Place of the proposed pair", "", "",
              "=IF(SUM([sel_best.holds])=0,1,MATCH(1,[sel_best.holds],0))", place if ranked else 1,
              "among the best pairs", format="0"),
-        row("motor", "motors", "m", m + 1),
-        row("reducer", "reducers", "r", r + 1),
+        row("motor", "m", m + 1),
+        row("reducer", "r", r + 1),
         of("@jm", "Inertia of the motor", "J_M", "kg m²", "motor.jm", motor.inertia),
         of("@jt", "Inertia of the reducer at its input", "J_T", "kg m²", "reducer.jt",
            float(view.before.reducers.inertia[r])),
