@@ -32,23 +32,11 @@ def held_factor(efficiency: float, back_efficiency: float) -> float:
 
 @dataclass(frozen=True)
 class Stage:
-    """A transmission: speed at its input over speed at its output, and its efficiency.
+    """A transmission: the ``ratio`` of the speed at its input to that at its output, and its ``efficiency``.
 
-    Parameters
-    ----------
-    name : str
-        What it is called.
-    ratio : float
-        Above 0; in rad/m where it turns rotation into travel (lead screw: 2πP; roller: 1/R).
-    efficiency : float
-        Above 0, at most 1.
-    back_efficiency : float or None
-        That where the load drives, at most 1, the same by default; at 0 or less the stage locks itself.
-
-    Raises
-    ------
-    ValueError
-        For a figure outside these limits.
+    The ratio is above 0; in rad/m where it turns rotation into travel (lead screw: 2πP; roller: 1/R). The efficiency is
+    above 0 and at most 1; ``back_efficiency`` is that where the load drives, at most 1, the same by default: at 0 or
+    less the stage locks itself. Raises ValueError for a figure outside these limits.
     """
 
     name: str
@@ -84,25 +72,11 @@ class Stage:
 
 @dataclass(frozen=True)
 class Part:
-    """Equal parts that turn with a shaft.
+    """Equal parts that turn with a shaft: ``count`` of them, each of the ``inertia`` J (kg m²), both 0 or more.
 
-    Parameters
-    ----------
-    name : str
-        What they are called.
-    inertia : float, kg m²
-        J of one; in kg at the output of a stage that makes travel. 0 or more.
-    shaft : int
-        Stages between the motor and it: 0 is the motor's shaft.
-    count : float
-        How many; 0 or more.
-    speed_ratio : float
-        ω_i/ω of that shaft, for parts that are geared to it: n1/n2 of its teeth (S1: τ_g = 90/45).
-
-    Raises
-    ------
-    ValueError
-        For a negative count or inertia.
+    ``shaft`` is how many stages are between the motor and it: 0 is the motor's. J is in kg at the output of a stage
+    that makes travel. ``speed_ratio`` is ω_i/ω of that shaft, for parts that are geared to it: n1/n2 of its teeth
+    (S1: τ_g = 90/45). Raises ValueError for a negative count or inertia.
     """
 
     name: str
@@ -128,21 +102,10 @@ class Part:
 
 @dataclass(frozen=True)
 class Load:
-    """What hangs on a shaft.
+    """What hangs on a shaft: its ``inertia`` (kg m², or kg), 0 or more.
 
-    Parameters
-    ----------
-    inertia : float, kg m² or kg
-        0 or more.
-    torque : float, Nm or N
-        Acts against positive motion always, also at rest, like a weight.
-    friction : float, Nm or N
-        Opposes the motion (or, below 0, helps it on); zero at standstill.
-
-    Raises
-    ------
-    ValueError
-        For a negative inertia.
+    ``torque`` (Nm, or N) acts against positive motion always, also at rest, like a weight. ``friction`` (Nm, or N)
+    opposes the motion (or, below 0, helps it on) and is zero at standstill. Raises ValueError for a negative inertia.
     """
 
     inertia: float
@@ -160,23 +123,10 @@ class Load:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Stages from the motor to the load, the parts on their shafts, and the load on the last one.
+    """Stages from the motor to the load, at least one, the parts on their shafts, and the load on the last one.
 
-    Parameters
-    ----------
-    name : str
-        What it is called.
-    stages : tuple of Stage
-        From the motor to the load, at least one.
-    parts : tuple of Part
-        On shafts that are counted from the motor's, 0, to the load's, as many as there are stages.
-    load : Load
-        What hangs on the last shaft.
-
-    Raises
-    ------
-    ValueError
-        For no stages, or a part on a shaft that is not there.
+    Shafts are counted from the motor's, 0, to the load's, as many as there are stages. Raises ValueError for no stages,
+    or a part on a shaft that is not there.
     """
 
     name: str

@@ -42,30 +42,14 @@ ANY = Brake()
 
 @dataclass(frozen=True)
 class Drive:
-    """A mechanism, the motor that drives it, and how losses and rest are counted.
+    """A mechanism, the motor that drives it, of an inertia (kg m²), and how losses and rest are counted.
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        From the motor's shaft to the load.
-    motor_inertia : float, kg m²
-        0 or more.
-    method : {"physical", "document"}
-        Each stage's losses count against the motor where it drives and help it where the load drives (at rest, as if it
-        drove); or S4's, inertia and torque at the output of a stage always over η.
-    holding : {"motor", "brake"}
-        What holds the load at rest; S4 counts no torque there, as with a brake.
-    no_load : float, Nm
-        Torque at the motor's shaft that opposes its rotation, whatever the load; 0 or more.
-    copper : float, W/(Nm)²
-        Losses of its winding over the square of its torque, P_N/T_N²; 0 or more.
-    brake : Brake
-        The one that holds, if a brake does; by default it holds any torque, in any dwell.
-
-    Raises
-    ------
-    ValueError
-        For what is negative, or another word.
+    ``method`` is "physical", where each stage's losses count against the motor where it drives and help it where the
+    load drives (at rest, as if it drove), or "document", S4's: inertia and torque at the output of a stage always over
+    η. ``holding`` says what holds the load at rest, "motor" or "brake"; S4 counts no torque there, as with a brake.
+    ``no_load`` (Nm) opposes the rotation of the motor's shaft, whatever the load. ``copper`` (W/(Nm)²) is the losses of
+    its winding over the square of its torque, P_N/T_N². The ``brake`` by default holds any torque, in any dwell.
+    Raises ValueError for what is negative, or another word.
     """
 
     mechanism: Mechanism

@@ -15,25 +15,10 @@ Resists = Literal["always", "moving"]
 
 @dataclass(frozen=True)
 class Slide:
-    """A mass on a guide.
+    """A ``mass`` (kg) on a guide, with the coefficient of ``friction`` μ, both 0 or more.
 
-    Parameters
-    ----------
-    mass : float, kg
-        0 or more.
-    friction : float
-        Coefficient μ, 0 or more.
-    slope : float, rad
-        Of the guide, rising with positive travel; within a right angle either way.
-    force : float, N
-        Acts against positive travel, always.
-    gravity : float, m/s²
-        g.
-
-    Raises
-    ------
-    ValueError
-        For a figure outside these limits.
+    ``slope`` (rad) is the guide's, rising with positive travel, within a right angle either way; ``force`` (N) acts
+    against positive travel, always; ``gravity`` is g (m/s²). Raises ValueError for a figure outside these limits.
     """
 
     mass: float

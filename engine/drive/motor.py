@@ -63,27 +63,11 @@ the peak torque change their slope, the lower first, 3: the largest); above or b
 
 @dataclass(frozen=True)
 class Motor:
-    """A motor by its limits; no limit is given by infinity.
+    """A motor by its ``inertia`` (kg m², 0 or more) and its limits; no limit is given by infinity.
 
-    Parameters
-    ----------
-    inertia : float, kg m²
-        0 or more.
-    rated_torque : float, Nm
-        Given continuously at ``rated_speed``.
-    peak_torque : float, Nm
-        The largest for a short time.
-    max_speed : float, rad/s
-        The largest speed.
-    stall_torque : float, Nm
-        Given continuously at standstill; counts where it is larger than the rated torque.
-    rated_speed : float, rad/s
-        That of the rated torque.
-
-    Raises
-    ------
-    ValueError
-        For a negative inertia or a limit that is not above 0.
+    ``rated_torque`` (Nm) is given continuously at ``rated_speed`` (rad/s), ``stall_torque`` (Nm) at standstill: it
+    counts where it is larger. ``peak_torque`` (Nm) is the largest for a short time, ``max_speed`` (rad/s) the largest
+    speed. Raises ValueError for a negative inertia or a limit that is not above 0.
     """
 
     inertia: float

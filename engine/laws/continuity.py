@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.family import Law
-from engine.laws.piece import Piece, gains
+from engine.laws.piece import Piece, carried, gains
 
 JUMP = 1e-9
 """of the law's C_v, of a and j of its C_a: a smaller jump is rounding"""
@@ -41,20 +41,17 @@ def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:
     """Return where each of a law's pieces begins, and the rest behind the last one, which lasts 1."""
     found: list[Meeting] = []
     scales = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca
-    v, before = law.start.v, 0
-    ended: Rates = (0.0, 0.0, 0.0)
-    for k, piece in enumerate((*pieces, Piece(1.0)), 1):
+    before, ended = 0, (0.0, 0.0, 0.0)
+    for k, (piece, _, _, v, _, dv) in enumerate(carried((*pieces, Piece(1.0)), law.start.v), 1):
         behind, lasts = k > len(pieces), piece.duration > 0.0
-        v = 0.0 if behind else v
-        _, dv, a, j = (x.tolist() for x in gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None]))
-        begin, end = (v, a[0], j[0]), (v + dv[1], a[1], j[1])
+        _, _, a, j = (x.tolist() for x in gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None]))
+        begin, end = ((0.0,) * 3, (0.0,) * 3) if behind else ((v, a[0], j[0]), (v + dv, a[1], j[1]))
         jump = tuple(y - x for x, y in zip(ended, begin, strict=True)) if lasts else (0.0, 0.0, 0.0)
         jumps = (abs(size) > JUMP * scale for size, scale in zip(jump, scales, strict=True))
         order = next((n for n, jumped in enumerate(jumps) if jumped), SMOOTH)
         angles = piece.omega * piece.duration + piece.phase, piece.omega2 * piece.duration + piece.phase2
         outer = lasts and (behind or before == 0)
         found.append(Meeting(piece.duration, angles, begin, end, before, jump, order, outer))
-        v = end[0]
         if lasts:
             before, ended = k, end
     return tuple(found)

@@ -45,19 +45,6 @@ class Curve:
         c = tuple(i * c for i, c in enumerate(self.c))[1:]
         return Curve(c, tuple((p * w, w, phi + math.pi / 2.0) for p, w, phi in self.sines))
 
-    def integral(self, start: float) -> "Curve":
-        """Return ∫f from ``start`` at u = 0. Raises ValueError for a curve with a sine."""
-        if self.sines:
-            raise ValueError("a curve with a sine is given; expected a polynomial")
-        return Curve((start, *(c / (i + 1) for i, c in enumerate(self.c))))
-
-    def times(self, other: "Curve") -> "Curve":
-        """Return the product of two polynomials."""
-        product = [0.0] * (len(self.c) + len(other.c) - 1)
-        for (i, a), (k, b) in itertools.product(enumerate(self.c), enumerate(other.c)):
-            product[i + k] += a * b
-        return Curve(tuple(product))
-
 
 def trimmed(f: Curve) -> Curve:
     """Return a curve without the highest powers that are 0."""

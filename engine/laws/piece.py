@@ -24,23 +24,11 @@ Sine = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Piece:
-    """a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂) over a duration, u from its begin.
+    """a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂) over a ``duration``, u from its begin.
 
-    Parameters
-    ----------
-    duration : float
-        Share of the rise, 0 or more.
-    c : tuple of float
-        c0 to c3, c4 or c5.
-    amplitude, omega, phase : float
-        P, ω and φ (rad).
-    amplitude2, omega2, phase2 : float
-        P₂, ω₂ and φ₂, for the one law that has two sines.
-
-    Raises
-    ------
-    ValueError
-        For a negative duration, other than four to six coefficients, or what is not finite.
+    The duration is a share of the rise, 0 or more; ``c`` are c0 to c3, c4 or c5; ``amplitude``, ``omega`` and ``phase``
+    are P, ω and φ (rad), those with a 2 for the one law that has two sines. Raises ValueError for a negative duration,
+    other than four to six coefficients, or what is not finite.
     """
 
     duration: float

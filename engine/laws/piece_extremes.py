@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
@@ -31,7 +32,8 @@ def stationary_power_points(piece: Piece, v0: float) -> list[float]:
     """
     a = acceleration(piece)
     if not a.sines:
-        return zeros(a.times(a.integral(v0)).derivative(), piece.duration) if a.c else []
+        p = Polynomial(a.c or (0.0,))
+        return zeros(Curve(tuple((p * p.integ(k=v0)).deriv().coef.tolist())), piece.duration)
     row = np.array(piece.row)[:, None]
 
     def rises(u: Array) -> NDArray[np.bool_]:

@@ -20,17 +20,8 @@ POLYNOMIAL_345 = (Piece(1.0, (0.0, 60.0, -180.0, 120.0)),)
 class PieceLaw(Law):
     """A law given by its acceleration, piece by piece; s and v are carried on from s = v = 0.
 
-    Whether the law ends at s = 1 and at rest is the engineer's affair: see ``end``.
-
-    Parameters
-    ----------
-    pieces : sequence of Piece
-        Their durations sum to 1 (within 1e-9); by default the polynomial 3-4-5.
-
-    Raises
-    ------
-    ValueError
-        For durations that do not.
+    The durations of the pieces sum to 1 (within 1e-9), else ValueError; by default it is the polynomial 3-4-5. Whether
+    the law ends at s = 1 and at rest is the engineer's affair: see ``end``.
     """
 
     code = "OWN"

@@ -34,6 +34,8 @@ class Motion:
         Where the abscissa begins, in its unit.
     position : float
         y there, in the unit of the lifts.
+    edges : array, optional
+        Where the phases begin, and where the last one ends, if it is known more exactly than by their durations.
 
     Raises
     ------
@@ -41,8 +43,15 @@ class Motion:
         For no phases.
     """
 
-    def __init__(self, phases: Sequence[Phase], start: float = 0.0, position: float = 0.0) -> None:
-        self._set(phases, start + np.cumsum([0.0, *(p.duration for p in phases)]), position)
+    def __init__(
+        self, phases: Sequence[Phase], start: float = 0.0, position: float = 0.0, edges: Array | None = None
+    ) -> None:  # fmt: skip
+        if not phases:
+            raise ValueError("a motion has no phases; expected at least one")
+        self.phases, self.position = tuple(phases), position
+        self.edges = start + np.cumsum([0.0, *(p.duration for p in phases)]) if edges is None else edges
+        require_finite(start=float(self.edges[0]), position=position)
+        self.edges.flags.writeable = False
 
     @classmethod
     def from_edges(cls, edges: ArrayLike, lifts: Sequence[float], laws: Sequence[Law], position: float = 0.0) -> Self:
@@ -56,21 +65,9 @@ class Motion:
                 f"{len(bounds)} edges, {len(lifts)} lifts and {len(laws)} laws are given; "
                 "expected one lift and one law between each two edges"
             )
-        made = []
-        for k, (one, lift, duration) in enumerate(zip(laws, lifts, np.diff(bounds), strict=True), 1):
-            made.append(numbered_phase(k, one, float(lift), float(duration)))
-        motion = cls.__new__(cls)
-        motion._set(made, bounds, position)
-        return motion
-
-    def _set(self, phases: Sequence[Phase], edges: Array, position: float) -> None:
-        if not phases:
-            raise ValueError("a motion has no phases; expected at least one")
-        require_finite(start=float(edges[0]), position=position)
-        self.phases = tuple(phases)
-        self.edges = edges
-        self.edges.flags.writeable = False
-        self.position = position
+        rows = enumerate(zip(laws, lifts, np.diff(bounds).tolist(), strict=True), 1)
+        made = [numbered_phase(k, one, float(lift), duration) for k, (one, lift, duration) in rows]
+        return cls(made, position=position, edges=bounds)
 
     @cached_property
     def total(self) -> float:

@@ -27,21 +27,10 @@ class TimeValues(NamedTuple, Generic[Real]):
 
 @dataclass(frozen=True)
 class Phase:
-    """A law, carried out over a lift in a duration.
+    """A law, from rise 0 to rise 1, carried out over a ``lift`` in a ``duration``, each in any unit.
 
-    Parameters
-    ----------
-    law : Law
-        From rise 0 to rise 1.
-    lift : float, any unit of y
-        Negative for a return; 0 in a dwell.
-    duration : float, any unit of the abscissa
-        Above 0.
-
-    Raises
-    ------
-    ValueError
-        For a duration that is not above 0, a dwell with a lift, or what is not finite.
+    The lift is negative for a return, 0 in a dwell; the duration is above 0. Raises ValueError where they are not, or
+    not finite.
     """
 
     law: Law
