@@ -1,8 +1,7 @@
 """Drives: a motor, gears, a mechanism and a load, and what their motion over a cycle asks of them. SI units.
 
 mechanisms      screw, belt, rollers …; crank-slider, rocker, table of positions; the register of all
-chain           stages and parts on shafts; losses by the direction of power; the torque at each shaft
-loads           masses on guides, forces, cylinders
+chain           stages and parts on shafts; losses by the direction of power; masses on guides, forces, cylinders
 motor           its limits, its peak torque over the speed, derating
 drive           a motor, with its brake, on a mechanism of constant ratio: torque, speed and power for any motion
 train           a motor, gears and a mechanism of any ratio, and the forces of the process
@@ -11,12 +10,11 @@ cycle           a train over a motion, cut into intervals in which nothing chang
 results         peaks, RMS torque, energy and mean power of a cycle, exact
 limits          how near a cycle comes to the limits of motor and reducer; the highest rate at which all are met, exact
 quadrature      a load at points of a cycle, as the sheets have it
-drive_points    its motor there; rate_by_points: the highest rate by these points
+drive_points    its motor there; the highest rate by these points
 """
 
-from engine.drive.chain import NEAR, Load, Mechanism, Part, Stage
+from engine.drive.chain import NEAR, Load, Mechanism, Part, Slide, Stage, cylinder, resisting
 from engine.drive.drive import Drive
-from engine.drive.loads import Slide, cylinder, resisting
 from engine.drive.mechanisms.registry import KINDS, Kind
 from engine.drive.motor import STANDSTILL, LimitCheck, Motor, derating
 

@@ -7,10 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.chain import Load, Method, require_not_negative
+from engine.drive.chain import Load, Method, Resists, require_not_negative, resisting
 from engine.drive.drive import Drive
-from engine.drive.loads import Resists, resisting
-from engine.drive.mechanisms.by_angle import ByAngle
+from engine.drive.mechanisms.slides import ByAngle
 from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.laws.base import Array, require_finite
 

@@ -9,14 +9,16 @@ import numpy as np
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, EndError, Ends, require_ends
 from engine.laws.family import Vendors
-from engine.laws.pulse import FALLING_SINE, SUM_TOLERANCE, sine_edged
 from engine.laws.pulse_law import (
+    FALLING_SINE,
+    SUM_TOLERANCE,
     PulseLaw,
     TwoPulses,
     pulses_of,
     require_part,
     require_share,
     seven_durations,
+    sine_edged,
 )
 
 CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)

@@ -8,7 +8,7 @@ import numpy as np
 from engine.laws.ends import REST, EndedLaw, EndError, Ends, require_ends
 from engine.laws.family import Vendors
 from engine.laws.piece import Piece
-from engine.laws.pulse import HALF_345, HALF_4567, LINE_DOWN
+from engine.laws.pulse_law import HALF_345, HALF_4567, LINE_DOWN
 from engine.laws.simple import HalvedLaw
 
 Table = tuple[tuple[int, ...], ...]

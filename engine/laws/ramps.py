@@ -7,8 +7,7 @@ from typing import NamedTuple, Self
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
 from engine.laws.family import Vendors
-from engine.laws.pulse import CONSTANT, HALF_SINE, linear_edged
-from engine.laws.pulse_law import PulseLaw, TwoPulses, pulses_of, seven_durations
+from engine.laws.pulse_law import CONSTANT, HALF_SINE, PulseLaw, TwoPulses, linear_edged, pulses_of, seven_durations
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,7 @@ from engine.laws.ends import REST, Ends
 from engine.laws.family import Law, Vendors
 from engine.laws.piece import Piece, reversed_pieces
 from engine.laws.piece_extremes import at_peaks
-from engine.laws.pulse import CONSTANT, FALLING_SINE, HALF_SINE, Pulse
-from engine.laws.pulse_law import PulseLaw, TwoPulses, require_share
+from engine.laws.pulse_law import CONSTANT, FALLING_SINE, HALF_SINE, Pulse, PulseLaw, TwoPulses, require_share
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from engine.laws.pulse import K
-from engine.laws.pulse_law import PulseLaw
+from engine.laws.pulse_law import K, PulseLaw
 from workbook.book.declare import Quantity, calc
 from workbook.laws.family import Page, PieceRow
 

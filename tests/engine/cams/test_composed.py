@@ -6,7 +6,7 @@ import pytest
 from engine import law
 from engine.cams.interpolation import Seen, composed
 from engine.drive.mechanisms.slides import crank_slider
-from engine.drive.mechanisms.table import PositionTable
+from engine.drive.mechanisms.variable_ratio import PositionTable
 from engine.motion import Motion, Phase
 from engine.motion.pieces import profile_of_motion
 

@@ -10,7 +10,7 @@ import numpy as np
 from engine.drive import KINDS, Drive, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.mechanisms.slides import crank_slider, rocker
-from engine.drive.mechanisms.table import PositionTable
+from engine.drive.mechanisms.variable_ratio import PositionTable
 from engine.drive.train import Train, Window
 from engine.laws import Dwell
 from engine.motion import Motion, Phase

@@ -11,7 +11,7 @@ from engine.drive import KINDS, Drive, Load, Motor, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
 from engine.drive.limits import LimitChecks, Limits
-from engine.drive.mechanisms.by_angle import Arm, PressCrank
+from engine.drive.mechanisms.slides import Arm, PressCrank
 from engine.drive.quadrature import Cycle
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window

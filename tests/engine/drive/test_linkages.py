@@ -7,8 +7,7 @@ import pytest
 from numpy.polynomial import chebyshev
 
 from engine.drive.mechanisms.slides import crank_slider, rocker
-from engine.drive.mechanisms.table import PositionTable
-from engine.drive.mechanisms.variable_ratio import OutOfReachError
+from engine.drive.mechanisms.variable_ratio import OutOfReachError, PositionTable
 
 CRANKS = [
     (0.05, 0.2, offset, zero, branch)

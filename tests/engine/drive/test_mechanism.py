@@ -5,7 +5,7 @@ from math import pi, radians, sin
 import pytest
 
 from engine.drive import KINDS, Load, Mechanism, Part, Slide, Stage, cylinder
-from engine.drive.loads import GRAVITY
+from engine.drive.chain import GRAVITY
 from tests.engine.sizing import from_shaft
 
 LOAD = Slide(mass=12.0, friction=0.2, slope=radians(30), force=40.0)

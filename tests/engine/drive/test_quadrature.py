@@ -17,12 +17,11 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drive_points import DrivePoints
+from engine.drive.drive_points import DrivePoints, by_rms, shares
 from engine.drive.limits import LimitChecks, Limits, ReducerLimits, highest_rate
 from engine.drive.mechanisms.variable_ratio import OutOfReachError
 from engine.drive.motor import Falling
 from engine.drive.quadrature import SHARES, WEIGHTS, Cycle
-from engine.drive.rate_by_points import by_rms, shares
 from engine.drive.results import DriveResults
 from engine.drive.train import Train
 from engine.laws import Dwell, law

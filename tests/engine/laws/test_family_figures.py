@@ -15,8 +15,7 @@ from engine.laws.modified import (
 )
 from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
-from engine.laws.pulse import polynomial_pulse
-from engine.laws.pulse_law import PulseLaw, TwoPulses
+from engine.laws.pulse_law import PulseLaw, TwoPulses, polynomial_pulse
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
 

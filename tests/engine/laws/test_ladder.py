@@ -56,14 +56,6 @@ def test_two_sines_are_searched():
     assert zeros(f, 1.0) == pytest.approx([2 / 3], rel=1e-14)
 
 
-def test_curves_multiply_and_integrate():
-    f, g = Curve((1.0, 2.0)), Curve((0.0, 1.0, -1.0))
-    assert f.times(g)(0.7) == pytest.approx(f(0.7) * g(0.7), rel=1e-15)
-    assert f.integral(3.0).c == (3.0, 1.0, 1.0)
-    with pytest.raises(ValueError, match="expected a polynomial"):
-        Curve((), ((1.0, 1.0, 0.0),)).integral(0.0)
-
-
 pieces = st.builds(
     lambda share, c, p, w, phi: Piece(share, tuple(c), p, w, phi),
     st.sampled_from([0.3, 1.0]),

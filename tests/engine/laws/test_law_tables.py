@@ -8,8 +8,7 @@ import pytest
 from engine.laws import Piece
 from engine.laws.piece import carried, gains, located
 from engine.laws.points import ends
-from engine.laws.pulse import LINE_DOWN
-from engine.laws.pulse_law import PulseLaw
+from engine.laws.pulse_law import LINE_DOWN, PulseLaw
 from tests.engine.families import ENTRIES
 
 EXAMPLES = [law for entry in ENTRIES for law in entry.examples]

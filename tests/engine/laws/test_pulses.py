@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from engine.laws.piece import Piece, backwards, gains, reversed_pieces, scaled_piece
 from engine.laws.piece_extremes import coefficients_of, square_integral
-from engine.laws.pulse import (
+from engine.laws.pulse_law import (
     CONSTANT,
     HALF_345,
     HALF_4567,

@@ -9,8 +9,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from engine.laws import Law, Piece
-from engine.laws.knots import EQUAL, Knots
-from engine.laws.spline import EXAMPLE, MOST, NARROWEST, Spline
+from engine.laws.spline import EQUAL, EXAMPLE, MOST, NARROWEST, Knots, Spline
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, figure, spelled

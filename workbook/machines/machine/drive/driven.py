@@ -11,11 +11,9 @@ from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cyli
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drive import Brake
 from engine.drive.limits import LimitChecks, Limits
-from engine.drive.mechanisms import by_angle
-from engine.drive.mechanisms.by_angle import Arm, ByAngle
-from engine.drive.mechanisms.slides import crank_slider, rocker
-from engine.drive.mechanisms.table import PositionTable
-from engine.drive.mechanisms.variable_ratio import Linkage
+from engine.drive.mechanisms import slides
+from engine.drive.mechanisms.slides import Arm, ByAngle, crank_slider, rocker
+from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
 from engine.drive.motor import Falling, TorqueCurve
 from engine.drive.results import DriveResults
 from engine.drive.train import Train, Window
@@ -67,10 +65,10 @@ def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
     raise ValueError(f"a {given.kind} has a constant ratio")
 
 
-def press_of(given: PressCrank) -> by_angle.PressCrank:
+def press_of(given: PressCrank) -> slides.PressCrank:
     """Return the press crank that is entered. Raises ValueError for sizes that cannot be."""
     crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
-    return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
+    return slides.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
 
 
 def turning(part: AxisPart) -> Part:

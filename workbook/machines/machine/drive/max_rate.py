@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from engine.drive.rate_by_points import LEAST_USE, Share, by_cycles, line, squares
+from engine.drive.drive_points import LEAST_USE, Share, by_cycles, line, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import Said, Sentence, bound
 from workbook.entries.units import RPM, shown

@@ -6,8 +6,8 @@ those of the rule of Gauss and Lobatto: both ends and seven between, each with w
 
 import numpy as np
 
+from engine.drive.drive_points import falling_use
 from engine.drive.quadrature import Interval
-from engine.drive.rate_by_points import falling_use
 from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result

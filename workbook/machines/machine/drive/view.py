@@ -7,11 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from engine.drive.drive_points import Between, DrivePoints, between
+from engine.drive.drive_points import Between, DrivePoints, Share, between, shares
 from engine.drive.limits import highest_rate
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Cycle, LoadPoints
-from engine.drive.rate_by_points import Share, shares
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from engine.drive.chain import held_factor
 from engine.drive.drive_points import peak
-from engine.drive.mechanisms.by_angle import Arm
+from engine.drive.mechanisms.slides import Arm
 from engine.drive.quadrature import STANDSTILL
 from engine.laws.base import Array
 from engine.laws.points import POINTS

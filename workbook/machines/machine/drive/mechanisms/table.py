@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.mechanisms.table import PositionTable
-from engine.drive.mechanisms.variable_ratio import near_end
+from engine.drive.mechanisms.variable_ratio import PositionTable, near_end
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, columns_of, constant
 from workbook.book.polynomial import NOT_ZERO
