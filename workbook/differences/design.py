@@ -138,7 +138,7 @@ def changes(file: BookFile, entries: Entries, machine: Machine) -> tuple[list[st
     ours = {pair.address.sheet for pair in match.pairs}
     own = [f"the sheet {title!r}" for title in file.workbook.sheetnames if title not in ours]
     formulas = file.contents.formulas
-    own += [f"{a}: {formulas[a]}" for a in file.contents.formula_cells if a not in match.declared_at and a in formulas]
+    own += [f"{a}: {formulas[a]}" for a in file.contents.formula_cells if a not in match.numbers and a in formulas]
     return edited, own + [line.replace(" are not carried over", "") for line in own_things(match, ours)]
 
 

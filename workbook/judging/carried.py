@@ -40,7 +40,7 @@ def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
     added: dict[str, list[str]] = {}
     taken = {(cell.parent.title, cell.coordinate) for cell, _ in own.cells}
     for address in file.contents.formula_cells:
-        there = address.sheet in ours | kept and address not in match.declared_at
+        there = address.sheet in ours | kept and address not in match.numbers
         if there and (address.sheet, address.a1) not in taken:
             added.setdefault(address.sheet, []).append(address.a1)
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
@@ -80,7 +80,7 @@ def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[
     declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))
     words = {text.text for text in declared.texts}
     contents = match.file.contents.constants.items()
-    kept = [a.a1 for a, held in contents if a.sheet == sheet.title and a not in match.declared_at and held not in words]
+    kept = [a.a1 for a, held in contents if a.sheet == sheet.title and a not in match.numbers and held not in words]
     cells = sheet._cells.values()
     notes = [cell.coordinate for cell in cells if isinstance(cell, Cell) and cell.comment is not None]
     held = list(drawn(match, sheet.title))
@@ -103,7 +103,7 @@ def carried_over(match: Match, fresh: Book) -> Own:
     own = [sheet for sheet in file.workbook.worksheets if sheet.title not in ours | {s.title for s in fresh.sheets}]
     steady = {sheet.title for sheet in fresh.sheets if stays(file, sheet)}
     known = steady | {sheet.title for sheet in own}
-    taken = {(a.sheet, a.row, a.column) for a in match.declared_at}
+    taken = {(a.sheet, a.row, a.column) for a in match.numbers}
     taken |= {(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
     taken |= {(sheet.title, text.row, text.column) for sheet in fresh.sheets for text in sheet.texts if text.text}
     cells = [cell for sheet in file.workbook.worksheets if sheet.title in known for cell in sheet._cells.values()

@@ -23,7 +23,7 @@ class Right:
     """What should stand in the cells of a matched file, by a declaration of the same layout.
 
     ``values`` are the engine's in formula cells, what was entered in inputs, and what is declared in constants;
-    ``peaks`` are the greatest sizes of columns, or the declared scales where these are greater.
+    ``peaks`` are the greatest sizes of their columns, or the declared scales where these are greater.
     """
 
     def __init__(self, match: Match, declared: Book) -> None:
@@ -35,7 +35,7 @@ class Right:
             q = block.quantities[number]
             column = as_rows(q.value, block.size, q.name)
             self.values += column[:rows]
-            self.peaks.append(max(greatest(column), q.floor))
+            self.peaks += [max(greatest(column), q.floor)] * rows
 
     def get(self, address: Address, default: Any = None) -> Any:
         """Return what should stand in a cell; ``default`` for one that is not declared."""
@@ -44,7 +44,7 @@ class Right:
 
     def peak(self, address: Address) -> float:
         """Return what deviations of a declared cell are measured against."""
-        return self.peaks[self._match.column_of[self._match.numbers[address]]]
+        return self.peaks[self._match.numbers[address]]
 
 
 def greatest(values: list[Any]) -> float:

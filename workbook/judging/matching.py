@@ -98,16 +98,6 @@ class Match:
         """The place of each declared cell among ``pairs``."""
         return {pair.address: n for n, pair in enumerate(self.pairs)}
 
-    @cached_property
-    def column_of(self) -> list[int]:
-        """The place among ``columns`` of each of ``pairs``."""
-        return [k for k, column in enumerate(self.columns) for _ in range(column.rows)]
-
-    @cached_property
-    def declared_at(self) -> dict[Address, Cell]:
-        """The declared cell at each address of the file."""
-        return {pair.address: pair.cell for pair in self.pairs}
-
     def same_shape(self, pair: Pair) -> bool:
         """Whether a formula of the file is the declared one, wherever rows, columns or sheets have moved to."""
         if pair.held == pair.cell.content:
@@ -143,14 +133,6 @@ class Match:
         formula = self.file.contents.formulas.get(address)
         areas = (one for one in formula.arguments if isinstance(one, Area)) if formula is not None else ()
         return any(corner not in self._held_index for area in areas for corner in corners(area))
-
-    def strays(self) -> set[Address]:
-        """Return the cells outside of all blocks, and no heading of theirs, to which some formula refers."""
-        contents, places = self.file.contents, self._places
-        covered = {cell for place in places.values() for j in range(place.columns) for cell in place.down(j)}
-        heads = [(place, -self._header_above(name)) for name, place in places.items()]
-        covered |= {place.cell(up, j) for place, up in heads for j in range(place.columns)}
-        return contents.read([a for a in (*contents.constants, *contents.formula_cells) if a not in covered])
 
     def lost(self, area: Area | None) -> bool:
         """Whether the file has not the column that a declared area is."""

@@ -176,7 +176,7 @@ def put_back(file: BookFile, layout: Book) -> list[Finding]:
 
 def referred(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
     """Yield empty cells of a table of which formulas say that they are elsewhere, with how far."""
-    for pair in match.pairs if empty and match.strays() else ():
+    for pair in match.pairs if empty else ():
         if not pair.declared_formula or pair.held == pair.cell.content or not match.leads_out(pair.address):
             continue
         for (name, i, j), there in match.apart(pair):
@@ -191,7 +191,7 @@ def reshaped(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Addr
     missing = {home: pair for home, pair in empty.items() if pair.declared_formula}
     shapes: dict[str, list[Address]] = {}
     for address, formula in match.file.contents.formulas.items() if missing else ():
-        if address not in match.declared_at:
+        if address not in match.numbers:
             shapes.setdefault(formula.shape, []).append(address)
     counted: dict[str, dict[Way, list[Address]]] = {}
     for home, pair in missing.items() if shapes else ():
@@ -207,7 +207,7 @@ def reshaped(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Addr
 
 def filled(match: Match, address: Address) -> bool:
     """Whether a cell holds anything, and is none of the declared ones."""
-    there = address.sheet in match.file.workbook.sheetnames and address not in match.declared_at
+    there = address.sheet in match.file.workbook.sheetnames and address not in match.numbers
     return there and address.row > 0 and address.column > 0 and match.file.value(address) is not None
 
 

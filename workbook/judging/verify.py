@@ -143,7 +143,7 @@ def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[A
     On some of them an input may depend whose value is among ``given``.
     """
     contents = match.file.contents
-    own = {a for a in contents.formula_cells if a not in match.declared_at}
+    own = {a for a in contents.formula_cells if a not in match.numbers}
     if not own:
         return own
     declared = [p.address for p in match.pairs if p.declared_formula and p.address in contents.formulas]

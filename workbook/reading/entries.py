@@ -35,8 +35,6 @@ class Entries:
     def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend | None = None) -> None:
         require_narrow(file)
         self.file = file
-        self._evaluate = evaluate
-        self._value: Callable[[Address], Any] | None = None
         self.disputed: list[str] = []
         self.cells: dict[str, str] = {}
         self.computed: dict[Address, Any] = {}
@@ -60,7 +58,7 @@ class Entries:
         layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
         self._fit(layout, {size for k, size in roomy.items() if size > self.data["sizes"].get(k, size)})
         self.moved = mend(file, layout, self.template.model_for(self.data)) if mend else []
-        self._layout = layout
+        self._value = evaluate(file, [*self._formulas(layout)])
         for block in layout.blocks.values():
             self._read_block(block)
         for key in self._emptied:
@@ -214,8 +212,6 @@ class Entries:
 
     def _computed(self, cell: Address, q: Quantity, formula: str) -> Any:
         """Return the value of a formula that was entered; note in a line where that is in doubt."""
-        if self._value is None:
-            self._value = self._evaluate(self.file, [*self._formulas()])
         try:
             return self._value(cell)
         except DisputedError as doubt:
@@ -223,9 +219,9 @@ class Entries:
             self.disputed.append(f"{where}: the formula {found(formula)} is in doubt: {doubt}; enter the value itself")
             return None
 
-    def _formulas(self) -> Iterator[Address]:
+    def _formulas(self, layout: Book) -> Iterator[Address]:
         """Yield the input cells that hold a formula."""
-        for block in self._layout.blocks.values():
+        for block in layout.blocks.values():
             place = self.file.places.get(block.name)
             columns = [j for j, q in enumerate(block.quantities) if q.role == "input"]
             cells = [place.cell(i, j) for j in columns for i in range(place.rows)] if place else []

@@ -210,5 +210,5 @@ def links(match: Match, told: Told) -> None:
                 continue
             said, target = " ".join(cell.value.split()), str(link.location or "").rpartition("!")[0]
             leads = not link.target and target.strip("#'").replace("''", "'") == declared.get(said)
-            if at in match.declared_at or (said in declared and not leads):
+            if at in match.numbers or (said in declared and not leads):
                 told.add(at, [(NOTICE, f"a link to {link.target or link.location}")], "as built", said)

@@ -159,7 +159,7 @@ def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
             continue
         at = held.cell(0, 1)
         text = match.file.value(at)
-        if isinstance(text, str) and at not in match.declared_at and is_unit(text):
+        if isinstance(text, str) and at not in match.numbers and is_unit(text):
             report.say(at, SHOWN, text, None, f"unit of {q.label}")
 
 
