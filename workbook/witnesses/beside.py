@@ -30,15 +30,17 @@ LARGEST = 20_000_000  # bytes of a file: both processes hold it
 
 
 class Beside:
-    """The second process, as the first knows it."""
+    """The second process, as the first knows it; a book's formulas as it has them, or this one where it is silent."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
         self._pool = ProcessPoolExecutor(1, initializer=begin)
-        self._read = self.ask(read, path)
-        self.evaluated = self.ask(evaluate)
+        self._read = self._ask(read, path)
+        self.evaluated = self._ask(evaluate)
+        self._problems: Mapping[Address, str] | None = None
+        self._asked: tuple[CellWitness, BookFile]
 
-    def ask(self, task: Callable[..., Any], *arguments: Any) -> Future[Any] | None:
+    def _ask(self, task: Callable[..., Any], *arguments: Any) -> Future[Any] | None:
         """Let the process do something after all that it was asked before; None where it is gone."""
         with suppress(RuntimeError, OSError):
             return self._pool.submit(task, *arguments)
@@ -49,27 +51,15 @@ class Beside:
 
         Only one witness evaluates there.
         """
+        self._asked = witness, file
         same = witness.name == NAME and file.path == self.path and not file.mended
-        return Asked(self, file, witness) if same and answer(self._read) == digest(file.path) else witness.model(file)
-
-    def end(self) -> None:
-        """End the process, whatever it does."""
-        self._pool.shutdown(wait=False, cancel_futures=True)
-        for process in multiprocessing.active_children():
-            process.kill()
-
-
-class Asked:
-    """A file's formulas as the second process has them; as this one has them from when it does not answer."""
-
-    def __init__(self, beside: Beside, file: BookFile, witness: CellWitness) -> None:
-        self._beside, self._file, self._witness = beside, file, witness
-        self._problems: Mapping[Address, str] | None = None
+        return self if same and answer(self._read) == digest(file.path) else self.here
 
     @cached_property
     def here(self) -> Model:
         """The same formulas in this process."""
-        return self._witness.model(self._file)
+        witness, file = self._asked
+        return witness.model(file)
 
     @property
     def problems(self) -> Mapping[Address, str]:
@@ -78,23 +68,29 @@ class Asked:
 
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
-        said = answer(self._beside.evaluated)
+        said = answer(self.evaluated)
         if said is None:
             return self.here.evaluate()
         values, self._problems = said
-        return dict(zip(self._file.contents.formula_cells, values, strict=True))
+        return dict(zip(self._asked[1].contents.formula_cells, values, strict=True))
 
     def each(
         self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
     ) -> Callable[[], Sequence[Any]]:
         """Begin with the values of formula cells, each by itself; return what gives them."""
-        asked = self._beside.ask(each, wanted, strips, values)
+        asked = self._ask(each, wanted, strips, values)
 
         def given() -> Sequence[Any]:
             found: Sequence[Any] | None = answer(asked)
             return self.here.each(wanted, strips, values)() if found is None else found
 
         return given
+
+    def end(self) -> None:
+        """End the process, whatever it does."""
+        self._pool.shutdown(wait=False, cancel_futures=True)
+        for process in multiprocessing.active_children():
+            process.kill()
 
 
 def answer(asked: Future[Any] | None) -> Any:

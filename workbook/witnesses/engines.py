@@ -9,7 +9,7 @@ from workbook.book.address import Address
 from workbook.errors import TooLargeError, WitnessError
 from workbook.reading.contents import Cells, entered
 from workbook.reading.files import BookFile
-from workbook.witnesses.witness import Witness, bare, cached_values
+from workbook.witnesses.witness import Witness, cached_values, without
 
 if TYPE_CHECKING:
     from formulon import Value, Workbook
@@ -39,7 +39,7 @@ class Formualizer(Witness):
         """Yield each set of values with what the formula cells compute at it, in one book that stays open."""
         import formualizer
 
-        with bare(file) as copy:
+        with without(file, bare=True) as copy:
             try:
                 book = formualizer.Workbook.from_bytes(copy.path.read_bytes())
             except Exception as error:
@@ -109,7 +109,9 @@ class IronCalc(Witness):
         import ironcalc  # optional
 
         try:
-            with bare(file) as copy:  # an empty cell with a style, and t="n" as openpyxl writes it, would be 0
+            with without(
+                file, bare=True
+            ) as copy:  # an empty cell with a style, and t="n" as openpyxl writes it, would be 0
                 model = ironcalc.load_from_xlsx(str(copy.path), "en", "UTC", "en")
             model.evaluate()
         except Exception as error:  # what it cannot read comes up as any exception

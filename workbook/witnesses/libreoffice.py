@@ -12,7 +12,7 @@ from pathlib import Path
 from workbook.errors import WitnessError
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
-from workbook.witnesses.witness import Witness, bare, cached_values
+from workbook.witnesses.witness import Witness, cached_values, without
 
 TIMEOUT = 300  # seconds
 PLACES = (
@@ -85,5 +85,5 @@ class LibreOffice(Witness):
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell."""
-        with bare(file) as copy, tempfile.TemporaryDirectory() as folder:
+        with without(file, bare=True) as copy, tempfile.TemporaryDirectory() as folder:
             return cached_values(convert(copy.path, "xlsx", Path(folder)).read_bytes(), file)

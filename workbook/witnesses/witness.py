@@ -99,35 +99,17 @@ def cached_values(data: bytes, file: BookFile) -> Cells:
 
 @contextmanager
 def without(
-    file: BookFile, own: Collection[Address] = (), given: Mapping[Address, Any] = MappingProxyType({})
-) -> Iterator[BookFile]:
+    file: BookFile, own: Collection[Address] = (), given: Mapping[Address, Any] = MappingProxyType({}),
+    bare: bool = False,
+) -> Iterator[BookFile]:  # fmt: skip
     """Give ``file`` itself, or a copy of one that was mended, without the cells ``own`` or with the values ``given``.
 
-    The copy holds contents of cells and the names that lead to cells, and lies in a folder that goes away.
+    The copy holds contents of cells and the names that lead to cells, no styled empty cells, and lies in a folder that
+    goes away. A ``bare`` one is for a program that would follow what else a book holds, such as a linked picture.
     """
-    if own or given or file.mended:
-        with written(file, own, given) as copy:
-            yield copy
-    else:
+    if not (own or given or file.mended or (bare and not file.bare)):
         yield file
-
-
-@contextmanager
-def bare(file: BookFile) -> Iterator[BookFile]:
-    """Give a copy of ``file`` for a program that would follow what else a workbook holds, such as a linked picture.
-
-    It holds what :func:`without` copies, and no styled empty cells; a file that is such a copy is given itself.
-    """
-    if file.bare:
-        yield file
-    else:
-        with written(file, (), {}) as copy:
-            yield copy
-
-
-@contextmanager
-def written(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Iterator[BookFile]:
-    """Give a copy, as :func:`without` says."""
+        return
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "book.xlsx"
         workbook = copied(file, own, given)

@@ -17,7 +17,7 @@ from workbook.errors import MotionbookError
 from workbook.judging.comparing import Comparison
 from workbook.judging.verify import verify
 from workbook.witnesses import beside
-from workbook.witnesses.beside import Asked, Beside, wanted
+from workbook.witnesses.beside import Beside, wanted
 
 
 @pytest.fixture(scope="module")
@@ -100,7 +100,7 @@ def test_killed_before_it_answers_it_is_not_missed(wrong, begun):
 @pytest.mark.parametrize("when", ["asked", "answered"])
 def test_killed_before_the_other_inputs_their_findings_are_not_lost(wrong, begun, monkeypatch, when):
     """As soon as it has evaluated the book, or when all turns were handed to it."""
-    helper, evaluate, ask = begun(wrong), Asked.evaluate, Comparison.ask_elsewhere
+    helper, evaluate, ask = begun(wrong), Beside.evaluate, Comparison.ask_elsewhere
 
     def then_killed(asked):
         values = evaluate(asked)
@@ -112,8 +112,8 @@ def test_killed_before_the_other_inputs_their_findings_are_not_lost(wrong, begun
         kill()
 
     if when == "answered":
-        monkeypatch.setattr(Asked, "evaluate", then_killed)
-        monkeypatch.setattr(Asked, "each", lazily(Asked.each))
+        monkeypatch.setattr(Beside, "evaluate", then_killed)
+        monkeypatch.setattr(Beside, "each", lazily(Beside.each))
     else:
         monkeypatch.setattr(Comparison, "ask_elsewhere", handed_and_killed)
     report = verify(wrong, beside=helper)
