@@ -49,16 +49,13 @@ class Figure(NamedTuple):
 
 @dataclass(frozen=True)
 class Design:
-    """What a workbook or a description says of a machine; ``edited`` and ``own`` only a workbook has.
-
-    ``edited`` has a line for each formula or text that differs from the generated one, ``own`` for what was added.
-    """
+    """What a workbook or a description says of a machine."""
 
     path: Path
     machine: Machine
     book: Book
-    edited: list[str] = field(default_factory=list)
-    own: list[str] = field(default_factory=list)
+    edited: list[str] = field(default_factory=list)  # of a workbook, the formulas and texts that are not as generated
+    own: list[str] = field(default_factory=list)  # and what was added to them
 
     @cached_property
     def axes(self) -> list[str]:

@@ -49,10 +49,7 @@ def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
 
 
 def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
-    """Return a line for each kind of thing that someone put on a generated sheet beside its cells, and for names.
-
-    What is ``own`` is carried over, and left out.
-    """
+    """Return a line for each kind of thing that someone put on a generated sheet and is not ``own``, and for names."""
     lines, told = [], Told()
     rules = Rules(match, Looks(match, BaseModel, told), told)
     rules.judge(list(seen(match, [])))

@@ -35,7 +35,8 @@ class Right:
             q = block.quantities[number]
             column = as_rows(q.value, block.size, q.name)
             self.values += column[:rows]
-            self.peaks += [max(greatest(column), q.floor)] * rows
+            sizes = (abs(v) for v in column if isinstance(v, int | float) and abs(v) < math.inf)
+            self.peaks += [max(q.floor, *sizes, 0.0)] * rows
 
     def get(self, address: Address, default: Any = None) -> Any:
         """Return what should stand in a cell; ``default`` for one that is not declared."""
@@ -47,21 +48,13 @@ class Right:
         return self.peaks[self._match.numbers[address]]
 
 
-def greatest(values: list[Any]) -> float:
-    """Return the greatest size of the finite numbers among ``values``, or 0."""
-    return max((abs(v) for v in values if isinstance(v, int | float) and abs(v) < math.inf), default=0.0)
-
-
 LONG, SPREAD = 12, 6  # of tables of so many rows, one row in so many is looked at, at one of the other inputs
 SHARE = 3  # of shorter tables and single cells, every cell at one in so many of the other inputs
 NO_EVIDENCE = "as built: no evidence of its own"
 
 
 class Comparison:
-    """A matched file, what it should hold, and the one witness that evaluates each cell by itself.
-
-    Witnesses are asked of ``bare``: the file, or a copy without the engineer's own cells.
-    """
+    """A matched file, what it should hold, and ``bare``: the file, or a copy without own cells, for the witnesses."""
 
     def __init__(self, match: Match, bare: BookFile, single: CellWitness, model: Model, report: Report) -> None:
         self.match, self.bare, self.single, self.model, self.report = match, bare, single, model, report
@@ -90,10 +83,7 @@ class Comparison:
             self._computed(ran, values)
 
     def require_answers(self, named: Collection[str]) -> None:
-        """Enter a finding for each witness that failed, if it was asked by name or none computed the cells.
-
-        A file that is too large for one is no failure while another computes it.
-        """
+        """Enter a finding for each witness that failed, if it was named, but for a file too large, or none computed."""
         for ran in self.report.witnesses:
             if ran.why and (not self.values or (ran.name in named and not ran.too_large)):
                 self.report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))

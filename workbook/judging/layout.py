@@ -41,10 +41,7 @@ def laid_out(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[M
 
 
 def amiss(match: Match) -> int:
-    """Return how many tables are not as declared; one that is larger, with no row put into it, hardly can be.
-
-    One that stands in the rows of another is as that is.
-    """
+    """Return how many tables are not as declared, the larger ones twice; one in the rows of another is as that is."""
     apart = (block for block, place in match.misfits if place is not None and block.lead is None)
     return sum(1 if match.size_of(block) < block.size else 2 for block in apart)
 

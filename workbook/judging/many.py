@@ -53,10 +53,7 @@ def without(path: Path, reason: str, verdict: Verdict = "unreadable") -> Outcome
 
 
 def foreign(path: Path) -> bool:
-    """Whether a file is a whole workbook without a machine of motionbook, by its list of names alone.
-
-    False also where that cannot be told: then opening the file says what is wrong with it.
-    """
+    """Whether a file is, by its list of names, a whole workbook without a machine; not where that cannot be told."""
     try:
         with zipfile.ZipFile(path) as archive:
             parts = [name for name in archive.namelist() if fnmatch(name, "xl/workbook*.xml")]

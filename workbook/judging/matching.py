@@ -184,10 +184,7 @@ class Match:
         return {name: self.file.places[name] for name in self.declared.blocks if name in self.file.places}
 
     def _header_above(self, name: str) -> int:
-        """Return how many rows above a block of the file its header stands: rows may lie between.
-
-        It is known by any of its lines of text; by none of them, where the next text stands above.
-        """
+        """Return how many rows above a block its header stands: a line with one of its texts, else the next text."""
         place = self.file.places[name]
         for line, texts in enumerate(self._heading(self.declared.blocks[name])):
             for up in range(1, min(MOST_BETWEEN, place.row - line)):

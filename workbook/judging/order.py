@@ -32,10 +32,7 @@ EMPTY = ", but below it"
 
 
 def in_order(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Finding]:
-    """Put back what was cut from tables, and put entries in order; return findings, and notices, on what was not.
-
-    ``model`` is that of the machine's entries.
-    """
+    """Put back what was cut from tables, and put entries in order; return findings, and notices, on what was not."""
     said = [*put_back(file, layout), *named(file, layout, model), *moved_up(file, layout)]
     if said:
         file.mended = True
@@ -118,10 +115,7 @@ def set_value(file: BookFile, at: Address, value: Any) -> None:
 
 
 def unlike(before: Cells, match: Match, ordered: Cells, report: Report) -> None:
-    """Enter a finding in place of a notice on an empty row where results are others than with the rows moved up.
-
-    ``before`` are the values of the cells of the file as it is, ``ordered`` those with its entries in order.
-    """
+    """Enter a finding in place of a notice on an empty row where results are others than with the rows moved up."""
     right = Right(match, match.declared)
     single = (p.address for p in match.pairs if p.declared_formula and not p.cell.block.is_table)
     wrong = [a for a in single if differs(right, a, before.get(a)) and not differs(right, a, ordered.get(a))]
@@ -152,10 +146,7 @@ class Way(NamedTuple):
 
 
 def put_back(file: BookFile, layout: Book) -> list[Finding]:
-    """Put cells that were cut from a table of ``layout`` back into it; return a finding for each run of them.
-
-    Tables of which the layout has fewer rows than the file are left as they are.
-    """
+    """Put back cells that were cut from tables, but those with more rows than in ``layout``; return a finding a run."""
     match = Match(file, layout)
     small = {name for name, b in layout.blocks.items() if name in file.places and match.size_of(b) > b.size}
     empty = {p.address: p for p in match.pairs if p.held is None and p.cell.block.name not in small}

@@ -54,10 +54,7 @@ def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]
 
 
 def same(held: Any, content: Any) -> bool:
-    """Whether a cell holds what is declared, of the same type: TRUE is not 1, a text of digits is no number.
-
-    An empty text is an empty cell: most programs save none.
-    """
+    """Whether a cell holds what is declared, of the same type: TRUE is not 1; an empty text is an empty cell."""
     if content == "":
         return held is None or held == ""
     if isinstance(content, int | float) and not isinstance(content, bool):

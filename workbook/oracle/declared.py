@@ -54,10 +54,7 @@ class Table:
 
 @dataclass(eq=False)
 class Oracle:
-    """All that is declared of a workbook; ``names`` has the inputs by the variables of the file.
-
-    ``sheets`` are those whose formula cells are counted and looked at: all by default.
-    """
+    """All that is declared of a workbook: inputs also by variables of the file; ``sheets`` to be counted, else all."""
 
     title: str
     sheets: Sequence[str] = ()

@@ -33,10 +33,7 @@ class Anchor(NamedTuple):
 
 
 def anchored(parts: Mapping[str, Element], sheet: str) -> list[Anchor]:
-    """Return the drawings of a sheet that hide what is behind them, the lowest first.
-
-    ``sheet`` is its part, and ``parts`` has the root of each.
-    """
+    """Return the drawings on a sheet that hide what is behind them, the lowest first; ``parts`` are roots by names."""
     found = []
     for link in links(parts, sheet):
         if link.kind == "drawing":

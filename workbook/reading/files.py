@@ -102,11 +102,7 @@ class BookFile:
 
 
 def open_book(path: Path, shown: bool = True) -> BookFile:
-    """Open a workbook for reading; ``shown`` false, without saved values, which no formula asks for.
-
-    Raises ReadError, in one line, where the file is missing, locked, of another kind, damaged, or larger than
-    a workbook may be (:mod:`workbook.reading.guard`).
-    """
+    """Open a workbook, or raise ReadError in one line; ``shown`` false, without saved values that no formula needs."""
     require_file(path, "a workbook")
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
@@ -192,10 +188,7 @@ def require_narrow(file: BookFile) -> None:
 
 
 def require_little_work(file: BookFile, path: Path) -> None:
-    """Raise ReadError, in one line, where formulas of ``file``, a copy of ``path``, read more cells than any book's.
-
-    Only what is evaluated is asked for; of running sums each reads all rows before.
-    """
+    """Raise ReadError where formulas of ``file``, the copy of ``path`` that is evaluated, read more than any book's."""
     read = cells_read(file.contents.patterns)
     if read > MOST_READ:
         raise ReadError(f"{path}: its formulas read {read:,} cells together; at most {MOST_READ:,} are expected: "

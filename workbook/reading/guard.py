@@ -51,10 +51,7 @@ class Inspected(NamedTuple):
 
 
 def guard(path: Path) -> Inspected:
-    """Check a file before it is parsed.
-
-    Raises ReadError, in one line, where it is no zip of XML, is larger than a workbook may be, or has two readings.
-    """
+    """Check a file before it is parsed; raise ReadError where it is no zip of XML, too large, or has two readings."""
     try:
         with path.open("rb") as file:
             return inspect(file, path.stat().st_size)

@@ -55,17 +55,14 @@ def refuse_two_texts(element: Element, part: str) -> None:
 
 
 class Written(NamedTuple):
-    """A cell as it is written: its place, the number of its style, the type of its value (``n``, ``str`` ...).
-
-    Besides the value's text, and the attributes and the text of its formula, where it has them.
-    """
+    """A cell as it is written."""
 
     row: int
     column: int
-    style: int
-    kind: str
+    style: int  # its number
+    kind: str  # the type of its value: n, s, str ...
     value: str | None
-    how: dict[str, str] | None
+    how: dict[str, str] | None  # the attributes of its formula, where it has one
     formula: str
 
 
@@ -82,10 +79,7 @@ def corner(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
 
 
 class Rows:
-    """What one worksheet contains: its ``written`` cells in order, the ``looks`` of rows by number.
-
-    Besides the ``fonts`` within texts, by row and column.
-    """
+    """What a worksheet contains: ``written`` cells in order, ``looks`` of rows, and ``fonts`` within texts by place."""
 
     def __init__(self, name: str, count: Count) -> None:
         self.name, self.count = name, count

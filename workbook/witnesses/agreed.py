@@ -64,7 +64,11 @@ class Evaluation:
             known = {name: value for name, value in said.items() if value not in UNABLE.get(name, UNKNOWN)}
             alike = len(said) == ENOUGH and not {*said.values()} & {*UNKNOWN} and len({*said.values()}) == 1
             if len(known) == ENOUGH or alike:
-                return self._undisputed(address, known if len(known) == ENOUGH else said, said)
+                saved = self._file.saved.get(address)
+                first, *others = (known if len(known) == ENOUGH else said).values()
+                if all(same(first, value) for value in (*others, *([] if saved is None else [saved]))):
+                    return first
+                raise DisputedError(", ".join(self._told(address, said)))
         why = [*self._told(address, said), *self._failed.values()]
         raise DisputedError(f"it cannot be computed by {ENOUGH} evaluators ({'; '.join(why)})")
 
@@ -80,14 +84,6 @@ class Evaluation:
             if cell not in contents.arrays and isinstance(text, str) and spreads(text):
                 where = "it" if cell == address else f"{cell}"
                 raise DisputedError(f"{where} computes with a range where Excel takes one cell of it")
-
-    def _undisputed(self, address: Address, known: dict[str, Any], said: dict[str, Any]) -> Any:
-        """Return the value of all that are known; raise DisputedError, with all that was said, where one differs."""
-        saved = self._file.saved.get(address)
-        first, *others = (*known.values(), *([] if saved is None else [saved]))
-        if not all(same(first, value) for value in others):
-            raise DisputedError(", ".join(self._told(address, said)))
-        return first
 
     def _told(self, address: Address, said: dict[str, Any]) -> list[str]:
         """Return what each has, and the file as it was saved."""

@@ -47,10 +47,7 @@ class Beside:
         return None
 
     def model(self, witness: CellWitness, file: BookFile) -> Model:
-        """Return the formulas of a file as a witness has them: evaluated there, if the process has read the same file.
-
-        Only one witness evaluates there.
-        """
+        """Return a file's formulas: evaluated there, if the process is of this witness and has read the same file."""
         self._asked = witness, file
         same = witness.name == NAME and file.path == self.path and not file.mended
         return self if same and answer(self._read) == digest(file.path) else self.here

@@ -1,7 +1,4 @@
-"""How cells look: number formats against those of a fresh build, fonts, fills and alignments by what can be read.
-
-Cells that are judged alike are one run, and what is told of all of a kind is told once.
-"""
+"""How cells look: number formats against those of a fresh build, fonts, fills and alignments by what can be read."""
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator

@@ -132,10 +132,7 @@ def reworded(held: str, expected: str, others: Iterable[str]) -> str:
 
 
 def unit_kind(held: str, expected: str, others: set[str]) -> str:
-    """Return of which kind a changed unit is: another misleads, and so does one that has changed places with it.
-
-    That of a column stands in brackets behind the symbol.
-    """
+    """Return of which kind a changed unit, or symbol with one, is: another misleads, and so do exchanged ones."""
     (symbol, unit), (ours, declared), known = parted(held), parted(expected), [parted(other) for other in others]
     stands = compared(unit, declared)
     exchanged = bool(unit) and stands != "same" and any(same(unit, other) for _, other in known)

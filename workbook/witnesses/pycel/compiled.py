@@ -57,10 +57,7 @@ def compiled(shape: str) -> Compiled | FormulaError:
 
 
 def check(tokens: Sequence[Token]) -> None:
-    """Let nothing pass but dummies, numbers, operators and functions of Excel that pycel has.
-
-    pycel would hand other words on to Python. Raises FormulaError.
-    """
+    """Raise FormulaError for all but dummies, numbers, operators and functions: pycel would hand it on to Python."""
     for token in tokens:
         if token.type == Token.OPERAND and token.subtype in (Token.RANGE, Token.TEXT):
             if not DUMMY.fullmatch(token.value):

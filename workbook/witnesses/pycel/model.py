@@ -100,11 +100,7 @@ class PycelModel:
     def each(
         self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
     ) -> Callable[[], Sequence[Any]]:
-        """Return what gives the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
-
-        ``wanted`` are the numbers of the cells within ``strips``. With the right values around it, a fault shows in its
-        own cell only.
-        """
+        """Return what gives the values of formula cells, each by itself: with the right ones around it."""
         return partial(self._each, wanted, strips, values)
 
     @np.errstate(all="ignore")

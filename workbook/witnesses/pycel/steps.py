@@ -90,10 +90,7 @@ class Numbering:
 
 
 def ordered(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[int, int]]:
-    """Return the keys of ``needs`` so that each follows those it needs; for each in a cycle, one that it needs there.
-
-    Needs that are no keys are passed over.
-    """
+    """Return keys so that each follows those keys that it needs; for each in a cycle, one that it needs there."""
     cyclic: dict[int, int] = {}
     try:
         order = list(TopologicalSorter(needs).static_order())
