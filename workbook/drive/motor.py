@@ -9,8 +9,7 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import NOTHING, Said, amount, exceeding
 from workbook.entries.units import RPM, shown
 
-RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"
-"""colours in the plane of speed and torque"""
+RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"  # colours in the plane of speed and torque
 
 
 def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quantity]:

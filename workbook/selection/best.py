@@ -129,8 +129,7 @@ def figures(view: Choosing) -> list[Quantity]:
     ]  # fmt: skip
 
 
-NAMED = 6
-"""pairs that a chart shows"""
+NAMED = 6  # pairs that a chart shows
 
 
 def uses(sheet: Sheet, view: Choosing) -> None:

@@ -13,8 +13,7 @@ Name = Annotated[str, Field(min_length=1, max_length=60, pattern=NO_FORMULA), LO
 Source = Annotated[str, Field(min_length=1, max_length=200, pattern=NO_FORMULA), ONE_LINE]
 Efficiency = Annotated[float, Field(gt=0, le=1, allow_inf_nan=False)]
 Factor = Annotated[float, Field(ge=1, allow_inf_nan=False)]
-FULL_CYCLES = 1000.0
-"""an hour: up to so many makers tell the torque of a reducer that accelerates"""
+FULL_CYCLES = 1000.0  # an hour: up to so many makers tell the torque of a reducer that accelerates
 
 
 class MotorRow(Model):

@@ -3,7 +3,7 @@
 import csv
 import re
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -19,10 +19,8 @@ from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.visible import found
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
-Product = dict[str, Any]
-"""what a line of a catalogue says of a product, by entry"""
+Product = dict[str, Any]  # what a line of a catalogue says of a product, by entry
 FOLDER = Path(workbook.__file__).parent.parent.joinpath("templates")
-MOTORS, REDUCERS = "motors.csv", "reducers.csv"
 TEXTS = ("name", "source")
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")  # Python takes 1_000 and ١٢ too
 MOTOR_COLUMNS = {
@@ -39,32 +37,11 @@ REDUCER_COLUMNS = {
 }  # fmt: skip
 
 
-def read_motors(path: Path) -> list[Product]:
-    """Read the entries of a catalogue of motors; raise ReadError, or InputError with a line for each fault."""
-    return read(path, MotorRow, MOTOR_COLUMNS)
-
-
-def read_reducers(path: Path) -> list[Product]:
-    """Read the entries of a catalogue of reducers; raise ReadError, or InputError with a line for each fault."""
-    return read(path, ReducerRow, REDUCER_COLUMNS)
-
-
-@cache
-def committed_motors() -> list[MotorRow]:
-    """Return the motors that come with the templates."""
-    return [MotorRow.model_validate(product) for product in read_motors(FOLDER.joinpath(MOTORS))]
-
-
-@cache
-def committed_reducers() -> list[ReducerRow]:
-    """Return the reducers that come with the templates."""
-    return [ReducerRow.model_validate(product) for product in read_reducers(FOLDER.joinpath(REDUCERS))]
-
-
-def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Product]:
+def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]:
     """Read the rows of a CSV file: commas, or semicolons with commas in the numbers.
 
-    A number beyond its bounds, or one that is missing, is an unfinished design's: it is given as it is.
+    A number beyond its bounds, or one that is missing, is an unfinished design's: it is given as it is. Raises
+    ReadError, or InputError with a line for each fault.
     """
     lines = read_text(path, "a catalogue, a .csv file").splitlines()
     if not lines:
@@ -72,10 +49,21 @@ def read(path: Path, model: type[Row], columns: dict[str, str]) -> list[Product]
     separator = ";" if ";" in lines[0] else ","
     table = csv.reader(lines, delimiter=separator)
     faults: list[str] = []
+    rows: list[Product] = []
     try:
         head = [cell.strip() for cell in next(table)]
         require_head(path, head, model, columns)
-        rows = list(parse(path, table, head, separator, model, columns, faults))
+        for cells in table:
+            where = f"{path}: line {table.line_num}"
+            if not any(cell.strip() for cell in cells):
+                continue
+            if len(cells) > len(head):
+                faults.append(f"{where}: {len(cells)} cells; expected {len(head)}, as in the head")
+                continue
+            filled = zip(head, cells, strict=False)  # cells at the end may be missing
+            given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
+            rows.append({entry: cell for entry, cell in given.items() if cell is not None})
+            faults += [f"{where}, {said}" for said in useless(model, columns, rows[-1])]
     except csv.Error as error:
         raise ReadError(f"{path}: line {table.line_num}: {error}; expected a catalogue, a .csv file") from error
     if faults:
@@ -103,30 +91,6 @@ def others(found: list[str]) -> str:
     return f" and {len(found) - 1:,} more" if len(found) > 1 else ""
 
 
-def parse(
-    path: Path, table: Any, head: list[str], separator: str, model: type[Row], columns: dict[str, str],
-    faults: list[str],
-) -> Iterator[Product]:  # fmt: skip
-    """Yield what each line says; enter in ``faults`` what is of no use, whatever other numbers would be."""
-    names = {entry: column for column, entry in columns.items()}
-    for cells in table:
-        if not any(cell.strip() for cell in cells):
-            continue
-        where = f"{path}: line {table.line_num}"
-        if len(cells) > len(head):
-            faults.append(f"{where}: {len(cells)} cells; expected {len(head)}, as in the head")
-            continue
-        filled = zip(head, cells, strict=False)  # cells at the end may be missing
-        given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
-        given = {entry: cell for entry, cell in given.items() if cell is not None}
-        try:
-            model.model_validate(given)
-        except ValidationError as error:
-            told = error.errors(include_url=False)
-            faults += [f"{where}, {line_of(fault, model, names)}" for fault in told if numbers_of(fault, model) is None]
-        yield given
-
-
 def value(cell: str, entry: str, separator: str) -> Any:
     """Return what a cell holds: nothing, a text, or a number; what is no number stays a text, which no rule takes."""
     if not cell or entry in TEXTS:
@@ -135,12 +99,29 @@ def value(cell: str, entry: str, separator: str) -> Any:
     return float(text) if NUMBER.fullmatch(text) else cell
 
 
-def line_of(fault: Any, model: type[Row], names: dict[str, str]) -> str:
-    """Return the column, what was found, what is expected."""
-    cause = fault.get("ctx", {}).get("error")
-    entry = str(fault["loc"][0])
-    if isinstance(cause, EntryError):
-        return f"column {names[cause.field or entry]}: {cause}"
-    expected = rules.expectation(*rules.field_at(model, entry))
-    what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
-    return f"column {names[entry]}: {what}; expected {expected}"
+def useless(model: type[Row], columns: dict[str, str], given: Product) -> Iterator[str]:
+    """Yield of what is of no use, whatever other numbers would be, the column, what was found, what is expected."""
+    names = {entry: column for column, entry in columns.items()}
+    try:
+        model.model_validate(given)
+    except ValidationError as error:
+        for fault in error.errors(include_url=False):
+            cause, entry = fault.get("ctx", {}).get("error"), str(fault["loc"][0])
+            if numbers_of(fault, model) is not None:
+                continue
+            if isinstance(cause, EntryError):
+                yield f"column {names[cause.field or entry]}: {cause}"
+                continue
+            expected = rules.expectation(*rules.field_at(model, entry))
+            what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
+            yield f"column {names[entry]}: {what}; expected {expected}"
+
+
+def committed(model: type[Row], columns: dict[str, str], name: str) -> list[Row]:
+    """Return the products of a catalogue that comes with the templates."""
+    return [model.model_validate(product) for product in read(model, columns, FOLDER / name)]
+
+
+read_motors, read_reducers = partial(read, MotorRow, MOTOR_COLUMNS), partial(read, ReducerRow, REDUCER_COLUMNS)
+committed_motors = cache(partial(committed, MotorRow, MOTOR_COLUMNS, "motors.csv"))
+committed_reducers = cache(partial(committed, ReducerRow, REDUCER_COLUMNS, "reducers.csv"))

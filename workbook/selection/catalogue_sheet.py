@@ -4,8 +4,7 @@ from workbook.book.declare import Book, columns_of
 from workbook.selection.catalogue import FALLING, HALF
 from workbook.selection.entries import Products, SelectionSizes
 
-SOURCE = 100
-"""characters of the column of sources, the same in both tables; it is not printed"""
+SOURCE = 100  # characters of the column of sources, the same in both tables; it is not printed
 
 
 def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> None:

@@ -19,8 +19,7 @@ from workbook.entries.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Ranked, SelectionSizes
 
-BEST = 20
-"""rows of the list of the best pairs"""
+BEST = 20  # rows of the list of the best pairs
 AS_ENTERED = "as entered"
 LABELS = {
     "own": ("mean of α²", "rad²/s⁴"), "square": ("mean of S², driving", "Nm²"), "square_back": ("… driven", "Nm²"),
@@ -175,22 +174,16 @@ class Choosing:
         self.wanted = Wanted(given.inertia_ratio, given.least_margin, given.greatest_margin, given.torque_factor,
                              given.least_peak_margin, given.least_speed_margin)  # fmt: skip
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
-        self.reducers = engine_reducers(given.reducers)
+        r = self.reducers = engine_reducers(given.reducers)
+        self.bare = gears(0.0, r.reduction, r.efficiency, r.no_load)  # the reducers, before any motor
+        own, ranking = self.shaft.values, (given.rank, sizes.reducers, self.pairs)
+        self.grid = PairMatrix(self.load, self.motors, r, own["beside"], self.wanted, si(own["cycles"], PER_HOUR))
+        self.keys = self.grid.keys(*ranking)  # what the pairs are sorted by; NaN where they are not ranked
+        self.ranked = self.grid.best(*ranking)  # motor and reducer, best first
 
     def held(self, name: str) -> float:
         """Return a figure of the pair that the shaft has."""
         return self.shaft.values[f"held_{name}"]
-
-    @cached_property
-    def grid(self) -> PairMatrix:
-        """All pairs."""
-        return PairMatrix(self.load, self.motors, self.reducers, self.shaft.values["beside"], self.wanted,
-                          si(self.shaft.values["cycles"], PER_HOUR))  # fmt: skip
-
-    @cached_property
-    def bare(self) -> Gears:
-        """The reducers of the catalogue, before any motor."""
-        return gears(0.0, self.reducers.reduction, self.reducers.efficiency, self.reducers.no_load)
 
     @cached_property
     def own_gears(self) -> Gears:
@@ -214,16 +207,6 @@ class Choosing:
     def every_drive(self) -> list["Choosing"]:
         """The choice for each shaft."""
         return [Choosing(self.given, self.sizes, self.shafts, n) for n in range(len(self.shafts))]
-
-    @cached_property
-    def keys(self) -> Array:
-        """What the pairs are sorted by; NaN where they are not ranked."""
-        return self.grid.keys(self.given.rank, self.rooms[1], self.pairs)
-
-    @cached_property
-    def ranked(self) -> list[tuple[int, int]]:
-        """The ranked pairs, best first."""
-        return self.grid.best(self.given.rank, self.rooms[1], self.pairs)
 
     @property
     def held_names(self) -> tuple[str, str]:

@@ -76,8 +76,7 @@ def points_table(sheet: Sheet, view: Choosing) -> None:
     sheet.book.name(in_scope("@points", sheet.scope), **names)
 
 
-GROUP = 5
-"""drives among which one formula chooses"""
+GROUP = 5  # drives among which one formula chooses
 
 
 def named(
@@ -135,33 +134,16 @@ def motors_by_drives(sheet: Sheet, view: Choosing) -> None:
     """Declare what each motor has to do behind the reducer of each drive, and what it fails first."""
     drives, each = view.every_drive, [one.behind_own for one in view.every_drive]
     loads(sheet, view)
-    for name, title, formula, figure, spare, more in (
-        (
-            "share",
-            "Their RMS torque over their continuous torque",
-            share,
-            "uses",
-            0.0,
-            {"format": DASH, "scale": max(1.0, *(float(one.uses.max()) for one in each))},
-        ),
-        (
-            "peak",
-            "Their peak torque [Nm]",
-            lambda n: peak(n, drives[n - 1]),
-            "peak",
-            0.0,
-            {"format": DASH, "scale": max(1e-3, *(float(one.peak.max()) for one in each))},
-        ),
-        (
-            "wanted",
-            "What is wanted of them",
-            lambda n: wanted("all_", n, "@behind.at"),
-            "wanted_verdicts",
-            LARGE,
-            {"align": "center"},
-        ),
+    tables: tuple[tuple[str, str, Callable[[int], str], str, Any, dict[str, Any]], ...] = (
+        ("share", "Their RMS torque over their continuous torque", share, "uses", 0.0,
+         {"format": DASH, "scale": max(1.0, *(float(one.uses.max()) for one in each))}),
+        ("peak", "Their peak torque [Nm]", lambda n: peak(n, drives[n - 1]), "peak", 0.0,
+         {"format": DASH, "scale": max(1e-3, *(float(one.peak.max()) for one in each))}),
+        ("wanted", "What is wanted of them", lambda n: wanted("all_", n, "@behind.at"), "wanted_verdicts", LARGE,
+         {"align": "center"}),
         ("word", "What they fail first; yes: they can do it", verdict, "verdicts", "–", {"align": "center"}),
-    ):
+    )  # fmt: skip
+    for name, title, formula, figure, spare, more in tables:
         matrix(sheet, view, f"all_{name}", title, formula, [getattr(one, figure)[:, 0] for one in each], spare, **more)
 
 

@@ -14,8 +14,7 @@ from workbook.entries.units import PER_RPM, RPM, shown
 from workbook.selection.catalogue import FULL_CYCLES
 from workbook.selection.choosing import MIXED, SQUARE, Choosing, rms_of, torque_of
 
-LARGE = "large"
-"""beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing"""
+LARGE = "large"  # beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing
 DASH = '0.0##;-0.0##;"–"'
 NOTE = (
     "What a pair fails first: reducer (its torque or speed), speed, peak or RMS torque of the motor, large (beyond the "
@@ -141,8 +140,7 @@ def key(view: Choosing, c: int) -> str:
     return f'IF({usable},ROUND({PARTS}*({score}),0)*{view.pairs}+[first]+{c - 1},"–")'
 
 
-MASSLESS = 3
-"""ranks that need neither mass nor cost"""
+MASSLESS = 3  # ranks that need neither mass nor cost
 
 
 def weighed(view: Choosing, table: str, room: int, mass: Any, cost: Any) -> list[Quantity]:
@@ -172,8 +170,7 @@ MOTOR_COLUMNS = (
     ("rated", "rated torque", "Nm", "rated", "*@left"),
     ("peak", "peak torque", "Nm", "peak", ""),
     ("nmax", "largest speed", "rpm", "nmax", ""),
-)
-"""figures of every motor: column here, words, unit, column of the catalogue, and what is made of that"""
+)  # figures of every motor: column here, words, unit, column of the catalogue, and what is made of that
 
 
 def motors(sheet: Sheet, view: Choosing) -> None:
@@ -215,8 +212,7 @@ def motors(sheet: Sheet, view: Choosing) -> None:
 CYCLE_FACTOR = (
     f"IF(@cycles>IF(INDEX([reducers.full],[k])>0,INDEX([reducers.full],[k]),{FULL_CYCLES:g})*(1+1E-9),"
     "MAX(1,INDEX([reducers.fs],[k])),1)"
-)
-"""of a reducer of the catalogue: what its largest torque counts over at the cycles of the axis"""
+)  # of a reducer of the catalogue: what its largest torque counts over at the cycles of the axis
 
 
 def reducers(sheet: Sheet, view: Choosing) -> None:

@@ -16,6 +16,7 @@ from tests.workbook.machines.test_machine import TEMPLATE
 from workbook.build import build
 from workbook.judging.verify import verify
 from workbook.machines.machine.drive.view import settled_highest
+from workbook.machines.machine.exact import exact_highest
 
 NONE = {"inertia": 10.0, "rated_torque": 1e5, "max_speed": 1e6}
 AXES = {
@@ -50,7 +51,7 @@ def test_the_rate_below_a_curve_is_that_of_an_exact_search(request, number, name
     drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
     given = machine(name, drawn.uniform(30.0, 90.0))
     (view,) = straight.drives_of(given)
-    exact, _ = view.exact_highest()
+    exact, _ = exact_highest(view)
     assert settled_highest(view).rate == pytest.approx(exact, rel=2e-3 if name == "constant" else 0.02)
 
 

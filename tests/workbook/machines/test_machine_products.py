@@ -9,7 +9,7 @@ from workbook.build import build, failing
 from workbook.judging.verify import verify
 from workbook.machines.machine.chain import UNTOLD
 from workbook.machines.machine.drive.max_rate import LIMITS as LIMITS_OF_RATE
-from workbook.machines.machine.exact import drives_of
+from workbook.machines.machine.exact import drives_of, exact_highest
 from workbook.reading.descriptions import checked, read_machine
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 from workbook.template import FOLDER
@@ -110,7 +110,7 @@ def test_beyond_its_cycles_an_hour_the_reducer_s_torque_counts_over_the_factor(f
     assert any("the reducer's" in line for line in failed(machine)) is not holds
     assert value("drive1_held", "rate")[REACHED] == pytest.approx(highest * rate, rel=1e-9)
     (view,) = drives_of(machine)
-    assert view.exact_highest() == (pytest.approx(highest * rate, rel=1e-7), "reducer peak torque")
+    assert exact_highest(view) == (pytest.approx(highest * rate, rel=1e-7), "reducer peak torque")
 
 
 def test_the_factor_of_the_catalogue_counts_beyond_a_thousand_cycles_an_hour_in_drive_and_selection():

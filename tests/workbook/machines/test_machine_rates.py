@@ -18,7 +18,7 @@ from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import Master
-from workbook.machines.machine.exact import rates
+from workbook.machines.machine.exact import exact_highest, rates
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.view import Whole
 
@@ -145,7 +145,7 @@ def test_entered_and_read_again_the_rate_is_that_of_an_exact_search(request, num
     told = f"pace {number}"
     drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
     (view,) = drives_of(drawn_machine(machine(200.0, {}, {}), drawn))
-    exact, _ = view.exact_highest()
+    exact, _ = exact_highest(view)
     found = settled_highest(view).rate
     if math.isinf(exact):
         assert found == "none"

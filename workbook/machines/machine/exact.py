@@ -3,8 +3,9 @@
 import math
 from collections.abc import Iterator
 
+from engine.drive.limits import highest_rate
 from workbook.book.sentence import rounded
-from workbook.entries.units import RPM, shown
+from workbook.entries.units import PER_MINUTE, RPM, shown
 from workbook.laws.shelf import LawShelf
 from workbook.machines.machine.clearances import Apart
 from workbook.machines.machine.drive.driven import Driven
@@ -44,10 +45,16 @@ def rate_of(view: DriveView) -> Iterator[str]:
         settled, most, says = settled_highest(view).rate, told, f"about {rounded(told)}"
         if not told or (isinstance(settled, float) and abs(settled - told) <= RATE / 2.0 * told):
             return
-    exact, limit = view.exact_highest()
+    exact, limit = exact_highest(view)
     if abs(exact - most) > RATE * min(exact, most):
         found = f"the highest rate is {rounded(exact)} cycles/min exactly ({limit})"
         yield f"{view.driven.called}: {found}; its sheet says {says}"
+
+
+def exact_highest(view: DriveView) -> tuple[float, str]:
+    """Return the exact highest rate of a drive (cycles/min) and the limiting factor."""
+    found = highest_rate({view.driven.called: view.driven.judged})
+    return shown(found.speed / math.tau, PER_MINUTE), found.limit
 
 
 def truths(machine: AnyMachine) -> list[str]:

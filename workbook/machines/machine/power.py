@@ -19,12 +19,9 @@ NOTE = "A drive takes what its motor needs over η; what comes back, times η, g
 TOGETHER = "Drives use what others give back; what is left goes into one resistor."
 APART = "A drive at a rate of its own has no place in the {}: it is alone."
 CHART_COLUMN = 10
-YEAR = '0.0;-0.0;"–"'
-"""format of the energy of a year: a dash where no hours of running are entered"""
-FINE = 0.05
-"""of the peak: by more the samples must not miss the drives' peaks"""
-LEAST = 1.0
-"""W that count as nothing"""
+YEAR = '0.0;-0.0;"–"'  # format of the energy of a year: a dash where no hours of running are entered
+FINE = 0.05  # of the peak: by more the samples must not miss the drives' peaks
+LEAST = 1.0  # W that count as nothing
 kw = partial(shown, unit=KW)
 
 

@@ -8,11 +8,10 @@ from workbook.book.again import again
 from workbook.book.checks import summed_up
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import summary_sheet
-from workbook.drive.in_short import NO_DRIVE, InShort, axes_in_short
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.entries.texts import place_of
-from workbook.entries.units import PER_MINUTE, shown, si
+from workbook.entries.units import PER_MINUTE, si
 from workbook.latest import latest
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, shelf_of
@@ -26,13 +25,14 @@ from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import rates, truths
 from workbook.machines.machine.from_names import fixed, laid_out
+from workbook.machines.machine.in_short import NO_DRIVE, axes_in_short
 from workbook.machines.machine.motion.tables import AxisRows, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
-from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timing_sheet, units
+from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import export_sheet
@@ -53,12 +53,7 @@ def declare(given: AnyMachine) -> Book:
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
     told = [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *(supply(bus) if bus else [])]
     sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", told)
-    axes_in_short(
-        sheet,
-        [in_short(axis, drives.get(axis.number)) for axis in machine.axes],
-        units(machine),
-        [(symbol, units(machine, order)) for order, symbol in enumerate(machine.over.symbols[1:3], 1)],
-    )
+    axes_in_short(sheet, machine, drives)
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
@@ -109,16 +104,6 @@ def pace(machine: Whole) -> list[Quantity]:
         return [result("about_cycle", "Length of a cycle", f"{over.symbol}_c", over.unit, "=timing_cycle", over.length)]
     return [result("about_rate", "Production rate", "N", "cycles/min", "=timing_rate", rate),
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time)]  # fmt: skip
-
-
-def in_short(axis: MovingAxis, view: DriveView | None) -> InShort:
-    """Return what the first sheet tells of an axis, and of its drive if it has one."""
-    low, high = (shown(end, axis.unit) for end in axis.motion.reach)
-    found = InShort(axis.given.name, high - low, axis.fastest, axis.hardest)
-    return found if view is None else found._replace(
-        reserve=view.reserve, scope=f"drive{axis.number}_", motor=axis.given.motor.name if axis.given.motor else "",
-        ratio=view.driven.reducer.ratio, highest=view.highest,
-    )  # fmt: skip
 
 
 def named_drive_sheet(book: Book, view: DriveView) -> None:

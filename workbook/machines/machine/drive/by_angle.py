@@ -14,8 +14,7 @@ from workbook.machines.machine.drive.mechanisms.page import Column, constant_siz
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.mechanism import PressCrank
 
-NEAR = 1e-9
-"""of a turn, and of the sheet's check_zero: how near to whole turns a cycle must end"""
+NEAR = 1e-9  # of a turn, and of the sheet's check_zero: how near to whole turns a cycle must end
 
 
 def crank_entries(driven: Driven, key: str) -> list[Quantity]:

@@ -42,8 +42,7 @@ APART = {
     "press crank": SHORT,
     "crank-slider": SHORT,
     "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
-}
-"""what is said of sizes that do not go together"""
+}  # what is said of sizes that do not go together
 
 
 def linkage_of(given: MechanismEntry, unit: float) -> Linkage:

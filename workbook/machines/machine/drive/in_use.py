@@ -40,8 +40,7 @@ REDUCER = (
 """of each entry: words, symbol, unit and a note, the cell that is used, and the column of the catalogue"""
 DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
 ZERO = dict.fromkeys(("peak_torque", "mean_torque", "max_speed"), "0: no limit") | {"full_cycles": "0: not given"}
-AT_LEAST = {"cycle_factor": "MAX(1,{0})"}
-"""what counts of an entry that may be empty"""
+AT_LEAST = {"cycle_factor": "MAX(1,{0})"}  # what counts of an entry that may be empty
 SOURCES = {"rated_torque": "at its temperature", "stall_torque": "at its temperature, T_N at least"}
 IN_SI = {"kg cm²": ("kg m²", "({})/10000")}
 """of the units of what is entered in others, for the formulas behind: the unit, and what a formula stands in"""
@@ -139,8 +138,7 @@ def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
                         used.max_speed or 0.0)  # fmt: skip
 
 
-UNUSED = "not used"
-"""what is entered of a product that has the catalogue's figures"""
+UNUSED = "not used"  # what is entered of a product that has the catalogue's figures
 
 
 def entries(axis: Axis, key: str) -> list[Quantity]:

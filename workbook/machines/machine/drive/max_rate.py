@@ -5,9 +5,8 @@ With T_s the torque without motion and I = T − T_s, a rate √x times the pres
 
 import math
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
 
-from engine.drive.drive_points import LEAST_USE, Share, by_cycles, line, squares
+from engine.drive.drive_points import LEAST_USE, by_cycles, line, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import Said, Sentence, bound
 from workbook.entries.units import RPM, shown
@@ -33,29 +32,22 @@ def grown(torque: str, limit: str, *more: str) -> str:
     return f"MAX({','.join((*(f'SUMPRODUCT(MAX({way}))' for way in ways), *more))})"
 
 
-class Limit(NamedTuple):
-    """Of a limit in cells: the limit itself, what stands at any rate, and the share that grows with its square."""
-
-    limit: str
-    stands: str
-    use: str
-
-
 MOTOR_STANDS = "MAX(MAX([@pt.T0]),0-MIN([@pt.T0]))"
 LIMITS = {
-    "RMS torque": Limit(
+    "RMS torque": (
         "@line", "SQRT(@stand)",
         "IF(OR(@speed=0,[stands]>=[limit]),0,"
         "(SQRT(@half^2+@grow*([limit]*([limit]-@sink*@near)-@stand))+@half)/([limit]*([limit]-@sink*@near)-@stand))"),
-    "peak torque": Limit("@motor_peak", MOTOR_STANDS, grown("T", "@motor_peak")),
-    "motor speed": Limit("@motor_nmax", "0", "(@speed/[limit])^2"),
-    "reducer input speed": Limit("@reducer_nmax", "0", "IF([limit]=0,0,(@speed/[limit])^2)"),
-    "reducer peak torque": Limit("@reducer_peak", "MAX(MAX([@pt.S0]),0-MIN([@pt.S0]))",
+    "peak torque": ("@motor_peak", MOTOR_STANDS, grown("T", "@motor_peak")),
+    "motor speed": ("@motor_nmax", "0", "(@speed/[limit])^2"),
+    "reducer input speed": ("@reducer_nmax", "0", "IF([limit]=0,0,(@speed/[limit])^2)"),
+    "reducer peak torque": ("@reducer_peak", "MAX(MAX([@pt.S0]),0-MIN([@pt.S0]))",
                                  f"IF([limit]=0,0,{grown('S', '[limit]', '@many')})"),
-    "reducer mean torque": Limit("@reducer_mean", "@smean0",
+    "reducer mean torque": ("@reducer_mean", "@smean0",
                                  "IF([limit]<=[stands],0,MAX(0,@smean-[stands])/([limit]-[stands]))"),
-    "torque below the curve": Limit("@corner", MOTOR_STANDS, "MAX(MAX([@pt.uc]),MAX([@pt.ub]))"),
+    "torque below the curve": ("@corner", MOTOR_STANDS, "MAX(MAX([@pt.uc]),MAX([@pt.ub]))"),
 }  # fmt: skip
+"""of each limit in cells: the limit itself, what stands at any rate, and the share that grows with its square"""
 
 
 def rates_table(sheet: Sheet, view: DriveView) -> None:
@@ -84,8 +76,11 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
                  "a rate beyond 30,000 times the present one", format="0E+00"),
     )  # fmt: skip
     each = list(LIMITS) if view.knows_falling else list(LIMITS)[:-1]
-    cells, level = [LIMITS[name] for name in each], view.shares["peak torque"]._replace(limit=0.0, use=0.0)
+    limits, stands, uses = zip(*(LIMITS[name] for name in each), strict=True)
+    level = view.shares["peak torque"]._replace(limit=0.0, use=0.0)
     found = [view.shares.get(name, level) for name in each]  # of a curve that does not fall none is used
+
+    met = [one.highest(view.rate) if one.limit else math.inf for one in found]
 
     def in_units(values: Iterable[float]) -> list[float]:
         return [shown(value, RPM) if name in SPEEDS else value for name, value in zip(each, values, strict=True)]
@@ -94,22 +89,22 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
     sheet.table(
         "@held", "Up to which rate each limit is held", len(each),
         constant("name", "limit", "", "", each, align="left"),
-        calc("limit", "limit", "", "Nm or rpm", [f"={cell.limit}+0" for cell in cells],
+        calc("limit", "limit", "", "Nm or rpm", [f"={cell}+0" for cell in limits],
              in_units(0.0 if math.isinf(one.limit) else one.limit for one in found), "0: none"),
-        calc("stands", "at no speed", "", "", [f"={cell.stands}" for cell in cells],
+        calc("stands", "at no speed", "", "", [f"={cell}" for cell in stands],
              in_units(one.standing for one in found), scale=view.scales.torque),
-        calc("use", "share that grows with the square of the rate", "1/x", "", [f"={cell.use}" for cell in cells],
+        calc("use", "share that grows with the square of the rate", "1/x", "", [f"={cell}" for cell in uses],
              [one.use for one in found], scale=1.0),
         calc("rate", "met up to", "N", "cycles/min",
              f'=IF([limit]=0,"{NO_LIMIT}",IF([stands]>=[limit],0,'
              f'IF([use]<=@least_use,"{NO_LIMIT}",@rate/SQRT([use]))))',
-             [rate(view, one) for one in found], align="right", source="N/√(share)"),
+             [NO_LIMIT if math.isinf(rate) else rate for rate in met], align="right", source="N/√(share)"),
     )  # fmt: skip
 
 
 def many_cycles(view: DriveView) -> list[Quantity]:
     """Return the rows of the reducer's torque beyond the cycles that it holds in full for."""
-    reducer, stands = view.driven.reducer, LIMITS["reducer peak torque"].stands
+    reducer, stands = view.driven.reducer, LIMITS["reducer peak torque"][1]
     over, way, many = by_cycles(view.points, reducer.limits, 1.0 / view.time)
     least = reducer.peak_torque / reducer.cycle_factor
     return [
@@ -124,12 +119,6 @@ def many_cycles(view: DriveView) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def rate(view: DriveView, one: Share) -> float | str:
-    """Return the rate up to which a limit is held, or a dash."""
-    found = one.highest(view.rate) if one.limit else math.inf
-    return NO_LIMIT if math.isinf(found) else found
-
-
 def cubic(column: str) -> str:
     """Return the formula of the cubic mean of a torque behind the reducer, weighted by |n|, which is (n²)^½."""
     return f"IF(@mean>0,(SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5,([@pt.{column}]^2)^1.5)/@mean)^(1/3),0)"
@@ -137,7 +126,7 @@ def cubic(column: str) -> str:
 
 def highest(view: DriveView) -> Sequence[Quantity]:
     """Return the results: the highest rate, and the limiting factor."""
-    most, name, _ = view.highest
+    most, name = view.highest
     rates = "[@held.rate]"
     return [
         result("@highest", "Highest rate within all limits", "N_max", "cycles/min",

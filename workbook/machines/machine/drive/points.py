@@ -4,10 +4,11 @@ Intervals are pieces of its motion, cut where a process force begins or ends. Th
 those of the rule of Gauss and Lobatto: both ends and seven between, each with what it counts in a mean.
 """
 
+from typing import Any
+
 import numpy as np
 
 from engine.drive.drive_points import falling_use
-from engine.drive.quadrature import Interval
 from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
@@ -23,20 +24,11 @@ from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.pieces import FROM_START, arguments, sampled
 
+PLACE: dict[str, Any] = {"scale": TURN, "format": "0.0##"}  # of angles of the cycle, in degrees
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
 LOSS1 = "IF({0}*[dir]<0,@in1,@out1)*{0}"
 CONSTANT = "IF([dir]=0,@held2,IF({0}*[dir]<0,@in2,@out2))*{0}"
 """output torque of the reducer by a force, of a constant ratio; LOSS2 is without the ratio"""
-
-
-def linked(view: DriveView) -> list[Quantity]:
-    """Return the columns of a mechanism whose ratio changes: ratio, angle and acceleration of its shaft."""
-    load, of = view.load, view.by_point
-    return [
-        *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
-        calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
-             "φ'' ẏ² + φ' ÿ", scale=max(float(np.abs(load.shaft_acceleration).max()), 1e-9)),
-    ]  # fmt: skip
 
 
 def points_table(sheet: Sheet, view: DriveView) -> None:
@@ -49,6 +41,11 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         (CONSTANT, "@j1i2*[a]", "@i", "@j0i*[a]")
     )  # fmt: skip
     of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
+    linked = [] if not view.varies else [
+        *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
+        calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
+             "φ'' ẏ² + φ' ÿ", scale=max(float(np.abs(load.shaft_acceleration).max()), 1e-9)),
+    ]  # fmt: skip
     sheet.table(
         "@pt", "The drive at nine points of each interval", view.rows * POINTS,
         constant("k", "point", "k", "", list(range(1, view.rows * POINTS + 1))),
@@ -62,7 +59,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
              format="0"),
         *(by_angle.slide(view.driven, load, of) if view.slides else []),
         calc("R", "resisting force", "F_r", unit, resists, of(load.resisting), without, scale=size.force),
-        *(linked(view) if view.varies else ()),
+        *linked,
         calc("F", "force at the load", "F", unit, drives, of(load.force), equation, scale=size.force),
         calc("S", "output torque of the reducer", "T_1", "Nm", f"={behind.format('[F]')}+{inertia}",
              of(load.output_torque), "F/(η_2 φ') + J_p φ̈", scale=size.behind),
@@ -92,7 +89,7 @@ def motion(view: DriveView) -> list[Quantity]:
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.marks))]
     return [
         calc("theta", "angle of its phases", "θ", "°", "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])",
-             of(shown(load.x, DEGREE)), scale=360.0, format="0.0##"),
+             of(shown(load.x, DEGREE)), **PLACE),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])", of(numbers + 1.0), format="0"),
         calc("u", "within piece", "u", "rad", f"=RADIANS([theta]-INDEX({rows.at.named('at')},[q])){NOT_ZERO}",
              of(local + LEAST), FROM_START),
@@ -105,8 +102,8 @@ def motion(view: DriveView) -> list[Quantity]:
 
 
 def standing(view: DriveView, behind: str) -> list[Quantity]:
-    """Return the columns for the highest rate: torques without motion, and what grows with the rate below a curve."""
-    points, load, size, of = view.points, view.load, view.scales, view.by_point
+    """Return the columns for the highest rate: torques without motion, what of the curve grows with the rate."""
+    points, load, size, of, driven = view.points, view.load, view.scales, view.by_point, view.driven
     columns = [
         calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={behind.format('[R]')}",
              of(load.output_torque_at_rest), "F_r/(η_2 φ')", scale=size.behind),
@@ -114,35 +111,29 @@ def standing(view: DriveView, behind: str) -> list[Quantity]:
              f"=IF({brake.held(view)},0,{LOSS1.format('[S0]')}+@no_load*[dir])", of(points.standing),
              "T_1,s/(η_1 i_1) ± T_nl", scale=size.torque),
     ]  # fmt: skip
-    return [*columns, *(curve(view) if view.knows_falling else ())]
-
-
-def curve(view: DriveView) -> list[Quantity]:
-    """Return the columns of the motor's curve: what is left below it, and what grows with the rate of it."""
-    driven, points = view.driven, view.points
-    falls = driven.falling.fall > 0.0
-    peak = driven.motor.peak_torque
-    shares = falling_use(points, peak, driven.falling) if falls else np.stack([0.0 * points.torque] * 2)
+    if not view.knows_falling:
+        return columns
+    peak, level = driven.motor.peak_torque, np.stack([0.0 * points.torque] * 2)
+    forward, backward = falling_use(points, peak, driven.falling) if driven.falling.fall > 0.0 else level
 
     def use(grows: str, left: str) -> str:
         square = f"(@fall*[n])^2+4*({grows})*({left})"
         return f"=IF(@fall=0,0,IF({square}<0,0,((@fall*ABS([n])+SQRT({square}))/2/({left}))^2))"
 
     return [
+        *columns,
         calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
-             view.by_point(driven.falling.reserve(peak, points.torque, points.speed)), "T_max − f (n − n_1) − |T|",
-             scale=view.scales.torque),
-        calc("uc", "share of the curve", "", "", use("[T]-[T0]", "@corner-[T0]"), view.by_point(shares[0]),
-             "of torques forward", scale=1.0),
-        calc("ub", "share of the curve", "", "", use("[T0]-[T]", "@corner+[T0]"), view.by_point(shares[1]),
-             "of torques backward", scale=1.0),
+             of(driven.falling.reserve(peak, points.torque, points.speed)), "T_max − f (n − n_1) − |T|",
+             scale=size.torque),
+        calc("uc", "share of the curve", "", "", use("[T]-[T0]", "@corner-[T0]"), of(forward), "of torques forward",
+             scale=1.0),
+        calc("ub", "share of the curve", "", "", use("[T0]-[T]", "@corner+[T0]"), of(backward), "of torques backward",
+             scale=1.0),
     ]  # fmt: skip
 
 
-MIDDLE = POINTS // 2 + 1
-"""the number of the point in the middle of an interval"""
-LENGTH = "[len]<eps"
-"""the condition of a spare row: an interval of no length"""
+MIDDLE = POINTS // 2 + 1  # the number of the point in the middle of an interval
+LENGTH = "[len]<eps"  # the condition of a spare row: an interval of no length
 
 
 def cuts_table(sheet: Sheet, view: DriveView) -> None:
@@ -165,45 +156,34 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
         constant("window", "process force", "", "", windows,
                  "below 0: the number of an even step" if view.steps > 1 else "", format="0;;"),
         constant("side", "its begin (1) or end (2)", "", "", sides, format="0;;"),
-        calc("edge", "angle of its phases", "θ", "°", f"={edge}", edges, "of a piece, or of a force", scale=TURN,
-             format="0.0##"),
+        calc("edge", "angle of its phases", "θ", "°", f"={edge}", edges, "of a piece, or of a force", **PLACE),
         calc("at", "cut", "θ", "°",
-             "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<eps^2)*([@cuts.k]<[k]))+([edge]>360-eps)>0,360,"
-             "[edge])",
-             kept, scale=TURN, format="0.0##", source="360: one before it is there"),
+             "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<eps^2)*([@cuts.k]<[k]))+([edge]>360-eps)>0,360,[edge])", kept,
+             "360: one before it is there", **PLACE),
     )  # fmt: skip
 
 
 def intervals_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the intervals, in order; spare rows at the end of the cycle have no length."""
-    i, cycle = view.driven.number, view.cycle
-    late = view.driven.axis.given.shift
+    i, cycle, rows, found = view.driven.number, view.cycle, view.rows, view.cycle.intervals
+    low, high, middles = (np.array([getattr(one, name) for one in found]) for name in ("begin", "end", "middle"))
     unit = "N" if view.driven.travels else "Nm"
     steady, friction = cycle.levels
-
-    def middle(one: Interval) -> float:
-        return shown(one.middle, DEGREE)
-
-    def master(one: Interval) -> float:
-        return (middle(one) + late) % TURN
-
     at = f"([mid]+[axes_taken.late.{i}])"
     speed = f"INDEX([@pt.v],{POINTS}*[k]-{POINTS - MIDDLE})"
     sheet.table(
-        "@iv", "Intervals of the cycle", view.rows,
-        constant("k", "interval", "k", "", list(range(1, view.rows + 1))),
-        calc("begin", "begins at", "θ", "°", "=SMALL([@cuts.at],[k])",
-             view.of_intervals(lambda one: shown(one.begin, DEGREE), TURN), scale=TURN, format="0.0##"),
-        calc("end", "ends at", "θ", "°", "=SMALL([@cuts.at],[k]+1)",
-             view.of_intervals(lambda one: shown(one.end, DEGREE), TURN), scale=TURN, format="0.0##"),
-        calc("len", "length", "", "°", "=[end]-[begin]",
-             view.of_intervals(lambda one: shown(one.end - one.begin, DEGREE), 0.0), scale=TURN, format="0.0##"),
-        calc("mid", "in its middle", "θ", "°", f"=IF({LENGTH},[mid-1],([begin]+[end])/2)", view.of_intervals(middle),
-             "spare rows: as above", scale=TURN, format="0.0##"),
-        calc("at", "of the master shaft", "", "°", f"={at}-360*INT({at}/360)", view.of_intervals(master),
-             "with the axis' shift", scale=TURN, format="0.0##"),
+        "@iv", "Intervals of the cycle", rows,
+        constant("k", "interval", "k", "", list(range(1, rows + 1))),
+        calc("begin", "begins at", "θ", "°", "=SMALL([@cuts.at],[k])", filled(shown(low, DEGREE), rows, TURN), **PLACE),
+        calc("end", "ends at", "θ", "°", "=SMALL([@cuts.at],[k]+1)", filled(shown(high, DEGREE), rows, TURN), **PLACE),
+        calc("len", "length", "", "°", "=[end]-[begin]", filled(shown(high - low, DEGREE), rows), **PLACE),
+        calc("mid", "in its middle", "θ", "°", f"=IF({LENGTH},[mid-1],([begin]+[end])/2)",
+             view.by_interval(shown(middles, DEGREE)), "spare rows: as above", **PLACE),
+        calc("at", "of the master shaft", "", "°", f"={at}-360*INT({at}/360)",
+             view.by_interval((shown(middles, DEGREE) + view.driven.axis.given.shift) % TURN), "with the axis' shift",
+             **PLACE),
         calc("q", "piece of the motion", "q", "", f"=MATCH([mid],[axis{i}_pieces.begin],1)",
-             view.of_intervals(lambda one: one.piece + 1), format="0"),
+             filled([one.piece + 1 for one in found], rows, found[-1].piece + 1), format="0"),
         calc("dir", "direction", "", "", f"=IF({LENGTH},[dir-1],IF(ABS({speed})<=@still,0,SIGN({speed})))",
              view.by_interval(cycle.direction), "1, −1; 0 at rest", format="0"),
         *(brake.of_intervals(view, LENGTH) if view.brakes else ()),

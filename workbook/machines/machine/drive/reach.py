@@ -34,6 +34,10 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     def of(name: str) -> str:
         return f"=IF(INDEX([axis{i}.span],[k])>0,INDEX([axis{i}_steps.{name}],2*[k]),(@low+@high)/2)"
 
+    shows = "*1000" if view.driven.travels else "*180/PI()"
+    place, end = (f"IF([under]>=[over],{both})" for both in ("[low],[high]", "@low_end,@high_end"))
+    by, mm = rounding(f"MAX(0,[under],[over]){shows}"), view.driven.entered.unit
+    says = f'=IF([out]=0,"",[k]&" reaches "&ROUND({place}{shows},9)&" {mm}, "&{by}&" {mm} beyond the "&{end})'
     lows, highs = (filled([one[k] for one in reaches], n, (low + high) / 2) for k in (0, 1))
     under, over = [low - one for one in lows], [one - high for one in highs]
     sheet.row += 1
@@ -46,24 +50,23 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
         calc("over", "above it by", "", unit, "=[high]-@high", over, scale=size),
         calc("out", "is out of it", "", "", "=IF(MAX([under],[over])>0-@near_end,1,0)", 0, "1 where it is",
              format="0;;"),
-        calc("says", "in words", "", "", beyond(view), "", align="left"),
+        calc("says", "in words", "", "", says, "", align="left"),
     )  # fmt: skip
 
 
-def beyond(view: DriveView) -> str:
-    """Return the formula of what is said of a phase that leaves the reach."""
-    unit, shows = view.driven.entered.unit, "*1000" if view.driven.travels else "*180/PI()"
-    place, end = (f"IF([under]>=[over],{low},{high})" for low, high in (("[low]", "[high]"), ("@low_end", "@high_end")))
-    by = rounding(f"MAX(0,[under],[over]){shows}")
-    return f'=IF([out]=0,"",[k]&" reaches "&ROUND({place}{shows},9)&" {unit}, "&{by}&" {unit} beyond the "&{end})'
-
-
-def reach_check(view: DriveView) -> Quantity:
-    """Return the check that every position is reached."""
-    driven, i = view.driven, view.driven.number
+def reach_checks(view: DriveView, within: str) -> list[Quantity]:
+    """Return the checks that every position is reached, and that the axis comes back: such a mechanism has ends."""
+    driven, i, motion = view.driven, view.driven.number, view.driven.axis.motion
     says = f'[axes.name.{i}]&" row "&INDEX([@reach.says],MATCH(1,[@reach.out],0))'
-    return check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
-                 LINKAGES[driven.given.kind].within, f":reach{i}", says)  # fmt: skip
+    lifts, cell, travel = f"[axis{i}.h]", f"[axes.travel.{i}]", shown(motion.lifts_sum, driven.axis.unit)
+    back = f"ABS(SUM({lifts}))<=check_zero*MAX(MAX({lifts}),0-MIN({lifts}))"
+    return [
+        check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
+              within, f":reach{i}", says),
+        check("@ok_back", f"{driven.called}: the axis comes back every cycle", back, motion.closes,
+              "its mechanism has ends",
+              says=amount(cell, travel, "it ends ", f" {driven.entered.unit} from where it begins")),
+    ]  # fmt: skip
 
 
 def apart(given: MechanismEntry, unit: str) -> str:
@@ -90,17 +93,6 @@ def unreached_row(axis: MovingAxis, linkage: Linkage) -> str:
             place, by = (shown(one, axis.unit) for one in (found.position, found.by))
             return f"{axis.given.name} row {row}" + WORDS.format(figure(place), unit, rounded(by), unit, found.end)
     return ""
-
-
-def back_check(view: DriveView) -> Quantity:
-    """Return the check that the axis comes back every cycle: such a mechanism does not feed on."""
-    driven, i = view.driven, view.driven.number
-    unit, travel = driven.entered.unit, shown(driven.axis.motion.lifts_sum, driven.axis.unit)
-    lifts, cell = f"[axis{i}.h]", f"[axes.travel.{i}]"
-    back = f"ABS(SUM({lifts}))<=check_zero*MAX(MAX({lifts}),0-MIN({lifts}))"
-    return check("@ok_back", f"{driven.called}: the axis comes back every cycle", back, driven.axis.motion.closes,
-                 "its mechanism has ends",
-                 says=amount(cell, travel, "it ends ", f" {unit} from where it begins"))  # fmt: skip
 
 
 def require_mechanisms(machine: AnyMachine) -> None:

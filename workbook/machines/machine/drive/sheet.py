@@ -12,7 +12,7 @@ from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
 from workbook.machines.machine.drive.points import charts, cuts_table, intervals_table, points_table, samples_table
-from workbook.machines.machine.drive.reach import back_check, reach_check, reach_table
+from workbook.machines.machine.drive.reach import reach_checks, reach_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.workings import peaks_table, top, workings
 from workbook.machines.machine.from_names import kind_name
@@ -39,16 +39,10 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
         sheet.heading("Motor and reducer in use", USED)
-        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *cycle_rows(view), *curve_rows(view))
+        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *at_rate(view))
         entries(sheet, driven, entered(driven, f"axes.{driven.number - 1}"))
         outcome(sheet, view)
-        mends = Said('"; "&@mends', f"; {max_rate.mends(view).said}")
-        sheet.checks(
-            *limit_checks(view.reserve, driven.called, mends=mends), *reducer_checks(view, mends),
-            *(brake.checks(view) if view.brakes else ()), *in_use.checks(driven.number, driven.called),
-            curve_check(view, mends), *([windows_check(view)] if view.one.machine.over.measured else ()),
-            *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),
-        )  # fmt: skip
+        sheet.checks(*checks(view))
         charts(sheet, view)
         if linkage and linkage.entered:
             linkage.entered(sheet, driven, sizes.positions)
@@ -166,35 +160,28 @@ def energies(view: DriveView) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def cycle_rows(view: DriveView) -> list[Quantity]:
-    """Return the rows of the reducer's largest torque at the cycles that it has an hour."""
-    held = view.reducer_checks[0].limit
-    return [
+def at_rate(view: DriveView) -> list[Quantity]:
+    """Return the rows of the reducer's largest torque at its cycles an hour, and of the curve of the motor in use.
+
+    Books that know none that falls have only by how much it does.
+    """
+    held, driven, falling = view.reducer_checks[0].limit, view.driven, view.driven.catalogued_falling
+    peak, row, motors = driven.motor.peak_torque, driven.motor_used.row, driven.products.motors
+    listed = row > 0 and motors[row - 1].end_torque is not None
+    rows = [
         calc("@cycles", "Cycles an hour", "", "1/h", "=60*@rate", view.cycles),
         calc("@full", "Reducer: cycles an hour beyond which f_s counts", "", "1/h",
-             f"=IF(@reducer_full=0,{FULL_CYCLES:g},@reducer_full)", view.driven.reducer.full_cycles or FULL_CYCLES),
+             f"=IF(@reducer_full=0,{FULL_CYCLES:g},@reducer_full)", driven.reducer.full_cycles or FULL_CYCLES),
         calc("@reducer_held", "Reducer: largest output torque at this rate", "", "Nm",
              "=@reducer_peak/IF(@cycles>@full*(1+1E-9),@reducer_fs,1)", 0.0 if math.isinf(held) else held,
              "over f_s beyond these cycles; 0: no limit"),
-    ]  # fmt: skip
-
-
-def curve_rows(view: DriveView) -> list[Quantity]:
-    """Return the rows of the curve of the motor in use: in books that know none that falls, by how much it does."""
-    falling, peak = view.driven.catalogued_falling, view.driven.motor.peak_torque
-    row, motors = view.driven.motor_used.row, view.driven.products.motors
-    listed = row > 0 and motors[row - 1].end_torque is not None
-    rows = [
         calc("@listed", "Motor: a peak torque at its largest speed is given", "", "",
              f"=IF(@motor_row=0,0,COUNT({END}))", int(listed), "1 yes, 0 no", format="0"),
         calc("@drop", "Motor: its peak torque falls to there by", "", "Nm",
              f"=IF(@listed=0,0,MAX(0,@motor_peak-{END}))",
-             falling.fall * (view.driven.motor.max_speed - falling.knee), scale=peak),
+             falling.fall * (driven.motor.max_speed - falling.knee), scale=peak),
     ]  # fmt: skip
-    if not view.knows_falling:
-        return rows
-    corner = falling.corner(peak) if falling.fall else 0.0
-    return [
+    return rows if not view.knows_falling else [
         *rows,
         calc("@knee", "Motor: its peak torque holds up to", "n_1", "rpm",
              "=IF(@motor_row=0,0,INDEX([motors.knee],MAX(1,@motor_row))+0)", shown(falling.knee, RPM),
@@ -202,17 +189,29 @@ def curve_rows(view: DriveView) -> list[Quantity]:
         calc("@fall", "Motor: fall of its peak torque beyond", "f", "Nm/rpm",
              "=IF(@listed=0,0,@drop/(@motor_nmax-@knee))", shown(falling.fall, PER_RPM)),
         calc("@corner", "Motor: the falling line at no speed", "", "Nm", "=IF(@fall=0,0,@motor_peak+@fall*@knee)",
-             corner, "T_max + f n_1; 0: it does not fall"),
+             falling.corner(peak) if falling.fall else 0.0, "T_max + f n_1; 0: it does not fall"),
     ]  # fmt: skip
 
 
-def curve_check(view: DriveView, mends: Said) -> Quantity:
-    """Return the check that the torque stays below the curve; that the curve is level where the book knows no other."""
-    called = view.driven.called
-    if not view.knows_falling:
-        return check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed", "@drop=0",
-                     not view.driven.catalogued_falling.fall, says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
-    return below_curve(called, view.driven.falling.fall, view.spare, mends)
+def checks(view: DriveView) -> list[Quantity]:
+    """Return the checks of the drive: of its limits with what would mend them, and of what is entered."""
+    driven, (torque, mean, speed) = view.driven, view.reducer_checks
+    called, reducer = driven.called, driven.reducer
+    mends = Said('"; "&@mends', f"; {max_rate.mends(view).said}")
+    level = check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed", "@drop=0",
+                  not driven.catalogued_falling.fall, says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
+    return [
+        *limit_checks(view.reserve, called, mends=mends),
+        *within_reducer(
+            called, ("torque", "@smax", "@reducer_held", torque.ok, torque.value, torque.limit),
+            ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
+            ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
+        ),
+        *(brake.checks(view) if view.brakes else ()), *in_use.checks(driven.number, called),
+        below_curve(called, driven.falling.fall, view.spare, mends) if view.knows_falling else level,
+        *([windows_check(view)] if view.one.machine.over.measured else ()),
+        *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),
+    ]  # fmt: skip
 
 
 def linkage_checks(view: DriveView) -> list[Quantity]:
@@ -223,16 +222,5 @@ def linkage_checks(view: DriveView) -> list[Quantity]:
               rule=f"axes.{i - 1}.mechanism:sized", says=f'"{UNSIZED}"'),
         check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", page.fits, True, page.holds,
               f":linked{i}", page.wrong),
-        reach_check(view),
-        back_check(view),
+        *reach_checks(view, page.within),
     ]  # fmt: skip
-
-
-def reducer_checks(view: DriveView, mends: Said) -> list[Quantity]:
-    """Return the checks of the reducer's limits."""
-    reducer, (torque, mean, speed) = view.driven.reducer, view.reducer_checks
-    return within_reducer(
-        view.driven.called, ("torque", "@smax", "@reducer_held", torque.ok, torque.value, torque.limit),
-        ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
-        ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
-    )  # fmt: skip

@@ -3,20 +3,18 @@
 import math
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from engine.drive.drive_points import Between, DrivePoints, Share, between, shares
-from engine.drive.limits import highest_rate
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Cycle, LoadPoints
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
-from workbook.drive.in_short import Highest
 from workbook.entries.phase import TURN
-from workbook.entries.units import DEGREE, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
+from workbook.entries.units import DEGREE, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.motion.tables import AxisRows
@@ -24,8 +22,7 @@ from workbook.machines.machine.motion.tables import AxisRows
 NONE_BINDS = "none"
 SETTLING, NEAR = 8, 1e-6
 """how often a highest rate is entered and read again, and by how little it changes where it has settled"""
-LEAST = 1e-3
-"""of torques and powers: what is smaller is next to nothing"""
+LEAST = 1e-3  # of torques and powers: what is smaller is next to nothing
 
 
 class Scales(NamedTuple):
@@ -39,16 +36,24 @@ class Scales(NamedTuple):
     work: float
 
 
+class Highest(NamedTuple):
+    """The highest rate (cycles/min) at which a drive holds all limits, or a word, and the limiting factor."""
+
+    rate: float | str
+    limit: str
+
+
 class DriveView:
     """A drive over its axis' motion, by intervals and points.
 
     Of the table of intervals it has the ``rows``: of pieces of the motion (their ``room``), cut at edges of process
     forces and at even ``steps`` of the cycle. The load of one that ``slides`` travels while its axis turns; the ratio
     of one that ``varies`` depends on the position; the figures of the brake are known of one that ``brakes``; a sheet
-    Selection asks for points that are ``asked``. ``rate`` is the one that it is sized at (cycles/min).
+    Selection asks for points that are ``asked``. ``rate`` is the one that it is sized at (cycles/min). A view ``like``
+    it is of the same load behind another motor or reducer.
     """
 
-    def __init__(self, one: AxisRows, driven: Driven) -> None:
+    def __init__(self, one: AxisRows, driven: Driven, like: "DriveView | None" = None) -> None:
         self.one, self.driven, machine, own = one, driven, one.machine.machine, driven.entered.rate
         self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, one.machine.room
         self.rows = self.room + self.steps - 1
@@ -56,21 +61,14 @@ class DriveView:
         self.brakes = driven.entered.motor is not None and driven.entered.motor.brake is not None
         self.knows_falling, self.asked = machine.selection.knows_falling, machine.selection.axis is not None
         self.rate = machine.per_minute if own is None else own
-
-    @cached_property
-    def cycle(self) -> Cycle:
-        """Its intervals."""
-        return Cycle(self.driven.drive_cycle, list(self.one.pieces.pieces), self.one.axis.motion.tolerance)
-
-    @cached_property
-    def load(self) -> LoadPoints:
-        """The load at the points."""
-        return self.cycle.points()
-
-    @cached_property
-    def points(self) -> DrivePoints:
-        """Motor and reducer there."""
-        return DrivePoints(self.load)
+        self.time = driven.drive_cycle.time  # of a cycle (s)
+        self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour
+        told = (like.cycle.pieces, like.cycle.near) if like else (list(one.pieces.pieces), one.axis.motion.tolerance)
+        self.cycle: Cycle = Cycle(driven.drive_cycle, *told)
+        self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
+        self.points = DrivePoints(self.load)
+        turns = abs(driven.mechanism.ratio) * driven.fastest * driven.axis.speed  # by the laws' own peaks
+        self.speed = self.points.size(self.points.speed) if self.varies else turns  # the largest of the motor (rad/s)
 
     @cached_property
     def between(self) -> Between:
@@ -87,11 +85,6 @@ class DriveView:
             return torque, torque * self.between.of(self.points.speed) + lost
         moving = axis.motion.at_speed(axis.told(self.one.machine.samples).x, axis.speed)
         return torque, torque * self.driven.mechanism.ratio * moving.v + lost
-
-    def of_intervals(self, figure: Any, spare: Any = None) -> list[Any]:
-        """Return a figure of each interval; spare rows have that of the last, or another."""
-        found = [figure(one) for one in self.cycle.intervals]
-        return filled(found, self.rows, found[-1] if spare is None else spare)
 
     def by_interval(self, values: Array) -> list[float]:
         """Return values of the intervals; spare rows have that of the last."""
@@ -111,27 +104,10 @@ class DriveView:
         return filled([shown(edge, DEGREE) for edge in edges], 2 * WINDOWS, TURN)
 
     @cached_property
-    def speed(self) -> float:
-        """The largest speed of the motor (rad/s): of a constant ratio by the laws' own peaks, else by points."""
-        if self.varies:
-            return self.points.size(self.points.speed)
-        return abs(self.driven.mechanism.ratio) * self.driven.fastest * self.driven.axis.speed
-
-    @cached_property
     def shares(self) -> dict[str, Share]:
         """The share of each limit, by its name."""
         return shares(self.points, self.speed, self.driven.motor, self.driven.reducer.limits, self.driven.falling,
                       1.0 / self.time)  # fmt: skip
-
-    @property
-    def time(self) -> float:
-        """The time of a cycle (s)."""
-        return self.driven.drive_cycle.time
-
-    @property
-    def cycles(self) -> float:
-        """Its cycles an hour."""
-        return shown(1.0 / self.time, PER_HOUR)
 
     @property
     def inertia(self) -> float:
@@ -169,13 +145,7 @@ class DriveView:
         each = {name: one.highest(self.rate) for name, one in self.shares.items()}
         least = min(each.values())
         name = next(name for name, one in each.items() if one == least)
-        own = self.driven.entered.rate
-        return Highest(least, name, own) if math.isfinite(least) else Highest(NONE_BINDS, NONE_BINDS, own)
-
-    def exact_highest(self) -> tuple[float, str]:
-        """Return the exact highest rate (cycles/min) and the limiting factor."""
-        found = highest_rate({self.driven.called: self.driven.judged})
-        return shown(found.speed / (2.0 * math.pi), PER_MINUTE), found.limit
+        return Highest(least, name) if math.isfinite(least) else Highest(NONE_BINDS, NONE_BINDS)
 
     @property
     def spare(self) -> float:
@@ -192,31 +162,23 @@ class DriveView:
         power = max(shown(torque * (max(self.speed, LEAST) + self.driven.motor_used.copper * torque), KW), LEAST)
         behind = max(float(np.abs(load.output_torque).max()), LEAST)
         force = max(float(np.abs(load.force).max()), LEAST)
-        return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.driven.drive_cycle.time, LEAST))
+        return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.time, LEAST))
 
     @property
     def energy(self) -> tuple[float, float]:
         """What the motor drives with over a cycle, and what comes back to it (J)."""
-        power, time = self.points.power, self.driven.drive_cycle.time
+        power, time = self.points.power, self.time
         driving, returned = (self.points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0))
         return driving, returned
 
 
-def with_motor(view: DriveView, driven: Driven) -> DriveView:
-    """Return a view of the same load with another motor or reducer."""
-    other = DriveView(view.one, driven)
-    other.cycle = Cycle(driven.drive_cycle, view.cycle.pieces, view.cycle.near)
-    other.load = replace(view.load, train=driven.train)
-    return other
-
-
 def settled_highest(view: DriveView) -> Highest:
     """Return the highest rate of a drive where it is entered and read again, until it stays."""
-    one, axis = view, view.driven.axis
+    one, axis, found = view, view.driven.axis, view.highest
     for _ in range(SETTLING):
         found = one.highest
         if not isinstance(found.rate, float) or found.rate <= 0.0 or abs(found.rate - one.rate) <= NEAR * one.rate:
             break
         moved = axis.at_speed(axis.speed, axis.given.model_copy(update={"rate": found.rate}))
         one = DriveView(view.one, Driven(moved, view.one.machine.machine))
-    return found._replace(own=view.driven.entered.rate)
+    return found

@@ -5,13 +5,10 @@ acceleration only rises or only falls, torques of a constant ratio are largest a
 between points, and the parabola finds it to 0.5 %.
 """
 
-from typing import NamedTuple
-
 from engine.drive.chain import held_factor
 from engine.drive.drive_points import peak
 from engine.drive.mechanisms.slides import Arm
 from engine.drive.quadrature import STANDSTILL
-from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.entries.units import DEGREE, KW, RPM, shown
@@ -22,13 +19,25 @@ from workbook.machines.machine.mechanism import BELTED, SCREWS
 
 
 def losses(view: DriveView) -> list[Quantity]:
-    """Return the rows of the factors of losses: where the load drives, and at rest."""
+    """Return the rows of the factors of losses: where the load drives, and at rest; of a constant ratio by force."""
     driven = view.driven
     reducer, mechanism = driven.mechanism.stages
     document = driven.given.method == "document"
     back = 1.0 / mechanism.efficiency if document else driven.back_efficiency
     held = 1.0 / mechanism.efficiency if document else held_factor(mechanism.efficiency, driven.back_efficiency)
     entered = "2-1/@eta2" if driven.given.kind in SCREWS else "@eta2"  # where none is
+    base, i2 = driven.axis.base, mechanism.ratio
+    force, unit = ("N", "m") if base == "m" else ("Nm", "")
+    by_force = [] if view.varies else [
+        calc("@out2", f"Output torque of the reducer for 1 {force} at the load", "", unit, "=1/@eta2/@i2",
+             1.0 / mechanism.efficiency / i2, "1/(η_2 i_2)"),
+        calc("@in2", "the same, load driving", "", unit, "=@back2/@i2", back / i2, scale=1.0 / i2),
+        calc("@held2", "the same, at rest", "", unit, "=@hold2/@i2", held / i2),
+        calc("@j1i2", f"Output torque of the reducer for 1 {base}/s², of parts", "", f"Nm s²/{base}", "=@j1*@i2",
+             driven.mechanism.on_shaft(1) * i2, "J_p i_2"),
+        calc("@j0i", f"Motor torque for 1 {base}/s², of its own inertia", "", f"Nm s²/{base}", "=@j0*@i",
+             driven.at_motor * driven.mechanism.ratio, "J_0 i"),
+    ]  # fmt: skip
     return [
         calc("@out1", "Motor torque for 1 Nm behind the reducer", "", "", "=1/@eta1/@i1",
              1.0 / reducer.efficiency / reducer.ratio, "1/(η i)"),
@@ -43,24 +52,7 @@ def losses(view: DriveView) -> list[Quantity]:
              "0 or less: self-locking, driven down by the motor", scale=1.0),
         calc("@hold2", "Loss factor of the mechanism at rest", "", "", "=IF(@back2<=0,0,1/@eta2)", held,
              "0: self-locking"),
-        *([] if view.varies else by_force(view, 1.0 / mechanism.efficiency, back, held)),
-    ]  # fmt: skip
-
-
-def by_force(view: DriveView, driving: float, driven: float, held: float) -> list[Quantity]:
-    """Return the rows of the torques of a constant ratio, for 1 of force and of acceleration at the load."""
-    base, m = view.driven.axis.base, view.driven.mechanism
-    force, i2 = "N" if base == "m" else "Nm", m.stages[1].ratio
-    unit = "m" if base == "m" else ""
-    return [
-        calc("@out2", f"Output torque of the reducer for 1 {force} at the load", "", unit, "=1/@eta2/@i2", driving / i2,
-             "1/(η_2 i_2)"),
-        calc("@in2", "the same, load driving", "", unit, "=@back2/@i2", driven / i2, scale=1.0 / i2),
-        calc("@held2", "the same, at rest", "", unit, "=@hold2/@i2", held / i2),
-        calc("@j1i2", f"Output torque of the reducer for 1 {base}/s², of parts", "", f"Nm s²/{base}", "=@j1*@i2",
-             m.on_shaft(1) * i2, "J_p i_2"),
-        calc("@j0i", f"Motor torque for 1 {base}/s², of its own inertia", "", f"Nm s²/{base}", "=@j0*@i",
-             view.driven.at_motor * m.ratio, "J_0 i"),
+        *by_force,
     ]  # fmt: skip
 
 
@@ -122,26 +114,6 @@ ABOUT = (
 )
 
 
-class Figure(NamedTuple):
-    """A quantity of the table of points: its column, its values, what it is called, its size."""
-
-    column: str
-    values: Array
-    words: str
-    scale: float
-
-
-def figures(view: DriveView) -> list[Figure]:
-    """Return the quantities whose peaks are results: of each its highest and its lowest."""
-    points, size = view.points, view.scales
-    return [
-        Figure("T", points.torque, "torque of the motor", size.torque),
-        Figure("S", view.load.output_torque, "output torque of the reducer", size.behind),
-        Figure("P", shown(points.power, KW), "power of the motor", size.power),
-        *([Figure("n", shown(points.speed, RPM), "speed of the motor", size.rpm)] if view.varies else []),
-    ]
-
-
 def top(name: str, end: str = "high") -> str:
     """Return the reference to a peak: of the column T, S, P or n, its ``high`` or its ``low``."""
     row = 2 * "TSPn".index(name) + (1 if end == "high" else 2)
@@ -150,16 +122,19 @@ def top(name: str, end: str = "high") -> str:
 
 def peaks_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the peaks, a row for the highest and one for the lowest of each quantity."""
-    each = [(one, sign) for one in figures(view) for sign in (1, -1)]
-    found = [peak(sign * one.values, shown(view.load.x, DEGREE)) for one, sign in each]
-    rows = len(each)
-    last = view.rows * POINTS
-    size = max(one.scale for one, _ in each)
+    points, sizes, last = view.points, view.scales, view.rows * POINTS
+    figures = [("T", "torque of the motor", points.torque, sizes.torque),
+               ("S", "output torque of the reducer", view.load.output_torque, sizes.behind),
+               ("P", "power of the motor", shown(points.power, KW), sizes.power)]  # fmt: skip
+    figures += [("n", "speed of the motor", shown(points.speed, RPM), sizes.rpm)] if view.varies else []
+    size = max(scale for *_, scale in figures)
+    each = [(column, words, values, sign) for column, words, values, _ in figures for sign in (1, -1)]
+    found = [peak(sign * values, shown(view.load.x, DEGREE)) for _, _, values, sign in each]
+    signs = [sign for *_, sign in each]
 
     def of(formula: str) -> list[str]:
-        return [formula.replace("{y}", f"[@pt.{one.column}]") for one, _ in each]
+        return [formula.replace("{y}", f"[@pt.{column}]") for column, *_ in each]
 
-    signs = [sign for _, sign in each]
     neighbours = [[sign * value for value in one.values] for sign, one in zip(signs, found, strict=True)]
     gaps = [[one.before for one in found], [one.after for one in found]]
     slopes = [[(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)]
@@ -168,12 +143,12 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     size_of = "MAX(MAX({y}),0-MIN({y}))"
     sheet.heading("Workings: peaks", ABOUT)
     sheet.table(
-        "@peaks", "Peaks over the cycle", rows,
-        constant("what", "quantity", "", "", [f"{one.words}, {'highest' if s > 0 else 'lowest'}" for one, s in each],
-                 align="left"),
+        "@peaks", "Peaks over the cycle", len(each),
+        constant("what", "quantity", "", "",
+                 [f"{words}, {'highest' if sign > 0 else 'lowest'}" for _, words, _, sign in each], align="left"),
         constant("sign", "highest (1), lowest (−1)", "", "", signs, format="0"),
         calc("most", "largest at a point", "", "", of("=IF([sign]=1,MAX({y}),0-MIN({y}))"),
-             [float((sign * one.values).max()) for one, sign in each], scale=size),
+             [float((sign * values).max()) for _, _, values, sign in each], scale=size),
         calc("at", "the first such point", "", "",
              of(f"={last + 1}-SUMPRODUCT(MAX(([sign]*{{y}}>=[most]-check_zero*{size_of})*({last + 1}-[@pt.k])))"),
              [one.at + 1 for one in found], "to a rounding", format="0"),
@@ -189,6 +164,6 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         calc("s1", "slope after", "s_1", "", "=IF([b]>0,([y1]-[y])/[b],0)", slopes[1], scale=size),
         calc("top", "peak", "", "",
              f"=IF([a]=0,[y],IF(OR({BEYOND}),[sign]*[most],[y]+([s0]*[b]+[s1]*[a])^2/([a]+[b])/4/([s0]-[s1])))",
-             [sign * one.top for (_, sign), one in zip(each, found, strict=True)], "w + m² (Δ_0 + Δ_1)/4(s_0 − s_1)",
+             [sign * one.top for sign, one in zip(signs, found, strict=True)], "w + m² (Δ_0 + Δ_1)/4(s_0 − s_1)",
              scale=size),
     )  # fmt: skip

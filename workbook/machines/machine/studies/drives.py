@@ -17,7 +17,7 @@ from workbook.machines.machine.drive import in_use
 from workbook.machines.machine.drive.behind import load_of
 from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.view import DriveView, with_motor
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion.tables import AxisRows
@@ -187,7 +187,8 @@ class Studied:
     @cached_property
     def views(self) -> dict[Chosen, DriveView]:
         """The drive of each design at the points of its motion: those at one rate share their load."""
-        return {one: with_motor(self.bases[one[2]], self.drive(*one)) for one in dict.fromkeys(self.designs)}
+        bases = ((one, self.bases[one[2]]) for one in dict.fromkeys(self.designs))
+        return {one: DriveView(base.one, self.drive(*one), base) for one, base in bases}
 
     @cached_property
     def highest(self) -> tuple[Array, Any]:

@@ -8,19 +8,15 @@ from workbook.book.declare import Quantity, Sheet, calc, given
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.mechanism import Belted
 
-Column = Callable[[Array], list[float]]
-"""makes a column of a table of an array of values at its places"""
-Table = Callable[[Sheet, Driven, int], None]
-"""declares a table of as many rows as the book has for positions"""
+Column = Callable[[Array], list[float]]  # makes a column of a table of an array of values at its places
+Table = Callable[[Sheet, Driven, int], None]  # declares a table of as many rows as the book has for positions
 
 
 class LinkagePage(NamedTuple):
     """What the sheet has of a mechanism whose ratio depends on the position; formulas in the scope of the drive."""
 
-    entries: Callable[[Driven, str], list[Quantity]]
-    """the rows of what is entered, by the key of the axis"""
-    sizes: Callable[[Driven], list[Quantity]]
-    """the rows of its sizes in m, and of where it can bring its load to"""
+    entries: Callable[[Driven, str], list[Quantity]]  # the rows of what is entered, by the key of the axis
+    sizes: Callable[[Driven], list[Quantity]]  # the rows of its sizes in m, and of where it can bring its load to
     ratios: Callable[[Driven, Array, Column], list[Quantity]]
     """the columns of φ' (``g``), φ'' (``h``) and the shaft's angle at the position in the column ``y``"""
     varied: Callable[[int, int, int], tuple[dict[str, Any], float, float]]

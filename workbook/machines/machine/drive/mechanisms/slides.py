@@ -22,8 +22,7 @@ from workbook.machines.machine.mechanism import CrankSlider, PressCrank, Rocker
 
 AREA = "SQRT(MAX(0,(@l+@r-{d})*(@l-@r+{d})*({d}+@r-@l)*({d}+@r+@l)))"
 """4 times the area of the triangle of shaft, lever's end and slide, by Heron's formula"""
-ANGLE = "ATAN2({x},@e)+@side*ATAN2({d}^2+@r^2-@l^2,{k})"
-"""of the lever, by the area and the law of cosines"""
+ANGLE = "ATAN2({x},@e)+@side*ATAN2({d}^2+@r^2-@l^2,{k})"  # of the lever, by the area and the law of cosines
 OFFSET = ("@offset", "Offset of the slide's line from the shaft", "e", "mm", "offset", "0 if empty")
 
 WORD = {"format": "", "align": "left"}

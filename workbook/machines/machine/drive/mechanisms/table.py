@@ -19,10 +19,8 @@ from workbook.machines.machine.drive.driven import FALLS, Driven, as_a
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
 from workbook.machines.machine.mechanism import Table
 
-LEVEL = 1e-4
-"""of a ratio over the narrowest part; a smaller change of it is rounding, as of a table of a straight line"""
-D = "INDEX([@curve.d1:d5],[part],0)"
-"""the coefficients of t to t⁵ of the part of the table in which a position is"""
+LEVEL = 1e-4  # of a ratio over the narrowest part; a smaller change of it is rounding, as of a table of a straight line
+D = "INDEX([@curve.d1:d5],[part],0)"  # the coefficients of t to t⁵ of the part of the table in which a position is
 
 
 def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
