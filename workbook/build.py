@@ -17,13 +17,7 @@ from workbook.judging.matching import Match
 from workbook.judging.order import in_order
 from workbook.judging.report import OK
 from workbook.reading.count import Refusal
-from workbook.reading.descriptions import (
-    checked,
-    counted,
-    read_machine,
-    require_possible,
-    template_named,
-)
+from workbook.reading.descriptions import checked, counted, read_machine, require_possible, template_named
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.reading.guard import inspect

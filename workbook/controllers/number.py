@@ -57,13 +57,6 @@ DINT = Number("DINT", 2147483647.0, whole=True)
 DINT_IN_REAL = Number("DINT that REAL holds", 16777216.0, whole=True)
 
 
-def whole(values: Array) -> Array:
-    """Return whole numbers of 32 bits; raise TargetError for others."""
-    if not np.all((np.abs(values) <= DINT.largest) & (values == np.round(values))):
-        raise TargetError("a value is no whole number of 32 bits; expected such")
-    return values
-
-
 def literal(value: float, number: Number = LREAL) -> str:
     """Return a number's text as Structured Text writes it: with a point, its exponent after E."""
     mantissa, _, power = number.text(value).partition("e")

@@ -24,13 +24,9 @@ from workbook.functions.addin.motion_functions.library import LAWS, OWN, Declare
 from workbook.functions.declared import FUNCTIONS
 
 SOURCE = Path(__file__).with_name("formulas.txt")
-FUTURE = {
-    **{name: f"_xlfn.{name}" for name in (
-        "DROP", "HSTACK", "ISOMITTED", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE",
-        "TOCOL", "VSTACK",
-    )},
-    "FILTER": "_xlfn._xlws.FILTER",
-}  # fmt: skip
+LATER = ("DROP", "HSTACK", "ISOMITTED", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE",
+         "TOCOL", "VSTACK")  # fmt: skip
+FUTURE = {name: f"_xlfn.{name}" for name in LATER} | {"FILTER": "_xlfn._xlws.FILTER"}
 TOKEN = re.compile(
     r"""
       (?P<text>"(?:[^"]|"")*")

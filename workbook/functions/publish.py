@@ -92,12 +92,8 @@ def write_add_in(path: Path, overwrite: bool = False) -> None:
 
 def add_in() -> dict[str, bytes]:
     """Return the files of the add-in by name, in order: texts are on every system the same bytes."""
-    texts = [
-        "META-INF/manifest.xml",
-        "description.xml",
-        *(f"description/{one}.txt" for one in Text._fields),
-        "motion.py",
-    ]
+    described = [f"description/{one}.txt" for one in Text._fields]
+    texts = ["META-INF/manifest.xml", "description.xml", *described, "motion.py"]
     category = Text(*TEXTS["category"])
     wizard = Template((PACKAGE / "CalcAddIns.xcu").read_text(encoding="utf-8"))
     told = wizard.generate(namespace=NAMESPACE, functions=FUNCTIONS, category=category)

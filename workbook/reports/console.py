@@ -48,10 +48,7 @@ def report_data(report: Report) -> dict[str, Any]:
     """Return a report as JSON's objects and lists."""
     return {
         "file": str(report.path),
-        "template": report.template,
-        "agrees": report.agrees,
-        "declared": report.declared,
-        "compared": report.compared,
+        **{name: getattr(report, name) for name in ("template", "agrees", "declared", "compared")},
         "checks": {"holds": report.holds, "all": len(report.checks), "failing": [asdict(c) for c in report.failing],
                    "unfinished": report.unfinished},
         "witnesses": [{name: getattr(ran, name) for name in WITNESS} for ran in report.witnesses],

@@ -30,14 +30,8 @@ def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: 
     paths = {".".join(path) for one in plan.space.dimensions for path in one.paths}
     data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
     fixed = [(key, value) for key, value in leaves(data) if key not in paths]
-    more: dict[str, Any] = {
-        "plan_page": True,
-        "versions": versions,
-        "fixed": fixed,
-        "varied": varied,
-        "written": written,
-    }
-    return document(plan.study.title, front(plan, found, named, judged, **more))
+    more: dict[str, Any] = {"versions": versions, "fixed": fixed, "varied": varied, "written": written}
+    return document(plan.study.title, front(plan, found, named, judged, plan_page=True, **more))
 
 
 def front(

@@ -20,13 +20,9 @@ def page(title: str, template: str, *scripts: str, **values: Any) -> str:
 
 def home(folder: Path, files: Sequence[Path], verdicts: Mapping[str, str], waiting: int) -> str:
     """Return the first page: the folder's files with verdicts, a new machine, an upload, a comparison."""
-    return page("motionbook", "home", "home", folder=folder, files=files, verdicts=verdicts, waiting=waiting,
-                changed=changed, templates=TEMPLATES)  # fmt: skip
-
-
-def changed(path: Path) -> str:
-    """Return when a file was changed."""
-    return f"{datetime.fromtimestamp(path.stat().st_mtime).astimezone():%Y-%m-%d %H:%M}"
+    times = {path: datetime.fromtimestamp(path.stat().st_mtime).astimezone() for path in files}
+    return page("motionbook", "home", "home", folder=folder, times=times, verdicts=verdicts, waiting=waiting,
+                templates=TEMPLATES)  # fmt: skip
 
 
 def is_study(path: Path) -> bool:

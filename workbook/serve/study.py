@@ -4,6 +4,7 @@ import re
 import time
 import tomllib
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -89,7 +90,10 @@ async def cancel(page: Page) -> None:
 
 async def show(page: Page, name: str) -> str:
     """Show a study; the script fetches how far it is."""
-    return pages.page(name, "study", "study", base=base_of(page.folder.file(name)))
+    path, base = page.folder.file(name), ""
+    with suppress(MotionbookError):  # of one that is no TOML there is nothing to edit
+        base = str(parsed(read_text(path, "a study, a .toml file"), path).get("base", ""))
+    return pages.page(name, "study", "study", base=base)
 
 
 async def progress(page: Page, name: str) -> str:
@@ -145,14 +149,6 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
             named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
             tables.setdefault(f"{written(above)} {named}".strip(), []).append(row)
     return tables, [one for _, names in listed(machine) for one in names]
-
-
-def base_of(path: Path) -> str:
-    """Return the name of the description that a study begins with; nothing where the study does not tell it."""
-    try:
-        return str(parsed(read_text(path, "a study, a .toml file"), path).get("base", ""))
-    except MotionbookError:
-        return ""
 
 
 def composed(base: str, asked: Mapping[str, list[str]]) -> str:

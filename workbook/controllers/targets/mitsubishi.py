@@ -5,18 +5,7 @@ import numpy as np
 from engine.cams.certificate import equal
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
-from workbook.controllers.number import (
-    DINT,
-    Number,
-    counts,
-    numbers,
-    read_counts,
-    read_stand,
-    remarks,
-    stands,
-    whole,
-    written,
-)
+from workbook.controllers.number import DINT, Number, counts, numbers, read_counts, read_stand, remarks, stands, written
 from workbook.controllers.table import Table
 from workbook.controllers.target import Handed, Target
 from workbook.errors import TargetError
@@ -31,6 +20,13 @@ def write(handed: Handed) -> str:
     head = remarks(*handed.header, counts(steps, handed.units), f"X{handed.separator}Y")
     columns = (values / step for values, step in zip((handed.table.x, handed.table.y), steps, strict=True))
     return head + written(columns, handed.separator, handed.decimal, DINT)
+
+
+def whole(values: Array) -> Array:
+    """Return whole numbers of 32 bits; raise TargetError for others."""
+    if not np.all((np.abs(values) <= DINT.largest) & (values == np.round(values))):
+        raise TargetError("a value is no whole number of 32 bits; expected such")
+    return values
 
 
 def read(text: str) -> Table:
