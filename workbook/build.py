@@ -8,7 +8,6 @@ from pathlib import Path
 from workbook.book.declare import Book
 from workbook.book.quantity import SAYS
 from workbook.book.rows import as_rows
-from workbook.collector import collector_paused, swept_between
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
@@ -16,6 +15,7 @@ from workbook.judging.carried import carried_over, not_carried
 from workbook.judging.matching import Match
 from workbook.judging.order import in_order
 from workbook.judging.report import OK
+from workbook.pool import collector_paused, swept_between
 from workbook.reading.count import Refusal
 from workbook.reading.descriptions import checked, counted, read_machine, require_possible, template_named
 from workbook.reading.entries import Entries

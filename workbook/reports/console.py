@@ -161,7 +161,12 @@ def show(
     """Print a run: in full where one file was named ``alone``, else the summary of all."""
     if not alone and as_json:
         compared = sum(o.report.compared for o in outcomes if o.report)
-        say_json({"files": [entry(o) for o in outcomes], "compared": compared})
+        files = []
+        for o in outcomes:  # its report, or the reason why there is none
+            none: dict[str, Any] = {"compared": 0, "findings": [], "reason": o.reason}
+            known = report_data(o.report) | {"sha256": o.sha256} if o.report else none
+            files.append({"file": str(o.path), "verdict": o.verdict} | known)
+        say_json({"files": files, "compared": compared})
         return
     if not alone:
         show_summary(outcomes, out)
@@ -204,15 +209,6 @@ def worst(outcome: Outcome) -> list[str]:
     lines = [f"{outcome.path}: {text}" for text in found[:WORST]]
     more = len(found) - WORST
     return [*lines, f"{outcome.path}: and {more:,} more; verify it alone, or add --report"] if more > 0 else lines
-
-
-def entry(outcome: Outcome) -> dict[str, Any]:
-    """Return one workbook's part of the JSON: its report, or the reason why there is none."""
-    known: dict[str, Any] = {"file": str(outcome.path), "verdict": outcome.verdict}
-    if outcome.report is None:
-        return known | {"compared": 0, "findings": [], "reason": outcome.reason}
-    known.update(report_data(outcome.report), sha256=outcome.sha256)
-    return known
 
 
 def catalogue() -> list[dict[str, Any]]:

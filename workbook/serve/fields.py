@@ -78,23 +78,18 @@ def rows(of: Table, said: dict[str, str], data: dict[str, Any]) -> list[Element]
     if of.entries is None:
         return heading
     message = said.get(".".join(place), "")
-    lines, grids = [], []
+    lines, grids = list[list[Content]](), list[Element]()
     for key in section.keys:
         way, value = (*place, key.name), of.entries.get(key.name)
         if key.rows and isinstance(value, list | None):
             grids += grid(key, way, value or [], said, data)
         else:
-            lines.append(line(key, way, value, said, data))
+            wrong = said.get(".".join(way), "")
+            expected = "" if key.expected.startswith("a text") or choices(key, data) else key.expected
+            limits = e("span", wrong or expected, css="disagrees" if wrong else "quiet")
+            lines.append([key.meaning, field(key, way, value, wrong, data), key.unit, limits])
     shown = [table(("", "", "", "Expected"), lines, ())] if lines else []
     return [*heading, *([e("p", message, css="disagrees")] if message else []), *shown, *grids]
-
-
-def line(key: Key, place: Place, value: Any, said: dict[str, str], data: dict[str, Any]) -> list[Content]:
-    """Return the row of an entry: what it means, its field, its unit, what is expected or what is wrong."""
-    wrong = said.get(".".join(place), "")
-    expected = "" if key.expected.startswith("a text") or choices(key, data) else key.expected
-    limits = e("span", wrong or expected, css="disagrees" if wrong else "quiet")
-    return [key.meaning, field(key, place, value, wrong, data), key.unit, limits]
 
 
 def grid(key: Key, place: Place, entries: list[Any], said: dict[str, str], data: dict[str, Any]) -> list[Element]:

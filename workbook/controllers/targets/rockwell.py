@@ -51,7 +51,14 @@ def read(text: str) -> Table:
         raise TargetError("the two forms of the tag's data, L5K and Decorated, differ; expected the same points")
     require_dimensions(cam, len(given))
     x, y, kinds = np.array(given).reshape(-1, 3).T
-    slopes = slopes_of(tags, str(cam.get("Name")))
+    held = {tag.get("Name"): next((one.get("Value", "") for one in tag.iter("DataValue")), "") for tag in tags}
+    slopes, names = None, [f"{cam.get('Name')}_{which}" for which in SLOPES]  # in tags of their own, if at all
+    if all(one in held for one in names):
+        for one in names:
+            if not NUMBER.fullmatch(held[one]):
+                raise TargetError(f"{one} is {held[one][:40]!r}; expected a number")
+        first, last = REAL.rounded(np.array([float(held[one]) for one in names])).tolist()
+        slopes = first, last
     return Table(REAL.rounded(x), REAL.rounded(y), slopes=slopes, straight=kinds[:-1] == 0.0)
 
 
@@ -90,19 +97,6 @@ def numbers(k: int, row: list[str]) -> list[float]:
     if kind not in (0.0, 1.0):
         raise TargetError(f"element {k}: segment type {kind:g}; expected 0 (linear) or 1 (cubic)")
     return [master, slave, kind]
-
-
-def slopes_of(tags: list[Element], name: str) -> tuple[float, float] | None:
-    """Return the slopes that stand in tags of their own; None where they are not in the file."""
-    held = {tag.get("Name"): next((one.get("Value", "") for one in tag.iter("DataValue")), "") for tag in tags}
-    names = [f"{name}_{which}" for which in SLOPES]
-    if not all(one in held for one in names):
-        return None
-    for one in names:
-        if not NUMBER.fullmatch(held[one]):
-            raise TargetError(f"{one} is {held[one][:40]!r}; expected a number")
-    first, last = REAL.rounded(np.array([float(held[one]) for one in names])).tolist()
-    return first, last
 
 
 def profile_table(rows: list[list[str]]) -> Table:
