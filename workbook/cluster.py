@@ -113,12 +113,7 @@ class Workers(Pool):
     """The workers of a client; ``scheduler`` is the address of a cluster's."""
 
     def __init__(self, client: Any, scheduler: str) -> None:
-        self.client, self.scheduler = client, scheduler
-
-    @property
-    def distant(self) -> bool:
-        """Whether they may be other machines."""
-        return bool(self.scheduler)
+        self.client, self.scheduler, self.distant = client, scheduler, bool(scheduler)
 
     @contextmanager
     def alone(self) -> Iterator[Self]:

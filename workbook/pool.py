@@ -1,4 +1,4 @@
-"""Work in pieces, here or over a cluster, each handed back as it is finished; Python's search for garbage, held back."""
+"""Work in pieces, here or over a cluster, each handed back as it is finished; Python's search for garbage held back."""
 
 import gc
 import os
@@ -22,10 +22,7 @@ class Died:
 class Pool:
     """Who does the work: this process, one piece after the other; over a cluster its workers."""
 
-    @property
-    def distant(self) -> bool:
-        """Whether they may be other machines, which do not see this one's files."""
-        return False
+    distant = False  # whether they may be other machines, which do not see this one's files
 
     def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | Died]]:
         """Yield each task with what ``function(task, *shared)`` gives, as they are finished, taken as there is room."""

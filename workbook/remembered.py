@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from workbook.errors import WriteError
-from workbook.writing.place import replace
+from workbook.writing.place import write_text
 
 SOURCES = Path(__file__).parents[1]
 MOST = 1_000_000  # bytes of what is remembered of a file
@@ -24,7 +24,7 @@ MOST = 1_000_000  # bytes of what is remembered of a file
 def recall(what: str, sha256: str) -> dict[str, Any] | None:
     """Return what is remembered of a file; None where nothing is, or what a changed program remembered."""
     with suppress(OSError, ValueError, RuntimeError):  # the last of a system that knows no home
-        path = place(what, sha256)
+        path = folder() / f"{sha256}.{what}.json"
         if path.stat().st_size <= MOST:
             known = json.loads(path.read_bytes())
             if isinstance(known, dict) and known.get("program") == program():
@@ -34,18 +34,9 @@ def recall(what: str, sha256: str) -> dict[str, Any] | None:
 
 def remember(what: str, sha256: str, data: dict[str, Any]) -> None:
     """Remember ``data`` of a file; where that cannot be written, it is found out again another time."""
-    text = json.dumps(data | {"program": program()}).encode()
-
-    def write(draft: Path) -> None:
-        draft.write_bytes(text)
-
+    text = json.dumps(data | {"program": program()})
     with suppress(OSError, RuntimeError, WriteError):
-        replace(place(what, sha256), write, overwrite=True)
-
-
-def place(what: str, sha256: str) -> Path:
-    """Return where something of a file is remembered."""
-    return folder() / f"{sha256}.{what}.json"
+        write_text(folder() / f"{sha256}.{what}.json", text, overwrite=True)
 
 
 def folder() -> Path:

@@ -2,20 +2,17 @@
 
 import json
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import asdict
 from datetime import datetime
 from pathlib import Path
 from tempfile import TemporaryDirectory
-
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from workbook.build import described
 from workbook.cluster import pool
 from workbook.errors import AGREES, DISAGREES, FAILS, InputError, ReadError, WriteError
 from workbook.pool import cores
 from workbook.reports import study as page
+from workbook.reports.console import progress
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.studies.evaluate import Evaluator, Named, listed, require_names
 from workbook.studies.folder import ENDS, Parts, join, read, require_format
@@ -77,7 +74,13 @@ def ran(
         for line in announced(plan, seconds, None if scheduler else at_once):
             say(OUT, line)
         try:
-            with progress(plan.space.size) as done:
+            with progress(ERR, "Studying", plan.space.size) as bar:
+                started, fresh = time.perf_counter(), [0]
+
+                def done(count: int, before: bool) -> None:
+                    fresh[0] += 0 if before else count
+                    bar(count, f"{fresh[0] / max(time.perf_counter() - started, 1e-9):,.0f}/s")
+
                 found = run(plan, parts, workers, done)
         except KeyboardInterrupt:
             say(ERR, f"Interrupted. {parts.folder}: {parts.held}")
@@ -149,22 +152,6 @@ def known(plan: Plan, path: Path, own: bool) -> Summary | None:
         if not own:
             return None
         raise ReadError(f"{path}: no results of a study; delete it, and run the study again") from error
-
-
-@contextmanager
-def progress(total: int) -> Iterator[Callable[[int, bool], None]]:
-    """Show a bar with rate and remaining time on a terminal, and nothing elsewhere."""
-    columns = (TextColumn("Studying"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"),
-               TimeRemainingColumn())  # fmt: skip
-    with Progress(*columns, console=ERR, transient=True, disable=not ERR.is_terminal) as bar:
-        task, begin, fresh = bar.add_task("", total=total), time.perf_counter(), [0]
-
-        def done(count: int, before: bool) -> None:
-            fresh[0] += 0 if before else count
-            rate = fresh[0] / max(time.perf_counter() - begin, 1e-9)
-            bar.update(task, advance=count, description=f"{rate:,.0f}/s")
-
-        yield done
 
 
 def show(plan: Plan, found: Summary, results: Path, seconds: float) -> None:

@@ -44,8 +44,8 @@ def verify(
     present(asked)
     targets, failed = many.find(books)
     most = min(jobs or cores(), len(targets))
-    with pool(most, scheduler) as workers, console.progress(ERR, len(targets)) as done:
-        outcomes = many.verify_many(targets, asked, workers, done, beside) + failed
+    with pool(most, scheduler) as workers, console.progress(ERR, "Verifying", len(targets)) as bar:
+        outcomes = many.verify_many(targets, asked, workers, lambda one: bar(1, one.path.name), beside) + failed
     alone = len(books) == 1 and not os.path.isdir(books[0])
     for one in outcomes if alone else ():
         if one.report is not None:

@@ -12,9 +12,9 @@ from engine.cams.interpolation import straight
 from engine.laws.base import Array
 from engine.motion.pieces import SAME, CamProfile
 from workbook.axes import CamAxis
-from workbook.controllers.number import step_of
 from workbook.controllers.table import RULES, Rule, Table
 from workbook.controllers.target import Target, parsed
+from workbook.controllers.texts import step_of
 from workbook.errors import TargetError
 
 GROWTH = (1.25, 2.0)

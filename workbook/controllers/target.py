@@ -14,9 +14,9 @@ from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 from engine.timing import Differing, Switch, differing
 from workbook.axes import CamSwitch
-from workbook.controllers.number import LREAL, Number, literal
 from workbook.controllers.registry import CLAIMS
 from workbook.controllers.table import Table
+from workbook.controllers.texts import LREAL, Number, literal
 from workbook.errors import ReadError, TargetError
 from workbook.intake import read_text
 from workbook.visible import visible

@@ -10,7 +10,7 @@ from typing import Any
 
 from rich.console import Console
 from rich.markup import escape
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeRemainingColumn
 from rich.table import Column, Table
 
 from engine.laws import CATALOGUE
@@ -146,13 +146,13 @@ def part(text: str, begin: int, end: int) -> str:
 
 
 @contextmanager
-def progress(console: Console, total: int) -> Iterator[Callable[[Outcome], None]]:
-    """Show a bar on a terminal, and nothing elsewhere; give what is to be called for each workbook done."""
-    columns = (SpinnerColumn(), TextColumn("Verifying"), BarColumn(), MofNCompleteColumn(),
-               TextColumn("{task.description}"))  # fmt: skip
+def progress(console: Console, words: str, total: int) -> Iterator[Callable[[int, str], None]]:
+    """Show a bar on a terminal, and nothing elsewhere; give what is told how many more are done, and what beside it."""
+    columns = (SpinnerColumn(), TextColumn(words), BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"),
+               TimeRemainingColumn())  # fmt: skip
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("", total=total)
-        yield lambda outcome: bar.update(task, advance=1, description=escape(visible(outcome.path.name)))
+        yield lambda count, said: bar.update(task, advance=count, description=escape(visible(said)))
 
 
 def show(
@@ -185,30 +185,22 @@ def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
     table.add_column("Verdict", no_wrap=True)
     for o in outcomes:
         said = VERDICTS[o.verdict]
-        cells, found = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("-", "-")
-        table.add_row(shown(str(o.path)), cells, found, shown(said.row, said.colour))
+        counts = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("-", "-")
+        table.add_row(shown(str(o.path)), *counts, shown(said.row, said.colour))
     console.print(table)
-    for outcome in outcomes:
-        for text in worst(outcome):
+    for o in outcomes:  # why it cannot be read, or the worst of its findings
+        for text in o.reason.splitlines() if o.verdict == "unreadable" else ():
             say(console, text)
+        found = [*map(line, o.report.causes), *(check.line for check in o.report.failing)] if o.report else []
+        for text in found[:WORST]:
+            say(console, f"{o.path}: {text}")
+        if len(found) > WORST:
+            say(console, f"{o.path}: and {len(found) - WORST:,} more; verify it alone, or add --report")
     compared = sum(o.report.compared for o in outcomes if o.report)
     count = Counter[str](outcome.verdict for outcome in outcomes)
     told = [f"{count[verdict]} {words.several}" for verdict, words in VERDICTS.items() if count[verdict]]
     verified = sum(outcome.report is not None for outcome in outcomes)
     say(console, f"{compared:,} formula cells compared in {verified} workbooks: {', '.join(told)}.")
-
-
-def worst(outcome: Outcome) -> list[str]:
-    """Return why a workbook cannot be read, or the worst of its findings, in lines."""
-    if outcome.verdict == "unreadable":
-        return outcome.reason.splitlines()
-    if outcome.report is None:
-        return []
-    found = [line(finding) for finding in outcome.report.causes]
-    found += [check.line for check in outcome.report.failing]
-    lines = [f"{outcome.path}: {text}" for text in found[:WORST]]
-    more = len(found) - WORST
-    return [*lines, f"{outcome.path}: and {more:,} more; verify it alone, or add --report"] if more > 0 else lines
 
 
 def catalogue() -> list[dict[str, Any]]:

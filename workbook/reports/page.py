@@ -16,7 +16,7 @@ from workbook.errors import WriteError
 from workbook.judging.compare import TOLERANCE
 from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Ran, Report
-from workbook.reports.html import document, e, markup, rendered
+from workbook.reports.html import document, rendered
 from workbook.writing.place import refuse_existing, write_text
 
 COUNTED = (("tests", ""), ("failures", "failure"), ("errors", "error"), ("skipped", "skipped"))
@@ -70,7 +70,7 @@ def page(outcomes: Sequence[Outcome], when: datetime) -> str:
     return document(title, rendered(
         "reports/page.html", title=title, when=f"{when:%Y-%m-%d %H:%M:%S %z}", outcomes=outcomes,
         versions=f"{versions}, {platform.system()} {platform.machine()}", tolerance=f"{TOLERANCE:.0e}",
-        compared=sum(o.report.compared for o in outcomes if o.report), kinds=KINDS, verdict=verdict, witness=witness,
+        compared=sum(o.report.compared for o in outcomes if o.report), kinds=KINDS, verdicts=VERDICTS, witness=witness,
         own_verdict=own_verdict, by_sheet=by_sheet, deviation=deviation, where=where, told=told, figure=figure,
     ))  # fmt: skip
 
@@ -108,11 +108,6 @@ def told(finding: Finding) -> str:
 def where(finding: Finding) -> str:
     """Return the cell of a finding, or what else it is about."""
     return f"{finding.sheet}!{finding.cell}" if finding.sheet else finding.cell
-
-
-def verdict(outcome: Outcome) -> str:
-    """Return the verdict in words; its colour only repeats them."""
-    return markup(e("span", VERDICTS[outcome.verdict].page, css=f"verdict {outcome.verdict.replace(' ', '-')}"))
 
 
 def figure(value: Any, digits: int = 10) -> str:

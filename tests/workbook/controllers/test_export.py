@@ -264,7 +264,7 @@ def test_a_memory_that_is_damaged_is_none(text, tmp_path, monkeypatch) -> None:
     monkeypatch.setattr(remembered, "folder", lambda: tmp_path)
     remembered.remember("verdict", "ab", {"findings": 0})
     assert remembered.recall("verdict", "ab")["findings"] == 0
-    remembered.place("verdict", "ab").write_text(text, "utf-8")
+    (tmp_path / "ab.verdict.json").write_text(text, "utf-8")
     assert remembered.recall("verdict", "ab") is None
 
 

@@ -7,10 +7,19 @@ import numpy as np
 from engine.cams.interpolation import quintics_between
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
-from workbook.controllers.number import DINT, DINT_IN_REAL, REAL, counts, read_counts, read_stand, stands
-from workbook.controllers.structured import indexed, scalar
 from workbook.controllers.table import Table, given
 from workbook.controllers.target import Target, layout
+from workbook.controllers.texts import (
+    DINT,
+    DINT_IN_REAL,
+    REAL,
+    counts,
+    indexed,
+    read_counts,
+    read_stand,
+    scalar,
+    stands,
+)
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")

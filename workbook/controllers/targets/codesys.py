@@ -4,9 +4,9 @@ from math import ceil, log2
 
 import numpy as np
 
-from workbook.controllers.structured import counted, grouped, pairs, points
 from workbook.controllers.table import LOCAL, SPLINES, Table
 from workbook.controllers.target import Tappets, Target, Track, gathered, layout
+from workbook.controllers.texts import counted, grouped, pairs, points
 
 FIELDS = ("dX", "dY", "dV", "dA")
 EDGES = ("fEditorMaster", "fEditorSlave", "fTableMaster", "fTableSlave")

@@ -4,9 +4,9 @@ import re
 
 import numpy as np
 
-from workbook.controllers.number import numbers, remarks, written
 from workbook.controllers.table import CENTRAL, LOCAL, SPLINES, Table
-from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, Track, gathered
+from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, gathered
+from workbook.controllers.texts import numbers, remarks, written
 from workbook.errors import TargetError
 
 DENSE = 100  # points: so many tell by their differences what y' is
@@ -39,11 +39,6 @@ def write_switches(handed: HandedTracks) -> str:
     tracks, *ends = np.array(handed.times).reshape(-1, 3).T
     lines = written(ends, handed.separator, handed.decimal).splitlines(keepends=True)
     return head + "".join(f"{number:.0f}{handed.separator}{line}" for number, line in zip(tracks, lines, strict=True))
-
-
-def read_switches(text: str) -> list[Track]:
-    """Return the tracks of a text of three columns."""
-    return gathered(text, numbers(text, (3,)))
 
 
 def write_kollmorgen(handed: Handed) -> str:
@@ -89,7 +84,8 @@ def write_sew(handed: Handed) -> str:
 TARGETS = (
     Target("csv", "Columns of text: x, y, y', y'', y'''", ".csv", ("x", "y", "y'", "y''", "y'''"), ("quintics",),
            write_any, read_any, plain=SPLINES, signs=("separator", "decimal"),
-           tappets=Tappets("csv switches", "track, on from, to", write_switches, read_switches)),
+           tappets=Tappets("csv switches", "track, on from, to", write_switches,
+                           lambda text: gathered(text, numbers(text, (3,))))),
     Target("kollmorgen", "Kollmorgen KAS, cam profile as CSV", ".csv", ("x", "y"), SPLINES,
            write_kollmorgen, read_kollmorgen, points=(5, 10_000)),
     Target("lenze", "Lenze Global Drive Cam Loader, text", ".txt", ("x", "y"), (*SPLINES, LOCAL),

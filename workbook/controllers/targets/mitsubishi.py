@@ -5,9 +5,9 @@ import numpy as np
 from engine.cams.certificate import equal
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
-from workbook.controllers.number import DINT, Number, counts, numbers, read_counts, read_stand, remarks, stands, written
 from workbook.controllers.table import Table
 from workbook.controllers.target import Handed, Target
+from workbook.controllers.texts import DINT, Number, counts, numbers, read_counts, read_stand, remarks, stands, written
 from workbook.errors import TargetError
 
 WHOLE = 1_000_000_000  # a ratio of 100 %, in steps of 1e-7 %

@@ -7,9 +7,9 @@ import numpy as np
 
 from engine.cams.interpolation import straight
 from engine.motion.pieces import CamProfile
-from workbook.controllers.number import DINT, REAL, literal
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.controllers.target import HandedTracks, Tappets, Target, Track, gathered, layout
+from workbook.controllers.texts import DINT, REAL, literal
 from workbook.errors import TargetError
 
 MOST = 400_000  # tags; a CAM of 10,000 points has 70,000

@@ -5,9 +5,9 @@ import numpy as np
 from engine.cams.interpolation import HIGHEST, segmented, simple
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
-from workbook.controllers.structured import indexed, points
 from workbook.controllers.table import SPLINES, Table, given
 from workbook.controllers.target import Target, layout
+from workbook.controllers.texts import indexed, points
 from workbook.errors import TargetError
 
 BASIC = ("leadingValue", "followingValue", "velocityRatio", "accelerationRatio")

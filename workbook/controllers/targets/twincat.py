@@ -2,16 +2,14 @@
 
 import re
 
-from workbook.controllers.structured import columns, indexed, pairs, points, stripped
 from workbook.controllers.table import SPLINES, equidistant
 from workbook.controllers.target import Tappets, Target, Track, gathered, layout
+from workbook.controllers.texts import INDEXED, columns, indexed, pairs, points, stripped
 from workbook.errors import TargetError
 
 FIELDS = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc")
 SWITCHED = ("FirstOnPosition", "LastOnPosition")
-INDEXED = re.compile(
-    r"_(\d{1,4})_S\[(\d{1,9})\]\s{0,9}\.\s{0,9}([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})"
-)
+OF_TRACK = re.compile(rf"_(\d{{1,4}})_S{INDEXED.pattern}")
 COUNTED = re.compile(r"_(\d{1,4})\.NumberOfSwitches\s{0,9}:=\s{0,9}(\d{1,9})")
 
 
@@ -19,7 +17,7 @@ def read_switches(text: str) -> list[Track]:
     """Return the tracks that are assigned."""
     plain = stripped(text)
     arrays: dict[int, list[tuple[int, str, str]]] = {}
-    for number, index, field, value in INDEXED.findall(plain):
+    for number, index, field, value in OF_TRACK.findall(plain):
         arrays.setdefault(int(number), []).append((int(index), field, value))
     told = {int(number): int(count) for number, count in COUNTED.findall(plain)}
     times = []

@@ -22,21 +22,6 @@ def failure(number: int) -> float:
     return struct.unpack("<d", struct.pack("<II", number, 0x7FF80000))[0]
 
 
-def of_law(n: int, law: str, xi: float, parameters: Cells) -> float:
-    """Return s, v, a or j of a law at ξ."""
-    return named(law, parameters).at(xi)[n]
-
-
-def of_motion(n: int, x: float, phases: Cells) -> float:
-    """Return position, velocity or acceleration of a motion at x."""
-    return motion(phases).at(x)[n]
-
-
-def coefficient(n: int, law: str, parameters: Cells) -> float:
-    """Return a coefficient of a law; C_j is infinite, which is #NUM!, where the acceleration jumps."""
-    return named(law, parameters).coefficients[n]
-
-
 def inverse(law: str, s: float, parameters: Cells) -> float:
     """Return the ξ at which a law first reaches s."""
     found = named(law, parameters)
@@ -46,13 +31,16 @@ def inverse(law: str, s: float, parameters: Cells) -> float:
 
 
 FUNCTIONS: dict[str, Callable[..., float]] = {
-    **{name: partial(of_law, n) for n, name in enumerate(("S", "V", "A", "J"))},
-    **{name: partial(coefficient, n) for n, name in enumerate(("CV", "CA", "CARMS", "CJ"))},
-    **{name: partial(of_motion, n) for n, name in enumerate(("POS", "VEL", "ACC"))},
+    **{name: partial(lambda n, law, xi, parameters: named(law, parameters).at(xi)[n], n)
+       for n, name in enumerate(("S", "V", "A", "J"))},
+    **{name: partial(lambda n, law, parameters: named(law, parameters).coefficients[n], n)
+       for n, name in enumerate(("CV", "CA", "CARMS", "CJ"))},  # C_j is infinite, so #NUM!, where a jumps
+    **{name: partial(lambda n, x, phases: motion(phases).at(x)[n], n) for n, name in enumerate(("POS", "VEL", "ACC"))},
     "XI": inverse,
     "JRED": lambda inertias, ratios: reflected(*pairs(inertias, ratios)),
     "RMS": lambda values, durations: root_mean_square(*pairs(values, durations)),
-}  # by the names of their methods; what they take is declared in ``functions.toml``
+}  # fmt: skip
+"""the functions by the names of their methods; what they take is declared in ``functions.toml``"""
 
 
 class MotionFunctions(unohelper.Base, XMotionFunctions, XServiceInfo):
