@@ -27,7 +27,7 @@ from workbook.axes import CamAxis
 from workbook.controllers.handing import automatic, certified, reread, tabulated
 from workbook.controllers.registry import target, targets
 from workbook.controllers.target import Handed
-from workbook.reports.plot import Line, plot
+from workbook.reports.html import Line, plot
 
 PICTURE = Path(__file__).parents[1] / "docs" / "cam-tables.svg"
 RISE = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))

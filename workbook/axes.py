@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Self
+from typing import NamedTuple, Self
 
 from engine.motion.pieces import CamProfile
 from engine.timing import Switch
@@ -27,8 +27,7 @@ class CamAxis:
         return y, f"{y}/{x}", f"{y}/{x}²", f"{y}/{x}³"
 
 
-@dataclass(frozen=True)
-class CamSwitch:
+class CamSwitch(NamedTuple):
     """A switch over a cycle of the master, in the unit of its angles."""
 
     name: str

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from math import ceil, log10
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,8 +34,7 @@ WITHIN = 1e-3
 """of a way from point to point: so near to its ends a break may lie, which numbers of 32 bits have rounded"""
 
 
-@dataclass(frozen=True)
-class Made:
+class Made(NamedTuple):
     """A table for a target, and the certificate of each rule that may be its."""
 
     table: Table

@@ -58,8 +58,7 @@ class Claimed:
         return [claim for claim in self.claims if claim.certainty == "untested"]
 
 
-@dataclass(frozen=True)
-class Handed:
+class Handed(NamedTuple):
     """What a writer is given: a table in the target's numbers, a name, and what is said of it in the header."""
 
     table: Table
@@ -92,8 +91,7 @@ class Track(NamedTuple):
     on: tuple[tuple[float, float], ...]
 
 
-@dataclass(frozen=True)
-class HandedTracks:
+class HandedTracks(NamedTuple):
     """What a writer is given: tracks in the target's numbers, a name, and what is said of them in the header."""
 
     tracks: Sequence[Track]

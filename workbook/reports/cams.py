@@ -11,8 +11,7 @@ from engine.cams.certificate import Certificate
 from workbook.axes import CamAxis
 from workbook.controllers.handing import ORDERS, Made, automatic, curve, rules_of
 from workbook.controllers.target import Target
-from workbook.reports.html import document, markup, rendered
-from workbook.reports.plot import Line, plot
+from workbook.reports.html import Line, document, markup, plot, rendered
 from workbook.reports.terminal import OUT, show_table, shown
 
 FLOOR = 1e-12  # of the peak: what is less is drawn there

@@ -7,8 +7,7 @@ import numpy as np
 from rich.console import Console
 
 from workbook.differences.design import Change, Design, Differences
-from workbook.reports.html import document, markup, rendered
-from workbook.reports.plot import Line, plot
+from workbook.reports.html import Line, document, markup, plot, rendered
 from workbook.reports.terminal import say, show_table
 from workbook.templates import TEMPLATES
 

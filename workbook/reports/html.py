@@ -1,17 +1,33 @@
-"""Elements of a page of HTML, and its style: no script, nothing fetched from elsewhere."""
+"""Pages of HTML from templates; pictures of SVG: lines over an abscissa, each with its name, the front of a study."""
 
+import math
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
-from xml.etree.ElementTree import Element, tostring
+from typing import Any, NamedTuple
+from xml.etree.ElementTree import Element, SubElement, tostring
 
+import numpy as np
 from tornado.escape import xhtml_escape
 from tornado.template import Loader
 
+from engine.laws.base import Array
+from workbook.book.chart import COLOURS
 from workbook.visible import visible
 
 STYLE = "\n" + Path(__file__).with_name("page.css").read_text(encoding="utf-8")
 Content = Element | str
+WIDTH, HEIGHT = 720, 400
+LEFT, RIGHT, TOP, BOTTOM = 78, 170, 34, 50
+GREY, BEFORE, INK = "#d5d9de", "#aab2bd", "#1a1a1a"
+TICKS = 6
+APART = 14  # between two names
+POINT = "#1f5fa8"
+RADIUS, GAP = 4.0, 7.0
+MARGIN = 0.08  # of an axis, beside the outermost points
+LETTER, LINE = 6.4, 13.0  # width and height of a letter
+ROOM = 24  # beside the front, to the right
+Box = tuple[float, float, float, float]  # left, top, right and bottom of what is taken
 
 
 def document(title: str, body: Sequence[Element] | str) -> str:
@@ -72,3 +88,187 @@ def legal(text: str) -> str:
 PAGES = Loader(str(Path(__file__).parents[1]), autoescape="shown", namespace={
     "shown": shown, "table": lambda *parts: markup(table(*parts)), "_tt_utf8": held,
 })  # fmt: skip
+
+
+class Line(NamedTuple):
+    """A line: its name, and the points that it goes through; ``points`` are shown by themselves."""
+
+    name: str
+    x: Array
+    y: Array
+    points: bool = False
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What brings numbers from an axis onto the picture."""
+
+    low: float
+    high: float
+    begin: float
+    end: float
+    powers: bool
+
+    def at(self, values: Array) -> Array:
+        """Return the places of numbers; what lies beyond the axis is put at its end."""
+        inside = np.clip(values, self.low, self.high)
+        share = (np.log(inside / self.low) / math.log(self.high / self.low) if self.powers
+                 else (inside - self.low) / (self.high - self.low))  # fmt: skip
+        return np.asarray(self.begin + share * (self.end - self.begin))
+
+    @property
+    def ticks(self) -> list[float]:
+        """The numbers that are written at the axis."""
+        if self.powers:
+            powers = range(round(math.log10(self.low)), round(math.log10(self.high)) + 1)
+            every = max(1, math.ceil(len(powers) / (TICKS + 3)))
+            return [10.0**k for k in powers[::every]]
+        rough = (self.high - self.low) / TICKS
+        power = 10.0 ** math.floor(math.log10(rough))
+        step = next(k * power for k in (1.0, 2.0, 5.0, 10.0) if k * power >= rough)
+        first = math.ceil(self.low / step - 1e-9)
+        return [k * step for k in range(first, math.floor(self.high / step + 1e-9) + 1)]
+
+
+def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
+    """Return the axis of numbers: whole powers of ten, or from the lowest to the highest."""
+    low, high = float(values.min()), float(values.max())
+    if powers:
+        low, high = (10.0 ** f(math.log10(value)) for f, value in ((math.floor, low), (math.ceil, high)))
+    if high <= low:
+        low, high = (low, low * 10.0) if powers else (low - 0.5, low + 0.5)
+    return Scale(low, high, begin, end, powers)
+
+
+Scales = tuple[Scale, Scale]  # across, and up
+
+
+def scales(lines: Sequence[Line], powers: tuple[bool, bool] = (False, False)) -> Scales:
+    """Return the axes of a picture of some lines, the one across and the one up."""
+    x, y = (np.concatenate([getattr(line, name) for line in lines]) for name in "xy")
+    return scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1])
+
+
+def plot(
+    title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False),
+    before: Sequence[Line] = (),
+) -> Element:  # fmt: skip
+    """Return the picture, ``before`` in grey below the lines; raise ValueError for no lines."""
+    if not lines:
+        raise ValueError("no lines are given; expected one or more")
+    across, up = scales([*lines, *before], powers)
+    svg = framed(title, labels, across, up)
+    for line in before:
+        draw(svg, line, across.at(line.x), up.at(line.y), BEFORE)
+    names: list[float] = []
+    for k, line in enumerate(lines):
+        colour = COLOURS[k % len(COLOURS)]
+        colour = colour if colour.startswith("#") else f"#{colour}"
+        x, y = across.at(line.x), up.at(line.y)
+        draw(svg, line, x, y, colour)
+        place = float(y[-1])
+        while any(abs(place - other) < APART for other in names):
+            place += APART / 2
+        names.append(place)
+        text(svg, line.name, WIDTH - RIGHT + 8, place + 4, colour=colour)
+    return svg
+
+
+def draw(svg: Element, line: Line, x: Array, y: Array, colour: str) -> None:
+    """Draw a line, or its points, at their places in the picture; a level stretch goes by its ends."""
+    if line.points:
+        for one, other in zip(x.tolist(), y.tolist(), strict=True):
+            SubElement(svg, "circle", {"cx": f"{one:.1f}", "cy": f"{other:.1f}", "r": "3", "fill": colour})
+        return
+    height = np.round(y, 1)
+    bends = np.ones(len(height), dtype=bool)
+    bends[1:-1] = (height[1:-1] != height[:-2]) | (height[1:-1] != height[2:])
+    flat = np.stack([x[bends], height[bends]], axis=1).ravel().tolist()
+    points = " ".join(["%.1f,%.1f"] * (len(flat) // 2)) % tuple(flat)
+    SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
+
+
+def framed(title: str, labels: tuple[str, str], across: Scale, up: Scale) -> Element:
+    """Return a picture of its title and its axes with their lines and numbers; no numbers of what has no name."""
+    svg = Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "viewBox": f"0 0 {WIDTH} {HEIGHT}", "role": "img",
+                          "font-family": "Segoe UI, Helvetica, Arial, sans-serif", "font-size": "12"})  # fmt: skip
+    SubElement(svg, "title").text = visible(title)
+    SubElement(svg, "rect", {"width": str(WIDTH), "height": str(HEIGHT), "fill": "#ffffff"})
+    text(svg, title, LEFT, TOP - 14, weight="600")
+    for value, place in zip(across.ticks, across.at(np.array(across.ticks)), strict=True):
+        rule(svg, place, TOP, place, HEIGHT - BOTTOM)
+        text(svg, figure(value), place, HEIGHT - BOTTOM + 17, anchor="middle")
+    for value, place in zip(up.ticks, up.at(np.array(up.ticks)), strict=True):
+        rule(svg, across.begin, place, across.end, place)
+        if labels[1]:
+            text(svg, figure(value), LEFT - 7, place + 4, anchor="end")
+    text(svg, labels[0], (across.begin + across.end) / 2, HEIGHT - 12, anchor="middle")
+    middle = (TOP + HEIGHT - BOTTOM) / 2
+    text(svg, labels[1], 16, middle, anchor="middle").set("transform", f"rotate(-90 16 {middle})")
+    return svg
+
+
+def figure(value: float) -> str:
+    """Return a number as it is written at an axis."""
+    return f"{value:.4g}" if value == 0.0 or 1e-3 <= abs(value) < 1e5 else f"{value:.0e}"
+
+
+def rule(svg: Element, x1: float, y1: float, x2: float, y2: float) -> None:
+    """Draw a line of the grid."""
+    ends = {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
+    SubElement(svg, "line", {name: f"{value:.1f}" for name, value in ends.items()} | {"stroke": GREY})
+
+
+def text(
+    svg: Element, words: str, x: float, y: float, anchor: str = "start", colour: str = INK, weight: str = "400"
+) -> Element:  # fmt: skip
+    """Write a text."""
+    look = {"text-anchor": anchor, "fill": colour, "font-weight": weight}
+    one = SubElement(svg, "text", {"x": f"{x:.1f}", "y": f"{y:.1f}"} | look)
+    one.text = visible(words)
+    return one
+
+
+class Point(NamedTuple):
+    """A design in the picture: what stands beside it, in words where they fit, else ``short``; its two objectives."""
+
+    name: str
+    short: str
+    x: float
+    y: float
+
+
+def front_picture(
+    title: str, labels: tuple[str, str], points: Sequence[Point], links: Sequence[str] = ()
+) -> Element:  # fmt: skip
+    """Return the picture of one point or more, with room beside the outermost; each leads to the link given for it."""
+    x, y = np.array([(one.x, one.y) for one in points]).T
+    wider = [np.array([v.min() - MARGIN * np.ptp(v), v.max() + MARGIN * np.ptp(v)]) for v in (x, y)]
+    across = scale(wider[0], LEFT, WIDTH - ROOM, powers=False)
+    up = scale(wider[1], HEIGHT - BOTTOM, TOP, powers=False)
+    svg = framed(title, labels, across, up)
+    places = list(zip(across.at(x).tolist(), up.at(y).tolist(), strict=True))
+    taken = [(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
+    if links:
+        svg.set("role", "group")  # a picture by itself may have no links in it
+    for k, (one, (px, py)) in enumerate(zip(points, places, strict=True)):
+        about = {"href": links[k], "aria-label": f"Open design {k + 1}"} if links else {}
+        SubElement(SubElement(svg, "a", about) if links else svg, "circle",
+                   {"cx": f"{px:.1f}", "cy": f"{py:.1f}", "r": f"{RADIUS}", "fill": POINT})  # fmt: skip
+        for words, box in ((name, box) for name in (one.name, one.short) for box in around(px, py, name)):
+            if all(box[k + 2] < other[k] or other[k + 2] < box[k] for other in taken for k in (0, 1)):
+                taken.append(box)
+                text(svg, words, box[0], box[3] - 3.0)
+                break
+    return svg
+
+
+def around(x: float, y: float, words: str) -> list[Box]:
+    """Return the places beside a point at which words are within the picture: right and left, above and below."""
+    width, near = LETTER * len(words), 2.0
+    return [
+        (left, top, left + width, top + LINE)
+        for top in (y - LINE / 2, y - LINE - near, y + near)
+        for left in (x + GAP, x - GAP - width)
+        if left > LEFT and left + width < WIDTH and TOP < top < HEIGHT - BOTTOM - LINE
+    ]

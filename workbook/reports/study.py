@@ -10,9 +10,8 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 import workbook
-from workbook.reports.html import document, markup, rendered
+from workbook.reports.html import Point, document, front_picture, markup, rendered
 from workbook.reports.html import shown as escaped
-from workbook.reports.plot import Point, front_picture
 from workbook.studies.evaluate import Label, Named
 from workbook.studies.paths import leaves, written
 from workbook.studies.plan import Plan

@@ -18,8 +18,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError
 from workbook.reading.descriptions import checked, counted, parsed, template_named
 from workbook.reports.differences import figure
-from workbook.reports.html import Content, document, e, markup, rendered
-from workbook.reports.plot import Line, Scales, plot, scales
+from workbook.reports.html import Content, Line, Scales, document, e, markup, plot, rendered, scales
 from workbook.template import FOLDER
 from workbook.visible import visible
 

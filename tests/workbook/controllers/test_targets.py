@@ -4,7 +4,6 @@ import json
 import re
 import time
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 from xml.dom import minidom
 
@@ -313,7 +312,7 @@ def test_other_digits_than_0_to_9_are_no_numbers(name: str, text: str) -> None:
 
 def test_a_header_of_hyphens_leaves_xml_well_formed() -> None:
     one = target("rockwell")
-    text = one.write(replace(handed(one), header=("a---b ----> -", "--")))
+    text = one.write(handed(one)._replace(header=("a---b ----> -", "--")))
     assert parsed(text, one).x.tolist() == parsed(one.write(handed(one)), one).x.tolist()
 
 

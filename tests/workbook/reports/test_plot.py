@@ -5,7 +5,7 @@ from xml.etree.ElementTree import tostring
 import numpy as np
 import pytest
 
-from workbook.reports.plot import HEIGHT, LEFT, RIGHT, WIDTH, Line, plot, scale
+from workbook.reports.html import HEIGHT, LEFT, RIGHT, WIDTH, Line, plot, scale
 
 
 def test_powers_of_ten_are_equal_steps() -> None:
