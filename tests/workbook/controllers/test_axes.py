@@ -60,5 +60,5 @@ def test_a_tool_is_told_by_the_angle_of_the_master_shaft(name: str) -> None:
     x = np.linspace(0.5, 359.5, 77)
     same(transfer.profile, x, [view.transfer.travel(x * DEGREE)], y_unit=MM)
     for axis, station in zip(tools, view.stations, strict=True):
-        same(axis.profile, x, [station.as_set.travel(x * DEGREE), station.as_set.rates(x * DEGREE, 1.0).velocity
+        same(axis.profile, x, [station.as_set.travel(x * DEGREE), station.as_set.rates(x * DEGREE, 1.0)[0]
                               / (2.0 * np.pi)], DEGREE, MM)  # fmt: skip
