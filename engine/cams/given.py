@@ -122,7 +122,7 @@ class Found:
     end: float
     y: float
     lift: float
-    residual: float
+    residual: float = 0.0
     fits: bool = True
     known: bool = True
 
@@ -145,6 +145,13 @@ class Found:
         if not isinstance(self.law, EndedLaw):
             return 0.0, 0.0
         return self.law.ends.both("v")[side] / span, self.law.ends.both("a")[side] / span**2
+
+    def off(self, of: Points) -> Array:
+        """Return by how much points are off it, or the line that it meets beyond an end that is prescribed."""
+        xi = (of.x - self.begin) / (self.end - self.begin)
+        inside = np.clip(xi, 0.0, 1.0)
+        ends = (self.law.start.v, self.law.end.v) if isinstance(self.law, EndedLaw) else (0.0, 0.0)
+        return np.asarray(self.y + self.scale * (self.law.s(inside) + np.where(xi < 0.0, *ends) * (xi - inside)) - of.y)
 
 
 def splined(of: Points, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[Found]:

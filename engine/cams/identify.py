@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from engine.cams.given import AT_SPEED, LONGER, Found, Points, fastest, may_be, moves_at, part, seam, splined
 from engine.cams.joined import RATES, grown, joined, nearest, rates_agree
-from engine.laws import Dwell, Law, PieceLaw, law
+from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
-from engine.laws.registry import CATALOGUE
 from engine.motion.pieces import CamProfile, turned
 
 ROUNDED = 1e-9
@@ -135,7 +134,7 @@ def _fitted(law: Law, of: Points, near: float) -> Found | None:
     step = float(np.diff(of.x).max())
 
     def off(fit: Array) -> Array:
-        return _off(law, of, fit) if fit[1] - fit[0] >= step else np.full(len(of.x), np.inf)
+        return Found(law, *fit.tolist()).off(of) if fit[1] - fit[0] >= step else np.full(len(of.x), np.inf)
 
     start = np.array([*of.x[[0, -1]], of.y[0], of.y[-1] - of.y[0]])
     fit = nearest(off, start, np.array([step, step, np.inf, np.inf]), near)
@@ -146,17 +145,11 @@ def _fitted(law: Law, of: Points, near: float) -> Found | None:
     if outside or not rates_agree(_found(law, of, fit), of, np.median):
         return None
     tidied = (np.array([round(value, digits) + 0.0 for value in fit.tolist()]) for digits in DIGITS)
-    fits = (one for one in tidied if one[1] > one[0] and np.abs(_off(law, of, one)).max() <= near)
+    fits = (one for one in tidied if one[1] > one[0] and _found(law, of, one).residual <= near)
     return _found(law, of, next(fits, fit))
 
 
 def _found(law: Law, of: Points, fit: Array) -> Found:
     """Return the phase of a law with a begin, an end, a y and a lift."""
-    begin, end, y, lift = fit.tolist()
-    return Found(law, begin, end, y, lift, float(np.abs(_off(law, of, fit)).max()))
-
-
-def _off(law: Law, of: Points, fit: Array) -> Array:
-    """Return by how much a law with a begin, an end, a y and a lift is off the points."""
-    begin, end, y, lift = fit
-    return np.asarray(y + lift * law.s(np.clip((of.x - begin) / (end - begin), 0.0, 1.0)) - of.y)
+    one = Found(law, *fit.tolist())
+    return replace(one, residual=float(np.abs(one.off(of)).max()))

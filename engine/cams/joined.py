@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.given import LONGER, QUINTIC, SEAM, Found, Points, fastest, may_be, part, precision, rate_at, splined
-from engine.laws import law
+from engine.laws import CATALOGUE, law
 from engine.laws.base import Array
 from engine.laws.ends import EndedLaw, EndError, Ends, between
-from engine.laws.registry import CATALOGUE
 from engine.motion.pieces import CamProfile
 
 SHORTEST = 3  # ways from point to point of a straight line, where y' is not known
@@ -151,16 +150,6 @@ def _made(one: EndedLaw, places: Sequence[float], sides: tuple[Side, Side]) -> F
     return Found(found, begin, end, first, last - first, 0.0)
 
 
-def _off(one: Found | None, of: Points) -> Array:
-    """Return by how much points are off a phase, or the line that it meets beyond its end."""
-    if one is None:
-        return np.full(len(of.x), np.inf)
-    xi = (of.x - one.begin) / (one.end - one.begin)
-    inside = np.clip(xi, 0.0, 1.0)
-    beyond = np.where(xi < 0.0, one.law.start.v, one.law.end.v) * (xi - inside)
-    return np.asarray(one.y + one.scale * (one.law.s(inside) + beyond) - of.y)
-
-
 def _fitted(one: EndedLaw, of: Points, sides: tuple[Side, Side], near: float) -> Found | None:
     """Return a law with its begin and its end where the points want them, by least squares; None if it misses."""
     step = np.diff(of.x)[[0, -1]]
@@ -173,11 +162,14 @@ def _fitted(one: EndedLaw, of: Points, sides: tuple[Side, Side], near: float) ->
         by[free] = moved
         return _made(one, (of.x[[0, -1]] + by).tolist(), sides) if np.all(np.abs(by) <= 2.0 * step) else None
 
-    moved = nearest(lambda moved: _off(made(moved), of), np.zeros(int(free.sum())), step[free], near)
+    def off(moved: Array) -> Array:
+        return found.off(of) if (found := made(moved)) else np.full(len(of.x), np.inf)
+
+    moved = nearest(off, np.zeros(int(free.sum())), step[free], near)
     found = None if moved is None else made(moved)
     if found is None or not rates_agree(found, of):
         return None
-    return replace(found, residual=float(np.abs(_off(found, of)).max()))
+    return replace(found, residual=float(np.abs(found.off(of)).max()))
 
 
 def nearest(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
@@ -228,8 +220,8 @@ def _quintics(quintic: EndedLaw, of: Points, rebuilt: CamProfile, sides: tuple[S
             there = sides[1] if middle == last else _rates(of, rebuilt, middle)
             ends = here._replace(fixed=True), there._replace(fixed=True)
             one = _made(quintic, (here.x, there.x), ends)
-            missed = float(np.abs(_off(one, part(of, k, middle))).max())
-            if one is not None and missed <= most:
+            missed = float(np.abs(one.off(part(of, k, middle))).max()) if one else np.inf
+            if one and missed <= most:
                 best, low = (replace(one, residual=missed), there), middle
             else:
                 high = middle - 1

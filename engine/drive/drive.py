@@ -76,15 +76,6 @@ class Drive:
         """J_machine/J_m, at the motor's shaft; 0 for a motor without inertia."""
         return self.mechanism.inertia(self.method) / self.motor_inertia if self.motor_inertia else 0.0
 
-    def torques(self, acceleration: ArrayLike, direction: ArrayLike) -> list[Array]:
-        """Return the torque (or force) that each shaft must be driven with, from the motor's to the load's.
-
-        For accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1), without the motor's own inertia.
-        """
-        first, *others = self.mechanism.torques(acceleration, direction, self.method)
-        braked = (np.asarray(direction) == 0.0) & (self.holding == "brake")
-        return [np.where(braked, 0.0, first), *others]
-
     def torque(self, acceleration: ArrayLike, direction: ArrayLike) -> Array:
         """Return the motor's torque (Nm) at accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1).
 
@@ -93,7 +84,9 @@ class Drive:
         S4, T_m = T_R + J_T θ̈_m, where f is always 1/η.
         """
         own = self.motor_inertia * self.mechanism.ratio * np.asarray(acceleration, dtype=np.float64)
-        return np.asarray(self.torques(acceleration, direction)[0] + own + self.no_load * np.asarray(direction))
+        first, *_ = self.mechanism.torques(acceleration, direction, self.method)
+        braked = (np.asarray(direction) == 0.0) & (self.holding == "brake")
+        return np.asarray(np.where(braked, 0.0, first) + own + self.no_load * np.asarray(direction))
 
 
 def dwell_times(durations: Array, direction: Array) -> Array:

@@ -15,7 +15,6 @@ from engine.laws.pulse_law import (
     PulseLaw,
     TwoPulses,
     pulses_of,
-    require_part,
     require_share,
     seven_durations,
     sine_edged,
@@ -77,7 +76,7 @@ class TrapezoidByShare(PulseLaw):
 
     def __post_init__(self) -> None:
         require_share("share", self.share)
-        require_part("edge", self.edge)
+        require_share("edge", self.edge, ends=True)
         if self.reversal not in ("none", "start", "end"):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'none', 'start' or 'end'")
 
@@ -119,8 +118,8 @@ class ModifiedSine(PulseLaw):
 
     def __post_init__(self) -> None:
         require_share("share", self.share)
-        require_part("rise_edge", self.rise_edge)
-        require_part("fall_edge", self.fall_edge)
+        require_share("rise_edge", self.rise_edge, ends=True)
+        require_share("fall_edge", self.fall_edge, ends=True)
 
     def _pulses(self) -> TwoPulses:
         rise = sine_edged(self.rise_edge, 0.0, 1.0 - self.rise_edge)
@@ -171,7 +170,7 @@ class SineConstantCosine(PulseLaw):
     def __post_init__(self) -> None:
         parts = {"sine": self.sine, "constant": self.constant, "cosine": self.cosine, "straight": self.straight}
         for name, value in parts.items():
-            require_part(name, value)
+            require_share(name, value, ends=True)
         if abs(sum(parts.values()) - 1.0) > SUM_TOLERANCE:
             raise ValueError(f"the shares {', '.join(parts)} sum to {sum(parts.values()):.12g}; expected 1")
         if not self._bent > 0.0:

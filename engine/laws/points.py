@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import Legendre, Polynomial
+from numpy.polynomial import Legendre
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
@@ -37,15 +37,10 @@ def ends(pieces: Sequence[Piece]) -> list[Ends]:
     """
     found, reached = [], 0.0
     for piece in pieces:
-        begin, end = _acceleration(piece, 0.0), _acceleration(piece, piece.duration)
-        jump = abs(begin - reached) if piece.duration > 0.0 else 0.0
-        reached = end if piece.duration > 0.0 else reached
+        begin, end = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])[2].tolist()
+        jump, reached = (abs(begin - reached), end) if piece.duration > 0.0 else (0.0, reached)
         found.append(Ends(begin, end, reached, jump))
     return found
-
-
-def _acceleration(piece: Piece, u: float) -> float:
-    return float(Polynomial(piece.c)(u)) + piece.amplitude * math.sin(piece.omega * u + piece.phase)
 
 
 POINTS = 9

@@ -98,18 +98,11 @@ HALF_4567 = polynomial_pulse(*(c / (42.0 / (5.0 * math.sqrt(5.0))) for c in (0.0
 """the half of the polynomial 4-5-6-7, s = 35ξ⁴ − 84ξ⁵ + 70ξ⁶ − 20ξ⁷"""
 
 
-def require_share(name: str, value: float) -> None:
-    """Raise ValueError unless a share is a number strictly between 0 and 1."""
+def require_share(name: str, value: float, ends: bool = False) -> None:
+    """Raise ValueError unless a share is a number between 0 and 1, or with ``ends`` one of these."""
     require_finite(**{name: value})
-    if not 0.0 < value < 1.0:
-        raise ValueError(f"{name} is {value:g}; expected a share between 0 and 1")
-
-
-def require_part(name: str, value: float) -> None:
-    """Raise ValueError unless a share is a number from 0 to 1."""
-    require_finite(**{name: value})
-    if not 0.0 <= value <= 1.0:
-        raise ValueError(f"{name} is {value:g}; expected a share from 0 to 1")
+    if not (0.0 < value < 1.0 or (ends and 0.0 <= value <= 1.0)):
+        raise ValueError(f"{name} is {value:g}; expected a share {'from 0 to 1' if ends else 'between 0 and 1'}")
 
 
 def seven_durations(given: Sequence[float]) -> tuple[float, ...]:

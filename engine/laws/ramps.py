@@ -2,16 +2,47 @@
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple, Self
+from typing import ClassVar, NamedTuple, Self
 
 from engine.laws.base import require_finite
 from engine.laws.ends import REST, Ends
 from engine.laws.family import Vendors
-from engine.laws.pulse_law import CONSTANT, HALF_SINE, PulseLaw, TwoPulses, linear_edged, pulses_of, seven_durations
+from engine.laws.pulse_law import (
+    CONSTANT,
+    HALF_SINE,
+    Pulse,
+    PulseLaw,
+    TwoPulses,
+    linear_edged,
+    pulses_of,
+    seven_durations,
+)
 
 
 @dataclass(frozen=True)
-class TrapezoidalVelocity(PulseLaw):
+class RampedLaw(PulseLaw):
+    """A pulse up to ``rise_end``, the same from ``fall_start`` on: 0 < rise_end ≤ fall_start < 1, else ValueError."""
+
+    HALF: ClassVar[Pulse]
+
+    rise_end: float
+    fall_start: float
+
+    def __post_init__(self) -> None:
+        require_finite(rise_end=self.rise_end, fall_start=self.fall_start)
+        if not 0.0 < self.rise_end <= self.fall_start < 1.0:
+            raise ValueError(
+                f"rise_end is {self.rise_end:g} and fall_start {self.fall_start:g}; "
+                "expected 0 < rise_end <= fall_start < 1"
+            )
+
+    def _pulses(self) -> TwoPulses:
+        cruise = self.fall_start - self.rise_end
+        return TwoPulses(self.HALF, self.rise_end, cruise, self.HALF, 1.0 - self.fall_start)
+
+
+@dataclass(frozen=True)
+class TrapezoidalVelocity(RampedLaw):
     """Constant acceleration A up to ξ = α_v, uniform velocity A α_v, constant deceleration B from ξ = α_w on.
 
     A = 2/(α_v (1 − α_v + α_w)), B = 2/((1 − α_w)(1 − α_v + α_w)).
@@ -24,29 +55,15 @@ class TrapezoidalVelocity(PulseLaw):
     name = "Trapezoidal velocity"
     aliases = ("trapezoidal speed", "asymmetric trapezoidal", "asymmetric trapezoidal speed profile", "s-shape")
     source = "S1, 'Asymmetric trapezoidal speed profile'; S3, function TVP"
+    HALF = CONSTANT
 
     rise_end: float = 1 / 3
     fall_start: float = 2 / 3
     ends: Ends = REST
 
-    def __post_init__(self) -> None:
-        require_breaks(self.rise_end, self.fall_start)
-
-    def _pulses(self) -> TwoPulses:
-        return TwoPulses(CONSTANT, self.rise_end, self.fall_start - self.rise_end, CONSTANT, 1.0 - self.fall_start)
-
-
-def require_breaks(rise_end: float, fall_start: float) -> None:
-    """Raise ValueError unless 0 < rise_end ≤ fall_start < 1."""
-    require_finite(rise_end=rise_end, fall_start=fall_start)
-    if not 0.0 < rise_end <= fall_start < 1.0:
-        raise ValueError(
-            f"rise_end is {rise_end:g} and fall_start {fall_start:g}; expected 0 < rise_end <= fall_start < 1"
-        )
-
 
 @dataclass(frozen=True)
-class SineRamps(PulseLaw):
+class SineRamps(RampedLaw):
     """v = V sin²(πξ/2α) up to ξ = α = ``rise_end``, V, and the same mirrored from ``fall_start`` on, over δ.
 
     a = (πV/2α) sin(πu/α), V = 2/(1 + β) with β the time at V. 0 < rise_end ≤ fall_start < 1, else ValueError.
@@ -57,16 +74,11 @@ class SineRamps(PulseLaw):
     aliases = ("modified trapezoidal velocity", "cycloidal with constant velocity", "sin² ramp")
     source = "CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'"
     vendors = Vendors(codesys="SML_RT_Sin2, of ramps")
+    HALF = HALF_SINE
 
     rise_end: float = 0.25
     fall_start: float = 0.75
     ends: Ends = REST
-
-    def __post_init__(self) -> None:
-        require_breaks(self.rise_end, self.fall_start)
-
-    def _pulses(self) -> TwoPulses:
-        return TwoPulses(HALF_SINE, self.rise_end, self.fall_start - self.rise_end, HALF_SINE, 1.0 - self.fall_start)
 
 
 HALVINGS = 200

@@ -76,7 +76,10 @@ class ShaftSamples(NamedTuple):
 
 def shafts(drive: Drive, speed: ArrayLike, acceleration: ArrayLike, going: ArrayLike) -> list[ShaftSamples]:
     """What each shaft does, from the motor's to the load's; the first without the motor's own inertia."""
-    m, found = drive.mechanism, enumerate(drive.torques(acceleration, going))
+    m = drive.mechanism
+    first, *others = m.torques(acceleration, going, drive.method)
+    braked = (np.asarray(going) == 0.0) & (drive.holding == "brake")
+    found = enumerate([np.where(braked, 0.0, first), *others])
     moved = [np.asarray(of_load, dtype=np.float64) for of_load in (speed, acceleration)]
     return [ShaftSamples(*(m.ratio_from(k) * of_load for of_load in moved), torque) for k, torque in found]
 
@@ -263,7 +266,7 @@ class Sizing:
         law, per, sign = move.phase.law, move.per, move.direction
 
         def behind(stage: int) -> Callable[[Array], Array]:
-            return lambda xi: self.drive.torques(per * law.a(xi), sign)[stage]
+            return lambda xi: self.mechanism.torques(per * law.a(xi), sign, self.drive.method)[stage]
 
         edges = breaks(law)
         turns = [crossings(behind(k), edges) for k in range(1, self.mechanism.last + 1)]

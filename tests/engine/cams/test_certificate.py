@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 from engine import law
 from engine.cams.certificate import Certificate, certify, equal, spread
 from engine.cams.interpolation import hermite, lines, parabolas, parted_spline, quintics, spline
-from engine.laws import Dwell
-from engine.laws.registry import CATALOGUE
+from engine.laws import CATALOGUE, Dwell
 from engine.motion import Motion, Phase
 from engine.motion.pieces import CamProfile, profile_of_motion, turned
 

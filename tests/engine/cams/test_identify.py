@@ -9,8 +9,7 @@ from engine import law
 from engine.cams.given import Points, precision
 from engine.cams.identify import identified
 from engine.cams.interpolation import quintics, spline
-from engine.laws import Dwell, PieceLaw
-from engine.laws.registry import CATALOGUE
+from engine.laws import CATALOGUE, Dwell, PieceLaw
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates
 from engine.motion.joining import joined as join

@@ -58,7 +58,7 @@ def at_rollers(one, w, dw):
     """Direction, resisting torque, total torque and loss factor for speeds and accelerations of the rollers."""
     going = direction(w)
     load = one.mechanism.load.resisting(going) / one.mechanism.ratio_from(1)
-    total = one.torques(np.multiply(dw, RADIUS), going)[1]
+    total = one.mechanism.torques(np.multiply(dw, RADIUS), going, one.method)[1]
     return going, load, total, one.mechanism.stages[0].factor(total, going)
 
 

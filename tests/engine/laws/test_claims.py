@@ -17,11 +17,11 @@ from engine.laws import (
     ModifiedTrapezoidal,
     TrapezoidalVelocity,
     UnknownLawError,
+    by_name,
     law,
 )
 from engine.laws.family import Law
 from engine.laws.modified import CLASSIC
-from engine.laws.registry import by_name
 from tests.engine.families import ENTRIES
 from tests.engine.laws.claims import Claims
 from tests.engine.measured import complaints
