@@ -19,7 +19,7 @@ from workbook.judging.shown.rules import Rules
 from workbook.judging.structure import structure
 from workbook.reading.contents import Contents
 from workbook.reading.files import BookFile
-from workbook.writing.own import NOTHING, Own
+from workbook.writing.write import NOTHING, Own
 
 MOST = 3  # cells that a line names
 

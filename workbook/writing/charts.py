@@ -25,7 +25,7 @@ from openpyxl.utils import quote_sheetname
 
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book
-from workbook.writing.cells import result
+from workbook.writing.archive import result
 from workbook.writing.style import GRID
 
 WIDTH = 19050  # of a line: 1.5 points

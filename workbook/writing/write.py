@@ -1,11 +1,17 @@
-"""Write a declared book to a file: cells, styles, names, charts, cached values, the same bytes each time."""
+"""Write a declared book to a file: cells, styles, names, charts, cached values, the same bytes each time.
+
+And what an engineer has added to an older book: sheets, cells, notes and names.
+"""
 
 import io
 import zipfile
 from collections.abc import Callable, Iterable
+from copy import copy
 from pathlib import Path
+from typing import Any, NamedTuple
 
 from openpyxl import Workbook
+from openpyxl.cell.cell import Cell
 from openpyxl.styles import Protection
 from openpyxl.utils import get_column_letter, quote_sheetname
 from openpyxl.workbook.defined_name import DefinedName
@@ -21,11 +27,10 @@ from pydantic import BaseModel
 from workbook.book.declare import FIRST, Block, Book, Quantity, Sheet
 from workbook.book.quantity import number_format, sample
 from workbook.entries import rules
-from workbook.writing import archive, charts, pages, style
-from workbook.writing.cells import Cells, Strings
-from workbook.writing.own import NOTHING, Own, add
+from workbook.writing import archive, charts, layout, style
+from workbook.writing.archive import Cells, Strings
+from workbook.writing.layout import COLUMN_WIDTH, FULL, WIDTHS, Standing, lines_of, widths
 from workbook.writing.place import refuse_existing, replace
-from workbook.writing.widths import COLUMN_WIDTH, FULL, WIDTHS, Standing, lines_of, widths
 
 LAST_PAGE_COLUMN = 9
 LAST_COLUMN = 16_384
@@ -35,6 +40,19 @@ ROW_HEIGHT = 15  # of a line in a cell that wraps
 MARGIN = "A1:A1"  # empty on each sheet: programs print no page of it
 AS_TYPED = "@"  # the format of a cell that keeps 4711, or 3-4, as a text
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
+LOOKS = ("font", "fill", "border", "alignment", "number_format", "protection")
+
+
+class Own(NamedTuple):
+    """Sheets, cells with what they hold, cells with notes, and names, as openpyxl reads them of the old file."""
+
+    sheets: tuple[Worksheet, ...] = ()
+    cells: tuple[tuple[Cell, Any], ...] = ()
+    notes: tuple[Cell, ...] = ()
+    names: tuple[DefinedName, ...] = ()
+
+
+NOTHING = Own()
 
 
 def save(
@@ -70,6 +88,32 @@ def parts(
     made |= charts.filled({name: part for name, part in made.items() if name.startswith("xl/charts/chart")}, book)
     abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
     return archive.completed(made, strings.part(), abouts)
+
+
+def add(own: Own, workbook: Workbook, cells: dict[str, Cells], strings: Strings) -> None:
+    """Add to a new workbook, whose cells are ``cells`` by sheet, what an engineer had in the old one."""
+    for sheet in own.sheets:
+        cells[sheet.title], new = Cells(strings), workbook.create_sheet(sheet.title)
+        for letter, column in sheet.column_dimensions.items():
+            made = new.column_dimensions[letter]
+            made.min, made.max, made.width, made.hidden = column.min, column.max, column.width, column.hidden
+        for number, row in sheet.row_dimensions.items():
+            new.row_dimensions[number].height = row.height
+        for merged in sheet.merged_cells.ranges:
+            new.merge_cells(merged.coord)
+        new.freeze_panes = sheet.freeze_panes
+    for cell, content in own.cells:
+        twin = workbook[cell.parent.title].cell(cell.row, cell.column)
+        for look in LOOKS if cell.has_style else ():
+            setattr(twin, look, copy(getattr(cell, look)))
+        place = cell.row, cell.column, twin.style_id
+        if cell.data_type == "f":
+            cells[cell.parent.title].put_formula(*place, content, None)
+        else:
+            cells[cell.parent.title].put(*place, content)
+    for cell in own.notes:
+        workbook[cell.parent.title].cell(cell.row, cell.column).comment = copy(cell.comment)
+    workbook.defined_names.update({name.name: name for name in own.names})
 
 
 def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workbook:
@@ -177,7 +221,7 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
     page.page_setup.orientation, page.page_setup.paperSize = "portrait" if sheet.portrait else "landscape", 9
     page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(whole)
     page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
-    page.page_margins = PageMargins(**pages.MARGINS)
+    page.page_margins = PageMargins(**layout.MARGINS)
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
     if sheet.unprinted:
@@ -185,7 +229,7 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
         return
     page.print_title_rows = f"1:{sheet.head}"
     page.print_area = f"A1:{get_column_letter(columns)}{last}"
-    for row in [] if whole else pages.breaks(sheet, last, columns, wide, high):
+    for row in [] if whole else layout.breaks(sheet, last, columns, wide, high):
         page.row_breaks.append(Break(id=row))
 
 

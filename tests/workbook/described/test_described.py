@@ -12,8 +12,7 @@ from workbook.build import committed
 from workbook.commands import make
 from workbook.described.commented import commented, example_of
 from workbook.described.keys import sections
-from workbook.described.page import page
-from workbook.described.schema import any_schema, schema
+from workbook.described.schema import any_schema, page, schema
 from workbook.errors import InputError, WriteError
 from workbook.laws.registry import CODES
 from workbook.reading.descriptions import checked, read_machine

@@ -19,7 +19,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.writing import archive
-from workbook.writing.widths import WIDTHS
+from workbook.writing.layout import WIDTHS
 from workbook.writing.write import parts
 
 DASH = re.compile(r'([0.#]+(?:E\+00)?);-\1;"–"')  # a declared rule: zero is shown as nothing

@@ -11,7 +11,7 @@ from tests.workbook.writing.test_widths import WRAPPED, declared, wide
 from workbook.build import committed
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
-from workbook.writing.widths import COLUMN_WIDTH
+from workbook.writing.layout import COLUMN_WIDTH
 
 BOOKS = committed()
 WIDE, HIGH = 297 / 25.4 * 72, 210 / 25.4 * 72

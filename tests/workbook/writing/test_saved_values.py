@@ -26,8 +26,7 @@ from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 from workbook.writing import archive
-from workbook.writing.archive import same_part
-from workbook.writing.cells import Cells, Strings, result
+from workbook.writing.archive import Cells, Strings, result, same_part
 
 CHART = "{http://schemas.openxmlformats.org/drawingml/2006/chart}"
 

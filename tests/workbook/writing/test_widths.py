@@ -12,7 +12,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER as FOLDER_OF_TEMPLATES
 from workbook.templates import TEMPLATES
 from workbook.writing import style
-from workbook.writing.widths import COLUMN_WIDTH, WIDTHS, Standing, text_width, widths
+from workbook.writing.layout import COLUMN_WIDTH, WIDTHS, Standing, text_width, widths
 
 pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="Carlito is not there: fonts-crosextra-carlito")
 WRAPPED = ("header", "equation")
