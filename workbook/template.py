@@ -7,9 +7,8 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 import workbook
 from workbook.axes import CamAxis, CamSwitch
-from workbook.book.checks import checks_sheet, repeat_verdict
 from workbook.book.declare import FIRST, Book, Text
-from workbook.book.summary import TITLE, close, head
+from workbook.book.summary import TITLE, checks_sheet, close, head, repeat_verdict
 from workbook.entries.machine import Machine
 from workbook.scaling import Scaling
 from workbook.unfinished import with_entries

@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from typing import Any
 
 from workbook.book.address import Address
-from workbook.book.checks import settled
 from workbook.book.declare import Book, Quantity
 from workbook.book.depends import Dependence
 from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_row, in_use, is_full
 from workbook.book.quantity import HOLDS, SAYS, number_format, sample
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
+from workbook.book.summary import settled
 from workbook.entries.machine import Design, Fault, Machine
 from workbook.laws.entries import key_of
 from workbook.laws.library import named

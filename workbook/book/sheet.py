@@ -9,10 +9,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 from workbook.book import limits
-from workbook.book.block import Block
 from workbook.book.chart import Chart, in_scope
 from workbook.book.limits import Guard, Limit, RowRule
-from workbook.book.quantity import Quantity, sentence
+from workbook.book.quantity import Block, Quantity, sentence
 from workbook.book.rows import as_rows
 
 if TYPE_CHECKING:

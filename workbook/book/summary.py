@@ -1,14 +1,144 @@
-"""The first sheet: what the book is of, what comes out, what is to mend; one printed page for who gets the machine.
+"""Sheets that every book has: the first, one printed page for who gets the machine, and Checks with the verdict.
 
-Links to every sheet, how to use the book, and its sources follow below, outside what is printed.
+On the first, links to every sheet, how to use the book, and its sources follow below, outside what is printed.
 """
 
-from typing import Any
+from collections.abc import Sequence
+from itertools import accumulate
+from typing import Any, NamedTuple
 
 import workbook
-from workbook.book.checks import NONE, mended, summary
-from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, check, constant, given, result
+from workbook.book.quantity import SAYS
+from workbook.book.rows import filled
+from workbook.book.sentence import Sentence
 from workbook.book.sheet import TITLES
+
+ZERO = 1e-9
+NONE = "none"  # what stands in place of the first check that fails, where none does
+FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
+"""1 where a check does not hold, be it for an error value; a range, for IronCalc counts in no single cell"""
+
+
+def checks_sheet(book: Book) -> Sheet:
+    """Declare the sheet; to be called when every check of the book is declared."""
+    sheet = book.sheet("Checks", "Every check of this book; one FAIL fails the book.")
+    sheet.one_page = sheet.portrait = True
+    sheet.widths, sheet.print_columns = {2: 60, 6: 90}, 6
+    found = book.checks
+    summed = summary(book)
+    sheet.heading("Results")
+    sheet.rows(
+        result("checks_ok", "Checks passed", "", "", '=COUNTIF([checks.verdict],"OK")', summed.holding, format="0"),
+        calc("checks_all", "Checks in total", "", "", "=MAX([checks.k])", len(found), format="0"),
+        constant("check_zero", "Zero tolerance of the checks", "", "", ZERO, format="0E+00",
+                 source="so that rounding fails no check"),
+    )  # fmt: skip
+    ok = summed.overall == "OK"
+    sheet.rows(check("overall", "This book", "checks_ok=checks_all", ok, "repeated at the head of each sheet"))
+    sheet.row += 1
+    sheet.table(
+        "checks", "Checks", len(found),
+        constant("what", "check", "", "", [q.label for _, q in found], align="left"),
+        constant("k", "number", "", "", list(range(1, len(found) + 1))),
+        result("verdict", "verdict", "", "", [f"={q.name}" for _, q in found], summed.verdicts),
+        constant("where", "sheet", "", "", [s.title for s, _ in found]),
+        Quantity("says", "what it is about, or where it fails and by how much", "", "", "sentence",
+                 [f"={q.name}{SAYS}" for _, q in found], summed.sentences, align="left"),
+        calc("nth", "failing so far", "", "", ["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in found[1:]]], summed.so_far),
+    )  # fmt: skip
+    sheet.not_printed_below()
+    return sheet
+
+
+class Summary(NamedTuple):
+    """What the checks of a book come to: each may be None, where it is unfinished."""
+
+    verdicts: list[str | None]
+    sentences: list[str | None]
+    holding: int | None
+    failing: int | None
+    so_far: list[int | None]  # of each check how many up to it do not hold; None from the first that is unfinished
+    overall: str | None
+
+
+def summary(book: Book) -> Summary:
+    """Return what the checks say together: one that fails fails the book, one that is unfinished leaves it open."""
+    said = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
+    verdicts, sentences = [verdict for verdict, _ in said], [sentence for _, sentence in said]
+    known = verdicts.index(None) if None in verdicts else len(verdicts)
+    so_far = list(accumulate(int(verdict != "OK") for verdict in verdicts[:known]))
+    holding = verdicts.count("OK") if known == len(verdicts) else None
+    failing = None if holding is None else len(verdicts) - holding
+    return Summary(verdicts, sentences, holding, failing, filled(so_far, len(verdicts), None), together(verdicts))
+
+
+def together(verdicts: Sequence[str | None]) -> str | None:
+    """Return what verdicts say together: one that fails fails all, one that is unfinished leaves them open."""
+    return "FAIL" if "FAIL" in verdicts else None if None in verdicts else "OK"
+
+
+def summed_up(book: Book, table: str, label: str, rows: list[list[int]]) -> Quantity:
+    """Return the column ``verdict`` of a table: of each row what the checks at its places say together.
+
+    All hold where as many fail up to the end of each run of places as before it.
+    """
+    book.summed[f"{table}.verdict"], formulas = rows, []
+    for places in rows:
+        ends = "+".join(f"[checks.nth.{k}]" for k in places if k + 1 not in places)
+        befores = "+".join(f"[checks.nth.{k - 1}]" for k in places if k > 1 and k - 1 not in places)
+        formulas.append(f'=IF({ends}={befores or 0},"OK","FAIL")')
+    return Quantity("verdict", label, "", "", "check", formulas, of_some(book)[f"{table}.verdict"])
+
+
+def of_some(book: Book) -> dict[str, list[str | None]]:
+    """Return what stands in the columns that sum up some checks."""
+    verdicts = summary(book).verdicts
+    return {
+        column: [together([verdicts[k - 1] for k in places]) for places in rows] for column, rows in book.summed.items()
+    }
+
+
+def mended(book: Book, most: int) -> dict[str, list[str | None]]:
+    """Return the checks that do not hold, as so many rows tell them, by block and column: ``mend.says``."""
+    found = summary(book)
+    told = [
+        (sheet.title, None if said is None else Sentence(f"{q.label}: {said}"))
+        for (sheet, q), verdict, said in zip(book.checks, found.verdicts, found.sentences, strict=True)
+        if verdict != "OK"
+    ][:most]
+    rows = filled(told or [(NONE, "")], most, ("", ""))
+    known = found.holding is not None
+    columns = zip(*rows, strict=True)
+    return {f"mend.{name}": list(column) if known else filled([], most, None)
+            for name, column in zip(("where", "says"), columns, strict=True)}  # fmt: skip
+
+
+def settled(book: Book) -> dict[str, list[Any]]:
+    """Return what stands in the cells that sum up the checks, by block and column: ``checks.verdict``."""
+    found = summary(book)
+    heads = [f"status{i}" for i in range(1, len(book.sheets) + 1)]
+    return {
+        "checks.verdict": found.verdicts,
+        "checks.says": found.sentences,
+        "checks.nth": found.so_far,
+        **of_some(book),
+        "mend_count.mend_count": [found.failing],
+        **mended(book, book.blocks["mend"].size),
+        "checks_ok.checks_ok": [found.holding],
+        "overall.overall": [found.overall],
+        **{f"{head}.{head}": [found.overall] for head in heads},
+    }
+
+
+def repeat_verdict(book: Book) -> None:
+    """Repeat the overall verdict at the head of every sheet."""
+    ok = str(book.blocks["overall"].quantities[0].value)
+    for i, sheet in enumerate(book.sheets, 1):
+        sheet.row, row = 3, sheet.row
+        sheet.rows(Quantity(f"status{i}", "All checks of this book", role="check", formula="=overall", value=ok))
+        sheet.row = row
+
 
 TITLE = "Summary"
 SOURCES = {

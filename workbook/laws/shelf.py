@@ -11,8 +11,7 @@ from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.piece import carried
 from engine.laws.points import reach, slowest
 from engine.motion.handover import end_mode
-from workbook.book.again import again
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
+from workbook.book.declare import Book, Quantity, Sheet, again, calc, constant, result
 from workbook.book.polynomial import LEAST
 from workbook.entries.machine import Sizes
 from workbook.latest import latest

@@ -12,10 +12,10 @@ from engine import laws as engine
 from engine.laws import Law, PieceLaw
 from engine.laws.piece import begins
 from engine.laws.points import PointedLaw, Points, ends
-from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure
+from workbook.book.summary import ZERO
 from workbook.entries.texts import Text
 from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
