@@ -95,10 +95,8 @@ class File:
             lines = [text for key in keys for text in spare(key)]
             for row in rows:
                 lines += line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))
-            title, kind = (
-                one.path.removesuffix(".*").replace(".*", ""),
-                [f"# kind = {toml(one.kind)}"] if one.kind else [],
-            )
+            title = one.path.removesuffix(".*").replace(".*", "")
+            kind = [f"# kind = {toml(one.kind)}"] if one.kind else []
             if lines:
                 shown = f"# [[{title}]]" if one.path.endswith(".*") else f"# [{title}]"
                 yield "\n".join([*([shown] if title else []), *kind, *lines])

@@ -74,11 +74,9 @@ class Stages:
 
     def travel(self, side: Sequence[int]) -> str:
         """Return the travel from rest over the stages of a side, told from its outer end, for unit height."""
-        terms: list[str] = []
-        before: list[str] = []
+        terms, before = [], list[str]()
         for k, form in self.forms(side):
-            terms.append(f"{form.travel}*@d{k}^2")
-            terms += [f"({added(before)})*@d{k}"] if before else []
+            terms += [f"{form.travel}*@d{k}^2", *([f"({added(before)})*@d{k}"] if before else [])]
             before.append(times(form.gain, f"@d{k}"))
         return added(terms)
 
@@ -87,8 +85,8 @@ class Stages:
         if form is None:
             return [PieceRow(f"{k} · uniform velocity", "a = 0", f"=@d{k}")]
         if form is HALF_SINE:
-            rises, falls = ("rises", "falls") if k < CRUISE else ("falls", "rises")
-            return [self.row(k, rises, f"=@d{k}/2", WAVE), self.row(k, falls, f"=@d{k}/2", CREST)]
+            first, second = ("rises", "falls") if k < CRUISE else ("falls", "rises")
+            return [self.row(k, first, f"=@d{k}/2", WAVE), self.row(k, second, f"=@d{k}/2", CREST)]
         return [self.row(k, form.word, f"=@d{k}", form.early if k < CRUISE else form.late)]
 
     def row(self, k: int, word: str, duration: str, stated: Mapping[str, str]) -> PieceRow:
@@ -118,13 +116,10 @@ class Stages:
         edges = [[(k, form) for k, form in self.forms(side) if form.jerk] for side in (RISE, FALL)]
         if any(len(side) < 2 and HALF_SINE not in dict(side).values() for side in edges):
             return '="∞"', "the acceleration jumps"
-        steepest = [
-            f"{form.jerk}*{height}/@d{k}"
-            for side, height in zip(edges, ("@ca_max", "(0-@ca_min)"), strict=True)
-            for k, form in side
-        ]
+        sides = zip(edges, ("@ca_max", "(0-@ca_min)"), strict=True)
+        steepest = ",".join(f"{form.jerk}*{height}/@d{k}" for side, height in sides for k, form in side)
         shortest = ",".join(f"@d{k}" for side in edges for k, _ in side)
-        return f'=IF(MIN({shortest})>0,MAX({",".join(steepest)}),"∞")', "of the steepest edge; ∞ where one has no time"
+        return f'=IF(MIN({shortest})>0,MAX({steepest}),"∞")', "of the steepest edge; ∞ where one has no time"
 
     def strongest(self, side: Sequence[int], name: str, height: str) -> tuple[str, str]:
         """Return the formula of the greatest v·a of a side, on the stage next to the greatest velocity."""
@@ -140,16 +135,12 @@ class Stages:
     def workings(self, law: PulseLaw) -> list[Quantity]:
         """Return the rows of what the coefficients are worked out from."""
         (gained, rise), (lost, fall) = law.lobes
-        forms = [form for _, form in self.forms((*RISE, *FALL))]
         mean = [calc("@k", "Mean of a half, or a quarter, sine", "k", "", "=2/PI()", K, source="2/π")]
-        durations = [
-            calc(f"@d{k}", f"Duration of stage {k}", f"d{k}", "", self.stages[k].duration, piece.duration)
-            for k, piece in zip(sorted(self.stages), law.as_pieces(), strict=True)
-            if self.stages[k].duration
-        ]
+        stages = zip(sorted(self.stages.items()), law.as_pieces(), strict=True)
         return [
-            *durations,
-            *(mean if any("@k" in form.gain for form in forms) else []),
+            *(calc(f"@d{k}", f"Duration of stage {k}", f"d{k}", "", stage.duration, piece.duration)
+              for (k, stage), piece in stages if stage.duration),
+            *(mean if any("@k" in form.gain for _, form in self.forms((*RISE, *FALL))) else []),
             calc("@m", "Velocity gained for A = 1", "m", "", f"={self.total(RISE, 'gain')}", gained),
             calc("@n", "Velocity lost for B = 1", "n", "", f"={self.total(FALL, 'gain')}", lost),
             calc("@sa", "Stroke of the first pulse for A = 1", "S_a", "", f"={self.travel(RISE)}", rise,

@@ -10,7 +10,8 @@ from workbook.laws.family import COEFFICIENTS, Page
 from workbook.laws.pages import modified, pieces, ramps, simple, spline
 
 FILES = (modified, pieces, ramps, simple, spline)
-PAGES = [page for file in FILES for page in vars(file).values() if isinstance(page, Page)]
+FOUND = [found for file in FILES for found in vars(file).values()]
+PAGES = [page for found in FOUND for page in (found if isinstance(found, list) else [found]) if isinstance(page, Page)]
 
 
 class IncompleteError(TypeError):

@@ -34,10 +34,7 @@ class Asked:
     rows: bool = True  # whether its phases stand in the rows in which they are entered, so that sentences give these
     names: tuple[str, ...] = ()  # of its phases, in the column ``what`` of their table, in place of numbers
     speed: tuple[str, float] | None = None  # of a motion in degrees told over time: the cell of its speed, and rad/s
-    lift: tuple[str, float] = (
-        "",
-        1.0,
-    )  # the end of a formula that shows a lift in another unit, and what that is in it
+    lift: tuple[str, float] = ("", 1.0)  # the end of a formula of a lift in another unit, and what that is in it
     quickest: str = ""  # the formula of the greatest 1/δ by which jerks are measured: by default that of all phases
 
 

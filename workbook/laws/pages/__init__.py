@@ -1,1 +1,1 @@
-"""The pages of the laws: each :class:`Page` of a file is one, and all that a workbook needs of a law."""
+"""The pages of the laws: each :class:`Page` of a file, or of a list in it, is all that a workbook needs of a law."""

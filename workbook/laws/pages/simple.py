@@ -33,34 +33,16 @@ STRAIGHT_LINE = Page(
     single=False,
 )
 
-CONSTANT_ACCELERATION = edged(
-    {2: Stage(FLAT, "=@share"), 6: Stage(FLAT, "=1-@share")},
-    source="S3, figure 1; with λ: LCamHdl, D_D_PARABOLA",
-    **SHARED,
-    law=ConstantAcceleration,
-)
-
-CYCLOIDAL = edged(
-    {2: Stage(HALF_SINE, "=@share"), 6: Stage(HALF_SINE, "=1-@share")},
-    source="S2, movement equation; S3; with λ: LCamHdl, D_D_INCLINED_SINE",
-    **SHARED,
-    law=Cycloidal,
-)
-
-SIMPLE_HARMONIC = edged(
-    {3: Stage(SINE_IN, "=@share"), 5: Stage(SINE_IN, "=1-@share")},
-    source="LCamHdl, D_D_BASIC_SINE: s = (1 − cos πξ)/2",
-    **SHARED,
-    law=SimpleHarmonic,
-)
-
-CUBIC = edged(
-    {3: Stage(LINE_IN, "=@share"), 5: Stage(LINE_IN, "=1-@share")},
-    source="S1, S3: the cubic that starts and ends at rest; with λ: LCamHdl, POLY_3",
-    **SHARED,
-    law=Cubic,
-    way=POLYNOMIAL.format(3),
-)
+HALVED = [  # by the stage of one pulse, and of the same backwards
+    edged({k: Stage(form, "=@share"), 8 - k: Stage(form, "=1-@share")}, source=source, **SHARED, law=law, way=way)
+    for law, form, k, way, source in (
+        (ConstantAcceleration, FLAT, 2, "=1", "S3, figure 1; with λ: LCamHdl, D_D_PARABOLA"),
+        (Cycloidal, HALF_SINE, 2, "=1", "S2, movement equation; S3; with λ: LCamHdl, D_D_INCLINED_SINE"),
+        (SimpleHarmonic, SINE_IN, 3, "=1", "LCamHdl, D_D_BASIC_SINE: s = (1 − cos πξ)/2"),
+        (Cubic, LINE_IN, 3, POLYNOMIAL.format(3),
+         "S1, S3: the cubic that starts and ends at rest; with λ: LCamHdl, POLY_3"),
+    )
+]  # fmt: skip
 
 POLYNOMIAL_345 = Page(
     source="LCamHdl, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'",
