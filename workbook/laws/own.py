@@ -12,8 +12,7 @@ from engine.laws import Law
 from engine.laws.pieces import ALIKE, Groups, groups, misses
 from engine.laws.points import SLOPES, Points
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
-from workbook.book.polynomial import SHARES, WEIGHTS
-from workbook.book.rows import filled
+from workbook.book.rows import SHARES, WEIGHTS, filled
 from workbook.laws.sampling import Pieces
 
 OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")  # what is entered of a piece

@@ -1,9 +1,8 @@
 """A law in cells: find the piece by one MATCH on the stacked pieces, then coefficients times powers; rows of phases.
 
-Every sampled table of the book uses these columns. The pieces stand on the Laws sheet, the coefficients
-of each side by side; a piece is found by its key, twice the law's number plus the ξ at which it begins. A sample within
-``break_eps`` of a break counts as on it, so that rounding never decides which side of a jump is shown; ξ = 1
-belongs to the last piece.
+The pieces stand on the Laws sheet, the coefficients of each side by side; a piece is found by its key, twice the law's
+number plus the ξ at which it begins. A sample within ``break_eps`` of a break counts as on it, so that rounding never
+decides which side of a jump is shown; ξ = 1 belongs to the last piece.
 """
 
 from collections.abc import Container, Sequence
@@ -18,8 +17,7 @@ from engine.laws.base import Array
 from engine.laws.piece import located
 from engine.motion import Phase
 from workbook.book.declare import Quantity, calc
-from workbook.book.polynomial import LEAST, NOT_ZERO, constants
-from workbook.book.rows import filled
+from workbook.book.rows import LEAST, NOT_ZERO, constants, filled
 from workbook.laws.family import ENTRIES
 
 FIND = "=MATCH(2*{law}+MIN([{xi}]+break_eps,1-break_eps),piece_key,1)"
@@ -27,17 +25,11 @@ ARGUMENTS = (  # of each sine: the entry of its amplitude, and the column of its
     ("P", "x", "sine argument", "x", "=INDEX(piece_omega,[q])*[u]+INDEX(piece_phi,[q])", "ωu + φ"),
     ("P2", "z", "second sine's argument", "z", "=INDEX(piece_omega2,[q])*[u]+INDEX(piece_phi2,[q])", "ω₂u + φ₂"),
 )
-SINES = {  # what a sine adds
-    "s": "-INDEX(piece_ps{0},[q])*SIN([{1}])",
-    "v": "-INDEX(piece_pv{0},[q])*COS([{1}])",
-    "a": "+INDEX(piece_P{0},[q])*SIN([{1}])",
-    "j": "+INDEX(piece_pj{0},[q])*COS([{1}])",
-}
-SPELLED = {  # of each derivative: what it is called, the block of its coefficients, and its equation
-    "s": ("position", "piece_y", "S0 + S1 u + … − P/ω² sin x"),
-    "v": ("velocity", "piece_dy", "S1 + c0 u + … − P/ω cos x"),
-    "a": ("acceleration", "piece_ddy", "c0 + c1 u + … + P sin x"),
-    "j": ("jerk", "piece_dddy", "c1 + 2 c2 u + … + P ω cos x"),
+SPELLED = {  # of each derivative: what it is called, the block of its coefficients, its equation, what a sine adds
+    "s": ("position", "piece_y", "S0 + S1 u + … − P/ω² sin x", "-INDEX(piece_ps{0},[q])*SIN([{1}])"),
+    "v": ("velocity", "piece_dy", "S1 + c0 u + … − P/ω cos x", "-INDEX(piece_pv{0},[q])*COS([{1}])"),
+    "a": ("acceleration", "piece_ddy", "c0 + c1 u + … + P sin x", "+INDEX(piece_P{0},[q])*SIN([{1}])"),
+    "j": ("jerk", "piece_dddy", "c1 + 2 c2 u + … + P ω cos x", "+INDEX(piece_pj{0},[q])*COS([{1}])"),
 }
 
 
@@ -109,9 +101,9 @@ class Pieces:
         sines = [(entry[1:], x) for entry, x, *_ in both if entry in entries]
         made = []
         for d in derivatives:
-            label, _, source = SPELLED[d]
+            label, _, source, sine = SPELLED[d]
             highest = max((k for k in range(self.room) if f"c{k}" in entries), default=-1)
-            formula = polynomial(d, highest, self.room) + "".join(SINES[d].format(*sine) for sine in sines)
+            formula = polynomial(d, highest, self.room) + "".join(sine.format(*each) for each in sines)
             made.append(role(d, label, d, "", f"={formula.removeprefix('+') or 'INDEX(piece_c1,[q])'}", values[d],
                              source=source))  # fmt: skip
         return made

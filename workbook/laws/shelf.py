@@ -12,7 +12,7 @@ from engine.laws.piece import carried
 from engine.laws.points import reach, slowest
 from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, again, calc, constant, result
-from workbook.book.polynomial import LEAST
+from workbook.book.rows import LEAST
 from workbook.entries.machine import Sizes
 from workbook.latest import latest
 from workbook.laws.entries import Laws

@@ -11,12 +11,11 @@ from engine.laws.base import Array
 from engine.motion.pieces import MotionPiece, located, shares
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
-from workbook.book.polynomial import LEAST, NOT_ZERO, polynomial
-from workbook.book.rows import filled
+from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
 from workbook.book.sentence import spelled
 from workbook.entries.units import DEGREE, shown
+from workbook.motion.asked import CROWDED, rule_of
 from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, last_before, of_law
-from workbook.motion.room import CROWDED, rule_of
 
 TITLE = "The motion as pieces"
 ABOUT = (

@@ -31,8 +31,7 @@ from workbook.machines.machine.entries_beside import (
     spelled,
 )
 from workbook.machines.machine.mechanism import Mechanism, Table
-from workbook.motion.asked import Smoothness
-from workbook.motion.room import AT_REST, CROWDED, counts, rule_of, settle
+from workbook.motion.asked import AT_REST, CROWDED, Smoothness, counts, rule_of, settle
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
 
 MOST_AXES = 24

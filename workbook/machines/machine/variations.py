@@ -11,8 +11,7 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, MECHANISMS, SLIDING
 from workbook.machines.machine.time_based import in_units_of
-from workbook.motion.asked import smoothness_for
-from workbook.motion.room import within
+from workbook.motion.asked import smoothness_for, within
 
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
 STRAIGHT = "=-1"

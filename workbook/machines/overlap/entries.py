@@ -11,8 +11,7 @@ from workbook.entries.phase import TURN
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
-from workbook.motion.asked import Smoothness
-from workbook.motion.room import settle
+from workbook.motion.asked import Smoothness, settle
 
 MOST_TOOLS = 6
 REST = 2  # pieces of a motion beside those of its laws: a tool's dwell and its rest

@@ -12,8 +12,7 @@ from engine.drive.drive_points import falling_use
 from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
-from workbook.book.polynomial import LEAST, NOT_ZERO, SHARES, WEIGHTS
-from workbook.book.rows import filled
+from workbook.book.rows import LEAST, NOT_ZERO, SHARES, WEIGHTS, filled
 from workbook.drive.motor import plane
 from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, KW, RPM, shown

@@ -11,9 +11,8 @@ import numpy as np
 from engine.drive.mechanisms.variable_ratio import PositionTable, near_end
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, columns_of, constant
-from workbook.book.polynomial import NOT_ZERO
 from workbook.book.quantity import PLAIN
-from workbook.book.rows import filled
+from workbook.book.rows import NOT_ZERO, filled
 from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import FALLS, Driven, as_a
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
