@@ -4,10 +4,8 @@ from collections.abc import Iterable, Sequence
 from functools import partial
 
 from engine.timing import turn_time
-from workbook.book.declare import again
-from workbook.book.summary import summed_up
-from workbook.book.declare import Book, Quantity, result
-from workbook.book.summary import summary_sheet
+from workbook.book.declare import Book, Quantity, again, result
+from workbook.book.summary import summary_sheet, summed_up
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.entries.texts import place_of
