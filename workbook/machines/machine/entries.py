@@ -35,8 +35,7 @@ from workbook.motion.asked import AT_REST, CROWDED, Smoothness, counts, rule_of,
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
 
 MOST_AXES = 24
-PRINTED = ("lead screw", "conveyor")
-"""the mechanisms of S4"""
+PRINTED = ("lead screw", "conveyor")  # the mechanisms of S4
 Unit = Literal["mm", "°"]
 Closes = Literal["position", "feed", "open"]
 OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
@@ -190,7 +189,16 @@ class AnyMachine(Exporting):
                     said = f"{len(told)} rows do not fit into {getattr(self.sizes, room)}; raise sizes.{room}"
                     raise EntryError(f"axes.{i}.{entry}", said)
         require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
-        self._find_room()
+        number, found = counts(self.laws), []
+        needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
+                  for axis in self.axes_turned]  # fmt: skip
+        space = settle(self, max(needed), 2 * self.sizes.phases + 1)  # for the pieces of an axis
+        for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
+            if count > space:
+                still = [phase.model_dump() | AT_REST for phase in axis.phases]
+                found.append(DesignError(f"axes.{i}.phases", CROWDED.format(count, space), rule_of(i + 1), still))
+        if found:
+            raise TogetherError(found)
         return self
 
     def built_as(self, names: Mapping[str, str]) -> None:
@@ -224,20 +232,6 @@ class AnyMachine(Exporting):
     def switches_turned(self) -> Sequence[SwitchEntry]:
         """The switches, likewise."""
         return self.switches
-
-    def _find_room(self) -> None:
-        """Settle the room for the pieces of an axis: of its phases and rests, cut by the edges of process forces."""
-        number = counts(self.laws)
-        needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
-                  for axis in self.axes_turned]  # fmt: skip
-        room = settle(self, max(needed), 2 * self.sizes.phases + 1)
-        found = []
-        for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
-            if count > room:
-                still = [phase.model_dump() | AT_REST for phase in axis.phases]
-                found.append(DesignError(f"axes.{i}.phases", CROWDED.format(count, room), rule_of(i + 1), still))
-        if found:
-            raise TogetherError(found)
 
 
 def rests(phases: list[AxisPhase]) -> list[int]:

@@ -19,6 +19,12 @@ CHOSEN = "sel_axis"
 """the name of the cell that says which axis the sheet Selection looks at: by it a file tells that it has one"""
 
 
+clearance_name = "clear{}_{}_{}".format
+"""names the cell of a clearance by its number and those of its axes: by it a file tells which these are"""
+switch_name = "switch{}_name".format
+"""names the cell that tells what a switch is called: by it a file tells how many there are"""
+
+
 def unit_name(number: int, unit: str) -> str:
     """Return the name of the cell that says in which unit an axis is entered: by it a file tells that."""
     return f"axis{number}_{MARKS[unit]}"
@@ -29,25 +35,14 @@ def kind_name(number: int, kind: str) -> str:
     return f"drive{number}_{kind.replace(' ', '_').replace('-', '_')}"
 
 
-def clearance_name(number: int, first: int, second: int) -> str:
-    """Return the name of the cell of a clearance: by it a file tells which axes it is of."""
-    return f"clear{number}_{first}_{second}"
-
-
-def switch_name(number: int) -> str:
-    """Return the name of the cell that tells what a switch is called: by it a file tells how many there are."""
-    return f"switch{number}_name"
-
-
 def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyMachine:
     """Return a machine with the axes that a file has by its defined names: its book has the file's inputs."""
     numbers = range(1, entered.MOST_AXES + 1)
     known = [(i, unit) for i in numbers for unit in UNITS if unit_name(i, unit) in names]
+    switches = [name for name in map(switch_name, range(1, MOST_SWITCHES + 1)) if name in names]
     found: dict[str, Any] = {
         "axes": [axis_of(machine.axes[0], i, unit, names) for i, unit in known] or machine.axes,
-        "switches": [
-            SwitchEntry(name=one, on=[]) for one in map(switch_name, range(1, MOST_SWITCHES + 1)) if one in names
-        ],
+        "switches": [SwitchEntry(name=name, on=[]) for name in switches],
         "clearances": [
             ClearanceEntry.model_construct(name=f"Clearance {k}", first=str(one), second=str(other))
             for k in range(1, MOST_CLEARANCES + 1)

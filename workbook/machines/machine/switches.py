@@ -26,8 +26,7 @@ NEXT = (
 )
 """from the begin of a time to the next begin of its switch: a turn where there is no other"""
 UPS = (0, 1, 1, 0)
-NONE = ((0.0, 0.0), (0.0, 0.0))
-"""the bars of a time that is not entered"""
+NONE = ((0.0, 0.0), (0.0, 0.0))  # the bars of a time that is not entered
 
 
 class Lane:
@@ -78,8 +77,13 @@ def switches_sheet(book: Book, machine: Whole) -> None:
     entries(sheet, lanes, machine)
     faults = [("wrong", "apart", "apart", "each time lasts, and is over where another begins")]
     faults += [("late", "within", "ends", "no time goes on beyond the cycle")] if over.measured else []
-    for fault in faults:
-        sheet.checks(*(none_with(lane.number, over, *fault) for lane in lanes))
+    for column, name, rule, said in faults:
+        for i in range(1, len(lanes) + 1):
+            texts = f"[switch{i}_times.{column}]"
+            at = first_text(texts)
+            sheet.checks(check(f"switch{i}_{name}", f"Switch {i}: {said}", f'COUNTIF({texts},"?*")=0', True,
+                               rule=over.rule("switches", i, rule),
+                               says=f'[switches.name.{i}]&" time "&{at}&" "&INDEX({texts},{at})'))  # fmt: skip
     sheet.not_printed_below()
     sheet.heading("Workings: the times of each switch")
     for lane in lanes:
@@ -145,26 +149,26 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
     )  # fmt: skip
 
 
-def none_with(i: int, over: Abscissa, column: str, name: str, rule: str, says: str) -> Quantity:
-    """Return the check that no time of a switch has a text in a column; the first that has is told."""
-    texts = f"[switch{i}_times.{column}]"
-    at = first_text(texts)
-    return check(f"switch{i}_{name}", f"Switch {i}: {says}", f'COUNTIF({texts},"?*")=0', True,
-                 rule=over.rule("switches", i, rule),
-                 says=f'[switches.name.{i}]&" time "&{at}&" "&INDEX({texts},{at})')  # fmt: skip
-
-
 def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa, near: float) -> None:
     """Declare the corners of each lane: where it begins, two bars of four corners for each time, where it ends."""
     about = f"A bar for each time, and another for what of it lies behind the end of the {over.period}."
     sheet.heading("Workings: lanes of the timing diagram", about)
     ups = [0, *UPS * 2 * TIMES, 0]
     columns: list[Quantity] = []
+    first, last = (f"=[cycle1.{over.column}.{end}]" for end in ("first", "last"))
     for i, lane in enumerate(lanes, 1):
-        floor = len(lanes) - i
-        places, (angles, heights) = lane.outline(floor, near), cornered(i, floor, over)
+        floor, angles, widths = len(lanes) - i, [first], ["[cycle1.theta.last]"]
+        for t in NUMBERS:
+            start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))
+            begin, end = f"[switches.start{t}.{i}]", over.told(f"MIN({start}+{span},360)")
+            rest = over.told(f"MAX({start}+{span}-360,0)")
+            begin, end, rest = (f"=IF({span}>0,{place},0)" for place in (begin, end, rest))
+            angles += [begin, begin, end, end, first, first, rest, rest]
+            widths += [width for width in (f"MIN({span},360-{start})", f"({start}+{span}-360)") for _ in UPS]
+        heights = [f"={floor}+[up]*IF({width}>eps,timing_lane,0)" for width in (*widths, widths[0])]
+        places = lane.outline(floor, near)
         columns += [
-            calc(f"x{i}", f"switch {i}: {'time' if over.measured else 'angle'}", "", over.unit, angles,
+            calc(f"x{i}", f"switch {i}: {'time' if over.measured else 'angle'}", "", over.unit, [*angles, last],
                  [over.shown(x) for x, _ in places], format=over.format),
             calc(f"y{i}", f"switch {i}: in the diagram", "", "", heights, [y for _, y in places]),
         ]  # fmt: skip
@@ -174,18 +178,3 @@ def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa, near: float) -> Non
         constant("up", "on", "", "", ups, source="1 where a bar is"),
         *columns,
     )  # fmt: skip
-
-
-def cornered(i: int, floor: int, over: Abscissa) -> tuple[list[str], list[str]]:
-    """Return the formulas of a switch's corners: places, and heights on the floor or on top of a bar with a width."""
-    first, last = (f"=[cycle1.{over.column}.{end}]" for end in ("first", "last"))
-    places, widths = [first], ["[cycle1.theta.last]"]
-    for t in NUMBERS:
-        start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))
-        begin, end = f"[switches.start{t}.{i}]", over.told(f"MIN({start}+{span},360)")
-        rest = over.told(f"MAX({start}+{span}-360,0)")
-        begin, end, rest = (f"=IF({span}>0,{place},0)" for place in (begin, end, rest))
-        places += [begin, begin, end, end, first, first, rest, rest]
-        widths += [width for width in (f"MIN({span},360-{start})", f"({start}+{span}-360)") for _ in UPS]
-    heights = [f"={floor}+[up]*IF({width}>eps,timing_lane,0)" for width in (*widths, widths[0])]
-    return [*places, last], heights

@@ -1,19 +1,23 @@
 """Any machine: laws, and the timing diagram of 1 to 24 axes at one rate, or over any abscissa."""
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 
-from engine.timing import turn_time
+from engine.cams.interpolation import Seen, composed
+from engine.motion.pieces import CamProfile, profile_of_motion, turned
+from engine.timing import Switch, turn_time
+from workbook.axes import CamAxis, CamSwitch
 from workbook.book.declare import Book, Quantity, again, result
 from workbook.book.summary import summary_sheet, summed_up
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.entries.texts import place_of
-from workbook.entries.units import PER_MINUTE, si
+from workbook.entries.units import DEGREE, PER_MINUTE, shown, si
 from workbook.latest import latest
+from workbook.laws.library import laws
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, shelf_of
-from workbook.machines.machine.axes import axes, switches
 from workbook.machines.machine.clearances import Apart, clearances_sheet
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.drive.driven import Driven
@@ -149,17 +153,55 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
     These are the checks of its phases, and of its drive; ``names`` are those of the book's laws.
     """
     block = book.blocks["axes_short"]
-    laws, checks = [], []
+    found, checks = [], []
     for axis in axes:
         moving = {names.index(phase.law) for phase in axis.given.phases} - {DWELL - 1}
-        laws.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
+        found.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
         own = (f"axis{axis.number}_", f"drive{axis.number}_")
         checks.append([k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)])
     block.sheet.workings(
         block, "axes_judged", "", max(block.columns.values()) + 1,
-        result("law", "law", "", "", [LAW.format(axis.number) for axis in axes], laws, align="right"),
+        result("law", "law", "", "", [LAW.format(axis.number) for axis in axes], found, align="right"),
         summed_up(book, "axes_judged", "its checks", checks),
     )  # fmt: skip
+
+
+def axes(machine: AnyMachine) -> list[CamAxis]:
+    """Return the axes of a machine as a controller can be given them."""
+    found = []
+    for one in Whole(machine, laws(machine.laws)).axes:
+        given, repeats = one.given, one.given.repeats and one.closes
+        told = CamAxis(given.name, profile(one, shown(1.0, one.unit)), machine.over.unit, given.unit, repeats)
+        found.append(replace(told, shaft=partial(shaft, one, machine, told)) if given.motor else told)
+    return found
+
+
+def profile(one: MovingAxis, y: float) -> CamProfile:
+    """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
+    return turned(profile_of_motion(one.motion, one.over.shown(shown(1.0, DEGREE)), y), one.typed.shift)
+
+
+def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
+    """Return the angle of the motor's shaft of an axis, in degrees: before the reducer, and where its load is at 0, 0.
+
+    Behind a mechanism whose ratio depends on the position, 0 is where that counts its angle from. Raises ValueError
+    where the mechanism cannot bring its load to a position.
+    """
+    driven = Driven(one, machine)
+    if driven.linkage is None:
+        return replace(load, profile=profile(one, shown(driven.mechanism.ratio, DEGREE)), y_unit="°")
+    linkage, degrees = driven.linkage, shown(driven.reducer.ratio, DEGREE)
+    angle = composed(profile(one, 1.0), lambda y: Seen(*(degrees * each for each in linkage.shaft(y))))
+    return replace(load, profile=angle, y_unit="°")
+
+
+def switches(machine: AnyMachine) -> list[CamSwitch]:
+    """Return the switches of a machine, over the degrees of its master shaft, or the seconds of its cycle."""
+    over, found = machine.over, []
+    for one in machine.switches:
+        on = tuple((time.start, time.stop) for time in one.on if time.start is not None and time.stop is not None)
+        found.append(CamSwitch(one.name, Switch(one.name, on, over.length), over.unit))
+    return found
 
 
 TEMPLATE = Template(

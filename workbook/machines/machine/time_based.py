@@ -110,7 +110,18 @@ class TimedMachine(AnyMachine):
     @property
     def axes_turned(self) -> Sequence[Axis]:
         """The axes with all their places in degrees of one turn, and what their phases pass in SI by rad."""
-        return [axis_turned(axis, self.over) for axis in self.axes]
+        over, found = self.over, list[Axis]()
+        for axis in self.axes:
+            size, phases = over.lift(axis.unit).size, []
+            for phase in axis.phases:
+                rates = {name: getattr(phase, name) for name in RATES}
+                passed = {name: None if rate is None else over.per_rad(si(rate, size), order)
+                          for order, (name, rate) in enumerate(rates.items(), 1)}  # fmt: skip
+                phases.append(turned(phase, over).model_copy(update=passed))
+            load = axis.load.model_copy(update={"windows": [turned(force, over) for force in axis.load.windows]})
+            more = {"phases": phases, "load": load, "shift": over.degrees(axis.shift)}
+            found.append(axis.model_copy(update=more))
+        return found
 
     @property
     def switches_turned(self) -> Sequence[SwitchEntry]:
@@ -134,19 +145,6 @@ class TimedMachine(AnyMachine):
         for table, i, errors in found:
             for error in errors:
                 yield DesignError(f"{table}.{i}.{error.field}", str(error), f"{error.rule}{i + 1}", error.fits)
-
-
-def axis_turned(axis: Axis, over: Abscissa) -> Axis:
-    """Return an axis with all its places in degrees of one turn, and what its phases pass in SI by rad."""
-    size = over.lift(axis.unit).size
-
-    def passed(phase: AxisPhase) -> dict[str, float]:
-        return {name: over.per_rad(si(rate, size), order) for order, name in enumerate(RATES, 1)
-                if (rate := getattr(phase, name)) is not None}  # fmt: skip
-
-    phases = [turned(phase, over).model_copy(update=passed(phase)) for phase in axis.phases]
-    load = axis.load.model_copy(update={"windows": [turned(force, over) for force in axis.load.windows]})
-    return axis.model_copy(update={"phases": phases, "load": load, "shift": over.degrees(axis.shift)})
 
 
 def turned(one: Lasting, over: Abscissa) -> Lasting:

@@ -14,8 +14,7 @@ from workbook.machines.machine.time_based import in_units_of
 from workbook.motion.asked import smoothness_for, within
 
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
-STRAIGHT = "=-1"
-"""of a page: how a straight line meets its neighbours"""
+STRAIGHT = "=-1"  # of a page: how a straight line meets its neighbours
 SHIFTS = (0.0, 37.5, -20.0, 360.0, 145.25, 733.0)
 
 

@@ -21,8 +21,7 @@ from workbook.machines.machine.motion.extremes import measured
 from workbook.motion.asked import passed
 
 UNITS = {"mm": MM, "°": DEGREE}
-BASES = {"mm": "m", "°": "rad"}
-"""the unit of the motion, by that of its entries"""
+BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entries
 
 
 class MovingAxis:

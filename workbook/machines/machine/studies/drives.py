@@ -26,10 +26,8 @@ from workbook.scaling import Column, Worked
 from workbook.selection.catalogue import FULL_CYCLES
 
 WEIGHED = ("mass", "cost")
-ONE = Column([None], np.zeros(1, dtype=np.intp))
-"""of what does not differ"""
-Chosen = tuple[int, int, int]
-"""motor, reducer and rate of a design, by their places among those that differ"""
+ONE = Column([None], np.zeros(1, dtype=np.intp))  # of what does not differ
+Chosen = tuple[int, int, int]  # motor, reducer and rate of a design, by their places among those that differ
 
 
 class Studied:

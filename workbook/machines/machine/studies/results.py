@@ -49,8 +49,8 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts if not q.rule}
     drives = []
     for axis in whole.axes:
-        found |= of_axis(axis, faster)
-        checks |= checks_of_axis(axis)
+        of_one, checks_of_one = of_axis(axis, faster)
+        found, checks = found | of_one, checks | checks_of_one
         if machine.laws.of("LIN") and (ends := rows()[axis.number - 1].ends):
             checks |= {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")}
         if axis.given.mechanism and axis.given.motor:
@@ -69,9 +69,9 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every})
 
 
-def of_axis(axis: MovingAxis, faster: Any) -> Worked:
-    """Return the results of an axis alone, at rates that are so many times that of the machine."""
-    i = axis.number
+def of_axis(axis: MovingAxis, faster: Any) -> tuple[Worked, Worked]:
+    """Return results of an axis, at rates so many times the machine's, and checks that its entries do not decide."""
+    i, given = axis.number, axis.given
 
     def of_move(k: int, figure: str, power: int) -> Any:
         return getattr(axis.moves[k], figure) * axis.speed**power * faster**power if k in axis.moves else 0.0
@@ -85,16 +85,10 @@ def of_axis(axis: MovingAxis, faster: Any) -> Worked:
     for table in ("axes", "axes_short"):
         found[f"{table}.v.{i}"] = partial(of_whole, "fastest", 1)
         found[f"{table}.a.{i}"] = partial(of_whole, "hardest", 2)
-    return found
-
-
-def checks_of_axis(axis: MovingAxis) -> Worked:
-    """Return the checks of an axis that its entries do not decide."""
-    given = axis.given
-    return {
-        f"axis{axis.number}_position": lambda: in_words(axis.motion.complete),
-        f"axis{axis.number}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),
-        f"axis{axis.number}_closes": lambda: in_words(axis.closes),
+    return found, {
+        f"axis{i}_position": lambda: in_words(axis.motion.complete),
+        f"axis{i}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),
+        f"axis{i}_closes": lambda: in_words(axis.closes),
     }
 
 

@@ -24,8 +24,7 @@ CURVES = (
     ("j", "jerk", "omega^3", "y''' ω³, between jumps", "d³y/dx³, between jumps"),
 )
 """a sampled axis: its column, what it is called; its factor, and its equation over time and over all else"""
-EARLIER = "([theta]-@late-[p])*@lap"
-"""the travel of the turns that its phases have ended before"""
+EARLIER = "([theta]-@late-[p])*@lap"  # the travel of the turns that its phases have ended before
 
 
 def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
