@@ -32,16 +32,12 @@ COUNTS = frozenset([
 
 @dataclass(frozen=True)
 class Term:
-    """What is known of an expression: its dimension, None where unknown; its value, if it is made of numbers alone.
+    """What is known of an expression."""
 
-    ``free`` goes with any dimension in a sum: a number in a formula, a text. ``several`` are those of a range of cells
-    of unlike dimensions.
-    """
-
-    dimension: Dimension | None = None
-    number: float | None = None
-    free: bool = False
-    several: tuple[Dimension, ...] = ()
+    dimension: Dimension | None = None  # where it is known
+    number: float | None = None  # its value, if it is made of numbers alone
+    free: bool = False  # whether it goes with any dimension in a sum: a number in a formula, a text
+    several: tuple[Dimension, ...] = ()  # those of a range of cells of unlike dimensions
 
     @property
     def factor(self) -> Dimension | None:

@@ -136,10 +136,7 @@ class Comparison:
         return {a for a, value in zip(wrong, values, strict=True) if differs(self.right, a, value)}
 
     def ask_elsewhere(self, template: AnyTemplate, machines: Sequence[Machine], suspects: set[Address]) -> None:
-        """Begin to ask at variations of the inputs, for each cell with the right values around it.
-
-        Formulas that are not the declared ones are evaluated at every variation, the others in turn.
-        """
+        """Begin to ask at variations of the inputs: cells in turn, formulas that are not the declared ones always."""
         if any(place is None for _, place in self.match.misfits):
             return
         readable = self.match.file.contents.formulas

@@ -28,16 +28,13 @@ class Patterns(NamedTuple):
 
 
 class Contents:
-    """A workbook's cells, read once; ``workbook`` is loaded with formulas, and never asked for cached values.
-
-    ``problems`` says in a line why a formula cannot be taken apart; ``failed`` has the error value that it stands for.
-    """
+    """A workbook's cells, read once, with their formulas; cached values are never asked for."""
 
     def __init__(self, workbook: Workbook) -> None:
         self.constants: Cells = {}
         self.formulas: dict[Address, Formula | Moved] = {}
-        self.failed: Cells = {}
-        self.problems: dict[Address, str] = {}
+        self.failed: Cells = {}  # the error values that formulas stand for which cannot be taken apart
+        self.problems: dict[Address, str] = {}  # why, in a line
         self.arrays: dict[Address, str] = {}  # the text of a formula over several cells, or of another kind, in each
         self._titles = {title.casefold(): title for title in workbook.sheetnames}
         self._names = names_of(workbook)
@@ -67,10 +64,7 @@ class Contents:
         return by_pattern(self.formulas.values())
 
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
-        """Return those of ``cells``, all of them formulas, on which the formulas in the cells ``by`` depend.
-
-        Of a formula that cannot be taken apart it is not known what it reads: all of them are returned.
-        """
+        """Return those formulas ``cells`` on which those ``by`` depend: all where one of these cannot be taken apart."""
         left, found, last = set(cells), set[Address](), set(by)
         while last and left:
             last = left if any(a in self.failed for a in last) else self.read(left, last)

@@ -77,10 +77,7 @@ def write_machine(machine: Machine) -> str:
 
 
 def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
-    """Validate entries; raise InputError whose lines say where each fault of structure or type is.
-
-    Numbers that do not do, or are missing, make an unfinished design of it: see :mod:`workbook.entries.design`.
-    """
+    """Validate entries; raise InputError for faults of structure or type: other ones make an unfinished design."""
     model = template.model_for(data)
     try:
         return designed(model, template.check, data, lambda: read_machine(template.description))

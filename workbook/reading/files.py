@@ -45,23 +45,17 @@ def is_formula(content: Any) -> bool:
 
 @dataclass
 class BookFile:
-    """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside.
-
-    ``saved`` is what each formula cell was saved with; a workbook that is no file yet has none of that. ``fits`` are
-    the tables whose rows or columns are not those of their names, as whoever knows the tables finds them;
-    ``mended`` is one in which cells were put back into their tables, so that it is not as the file is;
-    ``inspected`` is what openpyxl does not read; ``bare`` is a copy of contents and names alone.
-    """
+    """An opened workbook, with formulas as text, its defined names as places, and notes on what was left aside."""
 
     path: Path
     workbook: Workbook
     places: dict[str, Place]
     notes: list[str] = field(default_factory=list)
-    saved: Cells = field(default_factory=dict)
-    fits: dict[str, Fit] = field(default_factory=dict)
-    mended: bool = False
-    inspected: Inspected | None = None
-    bare: bool = False
+    saved: Cells = field(default_factory=dict)  # with formula cells; nothing of a workbook that is no file yet
+    fits: dict[str, Fit] = field(default_factory=dict)  # tables that are not as named, as who knows them finds them
+    mended: bool = False  # whether cells were put back into tables, so that it is not as the file is
+    inspected: Inspected | None = None  # what openpyxl does not read
+    bare: bool = False  # whether it is a copy of contents and names alone
 
     def value(self, address: Address) -> Any:
         """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty.

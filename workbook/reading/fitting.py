@@ -20,10 +20,7 @@ HEADER = 12  # rows above a table in which its headings are looked for
 
 
 def fitted(file: BookFile, layout: Book) -> dict[str, Fit]:
-    """Return how those tables of a file lie into which something was put, or from which something was taken.
-
-    A single cell whose name leads to more of them is the first of these.
-    """
+    """Return how tables lie into or from which something was put or taken; of a cell with more of them, the first."""
     fits: dict[str, Fit] = {}
     for name, block in layout.blocks.items():
         place = file.places.get(name)

@@ -127,10 +127,7 @@ class Evaluation:
 
 
 def files_of(contents: Contents, asked: Collection[Address]) -> Iterator[Collection[Address]]:
-    """Yield of which formula cells, and those they depend on, a witness is given a file until it can open one.
-
-    All of the book's take long. They are needed where a formula reads more than the cells that it names.
-    """
+    """Yield formula cells for files until a witness can open one: all, though they take long, if more is read."""
     if reads_elsewhere(contents, asked):
         yield contents.formula_cells
         asked = [cell for cell in asked if not reads_elsewhere(contents, {cell})]
@@ -139,10 +136,7 @@ def files_of(contents: Contents, asked: Collection[Address]) -> Iterator[Collect
 
 
 def reads_elsewhere(contents: Contents, asked: Collection[Address]) -> bool:
-    """Whether formulas, or those on which they depend, read more than the values of the cells that they name.
-
-    Of those that cannot be taken apart it is not known what they read: they are computed among all others anyway.
-    """
+    """Whether formulas, or those they depend on, that can be taken apart read more than the cells that they name."""
     others = set(contents.formula_cells).difference(asked)
     read = (contents.formulas.get(cell) for cell in contents.needed(others, asked).union(asked))
     return not all(formula is None or formula.functions.isdisjoint(ELSEWHERE) for formula in read)

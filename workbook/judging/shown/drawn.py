@@ -40,20 +40,17 @@ class Axis(NamedTuple):
 
 
 class Drawn(NamedTuple):
-    """A chart: ``kinds`` are its plots, ``axes`` the two of the first, ``codes`` the number formats of its labels.
-
-    ``room`` is the share of its width and height that its plot has; ``odd`` what cannot be read in it.
-    """
+    """A chart."""
 
     title: Name
-    kinds: tuple[str, ...]
+    kinds: tuple[str, ...]  # of its plots
     lines: list[Line]
-    axes: tuple[Axis, Axis]
+    axes: tuple[Axis, Axis]  # of the first plot
     other_axes: list[Axis]
-    codes: list[str]
-    room: tuple[float, float]
+    codes: list[str]  # the number formats of its labels
+    room: tuple[float, float]  # the share of its width and height that its plot has
     visible_only: bool
-    odd: list[str]
+    odd: list[str]  # what cannot be read in it
     at: Address
     number: int = 0
 

@@ -72,11 +72,7 @@ def sections(code: str) -> tuple[Section, ...]:
 def judged(
     code: str, declared: str, unit: str = "", symbol: str = "", text: bool = False, zeros: bool = False
 ) -> Judged:
-    """Return what is to be told of a format by which a cell shows its value.
-
-    ``declared`` is the one that it has as built; ``text`` is whether it holds a text, and ``zeros`` whether there are
-    numbers that round to 0.
-    """
+    """Return what is to be told of a format for a text, or for numbers, of which some may round to 0 (``zeros``)."""
     held, ours = sections(code), sections(declared)
     last = held[3] if len(held) > 3 else held[-1] if "@" in held[-1].form else None
     kinds = set()

@@ -21,19 +21,15 @@ PASSED = SHOWN, "FAIL coloured as passed"
 
 
 class Seen(NamedTuple):
-    """Cells of one column, one below the other: the column of a block, or a text that says what a cell is.
-
-    ``counts`` is whether they are verdicts, figures, units or labels: what is read otherwise there is a finding;
-    ``folded`` whether a fresh build has them in a hidden column; ``verdict`` whether they say OK or FAIL.
-    """
+    """Cells of one column, one below the other: the column of a block, or a text that says what a cell is."""
 
     at: Address
-    last: int
+    last: int  # row
     pairs: list[Pair]
     what: str
-    counts: bool
-    folded: bool
-    verdict: bool = False
+    counts: bool  # verdicts, figures, units and labels do: what is read otherwise there is a finding
+    folded: bool  # whether a fresh build has them in a hidden column
+    verdict: bool = False  # whether they say OK or FAIL
 
     def format(self, code: str, values: Iterable[Any], declared: str = "General") -> Iterator[Judged]:
         """Yield what is to be told of a number format for values of the cells, in place of the declared one."""

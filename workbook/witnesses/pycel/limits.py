@@ -111,10 +111,7 @@ def sumproduct(*arrays: Any) -> Any:
 
 
 def _searching(function: Callable[..., Any]) -> Any:
-    """Return a function of pycel that refuses texts with which its search would run for ever.
-
-    pycel makes a regular expression of a text with ``*`` or ``?`` and leaves the rest of it as it is.
-    """
+    """Return a function that refuses texts for which pycel's regular expressions could search for ever."""
 
     @wraps(function)
     def call(*arguments: Any) -> Any:
