@@ -9,7 +9,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
 from workbook.book.address import Address
-from workbook.book.declare import Book, Sheet
+from workbook.book.declare import Book
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.shown.charts import paired
@@ -18,7 +18,6 @@ from workbook.judging.shown.looks import Looks, Told, seen
 from workbook.judging.shown.rules import Rules
 from workbook.judging.structure import structure
 from workbook.reading.contents import Contents
-from workbook.reading.files import BookFile
 from workbook.writing.write import NOTHING, Own
 
 MOST = 3  # cells that a line names
@@ -60,10 +59,7 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
                 where = [a1 for a1 in cells if (sheet.title, a1) not in taken]
                 if where:
                     lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
-    declared = {name.casefold() for name, _ in match.declared.names()}
-    declared |= {name.name.casefold() for name in own.names}
-    names = [name for name in match.file.workbook.defined_names if name.casefold() not in declared]
-    if left := [name for name in names if not name.startswith("_xl")]:
+    if left := [name for name, defined in names(match) if defined not in own.names]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
     lines += [f"charts and pictures of the sheet {sheet.title!r} are not carried over" for sheet in own.sheets
               if match.file.inspected and match.file.inspected.drawings.get(sheet.title)]  # fmt: skip
@@ -98,7 +94,9 @@ def carried_over(match: Match, fresh: Book) -> Own:
     file = match.file
     ours = {pair.address.sheet for pair in match.pairs}
     own = [sheet for sheet in file.workbook.worksheets if sheet.title not in ours | {s.title for s in fresh.sheets}]
-    steady = {sheet.title for sheet in fresh.sheets if stays(file, sheet)}
+    lies = {name: place[:4] for name, place in file.places.items()}
+    steady = {sheet.title for sheet in fresh.sheets
+              if all(lies.get(b.name) == (sheet.title, b.row, b.column, b.size) for b in sheet.blocks)}  # fmt: skip
     known = steady | {sheet.title for sheet in own}
     taken = {(a.sheet, a.row, a.column) for a in match.numbers}
     taken |= {(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
@@ -108,15 +106,9 @@ def carried_over(match: Match, fresh: Book) -> Own:
     free = [cell for cell in cells if (cell.parent.title, cell.row, cell.column) not in taken]
     held = [(cell, content) for cell in free if (content := content_of(file.contents, cell, known)) is not None]
     notes = [cell for cell in cells if cell.comment is not None]
-    return Own(tuple(own), tuple(held), tuple(notes), tuple(names(match, known)))
-
-
-def stays(file: BookFile, sheet: Sheet) -> bool:
-    """Whether the blocks of a fresh sheet lie in the file where a fresh build has them."""
-    found = [(file.places.get(block.name), block) for block in sheet.blocks]
-    return all(
-        place is not None and place[:4] == (sheet.title, block.row, block.column, block.size) for place, block in found
-    )
+    led = [(defined, {title for title, _ in defined.destinations}) for _, defined in names(match)]
+    within = tuple(defined for defined, sheets in led if sheets and sheets <= known)  # leads to cells of known sheets
+    return Own(tuple(own), tuple(held), tuple(notes), within)
 
 
 def content_of(contents: Contents, cell: Cell, known: set[str]) -> Any:
@@ -131,11 +123,9 @@ def content_of(contents: Contents, cell: Cell, known: set[str]) -> Any:
     return cell.value if sheets <= known else None
 
 
-def names(match: Match, known: set[str]) -> Iterator[DefinedName]:
-    """Yield the names of one's own that lead to cells of known sheets."""
+def names(match: Match) -> Iterator[tuple[str, DefinedName]]:
+    """Yield the names that are someone's own."""
     declared = {name.casefold() for name, _ in match.declared.names()}
     for name, defined in match.file.workbook.defined_names.items():
         if name.casefold() not in declared and not name.startswith("_xl"):
-            sheets = {title for title, _ in defined.destinations}
-            if sheets and sheets <= known:
-                yield defined
+            yield name, defined

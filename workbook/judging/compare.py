@@ -9,7 +9,7 @@ TOLERANCE = 1e-9  # relative to the greatest value of the cell's column
 
 
 def difference(computed: Any, expected: Any, peak: float) -> float:
-    """Return the deviation relative to ``peak``: 0 for equal texts, and for sentences equal but for rounding, else inf."""
+    """Return the deviation relative to ``peak``: 0 for equal texts, or sentences but for rounding; else infinite."""
     if isinstance(expected, Sentence):
         return 0.0 if expected.says(computed) else math.inf
     if not (is_number(computed) and is_number(expected)):

@@ -64,7 +64,7 @@ class Contents:
         return by_pattern(self.formulas.values())
 
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
-        """Return those formulas ``cells`` on which those ``by`` depend: all where one of these cannot be taken apart."""
+        """Return those formulas ``cells`` on which those ``by`` depend: all where one of them is not taken apart."""
         left, found, last = set(cells), set[Address](), set(by)
         while last and left:
             last = left if any(a in self.failed for a in last) else self.read(left, last)
