@@ -25,10 +25,8 @@ from workbook.reading.files import BookFile, open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed
 
-LONG = 40
-"""rows of a table of samples or points: those are compared by the results made of them"""
-NAMES = ("name", "axis", "sheet")
-"""the columns by which the rows of a table are called"""
+LONG = 40  # rows of a table of samples or points: those are compared by the results made of them
+NAMES = ("name", "axis", "sheet")  # the columns by which the rows of a table are called
 NUMBERED = re.compile(r"(axis|cycle|drive)(\d+)(?=_|$)")
 """what the name of a block begins with where each axis has its own"""
 
@@ -139,8 +137,7 @@ def changes(file: BookFile, entries: Entries, machine: Machine) -> tuple[list[st
     return edited, own + [line.replace(" are not carried over", "") for line in own_things(match, ours)]
 
 
-CLOSE = 1e-9
-"""relative difference of two numbers that are the same: rounding in a file changes the last digits"""
+CLOSE = 1e-9  # relative difference of two numbers that are the same: rounding in a file changes the last digits
 EMPTY = (None, "")
 
 

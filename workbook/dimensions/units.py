@@ -9,8 +9,7 @@ from pint import UndefinedUnitError, UnitRegistry
 from pint.util import UnitsContainer
 
 Dimension: TypeAlias = UnitsContainer
-NONE = Dimension({})
-"""of numbers, angles, shares and counts"""
+NONE = Dimension({})  # of numbers, angles, shares and counts
 POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 FACTOR = re.compile(r"(?P<word>1|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
 BETWEEN = re.compile(r"(?! - )[ ·*.×-]*")

@@ -27,8 +27,7 @@ from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile, find_places, is_formula
 from workbook.reading.rows import tag
 
-EMPTY = ", but below it"
-"""how the line on a row that was left empty ends"""
+EMPTY = ", but below it"  # how the line on a row that was left empty ends
 
 
 def in_order(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Finding]:

@@ -8,17 +8,14 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.judging.matching import Pair
 
-LAYOUT = "layout"
-"""The kind of rows and columns that were put into tables, or are gone."""
+LAYOUT = "layout"  # the kind of rows and columns that were put into tables, or are gone
 ORDER = (
     LAYOUT, "entry", "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error",
     "value", "follows", "saved", "shown", "witness",
 )  # fmt: skip
 """The kinds of findings, causes before what follows from them."""
-CAUSES = ORDER[:8]
-"""the kinds from which wrong values follow elsewhere"""
-FOLLOWS = "follows"
-"""The kind of what is wrong only because of other cells."""
+CAUSES = ORDER[:8]  # the kinds from which wrong values follow elsewhere
+FOLLOWS = "follows"  # the kind of what is wrong only because of other cells
 SHOWN, NOTICE = "shown", "notice"
 """The kinds of what may be read otherwise, and of what is reworded or gone and misleads nobody."""
 OK, FAIL = "OK", "FAIL"
@@ -53,8 +50,7 @@ class Ran:
     at_fault: int = 0
     unfinished: int = 0
     why: str = ""
-    too_large: bool = False
-    """whether it was the file's size"""
+    too_large: bool = False  # whether it was the file's size
 
     @property
     def absent(self) -> bool:

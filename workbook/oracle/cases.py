@@ -10,8 +10,7 @@ from scipy.stats import qmc
 
 from workbook.oracle.declared import Input
 
-ROUNDING, SMALLEST = 1e-9, 1e-12
-"""of two values that are the same: a relative and an absolute deviation"""
+ROUNDING, SMALLEST = 1e-9, 1e-12  # of two values that are the same: a relative and an absolute deviation
 
 
 def close(found: Any, expected: Any, allowed: float) -> bool:

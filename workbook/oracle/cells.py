@@ -12,8 +12,7 @@ from workbook.reading.files import BookFile
 
 CELL = re.compile(r"(?:(?P<sheet>'(?:[^']|'')+'|[^'!]+)!)?\$?(?P<column>[A-Za-z]{1,3})\$?(?P<row>\d{1,7})")
 BRACKETS = re.compile(r"[\[(]([^\])]{1,12})[\])]")
-NEAR = 6
-"""columns right of a label in which its figure stands"""
+NEAR = 6  # columns right of a label in which its figure stands
 
 
 def find(file: BookFile, text: str) -> Address:

@@ -14,8 +14,7 @@ from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreed import UNKNOWN
 
-SPELLINGS = POWERS | str.maketrans("µ", "μ", "·*^. -()[]")
-"""of units: powers and products as people write them"""
+SPELLINGS = POWERS | str.maketrans("µ", "μ", "·*^. -()[]")  # of units: powers and products as people write them
 BLANK = frozenset(["ISBLANK", "COUNTA", "COUNT", "COUNTIF", "COUNTBLANK", "SUM", "SUMIF"])
 """functions for which a cell may be empty"""
 

@@ -21,11 +21,9 @@ from workbook.witnesses.pycel.model import PycelModel
 from workbook.witnesses.registry import WITNESSES
 
 Coverage = Literal["compared", "step", "unaccounted"]
-PROBES = 8
-"""cases at which a step is changed, to see whether an output follows"""
+PROBES = 8  # cases at which a step is changed, to see whether an output follows
 CHANGES: tuple[Callable[[float], float], ...] = (lambda value: value * 1.01 + 1e-3, lambda value: -value - 1.0)
-FIRST = "pycel"
-"""the evaluator whose values everything else is asked of"""
+FIRST = "pycel"  # the evaluator whose values everything else is asked of
 
 
 @dataclass

@@ -21,8 +21,7 @@ from workbook.reading.guard import Inspected
 from workbook.reading.rows import MAIN, Rows, Written
 
 MOST_DIGITS = 300  # of a whole number; one of more may be larger than any that a cell can hold
-TEXTS = {"str": "s", "inlineStr": "s"}
-"""types of values that openpyxl has as one, that of shared texts"""
+TEXTS = {"str": "s", "inlineStr": "s"}  # types of values that openpyxl has as one, that of shared texts
 
 
 def fill(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:

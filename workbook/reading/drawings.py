@@ -9,8 +9,7 @@ from workbook.reading.rows import LAST_COLUMN, LAST_ROW, tag
 
 OPAQUE = ("graphicFrame", "pic", "sp")
 """what an anchor may hold that hides the cells behind it (ISO/IEC 29500-1, 20.5.2)"""
-PIXEL = 9525
-"""EMU"""
+PIXEL = 9525  # EMU
 NOTHING = Element("nothing")
 
 

@@ -169,8 +169,7 @@ def place_of(sheet: str, cells: str) -> Place | None:
 MOST_READ = 500_000_000
 """cells that all formulas that are evaluated read together: up to 3,000,000 in the committed books; 160,000,000 in a
 book of 3,600 intervals with 60 rows in each table of entries"""
-MOST_COLUMNS = 50_000_000
-"""columns that all formulas of a file read together, an engineer's own among them"""
+MOST_COLUMNS = 50_000_000  # columns that all formulas of a file read together, an engineer's own among them
 
 
 def require_narrow(file: BookFile) -> None:

@@ -16,10 +16,8 @@ from workbook.witnesses.witness import CYCLE, Witness, without
 ENOUGH = 2  # evaluators that must agree
 DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
 MOST = 160  # characters of why a witness failed
-UNKNOWN = (None, "#NAME?")
-"""what a witness has for a function that it does not know"""
-UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}
-"""and what one has for more that it cannot take"""
+UNKNOWN = (None, "#NAME?")  # what a witness has for a function that it does not know
+UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}  # and what one has for more that it cannot take
 ELSEWHERE = frozenset([
     "INDIRECT", "OFFSET", "CELL", "INFO", "SHEET", "SHEETS", "FORMULATEXT", "ISFORMULA", "SUBTOTAL", "AGGREGATE",
     "GETPIVOTDATA", "EVALUATE",

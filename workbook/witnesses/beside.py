@@ -24,8 +24,7 @@ if TYPE_CHECKING:  # what the first process begins with must load in no time
     from workbook.reading.files import BookFile
     from workbook.witnesses.witness import CellWitness, Model
 
-NAME = "pycel"
-"""the witness that evaluates beside"""
+NAME = "pycel"  # the witness that evaluates beside
 LARGEST = 20_000_000  # bytes of a file: both processes hold it
 
 

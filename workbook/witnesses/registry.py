@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from workbook.witnesses.witness import Witness
 
-ALL = "all"
-"""all of them that are on this machine"""
+ALL = "all"  # all of them that are on this machine
 
 
 def made(module: str, name: str) -> Witness:

@@ -23,8 +23,7 @@ UNIT = re.compile(r"\[([^\]]*)\]")
 XY = "scatterChart"
 CM = 360_000  # EMU
 
-Told = tuple[str, Any, Any, str]
-"""kind, what is found, what is expected, of what"""
+Told = tuple[str, Any, Any, str]  # kind, what is found, what is expected, of what
 
 
 def charts(match: Match, pages: Mapping[str, Page], report: Report) -> None:

@@ -12,8 +12,7 @@ from workbook.judging.shown import taste
 from workbook.judging.shown.colours import WHITE, Colour, contrast, parsed
 from workbook.reading.rows import tag
 
-Name = Area | str
-"""a text, or the cell that has it"""
+Name = Area | str  # a text, or the cell that has it
 
 
 class Line(NamedTuple):

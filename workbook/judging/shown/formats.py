@@ -33,8 +33,7 @@ COLOUR = re.compile(r"(black|white|red|green|blue|yellow|magenta|cyan)|color ?([
 BRIGHT = {"white": "FFFFFF", "yellow": "FFFF00", "cyan": "00FFFF"}
 LANGUAGE = re.compile(r"\$([^-]*)(?:-(?!F800|F400)(?:0?[01])?[0-9A-F]{0,6})?", re.IGNORECASE)  # of our digits
 
-Judged = tuple[str, str]
-"""the kind of what is told, and what; both empty where nothing is"""
+Judged = tuple[str, str]  # the kind of what is told, and what; both empty where nothing is
 FINE: Judged = ("", "")
 
 

@@ -61,8 +61,7 @@ class Rules:
         self._met: set[tuple[str, int]] = set()
         self._before_fail: set[str] = set()
         """blocks of verdicts with rules of someone's own, after which those of a fresh build may not apply"""
-        self.known: set[int] = set()
-        """the rules of the file that are those of a fresh build, by their identity"""
+        self.known: set[int] = set()  # the rules of the file that are those of a fresh build, by their identity
 
     def judge(self, cells: list[Seen]) -> None:
         """Enter what is to be told of rules that someone has made, and of those that are gone."""

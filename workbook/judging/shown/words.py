@@ -31,8 +31,7 @@ class Word(NamedTuple):
         return self.text.style in ABOVE
 
 
-Found = tuple[Address, Word]
-"""a declared text, and where it stands in the file, or something else in its place"""
+Found = tuple[Address, Word]  # a declared text, and where it stands in the file, or something else in its place
 
 
 def words(match: Match, report: Report) -> list[Found]:
