@@ -133,10 +133,7 @@ def verify_sent(book: Sent, witnesses: Sequence[str]) -> Outcome:
 
 
 def exit_code(outcomes: Iterable[Outcome]) -> int:
-    """Return the gravest: 2 where a file cannot be read or none was verified, 1 where cells of one disagree.
-
-    Else 3 where the cells agree and a design is unfinished or fails its own checks, and 0 where none does.
-    """
+    """Return the gravest: 2 where one cannot be read or none was verified, 1 for cells, 3 for a design, 0 for none."""
     verdicts = {outcome.verdict for outcome in outcomes}
     if "unreadable" in verdicts or not verdicts - {"no machine"}:
         return UNREADABLE

@@ -206,16 +206,15 @@ class Match:
     @cached_property
     def headless(self) -> set[str]:
         """The tables that have lost their headings: there is no text just above, and none of their own further up."""
-        return {block.name for block in self.declared.blocks.values()
-                if block.is_table and block.name in self.file.places and self._is_headless(block)}  # fmt: skip
-
-    def _is_headless(self, block: Block) -> bool:
-        place = self.file.places[block.name]
-        names = {text for line in self._heading(block) for text in line if text}
-        held = {up: {one for one in self._line_held(place, up) if isinstance(one, str)}
-                for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))}  # fmt: skip
-        headed = any(held.get(up) for up in HEAD) or any(names & texts for texts in held.values())
-        return bool(names) and not headed
+        found = set()
+        for block in self.declared.blocks.values():
+            place = self.file.places.get(block.name) if block.is_table else None
+            names = {text for line in self._heading(block) for text in line if text} if place else set()
+            held = {up: {one for one in self._line_held(place, up) if isinstance(one, str)}
+                    for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))} if place else {}  # fmt: skip
+            if names and not any(held.get(up) for up in HEAD) and not any(names & texts for texts in held.values()):
+                found.add(block.name)
+        return found
 
     @cached_property
     def _texts(self) -> dict[Index, str]:

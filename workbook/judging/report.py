@@ -38,18 +38,14 @@ class Finding:
 
 @dataclass
 class Ran:
-    """A witness that was asked: its version, and what came of the declared formula cells, or why it was not asked.
-
-    Each declared cell is counted once: it was compared and agrees, is at fault (by what this witness computes, or by
-    what the file holds), or is unfinished, as the engine has no value for it.
-    """
+    """A witness that was asked, and what came of the declared formula cells, each counted once."""
 
     name: str
     version: str | None
-    compared: int = 0
-    at_fault: int = 0
-    unfinished: int = 0
-    why: str = ""
+    compared: int = 0  # and agree
+    at_fault: int = 0  # by what this witness computes, or by what the file holds
+    unfinished: int = 0  # the engine has no value for these
+    why: str = ""  # it computed none
     too_large: bool = False  # whether it was the file's size
 
     @property

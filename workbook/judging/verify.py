@@ -160,9 +160,6 @@ def witnesses_named(names: Sequence[str]) -> list[Witness]:
     return sorted(asked, key=lambda w: w.kept)
 
 
-UNFINISHED = "unfinished"
-
-
 def checks(match: Match, computed: Cells) -> list[Check]:
     """Return the machine's checks, with what their cells compute, or what the engine says where these do not."""
     at = {pair.cell.block.name: pair for pair in match.pairs if not pair.cell.block.is_table}
@@ -172,7 +169,7 @@ def checks(match: Match, computed: Cells) -> list[Check]:
         verdict = told(pair, computed) or quantity.value
         says = told(at.get(f"{quantity.name}{SAYS}"), computed) if verdict == FAIL else ""
         where = (pair.address.sheet, pair.address.a1) if pair else (sheet.title, quantity.name)
-        found.append(Check(*where, quantity.label, str(verdict or UNFINISHED), says))
+        found.append(Check(*where, quantity.label, str(verdict or "unfinished"), says))
     return found
 
 

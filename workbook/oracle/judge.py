@@ -12,7 +12,7 @@ from workbook.dimensions.rules import Dimensions
 from workbook.errors import ReadError, WitnessError
 from workbook.oracle.cases import Case, cases, close, is_number, same, size
 from workbook.oracle.cells import cells_of, find, label_of
-from workbook.oracle.declared import Input, Oracle, Output, Table
+from workbook.oracle.declared import Oracle, Output, Table
 from workbook.oracle.findings import Looks, Wrong
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
@@ -51,19 +51,16 @@ class Judge:
 
     def __init__(self, file: BookFile, oracle: Oracle) -> None:
         self.file, self.oracle = file, oracle
-        self.cells = {one: self._input(one) for one in oracle.inputs}
+        self.cells = {one: find(file, one.cell) for one in oracle.inputs}
+        for one, cell in self.cells.items():
+            if cell in file.contents.formulas and not one.macro:
+                raise ReadError(f"{file.path.name}: {cell} is an input and holds a formula; expected a value")
         self.outputs = [(find(file, one.cell), one) for one in oracle.outputs]
         self.tables = [(cells_of(file, one.cells), one) for one in oracle.tables]
         formulas = file.contents.formula_cells
         self.formulas = [cell for cell in formulas if not oracle.sheets or cell.sheet in oracle.sheets]
         asked = {*self.formulas, *self.targets}
         self.model = PycelModel(file.contents, file.contents.needed(set(formulas) - asked, asked) | asked)
-
-    def _input(self, one: Input) -> Address:
-        cell = find(self.file, one.cell)
-        if cell in self.file.contents.formulas and not one.macro:
-            raise ReadError(f"{self.file.path.name}: {cell} is an input and holds a formula; expected a value")
-        return cell
 
     def judge(self, number: int, seed: int = 0, witnesses: Sequence[str] = (FIRST,)) -> Judged:
         """Compare the outputs at so many cases by each witness; look at units, saved values and gaps; count cells."""

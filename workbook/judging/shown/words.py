@@ -25,11 +25,6 @@ class Word(NamedTuple):
     block: Block
     what: str
 
-    @property
-    def above(self) -> bool:
-        """Whether it stands above its cells."""
-        return self.text.style in ABOVE
-
 
 Found = tuple[Address, Word]  # a declared text, and where it stands in the file, or something else in its place
 
@@ -86,10 +81,10 @@ def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
     """
     lines = defaultdict[tuple[str, int], list[Word]](list)
     for word in known:
-        offset = word.text.row - word.block.row if word.above else word.text.column - word.block.column
-        lines[word.block.name if word.above else "", offset].append(word)
+        offset = word.text.row - word.block.row if word.text.style in ABOVE else word.text.column - word.block.column
+        lines[word.block.name if word.text.style in ABOVE else "", offset].append(word)
     for (_, offset), line in lines.items():
-        furthest = MOST_BETWEEN + 4 if line[0].above else MOST_ASIDE
+        furthest = MOST_BETWEEN + 4 if line[0].text.style in ABOVE else MOST_ASIDE
         best = [place(match, word, offset) for word in line]
         for more in range(furthest) if offset > 0 else range(0, -furthest, -1):
             found = [place(match, word, offset + more) for word in line]
@@ -104,7 +99,7 @@ def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
 def place(match: Match, word: Word, offset: int) -> Address:
     """Return the cell so many rows or columns away from that which a text belongs to."""
     block, held = word.block, match.file.places[word.block.name]
-    if not word.above:
+    if word.text.style not in ABOVE:
         return held.cell(0, offset)
     column = held.cell(0, word.text.column - block.column).column
     line = [Address(held.sheet, held.row + offset, one) for one in range(held.column, 0, -1)]
