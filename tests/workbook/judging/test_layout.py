@@ -2,6 +2,7 @@
 
 import re
 from datetime import UTC, datetime
+from html import unescape
 
 import openpyxl
 import pytest
@@ -87,7 +88,7 @@ def one(report, sheet, cell, *words):
     assert [(f["kind"], f["cell"]) for f in data["findings"]] == [("layout", cell)]
     outcome, when = Outcome(report.path, "disagrees", report), datetime(2026, 1, 1, tzinfo=UTC)
     for text in (page([outcome], when), junit([outcome], when)):
-        assert found.computed in text
+        assert found.computed in unescape(text)
         assert report.following_words in text
     return found
 
