@@ -20,16 +20,12 @@ from workbook.witnesses.witness import CellWitness, Model, Witness
 
 
 class Right:
-    """What should stand in the cells of a matched file, by a declaration of the same layout.
-
-    ``values`` are the engine's in formula cells, what was entered in inputs, and what is declared in constants;
-    ``peaks`` are the greatest sizes of their columns, or the declared scales where these are greater.
-    """
+    """What should stand in the cells of a matched file, by a declaration of the same layout."""
 
     def __init__(self, match: Match, declared: Book) -> None:
         self._match = match
-        self.values: list[Any] = []
-        self.peaks: list[float] = []
+        self.values: list[Any] = []  # the engine's, what was entered in inputs, what is declared in constants
+        self.peaks: list[float] = []  # the greatest sizes of columns, or declared scales where these are greater
         for name, number, rows in match.columns:
             block = declared.blocks[name]
             q = block.quantities[number]

@@ -141,10 +141,7 @@ def exit_code(outcomes: Iterable[Outcome]) -> int:
 
 
 def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
-    """Return the workbooks that ``paths`` name or hold, each once, and what of them cannot be read.
-
-    Lock files (``~$``) and hidden files and folders are passed over; links to folders are not followed.
-    """
+    """Return the workbooks that paths name or hold, each once and no hidden or lock files, and what cannot be read."""
     targets: dict[Path, Target] = {}
     failed: list[Outcome] = []
     for path in paths:

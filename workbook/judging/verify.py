@@ -138,10 +138,7 @@ def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Rep
 
 
 def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:
-    """Count the formula cells that belong to nothing declared; return those that nothing declared depends on.
-
-    On some of them an input may depend whose value is among ``given``.
-    """
+    """Count formula cells that belong to nothing declared; return those that nothing declared, but an input, needs."""
     contents = match.file.contents
     own = {a for a in contents.formula_cells if a not in match.numbers}
     if not own:

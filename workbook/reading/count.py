@@ -1,7 +1,7 @@
 """What all parts of a workbook hold together, within limits.
 
-The limits bound what openpyxl and the witnesses build from a part. A machine of 24 axes with a drive each, at 720
-samples, lies within them; what is larger is not built. Most are at or below Excel's own.
+They bound what openpyxl and the witnesses build: a machine of 24 axes with a drive each, at 720 samples, lies within
+them, and what is larger is not built. Most are at or below Excel's own.
 """
 
 SAVE_AS = "open it in Excel or LibreOffice and save it as .xlsx"

@@ -1,7 +1,6 @@
 """What a number format makes of a value: the number itself with its sign, which is taste, or anything else.
 
-A format is taken apart (ISO/IEC 29500-1, 18.8.31) and judged for every value that a cell may have. The forms that are
-permitted are listed here; all others are told.
+It is taken apart (ISO/IEC 29500-1, 18.8.31) and judged for every value; what is not permitted here is told.
 """
 
 import re
