@@ -142,8 +142,7 @@ def reads_elsewhere(contents: Contents, asked: Collection[Address]) -> bool:
 
 def same(value: Any, other: Any) -> bool:
     """Whether two values are one but for rounding."""
-    numbers = all(isinstance(v, int | float) and not isinstance(v, bool) for v in (value, other))
-    if numbers:
+    if all(isinstance(v, int | float) and not isinstance(v, bool) for v in (value, other)):
         return math.isclose(value, other, rel_tol=DEVIATION, abs_tol=ZERO)
     return type(value) is type(other) and bool(value == other)
 

@@ -33,7 +33,6 @@ BRIGHT = {"white": "FFFFFF", "yellow": "FFFF00", "cyan": "00FFFF"}
 LANGUAGE = re.compile(r"\$([^-]*)(?:-(?!F800|F400)(?:0?[01])?[0-9A-F]{0,6})?", re.IGNORECASE)  # of our digits
 
 Judged = tuple[str, str]  # the kind of what is told, and what; both empty where nothing is
-FINE: Judged = ("", "")
 
 
 class Section(NamedTuple):
@@ -83,7 +82,7 @@ def judged(
             negative = bool(one.condition and one.condition[1][0] == "<" and float(one.condition[2]) <= 0)
             kinds.add(of_number(one, negative if conditional else n, unit, symbol, zeros))
     kind = SHOWN if SHOWN in kinds else NOTICE if conditional or NOTICE in kinds else ""
-    return (kind, f"the number format {code}") if kind else FINE
+    return (kind, f"the number format {code}") if kind else ("", "")
 
 
 def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str:
