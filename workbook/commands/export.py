@@ -157,8 +157,6 @@ def export(
         refuse_existing(output, force)
         refuse_one_for_two(output, report)
     read = opened(book)
-    if read is None:
-        return DISAGREES
     machine = read.machine
     axes, lanes, names = planned(machine, axis, asked, everything, switches)
     beside = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
@@ -172,8 +170,6 @@ def export(
         refuse_existing(path, force)
     refuse_one_for_two(*paths, report)
     mark = vouched(book, read, asked.unverified, fresh)
-    if mark is None:
-        return DISAGREES
     with ERR.status("Exporting …"):
         state = [f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name))]
         told = ", ".join([machine.title, *state])

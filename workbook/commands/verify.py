@@ -7,11 +7,13 @@ from datetime import datetime
 from pathlib import Path
 from typing import NamedTuple
 
+import typer
+
 from workbook import __version__
 from workbook import build as making
 from workbook.cluster import pool
 from workbook.entries.machine import Machine
-from workbook.errors import TargetError
+from workbook.errors import DISAGREES, TargetError
 from workbook.intake import odd
 from workbook.judging import many
 from workbook.judging.many import state
@@ -65,18 +67,18 @@ class Opened(NamedTuple):
     state: tuple[int, int] | None
 
 
-def opened(book: Path) -> Opened | None:
-    """Return what is entered in a book; None, after it was said, of an unfinished design."""
+def opened(book: Path) -> Opened:
+    """Return what is entered in a book; end the command, after it was said, for an unfinished design."""
     before = state(book)
     machine, _ = making.inputs(book)
     if machine.design.replaced:
         say(ERR, f"{book}: the design is unfinished ({machine.design.faults[0].said}); nothing is exported", "red")
-        return None
+        raise typer.Exit(DISAGREES)
     return Opened(machine, before)
 
 
-def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) -> tuple[str, ...] | None:
-    """Return the header's lines on a book that is right or not to be asked; None, after it was said, if it is wrong."""
+def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) -> tuple[str, ...]:
+    """Return the header's lines on a book that is right or not to be asked; end the command, told why, if wrong."""
     lines = ["NOT VERIFIED: nobody compared the book with the engine"] if unverified else []
     if not unverified:  # these bytes are verified once, unless ``fresh``
         sha256 = digest_of(book)
@@ -90,7 +92,7 @@ def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) ->
         if findings := int(known["findings"]):
             said = f"{findings:,} cells of the book are not what the engine computes"
             say(ERR, f"{book}: {said}; motionbook verify names them, --unverified exports all the same", "red")
-            return None
+            raise typer.Exit(DISAGREES)
         lines += [f"the design FAILS: {line}" for line in known["failing"]]
     for line in lines:
         say(ERR, f"Warning: {line}", "yellow")
