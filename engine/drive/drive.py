@@ -71,11 +71,6 @@ class Drive:
         """J_T = J_m + Σ J_i at the motor's shaft (kg m²), over η with the document's method."""
         return self.motor_inertia + self.mechanism.inertia(self.method)
 
-    @property
-    def inertia_ratio(self) -> float:
-        """J_machine/J_m, at the motor's shaft; 0 for a motor without inertia."""
-        return self.mechanism.inertia(self.method) / self.motor_inertia if self.motor_inertia else 0.0
-
     def torque(self, acceleration: ArrayLike, direction: ArrayLike) -> Array:
         """Return the motor's torque (Nm) at accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1).
 

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -54,15 +54,11 @@ def factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) -> Array
 
 @dataclass(frozen=True)
 class Limits:
-    """What a drive must hold: the motor's limits and its peak torque's curve, a reducer's, the greatest inertia ratio.
-
-    The inertia ratio J_machine/J_m is taken where it is greatest: behind a ratio that changes it changes with it.
-    """
+    """What a drive must hold: the motor's limits and its peak torque's curve, and a reducer's."""
 
     motor: Motor
     curve: TorqueCurve | None = None
     reducer: ReducerLimits = field(default_factory=ReducerLimits)
-    inertia_ratio: float = math.inf
 
     @property
     def peak_curve(self) -> TorqueCurve:
@@ -86,7 +82,7 @@ class LimitChecks:
 
     @cached_property
     def checks(self) -> tuple[LimitCheck, ...]:
-        """RMS torque, torque below the curve, speed, the reducer's three, inertia ratio; each in the limit's unit."""
+        """RMS torque, torque below the curve, speed, the reducer's three; each in the limit's unit."""
         return tuple(self._checked(name) for name in self._asked)
 
     @property
@@ -111,7 +107,6 @@ class LimitChecks:
             "reducer input speed": (reducer.input_speed, lambda: found.speed.peak),
             "reducer peak torque": (peak, lambda: found.shaft_torque(1).peak),
             "reducer mean torque": (reducer.mean_torque, lambda: found.mean_shaft_torque(1)),
-            "inertia ratio": (self.limits.inertia_ratio, lambda: self.inertia_ratio),
         }
 
     @cached_property
@@ -132,21 +127,6 @@ class LimitChecks:
             return self._below_curve
         value = asked()
         return LimitCheck(name, value, limit, value <= limit)
-
-    @cached_property
-    def inertia_ratio(self) -> float:
-        """Largest J_machine/J_m over the cycle; 0 of a motor without inertia."""
-        train, intervals = self.drive_cycle.train, self.drive_cycle.torque_intervals
-        own, m = train.drive.motor_inertia, train.drive.mechanism
-        if not own or not train.inertia_varies:
-            return train.drive.inertia_ratio
-        fixed = math.fsum(m.at_motor(m.on_shaft(k), k) for k in range(m.last))
-
-        def inertia(one: TorqueInterval, u: Array) -> Array:
-            return np.asarray(fixed + m.on_shaft(m.last) * (train.travel(one.load(u).y) / train.gear) ** 2)
-
-        found = (extremes(partial(inertia, one), one.low, one.high, one.nodes, (1.0,)) for one in intervals)
-        return max(one.value for (one,) in found) / own
 
     @cached_property
     def _below_curve(self) -> LimitCheck:

@@ -135,10 +135,6 @@ class Train:
         """Whether the load's inertia at the mechanism's shaft changes with the position."""
         return self.linkage is not None or (self.by_angle is not None and self.by_angle.slides)
 
-    def travel(self, y: Array) -> Array:
-        """Return by how much the load moves when the mechanism's shaft turns, at positions of its axis (m or 1)."""
-        return self.by_angle.slopes(y)[0] if self.by_angle else 1.0 / self.ratio(y)[0]
-
     def cuts(self, low: float, high: float) -> Sequence[float]:
         """Return the positions between two at which the torque changes its formula: knots of a ratio, dead centres."""
         if self.by_angle:

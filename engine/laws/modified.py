@@ -4,10 +4,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-import numpy as np
-
 from engine.laws.base import require_finite
-from engine.laws.ends import REST, EndError, Ends, require_ends
+from engine.laws.ends import REST, EndError, Ends
 from engine.laws.family import Vendors
 from engine.laws.pulse_law import (
     FALLING_SINE,
@@ -195,8 +193,7 @@ class HarmonicCombination(PulseLaw):
     """A modified sine at one end, and at the other, where it turns round, a quarter of a sine.
 
     ``reversal`` says which end, "end" (rest to reversal, velocity to reversal) or "start". ``share`` is λ, between
-    0 and 1; else ValueError. Where an acceleration is asked for at the reversal, λ is what gives it: so two such
-    laws meet without a jump.
+    0 and 1; else ValueError.
     Source: LCamHdl, ProfileTypes, D_R_, R_D_, C_R_ and R_C_HARMONIC_COMBI; camdoku of i-halbritter.
     """
 
@@ -216,42 +213,9 @@ class HarmonicCombination(PulseLaw):
         if self.reversal not in ("start", "end"):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'start' or 'end'")
 
-    @property
-    def _at_end(self) -> bool:
-        return self.reversal == "end"
-
     def _pulses(self) -> TwoPulses:
-        rise, fall = (REST_SIDE, FALLING_SINE) if self._at_end else (FALLING_SINE, REST_SIDE)
+        rise, fall = (REST_SIDE, FALLING_SINE) if self.reversal == "end" else (FALLING_SINE, REST_SIDE)
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
-
-    def between(self, ends: Ends) -> "HarmonicCombination":
-        """Return the law between these ends; where an acceleration is asked for at the reversal, with another share.
-
-        Raises EndError where no share between 0 and 1 gives that acceleration.
-        """
-        asked = -ends.a1 if self._at_end else ends.a0
-        plain = replace(ends, a1=0.0) if self._at_end else replace(ends, a0=0.0)
-        require_ends(self, plain, self.takes)
-        law = replace(self, ends=plain)
-        return replace(law, share=law._share_for(asked)) if asked else law
-
-    def _share_for(self, height: float) -> float:
-        """Return λ for which the quarter sine has this height.
-
-        With the velocities v at the other end and v_r at the reversal, μ the share of the quarter sine, κ of the
-        pulse at the other end and κ_r, w_r of the quarter sine::
-
-            w_r B (κ_r − κ) μ² + [w_r B κ − (v − v_r)(1 − κ)] μ = H − v (1 − κ) − v_r κ
-        """
-        far, near = (self.ends.v0, self.ends.v1) if self._at_end else (self.ends.v1, self.ends.v0)
-        lead, gain = REST_SIDE.lead, FALLING_SINE.gain * height
-        left = self.ends.stroke - far * (1.0 - lead) - near * lead
-        quadratic = (gain * (FALLING_SINE.lead - lead), gain * lead - (far - near) * (1.0 - lead), -left)
-        found = [float(root.real) for root in np.roots(quadratic) if not root.imag and 0.0 < root.real < 1.0]
-        if not found:
-            raise EndError(f"no share between 0 and 1 gives a harmonic combination {height:g} at its reversal")
-        best = min(found, key=lambda part: abs(part - 0.5))
-        return 1.0 - best if self._at_end else best
 
 
 @dataclass(frozen=True)

@@ -83,15 +83,14 @@ def slope(phase: Phase) -> float | None:
 
 def joined(
     phases: Sequence[Phase], through: Mapping[int, Rates] | None = None, periodic: bool = True, start: float = 0.0,
-    position: float = 0.0, shares: bool = True,
+    position: float = 0.0,
 ) -> Joined:  # fmt: skip
     """Return the motion of phases, each of which meets its neighbours, across the end of the cycle too.
 
     Beside a straight line or a dwell a curved phase takes its velocity, and no acceleration. Between two curved
     phases ``through`` says what y', y'' and y''' are, by the number of the phase that begins there (of the last
     end of a motion that is not periodic, the number of phases); else they are 0, or what the laws have of
-    themselves. Where ``shares`` is false, a harmonic combination does not take another share to have an acceleration
-    that is asked for. Two straight lines keep their slopes: where these differ, the motion jumps.
+    themselves. Two straight lines keep their slopes: where these differ, the motion jumps.
     """
     entered = dict(through or {})
     made, faults, kinds, asked = [], [], [], []
@@ -109,7 +108,7 @@ def joined(
             continue
         sides = _side(before, here), _side(after, there)
         try:
-            made.append(_between(phase, *sides, shares))
+            made.append(_between(phase, *sides))
         except EndError as error:
             made.append(phase)
             faults.append(Fault(k, str(error)))
@@ -127,7 +126,7 @@ def _side(neighbour: Phase | None, entered: Rates | None) -> Side:
     return Side(entered or Rates(), entered is not None, False)
 
 
-def _between(phase: Phase, begin: Side, end: Side, shares: bool) -> Phase:
+def _between(phase: Phase, begin: Side, end: Side) -> Phase:
     """Return a curved phase between its ends; raise EndError if its law cannot have them."""
     d, law = phase.duration, phase.law
     one, other = begin.required, end.required
@@ -136,8 +135,6 @@ def _between(phase: Phase, begin: Side, end: Side, shares: bool) -> Phase:
     if isinstance(law, EndedLaw):
         law = law.opened(begin.open, end.open)
     ends = Ends(phase.lift, one.v * d, other.v * d, one.a * d**2, other.a * d**2, one.j * d**3, other.j * d**3)
-    if not shares:
-        require_ends(law, ends, law.takes if isinstance(law, EndedLaw) else "")
     made, _ = between(law, ends)
     if ends.at_rest:
         return Phase(made, phase.lift, d)

@@ -153,7 +153,7 @@ def of_phases(draw):
 
 def of_table(phases, through, draw):
     """A motion of phases, with what is prescribed between them; #NUM! where a law cannot meet what it is asked for."""
-    found = joined([Phase(engine_law(code, p), lift, d) for code, d, lift, p in phases], through, False, shares=False)
+    found = joined([Phase(engine_law(code, p), lift, d) for code, d, lift, p in phases], through, False)
     motion = found.motion
     rows = [row(*phase, draw) for phase in phases]
     for k, rates in sorted(through.items(), reverse=True):

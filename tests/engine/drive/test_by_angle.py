@@ -1,16 +1,14 @@
 """A slide on a crank that turns full circles, a swinging arm: textbook figures, differentiated positions, energy."""
 
 import random
-from dataclasses import replace
 from math import asin, cos, degrees, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Motor, Part, Slide, Stage
+from engine.drive import KINDS, Drive, Load, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
-from engine.drive.limits import LimitChecks, Limits
 from engine.drive.mechanisms.slides import Arm, PressCrank
 from engine.drive.quadrature import Cycle
 from engine.drive.results import DriveResults
@@ -93,14 +91,6 @@ def test_a_weight_asks_for_nothing_over_a_turn_but_for_the_losses_both_ways():
     work = 20.0 * 9.81 * 2 * R
     assert found.energy.driving == pytest.approx(work / 0.64, rel=1e-6)
     assert found.energy.regenerated == pytest.approx(work * 0.64, rel=1e-6)
-
-
-def test_inertia_at_the_motor_is_greatest_where_the_slide_is_fastest():
-    cycle = cycle_of(PRESS, Load(20.0), inertia=0.1)
-    drive = replace(cycle.train.drive, motor_inertia=1e-3)
-    one = LimitChecks(replace(cycle, train=replace(cycle.train, drive=drive)), Limits(Motor(1e-3)))
-    fastest = np.abs(PRESS.slopes(np.linspace(0, pi, 100001))[0]).max()
-    assert one.inertia_ratio * 1e-3 == pytest.approx((0.1 + 20.0 * fastest**2) / 25.0, rel=1e-8)
 
 
 def test_an_arm_asks_for_its_moment_by_the_cosine():

@@ -114,7 +114,7 @@ def test_torque_is_the_documents_equation_without_losses():
     expected = 0.0065 * 8 * dw + (67.0 + 1.164 * dw) / 8
     assert torque(d, np.array([1.0, 1.0, -1.0]), dw) == pytest.approx(expected, rel=1e-14)
     assert effective_inertia(d, 1) == pytest.approx(0.0065 * 8 + 1.164 / 8)
-    assert d.inertia_ratio == pytest.approx(1.164 / 64 / 0.0065)
+    assert d.mechanism.inertia() == pytest.approx(1.164 / 64)
     assert operating_points(d, 3.0 * RADIUS, 0.0).speed == pytest.approx(24.0, rel=1e-15)
 
 

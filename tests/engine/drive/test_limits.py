@@ -11,7 +11,6 @@ import pytest
 from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.limits import BELOW, LimitChecks, Limits, ReducerLimits, at_speed, highest_rate
-from engine.drive.mechanisms.slides import crank_slider
 from engine.drive.motor import TorqueCurve
 from engine.drive.results import DriveResults
 from engine.drive.train import Train
@@ -38,33 +37,21 @@ def checked(one):
 
 def test_every_limit_is_checked_in_its_unit():
     gears = [Stage("gear", 4.0, 0.9)]
-    limits = Limits(Motor(1e-3, 3.0, 9.0, 900.0), reducer=ReducerLimits(40.0, 20.0, 400.0), inertia_ratio=5.0)
+    limits = Limits(Motor(1e-3, 3.0, 9.0, 900.0), reducer=ReducerLimits(40.0, 20.0, 400.0))
     one = judged(limits, gears=gears)
     found, results = checked(one), DriveResults(one.drive_cycle)
     assert found["RMS torque"].value == results.rms_torque
     assert found["motor speed"].value == found["reducer input speed"].value == results.speed.peak
     assert found["reducer peak torque"].value == pytest.approx(results.shaft_torque(1).peak)
-    assert found["inertia ratio"].value == pytest.approx(2.0 * (0.025 / 4) ** 2 / 1e-3)
     assert found[BELOW].value == pytest.approx(results.torque.peak, rel=1e-9)
     assert found[BELOW].limit == pytest.approx(9.0)
-    assert [check.limit for check in one.checks] == pytest.approx([3.0, 9.0, 900.0, 400.0, 40.0, 20.0, 5.0])
+    assert [check.limit for check in one.checks] == pytest.approx([3.0, 9.0, 900.0, 400.0, 40.0, 20.0])
 
 
 def test_a_mean_torque_lies_between_the_mean_and_the_peak():
     one = judged(Limits(Motor(1e-3)), gears=[Stage("gear", 4.0)])
     results = DriveResults(one.drive_cycle)
     assert 0.3 * results.shaft_torque(1).peak < results.mean_shaft_torque(1) < results.shaft_torque(1).peak
-
-
-def test_the_inertia_ratio_behind_a_crank_is_taken_where_it_is_greatest():
-    crank = crank_slider(0.05, 0.2)
-    motion = Motion.from_edges([0, 1, 2, 3], [0.05, 0, -0.05], [law("CIC"), Dwell(), law("CIC")], position=0.03)
-    chain = KINDS["crank-slider"].of(Load(4.0))
-    one = LimitChecks(DriveCycle(Train(Drive(chain, 1e-3), crank), motion), Limits(Motor(1e-3), inertia_ratio=20.0))
-    at = np.linspace(0.03, 0.08, 100001)
-    assert checked(one)["inertia ratio"].value == pytest.approx(
-        (4.0 / crank.shaft(at).first ** 2).max() / 1e-3, rel=1e-8
-    )
 
 
 def test_the_least_reserve_under_a_curve_against_samples():
@@ -103,7 +90,6 @@ def test_the_highest_rate_of_a_speed_and_of_an_inertia_in_closed_form():
 
 def test_where_nothing_binds_and_where_nothing_helps():
     assert highest_rate({"A": judged(Limits(Motor(1e-3)))}) == (math.inf, "", "")
-    assert highest_rate({"A": judged(Limits(Motor(1e-3), inertia_ratio=0.1))}) == (0.0, "A", "inertia ratio")
     held = judged(Limits(Motor(1e-3, 1.0)), load=Load(2.0, 500.0))
     assert highest_rate({"A": held}) == (0.0, "A", "RMS torque")
     assert highest_rate({}) == (math.inf, "", "")

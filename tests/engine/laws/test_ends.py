@@ -61,31 +61,6 @@ def test_the_classic_deceleration_belongs_to_half():
     assert law.share == pytest.approx(0.5, rel=1e-14)
 
 
-@given(b=st.floats(0.5, 40.0))
-def test_a_harmonic_combination_of_wanted_end_acceleration_has_it(b):
-    """μ = 2Q/((4 + π) + √((4 + π)² + 4(4 − π)Q)), Q = 2π²/B, between rest and reversal."""
-    q, sum_, less = 2 * math.pi**2 / b, 4 + math.pi, 4 - math.pi
-    late = 2 * q / (sum_ + math.sqrt(sum_**2 + 4 * less * q))
-    if late >= 1:
-        with pytest.raises(EndError, match="no share"):
-            HarmonicCombination().between(Ends(a1=-b))
-        return
-    law = HarmonicCombination().between(Ends(a1=-b))
-    assert law.share == pytest.approx(1 - late, abs=1e-12)
-    assert law.end.a == pytest.approx(-b, rel=1e-11)
-    back = HarmonicCombination(reversal="start").between(Ends(-1.0, a0=-b))
-    assert (back.start.a, back.end.s) == pytest.approx((-b, -1.0), rel=1e-11)
-
-
-@given(v0=st.floats(0.0, 1.5), b=st.floats(1.0, 20.0))
-def test_a_harmonic_combination_from_a_velocity_has_the_wanted_end_acceleration(v0, b):
-    try:
-        law = HarmonicCombination().between(Ends(1.0, v0, a1=-b))
-    except EndError:
-        return
-    assert (law.start.v, law.end.s, law.end.a) == pytest.approx((v0, 1.0, -b), rel=1e-9, abs=1e-12)
-
-
 @given(values=st.tuples(*[number] * 7))
 def test_a_quintic_and_a_septic_meet_all_their_ends(values):
     ends = Ends(*values)
@@ -153,7 +128,6 @@ def test_a_quintic_into_a_velocity_is_monotone_between_two_and_three_fifths(rati
         (Polynomial345(0.3), Ends(v1=1.0), "with the share 0.3 is made of two halves that begin and end at rest"),
         (PieceLaw(Polynomial345().as_pieces()), Ends(v0=1.0), "Own law cannot begin with a prescribed velocity: its"),
         (HarmonicCombination(), Ends(a0=1.0), "Harmonic combination cannot begin with a prescribed acceleration"),
-        (HarmonicCombination(), Ends(a1=9.0), "no share between 0 and 1 gives a harmonic combination"),
     ],
 )
 def test_an_end_that_a_law_cannot_have_is_refused_with_the_reason(law, ends, reason):

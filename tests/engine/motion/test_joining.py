@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.laws import Dwell, Piece, PieceLaw
-from engine.laws.modified import HarmonicCombination, ModifiedSine, ModifiedTrapezoidal, SineConstantCosine
+from engine.laws.modified import ModifiedSine, ModifiedTrapezoidal, SineConstantCosine
 from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
@@ -200,19 +200,6 @@ def test_an_entry_beside_a_straight_line_may_only_repeat_it():
     assert joined(phases, {1: Rates(2.0)}).faults == ()
     faults = joined(phases, {1: Rates(1.0, 3.0)}).faults
     assert faults == (Fault(0, "a straight line has y' = 2 and no acceleration; 1, 3, 0 are entered"),)
-
-
-def test_two_harmonic_combinations_turn_round_without_a_jump():
-    """Between rest and rest: the acceleration at the reversal is entered, and each finds its share."""
-    up, down = Phase(HarmonicCombination(), 3.0, 1.0), Phase(HarmonicCombination(reversal="start"), -3.0, 1.4)
-    plain = joined([up, down, dwell(0.6)])
-    (jump,) = shortfalls(plain.motion, "acceleration")
-    assert (jump.order, jump.before, jump.phase) == (2, 0, 1)
-    found = joined([up, down, dwell(0.6)], {1: Rates(0.0, -13.0)})
-    assert found.faults == ()
-    assert shortfalls(found.motion, "acceleration") == ()
-    assert found.kinds == (("R", "U"), ("U", "R"), ("R", "R"))
-    assert found.motion.at(1.0).y2 == pytest.approx(-13.0)
 
 
 def test_what_two_curved_laws_have_of_themselves_is_a_reversal():

@@ -50,12 +50,13 @@ def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
     one, r = grid(), reducer
     own = (float(each[r]) for each in (REDUCERS.reduction, REDUCERS.efficiency, REDUCERS.inertia, REDUCERS.no_load))
     drive = drive_cycle(MOTORS.inertia[motor], *own)
+    mechanism = drive.train.drive.mechanism
     found = DriveResults(drive)
     assert one.rms[motor, r] == pytest.approx(points_of(drive).rms_torque, rel=1e-9)
     assert one.rms[motor, r] == pytest.approx(found.rms_torque, rel=1e-3)
     assert one.peak[motor, r] == pytest.approx(found.torque.peak, rel=1e-9)
     assert one.speed[r] == pytest.approx(found.speed.peak, rel=1e-12)
-    assert one.inertia_ratio[motor, r] == pytest.approx(drive.train.drive.inertia_ratio, rel=1e-12)
+    assert one.inertia_ratio[motor, r] == pytest.approx(mechanism.inertia() / MOTORS.inertia[motor], rel=1e-12)
     m, points = MOTORS, points_of(drive)
     limits = (float(each[motor]) for each in (m.rated_torque, m.peak_torque, m.max_speed, m.stall, m.falls_to))
     own = Motor(m.inertia[motor], *limits)

@@ -90,7 +90,7 @@ class MovingAxis:
         spans = si(np.diff([*(begin for *_, begin in steps), last]), DEGREE).tolist()
         made = [Phase(law, si(lift, self.unit), span) for (law, lift, _), span in zip(steps, spans, strict=True)]
         start, begin = si(steps[0][2], DEGREE), si(self.given.position, self.unit)
-        return joined(made, self.passed, self.given.repeats, start, begin, shares=False)
+        return joined(made, self.passed, self.given.repeats, start, begin)
 
     @property
     def closes(self) -> bool:
