@@ -1,5 +1,1 @@
-"""Blocks of a drive that several machines use: what it is entered as, its limits in cells.
-
-Names and tables begin with ``@``, the scope of the drive (``drive_``, ``act_``): a sheet places the blocks within
-``sheet.scoped``, so that a book can have several drives.
-"""
+"""Blocks of a drive that several machines use, named within its scope: a sheet places them in ``Sheet.scoped``."""

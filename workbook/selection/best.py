@@ -23,11 +23,6 @@ def there(formula: str, none: str = "0") -> str:
     return f"=IF([place]<=@count,{formula},{none})"
 
 
-def place() -> Quantity:
-    """Return the column of the places."""
-    return constant("place", "place", "", "", list(range(1, BEST + 1)))
-
-
 def best_table(sheet: Sheet, view: Choosing) -> None:
     """Declare the list of the best pairs."""
     pairs, found = view.ranked[:BEST], view.listed
@@ -45,7 +40,7 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
         "@best", f"The best {BEST} pairs (S5, steps 6 and 7)", BEST,
         result("motor", "motor", "", "", there(at("[motors.name]", "m"), '"–"'),
                filled([view.motors.names[m] for m, _ in pairs], BEST, "–"), align="left"),
-        place(),
+        constant("place", "place", "", "", list(range(1, BEST + 1))),
         result("i", "reduction", "i", "", there(at("[@reducers.i]", "r")),
                filled([float(view.reducers.reduction[r]) for _, r in pairs], BEST), format=DASH),
         result("rms", "RMS torque", "T_rms", "Nm", there("INDEX([@order.rms],[place])"), of("rms"), format=DASH,
@@ -74,7 +69,7 @@ def order_table(sheet: Sheet, view: Choosing) -> None:
     sheet.row += 1
     sheet.table(
         "@order", "Which pairs the best are", BEST,
-        place(),
+        constant("place", "place", "", "", list(range(1, BEST + 1))),
         calc("key", "sorted by", "", "", there(f"SMALL({view.whole('key')},[place])"),
              filled([float(view.keys[pair]) for pair in pairs], BEST), format="0"),
         calc("at", "pair", "", "", f"=[key]-{view.pairs}*INT(([key]+0.5)/{view.pairs})",

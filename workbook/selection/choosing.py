@@ -76,7 +76,7 @@ def figures(scope: str, asked: Mapping[str, tuple[float, float]], cells: Mapping
     return [Figure(name, *of, in_scope(each[name][0], scope), *each[name][1:]) for name, of in LABELS.items()]
 
 
-@dataclass(frozen=True)
+@dataclass
 class Shaft:
     """A shaft behind a reducer, with the pair that drives it.
 
@@ -96,15 +96,9 @@ class Shaft:
     torque: float
     figures: Sequence[Figure]
 
-    @cached_property
-    def values(self) -> dict[str, float]:
-        """The engine's value of each figure."""
-        return {one.name: one.value for one in self.figures}
-
-    @property
-    def product(self) -> float:
-        """The scale of means of ω̇ S (W/s)."""
-        return self.turning * self.torque
+    def __post_init__(self) -> None:
+        self.values = {one.name: one.value for one in self.figures}  # the engine's, by the names of figures
+        self.product = self.turning * self.torque  # the scale of means of ω̇ S (W/s)
 
     def by_point(self, values: Array) -> list[float]:
         """Return values of the points as a column; spare rows have that of the last."""

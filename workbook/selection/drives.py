@@ -15,28 +15,15 @@ from workbook.entries.units import RPM, shown
 from workbook.selection.choosing import AS_ENTERED, MIXED, SQUARE, Choosing, rms_of
 from workbook.selection.grids import DASH, LARGE, continuous, of, wanted, weak
 
-
-def drives_table(sheet: Sheet, view: Choosing) -> None:
-    """Declare the drives that may be named."""
-    columns = list(zip(*(one.figures for one in view.shafts), strict=True))
-    sheet.table(
-        "@drives", "Drives", len(view.shafts),
-        calc("axis", "axis", "", "", [one.title for one in view.shafts], [one.name for one in view.shafts],
-             align="left"),
-        constant("k", "number of the axis", "k", "", [one.number for one in view.shafts]),
-        *(calc(each[0].name, each[0].label, "", each[0].unit, [f"={one.formula}+0" for one in each],
-               [one.value for one in each], scale=max(one.scale for one in each)) for each in columns),
-    )  # fmt: skip
-
-
 OWN = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}
 
 
 def chosen(sheet: Sheet, view: Choosing) -> None:
-    """Declare the named drive, what its reducer makes of the load, and the names of motor and reducer."""
+    """Declare the named drive, what its reducer makes of the load, its motor and reducer; all that may be named."""
     number = "MATCH(@axis,[@drives.axis],0)" if len(view.shafts) > 1 else "COUNT([@drives.k])"
     taken = "INDEX([@drives.{}],@no)" if len(view.shafts) > 1 else "[@drives.{}.1]"  # no single cell is looked up alike
-    scales = [max(one.scale for one in each) for each in zip(*(one.figures for one in view.shafts), strict=True)]
+    columns = list(zip(*(one.figures for one in view.shafts), strict=True))
+    scales = [max(one.scale for one in each) for each in columns]
     motor, reducer = view.held_names
     sheet.rows(
         calc("@no", "Row of the axis", "", "", f"={number}", view.number + 1, format="0"),
@@ -50,6 +37,14 @@ def chosen(sheet: Sheet, view: Choosing) -> None:
              f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', motor, align="left"),
         calc("@held_reducer", "Its reducer", "", "",
              f'=IF(@held_gear=0,"{AS_ENTERED}",INDEX([reducers.name],MAX(1,@held_gear)))', reducer, align="left"),
+    )  # fmt: skip
+    sheet.table(
+        "@drives", "Drives", len(view.shafts),
+        calc("axis", "axis", "", "", [one.title for one in view.shafts], [one.name for one in view.shafts],
+             align="left"),
+        constant("k", "number of the axis", "k", "", [one.number for one in view.shafts]),
+        *(calc(each[0].name, each[0].label, "", each[0].unit, [f"={one.formula}+0" for one in each],
+               [one.value for one in each], scale=scale) for each, scale in zip(columns, scales, strict=True)),
     )  # fmt: skip
 
 

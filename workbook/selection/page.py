@@ -1,14 +1,16 @@
-"""The sheet Selection of a machine: motors by reducers for the axis that is named on it, within limits, ranked."""
+"""The sheets Selection, Pairs and Catalogue: motors by reducers for the axis that is named, within limits, ranked."""
 
-from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, check, given, result
+from workbook.book.declare import FIRST, Book, Sheet, calc, check, columns_of, given, result
 from workbook.book.sentence import Said
 from workbook.selection.best import best_table, chart, order_table, uses
+from workbook.selection.catalogue import FALLING, HALF
 from workbook.selection.choosing import Choosing, rms_of
-from workbook.selection.drives import chosen, drives_table, every_drive, motors_by_drives, points_table
-from workbook.selection.entries import UNCHOSEN
+from workbook.selection.drives import chosen, every_drive, motors_by_drives, points_table
+from workbook.selection.entries import UNCHOSEN, Products, SelectionSizes
 from workbook.selection.grids import grids, products
 
 TITLE = "Selection"
+SOURCE = 100  # characters of the column of sources, the same in both tables; it is not printed
 ABOUT = (
     "A motor and a reducer are chosen where their names are entered, on the sheet of the drive: this sheet shows which "
     "pairs of the catalogue can do it."
@@ -39,7 +41,6 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "") -> None:
         sheet.not_printed_below()
         sheet.heading("Workings: the axes")
         chosen(sheet, view)
-        drives_table(sheet, view)
         points_table(sheet, view)
         uses(sheet, view)
         if len(view.shafts) > 1:
@@ -114,19 +115,11 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
               says=Said("@message", message))
     )  # fmt: skip
     sheet.heading("The pair that the drive has")
-    motor, reducer = view.held_names
+    (motor, reducer), own, torque = view.held_names, view.own, max(view.own.peak, 1e-3)
+    rms = rms_of("@held_j", "@held_i", "@held_mixed", "@held_square")
     sheet.rows(
         result("@own_motor", "Motor", "", "", "=@held_motor&\"\"", motor, align="left"),
         result("@own_reducer", "Reducer", "", "", "=@held_reducer&\"\"", reducer, align="left"),
-        *own_pair(view),
-    )  # fmt: skip
-
-
-def own_pair(view: Choosing) -> list[Quantity]:
-    """Return what the drive's pair does."""
-    own, torque = view.own, max(view.own.peak, 1e-3)
-    rms = rms_of("@held_j", "@held_i", "@held_mixed", "@held_square")
-    return [
         result("@own_rms", "RMS torque of the motor", "T_rms", "Nm", f"={rms}", own.rms, "that of the drive's sheet",
                scale=torque),
         result("@own_margin", "Margin", "", "", "=IF(@own_rms>0,@held_rated/@own_rms,0)", own.margin,
@@ -138,7 +131,7 @@ def own_pair(view: Choosing) -> list[Quantity]:
                "=IF(@held_jm>0,(@held_j-@held_jm+@inertia/@held_i^2)/@held_jm,0)", own.inertias),
         result("@own_spare", "Least reserve below the motor's curve", "", "Nm", "=@held_spare+0", own.spare,
                "that of the drive's sheet", scale=torque),
-    ]  # fmt: skip
+    )  # fmt: skip
 
 
 WORDS = (
@@ -146,3 +139,49 @@ WORDS = (
     "no usable pair has what it is ranked by", "no pair can do it",
 )  # fmt: skip
 MESSAGE = '=IF(SUM([@best.holds])>0,"{}",IF(@count>0,"{}",IF(@usable>0,"{}","{}")))'.format(*WORDS)
+
+
+def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> None:
+    """Declare the sheet of motors and reducers, from which drives take theirs by name."""
+    motor = columns_of(products.motors, "selection.motors", sizes.motors)
+    reducer = columns_of(products.reducers, "selection.reducers", sizes.reducers)
+    sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
+    sheet.one_page = True
+    sheet.heading("Motors and reducers", "No empty row in between. A limit that is not given is none.")
+    book.column_names |= {"motor_name": ("motors", "name"), "reducer_name": ("reducers", "name")}
+    sheet.table(
+        "motors", "Motors", sizes.motors,
+        motor("name", "motor", "", "", "name", align="left"),
+        motor("inertia", "inertia", "J_M", "kg cm²", "inertia", format="0.0####"),
+        motor("stall", "stall torque, if more", "T_0", "Nm", "stall_torque", format="0.0##"),
+        motor("rated", "rated torque", "T_N", "Nm", "rated_torque", format="0.0##"),
+        motor("nn", "rated speed, if less", "n_N", "rpm", "rated_speed", format="0.##"),
+        motor("peak", "peak torque", "T_M,max", "Nm", "peak_torque", format="0.0##"),
+        motor("nmax", "largest speed", "n_M,max", "rpm", "max_speed", format="0.##"),
+        motor("knee", "peak torque up to, if less", "n_1", "rpm", "full_torque_to", format="0.##"),
+        motor("end", "peak torque at n_M,max, if less", "", "Nm", "end_torque", format="0.0##"),
+        motor("pcu", "copper losses at T_N", "P_Cu", "kW", "copper_losses", format="0.0##"),
+        motor("mass", "mass", "", "kg", "mass", format="0.0##"),
+        motor("cost", "cost", "", "", "cost", format="0.##"),
+        motor("source", "source", "", "", "source", align="left"),
+        rules=[HALF, FALLING],
+    )  # fmt: skip
+    sheet.row += 1
+    sheet.table(
+        "reducers", "Reducers", sizes.reducers,
+        reducer("name", "reducer", "", "", "name", align="left"),
+        reducer("i", "reduction", "i", "", "reduction", format="0.0##"),
+        reducer("eta", "efficiency", "η", "", "efficiency", format="0.0##"),
+        reducer("inertia", "inertia at the input", "J_T", "kg cm²", "inertia", format="0.0####"),
+        reducer("t012", "no-load torque at the input", "T_012", "Nm", "no_load_torque", format="0.0##"),
+        reducer("nmax", "largest input speed", "", "rpm", "max_speed", format="0.##"),
+        reducer("tmax", "largest output torque", "T_2B", "Nm", "max_torque", format="0.0##"),
+        reducer("full", "cycles an hour for T_2B", "Z_h", "1/h", "full_cycles", format="0.##"),
+        reducer("fs", "T_2B over this beyond", "f_s", "", "cycle_factor", format="0.0##"),
+        reducer("t2n", "largest mean output torque", "T_2N", "Nm", "mean_torque", format="0.0##"),
+        reducer("mass", "mass", "", "kg", "mass", format="0.0##"),
+        reducer("cost", "cost", "", "", "cost", format="0.##"),
+        reducer("source", "source", "", "", "source", align="left"),
+    )  # fmt: skip
+    source = sheet.blocks[0].columns["source"]
+    sheet.widths, sheet.print_columns = {source: SOURCE}, source - 1

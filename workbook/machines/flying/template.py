@@ -23,8 +23,7 @@ from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.view import Flying, ToolDrive, check
 from workbook.motion.asked import smoothness_for
 from workbook.motion.exported import Exportable, export_sheet
-from workbook.selection.catalogue_sheet import catalogue_sheet
-from workbook.selection.page import selection_sheet
+from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import vary_selection
 from workbook.template import Template, finish
 

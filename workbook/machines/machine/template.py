@@ -38,9 +38,8 @@ from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timi
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import export_sheet
-from workbook.selection.catalogue_sheet import catalogue_sheet
 from workbook.selection.choosing import Choosing
-from workbook.selection.page import selection_sheet
+from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.template import Other, Template, finish
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.sentence import Said
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
 from workbook.entries.texts import sheet_title
@@ -78,21 +78,19 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     They are watched by two checks: the sentence of one would be too long for a cell.
     """
     m, key = driven.given, f"axes.{driven.number - 1}"
+    cell, own = entries_of(m, f"{key}.mechanism"), entries_of(driven.entered, key)
+    none = f"empty: {'2 − 1/η_2, of its friction' if m.kind in SCREWS else 'η_2'}; 0 or less: self-locking"
     sheet.heading("Enter")
     sheet.rows(
         calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name,
              "the sheet keeps the name that the axis was built with", align="left"),
         constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
-        given("@own_rate", "Rate that it is sized at, if not the machine's", "N", "cycles/min", driven.entered.rate,
-              f"{key}.rate", format="0.0##", source="empty: the machine's"),
+        own("@own_rate", "Rate that it is sized at, if not the machine's", "N", "cycles/min", "rate",
+            "empty: the machine's"),
         *size,
-        given("@eta2", "Efficiency of the mechanism", "η_2", "",
-              m.efficiency, f"{key}.mechanism.efficiency", format="0.0##"),
-        given("@eta2_back", "Efficiency where the load drives it", "η_2\'", "", m.back_efficiency,
-              f"{key}.mechanism.back_efficiency", format="0.0##",
-              source=f"empty: {'2 − 1/η_2, of its friction' if m.kind in SCREWS else 'η_2'}; 0 or less: self-locking"),
-        given("@method", "Losses", "", "", m.method, f"{key}.mechanism.method",
-              source="physical: by the flow of power; document: over η always, as S4"),
+        cell("@eta2", "Efficiency of the mechanism", "η_2", "", "efficiency"),
+        cell("@eta2_back", "Efficiency where the load drives it", "η_2\'", "", "back_efficiency", none),
+        cell("@method", "Losses", "", "", "method", "physical: by the flow of power; document: over η always, as S4"),
         *loads(driven, key),
     )  # fmt: skip
     sheet.rows(*in_use.entries(driven.entered, key))

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.drive_points import Between, DrivePoints, Share, between, shares
+from engine.drive.drive_points import Between, DrivePoints, between, shares
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Cycle, LoadPoints
 from engine.laws.base import Array
@@ -69,6 +69,8 @@ class DriveView:
         self.points = DrivePoints(self.load)
         turns = abs(driven.mechanism.ratio) * driven.fastest * driven.axis.speed  # by the laws' own peaks
         self.speed = self.points.size(self.points.speed) if self.varies else turns  # the largest of the motor (rad/s)
+        limits = driven.motor, driven.reducer.limits, driven.falling, 1.0 / self.time
+        self.shares = shares(self.points, self.speed, *limits)  # of each limit, by its name
 
     @cached_property
     def between(self) -> Between:
@@ -102,12 +104,6 @@ class DriveView:
         late = self.driven.axis.shifted.shift
         edges = [(edge - late + near) % total - near for w in self.driven.windows for edge in (w.begin, w.end)]
         return filled([shown(edge, DEGREE) for edge in edges], 2 * WINDOWS, TURN)
-
-    @cached_property
-    def shares(self) -> dict[str, Share]:
-        """The share of each limit, by its name."""
-        return shares(self.points, self.speed, self.driven.motor, self.driven.reducer.limits, self.driven.falling,
-                      1.0 / self.time)  # fmt: skip
 
     @property
     def inertia(self) -> float:
@@ -150,8 +146,8 @@ class DriveView:
     @property
     def spare(self) -> float:
         """The least that is left below the motor's curve (Nm)."""
-        motor, points = self.driven.motor, self.points
-        return float(self.driven.falling.reserve(motor.peak_torque, points.torque, points.speed).min())
+        peak, points = self.driven.motor.peak_torque, self.points
+        return float(self.driven.falling.reserve(peak, points.torque, points.speed).min())
 
     @cached_property
     def scales(self) -> Scales:

@@ -48,12 +48,6 @@ class MeasuredPhase(EndedPhase):
         """Largest |y'''|; infinite where the acceleration jumps."""
         return self._most(3, super().y3_max)
 
-    @cached_property
-    def reach(self) -> tuple[float, float]:
-        """The lowest and the highest position."""
-        y = np.concatenate([at_points(piece, 0) for piece in self.parts])
-        return float(y.min()), float(y.max())
-
 
 class MeasuredMotion(Motion):
     """A motion with such phases."""
@@ -61,8 +55,12 @@ class MeasuredMotion(Motion):
     @cached_property
     def reaches(self) -> tuple[tuple[float, float], ...]:
         """The lowest and the highest position of each phase."""
-        both = zip(self.phases, super().reaches, strict=True)
-        return tuple(one.reach if isinstance(one, MeasuredPhase) else exact for one, exact in both)
+        found = list(super().reaches)
+        for k, phase in enumerate(self.phases):
+            if isinstance(phase, MeasuredPhase):
+                y = np.concatenate([at_points(piece, 0) for piece in phase.parts])
+                found[k] = float(y.min()), float(y.max())
+        return tuple(found)
 
 
 def measured(motion: Motion) -> Motion:

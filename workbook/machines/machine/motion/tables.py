@@ -6,7 +6,7 @@ from typing import Any
 
 from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
-from workbook.book.rows import filled
+from workbook.book.rows import filled, spread
 from workbook.latest import latest
 from workbook.laws.sampling import HIGH, LOW, Pieces
 from workbook.machines.machine.boundary.carried import carried, in_pieces, inside, kinds, peaks, points
@@ -76,7 +76,8 @@ def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
                      *columns, taken=halves)  # fmt: skip
         one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
-    place_boundaries(sheet, [one.ends for one in axes if one.ends])
+    if handing := [one.ends for one in axes if one.ends]:
+        place_boundaries(sheet, handing)
     sheet.print_columns = 20
 
 
@@ -92,10 +93,8 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
         return found
 
     def of(figure: Callable[[int, Phase], Any], spare: Any) -> list[Any]:
-        found = filled([], one.steps, spare)
-        for k, place in enumerate(axis.places):
-            found[place] = figure(k, motion.phases[k])
-        return found
+        each = (figure(k, phase) for k, phase in enumerate(motion.phases))
+        return spread(each, axis.places, one.steps, spare)
 
     begin = [text.replace(f"[{t}.end.0]", "0") for text in each(f"=[{t}.end.{{before}}]", f"=[{t}.begin.{{}}]")]
     rest = f"=IF([{t}.begin.{{behind}}]-[begin]>check_zero,RADIANS([{t}.begin.{{behind}}]-[begin]),0)"
@@ -105,11 +104,15 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
     def own(column: str, formula: str) -> str:
         return handed.own(column, formula) if handed else formula
 
-    more = greatest(one, each, of) if handed else []
+    fastest: tuple[tuple[str, str, Figure], ...] = (
+        ("y1", "velocity", lambda _, p: p.y1_max), ("y2", "acceleration", lambda _, p: p.y2_max)
+    )  # fmt: skip
+    entered = [end for p in axis.given.phases for end in (p.start, p.stop)]
     sheet.table(
         f"{t}_steps", STEPS.format(axis.number), one.steps,
         constant("k", "step", "k", "", list(range(1, one.steps + 1))),
-        calc("begin", "begins at", "", "°", begin, begins(one), scale=360.0, format="0.0##"),
+        calc("begin", "begins at", "", "°", begin, filled([0.0, *entered], one.steps, 360.0), scale=360.0,
+             format="0.0##"),
         calc("span", "duration", "δ", "rad", span, of(lambda _, p: p.duration, 0.0)),
         calc("no", "law number", "", "", each("=1", f"=[{t}.no.{{}}]"), list(one.pieces.numbers), format="0"),
         calc("h", "lift", "h", base, each("=0", f"=[{t}.h.{{}}]"), of(lambda _, p: p.lift, 0.0)),
@@ -121,28 +124,11 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
         calc("high", "highest position", "", base, own("high", HIGH.format(start)),
              of(lambda k, _: motion.reaches[k][1], motion.position), scale=motion.size(0)),
         *phase_columns(one.pieces),
-        *more,
+        *([] if not handed else [
+            calc(name, f"greatest {word}", "", one.at.unit(order), each("=0*[k]", f"=[{t}.{name}.{{}}]"),
+                 of(figure, 0.0), scale=motion.size(order)) for order, (name, word, figure) in enumerate(fastest, 1)
+        ]),
     )  # fmt: skip
-
-
-def greatest(
-    one: AxisRows, each: Callable[[str, str], list[str]], of: Callable[[Figure, Any], list[Any]]
-) -> list[Quantity]:  # fmt: skip
-    """Return the columns of the greatest velocity and acceleration of each step."""
-    figures: tuple[tuple[str, str, Figure], ...] = (
-        ("y1", "velocity", lambda _, p: p.y1_max), ("y2", "acceleration", lambda _, p: p.y2_max)
-    )  # fmt: skip
-    return [
-        calc(name, f"greatest {word}", "", one.at.unit(order), each("=0*[k]", f"=[{one.name}.{name}.{{}}]"),
-             of(figure, 0.0), scale=one.axis.motion.size(order))
-        for order, (name, word, figure) in enumerate(figures, 1)
-    ]  # fmt: skip
-
-
-def begins(one: AxisRows) -> list[float]:
-    """Return where each step begins, in degrees; spare ones where the cycle ends."""
-    ends = [end for p in one.axis.given.phases for end in (p.start, p.stop)]
-    return filled([0.0, *ends], one.steps, 360.0)
 
 
 def carried_back(values: list[float | None], last: float) -> list[float]:
@@ -164,8 +150,9 @@ ABOUT_TAKEN = (
 
 def place_boundaries(sheet: Sheet, axes: Sequence[Handing]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
-    if not axes:
-        return
+    def how(one: Handing) -> list[Quantity]:
+        return [*carried(one), *inside(one), *peaks(one)]
+
     sheet.heading(TAKEN, ABOUT_TAKEN)
     for one in axes:
         at, axis, spare = one.rows.at, f"axis {one.axis.number}", f"INDEX([{one.rows.at.phases}.span],[k])=0"
@@ -174,11 +161,7 @@ def place_boundaries(sheet: Sheet, axes: Sequence[Handing]) -> None:
                         format="0"))  # fmt: skip
         for name, title, columns in (
             (one.asked, f"What the steps of {axis} take", asked),
-            (
-                at.ends,
-                f"How the steps of {axis} are carried out",
-                lambda one: [*carried(one), *inside(one), *peaks(one)],
-            ),
+            (at.ends, f"How the steps of {axis} are carried out", how),
             (one.kinds, f"Ends of the steps of {axis}", kinds),
         ):
             sheet.table(name, title, one.room, *columns(one), blank=spare)
