@@ -150,6 +150,7 @@ ABOUT_TAKEN = (
 
 def place_boundaries(sheet: Sheet, axes: Sequence[Handing]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
+
     def how(one: Handing) -> list[Quantity]:
         return [*carried(one), *inside(one), *peaks(one)]
 
