@@ -58,6 +58,13 @@ FIGURES = (
 def printed_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet of one axis."""
     driven = view.driven
+    m, drive, hardest = driven.mechanism, replace(driven.train.drive, method="document"), driven.axis.hardest
+    values = [
+        m.at_motor(m.load.inertia, m.last, "document"), m.inertia("document"), drive.total_inertia,
+        m.driving(m.load.friction), m.driving(m.load.torque), m.driving(float(m.load.resisting(1.0))),
+        driven.fastest * driven.axis.speed, view.speed, m.ratio * hardest,
+        *(float(drive.torque(a, 1.0)) for a in (hardest, 0.0, -hardest)), view.points.rms_torque, driven.left,
+    ]  # fmt: skip
     title = sheet_title(str(driven.entered.printed), [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, "The figures that the document prints, its misprints, and this book's.")
     sheet.heading(
@@ -70,7 +77,7 @@ def printed_sheet(book: Book, view: DriveView) -> None:
             "@printed", "Figures of S4: problem 1, the lead screw, and problem 2, the conveyor", len(FIGURES),
             constant("what", "figure", "", "", [f.what for f in FIGURES], align="left"),
             constant("unit", "unit", "", "", [f.unit or NONE for f in FIGURES]),
-            calc("here", "this book", "", "", [f"={f.formula}+0" for f in FIGURES], values(view),
+            calc("here", "this book", "", "", [f"={f.formula}+0" for f in FIGURES], values,
                  format="[<0.001]0.0000E+00;0.00000", scale=view.scales.torque),
             constant("screw", "lead screw, printed", "", "", [f.screw for f in FIGURES], format="General"),
             constant("screw_exact", "lead screw, exact", "", "", [f.exact[0] for f in FIGURES], format="General"),
@@ -79,17 +86,3 @@ def printed_sheet(book: Book, view: DriveView) -> None:
             constant("remark", "remark", "", "", [f.remark or NONE for f in FIGURES], align="left"),
         )  # fmt: skip
     sheet.print_columns = 15
-
-
-def values(view: DriveView) -> list[float]:
-    """Return the engine's figures in the order of the table."""
-    driven = view.driven
-    m, drive = driven.mechanism, replace(driven.train.drive, method="document")
-    hardest = driven.axis.hardest
-    accelerating, uniform, decelerating = (float(drive.torque(a, 1.0)) for a in (hardest, 0.0, -hardest))
-    return [
-        m.at_motor(m.load.inertia, m.last, "document"), m.inertia("document"), drive.total_inertia,
-        m.driving(m.load.friction), m.driving(m.load.torque), m.driving(float(m.load.resisting(1.0))),
-        driven.fastest * driven.axis.speed, view.speed,
-        m.ratio * hardest, accelerating, uniform, decelerating, view.points.rms_torque, driven.left,
-    ]  # fmt: skip

@@ -30,17 +30,15 @@ class MovingAxis:
     ``given`` has its places in degrees of one turn, ``typed`` as they are entered, ``over`` what.
     """
 
-    twin: Self | None = None
-    """an axis of the same motion at another speed, if there is one: the motion is worked out once"""
+    twin: Self | None = None  # an axis of the same motion at another speed: that is worked out once
 
     def __init__(
         self, given: entered.Axis, number: int, library: dict[str, Law], speed: float,
         typed: entered.Axis | None = None, over: Abscissa = ANGLE,
     ) -> None:  # fmt: skip
         self.given, self.number, self.speed = given, number, speed
-        self.typed, self.over = typed or given, over
+        self.typed, self.over, self.library = typed or given, over, library
         self.unit, self.base = UNITS[given.unit], BASES[given.unit]
-        self.library = library
 
     @property
     def sized(self) -> Self:

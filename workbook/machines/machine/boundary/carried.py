@@ -278,9 +278,8 @@ def in_pieces(one: Handing, room: int) -> list[Quantity]:
         one.rate(3, "jerk", "greater jerk of its ends", "",
                  pulses.format(f"MAX({JERK.format('0')},{JERK.format('[d]')})"),
                  of(lambda piece: max(map(abs, at_ends(piece, 3)))), "of two pulses"),
-        calc("square", "∫y''² dx", "", "",
-             pulses.format(f"[d]*SUMPRODUCT(w_g,({ACCELERATION.format('[d]*xi_g')})^2)"), squares,
-             scale=max(squares) or 1.0, source="Gauss's rule"),
+        calc("square", "∫y''² dx", "", "", pulses.format(f"[d]*SUMPRODUCT(w_g,({ACCELERATION.format('[d]*xi_g')})^2)"),
+             squares, scale=max(squares) or 1.0, source="Gauss's rule"),
         *(one.rate(0, name, f"{name}est position", "",
                    pulses.format(f"[c0]-{at.of_phase('y0')}+SUMPRODUCT({end}({POSITION.format('[d]*xi')}))"), values,
                    "from the begin of its phase, at points")

@@ -96,11 +96,9 @@ class Handing:
 
     def own(self, column: str, formula: str) -> str:
         """Return a formula of the phases' table where the law is carried out between rests, else a figure from here."""
-        return self.other(formula, f"INDEX([{self.rows.at.ends}.{column}],[k])")
-
-    def other(self, formula: str, ended: str) -> str:
-        """Return a formula of the phases' table where the law is carried out between rests, else another."""
-        return f"=IF(INDEX([{self.rows.at.ends}.mode],[k])=0,{formula.removeprefix('=')},{ended})"
+        ends = self.rows.at.ends
+        ended = f"INDEX([{ends}.{column}],[k])" if column else "0"
+        return f"=IF(INDEX([{ends}.mode],[k])=0,{formula.removeprefix('=')},{ended})"
 
     def faults(self) -> list[str]:
         """Return for each step why it cannot have its ends, as its row of the table says it."""
@@ -121,9 +119,8 @@ class Handing:
         return [
             check(f"{name}_meets", f"{label}each law meets its neighbours", f"SUM([{self.asked}.cannot])=0", not fault,
                   says=Said(f'{called}"&INDEX({texts},{first_text(texts)})', fault and f"{axis} {fault}")),
-            check(f"{name}_passes", f"{label}what is entered goes with straight lines and dwells",
-                  f"SUM({against})=0", not contrary,
-                  says=Said(f'{called}row "&MATCH(1,{against},0)/2&"{BESIDE}"', contrary)),
+            check(f"{name}_passes", f"{label}what is entered goes with straight lines and dwells", f"SUM({against})=0",
+                  not contrary, says=Said(f'{called}row "&MATCH(1,{against},0)/2&"{BESIDE}"', contrary)),
         ]  # fmt: skip
 
 

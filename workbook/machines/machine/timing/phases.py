@@ -158,7 +158,7 @@ def faults(one: AxisRows) -> list[Quantity]:
         calc("backwards", "runs backwards", "", "", BACKWARDS.format(over.after), "", source=NO_FAULT),
         calc("early", "begins too early", "", "", EARLY.format(over.after, over.told("0-[gap]")), "", source=NO_FAULT),
         *([beyond(over)] if over.measured else []),
-        calc("lack", "jump of y", "Δy", one.axis.base, doubled(one.ends.other(lacking, "0")) if one.ends else lacking,
+        calc("lack", "jump of y", "Δy", one.axis.base, own(one, "", lacking),
              filled([p.lack for p in one.axis.phases], one.rows), source="at its end: the law's lack"),
     ]  # fmt: skip
 

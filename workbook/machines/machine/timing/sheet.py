@@ -51,8 +51,7 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     sheet.not_printed_below()
     sheet.heading("Workings")
     sheet.rows(
-        calc("eps", "Tolerance of an angle", "ε", "°",
-             "=360*break_eps", machine.near, format="0E+00",
+        calc("eps", "Tolerance of an angle", "ε", "°", "=360*break_eps", machine.near, format="0E+00",
              source="an angle this close to a phase's start is taken as the start"),
         calc("timing_end", "End of a cycle", "", "°", "=360-2*eps", 360.0 - 2.0 * machine.near, format="0.0##",
              source="just before it: at 360° a cycle ends, the next begins behind it"),
