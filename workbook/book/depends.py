@@ -10,10 +10,9 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from typing import Any
 
 from workbook.book.address import Address
-from workbook.book.columns import Formulas, Moved
+from workbook.book.columns import Formulas, Moved, Node, tree
 from workbook.book.declare import Block, Book
 from workbook.book.formula import Area, Formula
-from workbook.book.tree import Node, tree
 
 NONE = object()  # no value at all
 CHOOSING = frozenset(("INDEX", "MATCH", "IF", "CHOOSE"))  # functions that need not read all that they name

@@ -6,9 +6,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from workbook.book.address import Address
-from workbook.book.columns import Moved
+from workbook.book.columns import Moved, Node, tree
 from workbook.book.formula import Area, Formula, FormulaError
-from workbook.book.tree import Node, tree
 from workbook.dimensions.units import NONE, Dimension, dimension_of, is_either, powers, written
 from workbook.reading.contents import Contents
 

@@ -13,10 +13,9 @@ from tests.workbook.composed import MACHINE, composed
 from workbook.entries.types import Model
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import LawSheet, PieceRow
-from workbook.laws.library import with_laws
+from workbook.laws.library import SIX, law_for, laws_in, variations, with_laws
 from workbook.laws.page import COEFFICIENTS
 from workbook.laws.registry import CODES, FAMILY, PAGES, IncompleteError, page_of, require_complete
-from workbook.laws.variations import SIX, law_for, laws_in, variations
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 

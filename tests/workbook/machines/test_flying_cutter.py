@@ -10,8 +10,7 @@ from tests.engine.selection.tasks import sampled_task
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
-from workbook.laws.library import laws
-from workbook.laws.variations import RISING
+from workbook.laws.library import RISING, laws
 from workbook.machines.flying.view import Flying
 from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES

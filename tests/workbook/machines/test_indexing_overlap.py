@@ -7,8 +7,7 @@ from engine.overlap.points import HEIGHT
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
-from workbook.laws.library import laws
-from workbook.laws.variations import RISING
+from workbook.laws.library import RISING, laws
 from workbook.machines.overlap.view import Overlapping
 from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES

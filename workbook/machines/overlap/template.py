@@ -12,10 +12,9 @@ from workbook.book.summary import summary_sheet
 from workbook.entries.phase import TURN
 from workbook.entries.rules import limits
 from workbook.entries.units import DEGREE, MM, shown
-from workbook.laws.library import laws
+from workbook.laws.library import RISING, SIX, factors, law_for, laws, own_in, vary_laws, varying
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.laws.variations import RISING, SIX, factors, law_for, own_in, vary_laws, varying
 from workbook.machines.overlap.cycle import cycle_sheets, tool_rows, transfer_rows
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet
