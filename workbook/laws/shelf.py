@@ -15,13 +15,13 @@ from workbook.book.declare import Book, Quantity, Sheet, again, calc, constant, 
 from workbook.book.rows import LEAST
 from workbook.entries.machine import Sizes
 from workbook.latest import latest
-from workbook.laws.edged import LEAST_STAGE
 from workbook.laws.entries import Laws
 from workbook.laws.family import COEFFICIENTS, LABELS, POWERS, SECOND, SINE, entries_of
 from workbook.laws.library import NamedLaw, named
 from workbook.laws.page import finite, law_sheet
 from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sampling import Pieces
+from workbook.laws.shared import LEAST_STAGE
 
 RISE = 1.0  # what every law goes in a time of 1: so large are its velocity and acceleration at least, somewhere
 

@@ -15,26 +15,22 @@ from engine.laws.modified import (
 )
 from workbook.book.sentence import figure
 from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
-from workbook.laws.edged import (
+from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
+from workbook.laws.family import LawCheck, LawSheet, Parameter
+from workbook.laws.shared import (
     BRIEF,
     DURATIONS,
     EVEN,
-    FLAT,
     LASTING,
     LEAST,
     REVERSAL,
     SHARE,
-    SINE_IN,
-    SINE_OUT,
     SUM_SAYS,
     Between,
     SevenDurations,
     Shared,
-    Stage,
-    edged,
     too_brief,
 )
-from workbook.laws.family import LawCheck, LawSheet, Parameter
 
 MODIFIED_TRAPEZOIDAL = edged(
     dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),

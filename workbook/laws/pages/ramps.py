@@ -8,20 +8,9 @@ from pydantic import Field
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from workbook.book.sentence import figure
 from workbook.entries.types import DesignError, Share
-from workbook.laws.edged import (
-    BRIEF,
-    DURATIONS,
-    FLAT,
-    HALF_SINE,
-    LASTING,
-    LINE_IN,
-    LINE_OUT,
-    SevenDurations,
-    Stage,
-    edged,
-    too_brief,
-)
+from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, LINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow
+from workbook.laws.shared import BRIEF, DURATIONS, LASTING, SevenDurations, too_brief
 
 
 class BreakPoints(LawSheet):

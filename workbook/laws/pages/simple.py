@@ -5,8 +5,9 @@ from typing import Literal
 from engine.laws import Dwell
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
-from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, POLYNOMIAL, REVERSAL, SHARED, SINE_IN, Stage, edged
+from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, SINE_IN, Stage, edged
 from workbook.laws.family import COEFFICIENTS, LawSheet, Page, PieceRow
+from workbook.laws.shared import POLYNOMIAL, REVERSAL, SHARED
 
 DWELL = Page(
     source="S3, function motionlaw",
