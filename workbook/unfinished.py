@@ -10,7 +10,7 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.book.declare import Book, Quantity
 from workbook.book.depends import Dependence
-from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_row, in_use, is_full
+from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_use, is_full
 from workbook.book.quantity import HOLDS, SAYS, number_format, sample
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
@@ -102,7 +102,7 @@ class Unfinished:
             entered = [q._replace(value=self.values.get((guard.table, table.columns[q.name] - table.column), q.value))
                        for q in self._inputs(guard.table)]  # fmt: skip
             columns[USED] = in_use(guard.rows, entered)
-        said = next((in_row(i, message) for i, message in enumerate(columns[MESSAGE], 1) if message), "")
+        said = next((Sentence(f"row {i}, {message}") for i, message in enumerate(columns[MESSAGE], 1) if message), "")
         known = {
             at: value
             for name, values in columns.items()

@@ -81,17 +81,12 @@ class Guard(NamedTuple):
     def column(self, place: int) -> str:
         """Return the column of a message, by the place of its entry or rule among those that are watched."""
         behind = place - len(self.entries)
-        return column_of(self.rules[behind].rule) if behind >= 0 else self.columns[place // self.each]
+        return self.columns[len(self.runs) + behind if behind >= 0 else place // self.each]
 
 
 def column_of(name: str) -> str:
     """Return the name of the column of messages on an entry, or on a rule."""
     return f"{name}_says"
-
-
-def in_row(row: int, message: str) -> Sentence:
-    """Return the sentence on the first message of a table."""
-    return Sentence(f"row {row}, {message}")
 
 
 def shows(cell: str) -> str:

@@ -22,19 +22,12 @@ REST = (
 
 def commented(template: AnyTemplate, schema: str) -> str:
     """Return a new description of a template; ``schema`` is the file that editors complete its keys from."""
-    data = shortened(tomllib.loads(template.description.read_text(encoding="utf-8")))
+    data = tomllib.loads(template.description.read_text(encoding="utf-8"))
+    if "axes" in data:  # two of them at most, and nothing that is rare
+        data = {name: value for name, value in data.items() if name not in RARE} | {"axes": data["axes"][:AXES]}
     file = File(sections(template))
     first = "\n".join([f"#:schema {schema}", *remarks(HEAD)])
     return "\n\n".join([first, *file.tables("", "", data), "\n".join(remarks(REST)), *file.rest()]) + "\n"
-
-
-def shortened(data: dict[str, Any]) -> dict[str, Any]:
-    """Return a description without what is rare, and with two axes at most."""
-    return {
-        name: value[:AXES] if name == "axes" and isinstance(value, list) else value
-        for name, value in data.items()
-        if name not in RARE or "axes" not in data
-    }
 
 
 class File:

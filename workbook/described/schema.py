@@ -31,7 +31,12 @@ def schema(template: AnyTemplate) -> dict[str, Any]:
 def one_way(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
     """Return the schema of the descriptions that a model checks, all but which draft it is of."""
     made = model.model_json_schema()
-    made["$defs"]["Laws"] = laws(made["$defs"])
+    for law in ENTRIES.values():
+        node = made["$defs"][law.__name__]
+        node["required"] = [name for name in node.get("required", []) if name != "family"]
+    known_laws = {code: {"$ref": f"{REFERENCE}{law.__name__}"} for code, law in ENTRIES.items()}
+    others = {"type": "object", "required": ["family"], "properties": {"family": {"enum": [*ENTRIES]}}}
+    made["$defs"]["Laws"] = {"type": "object", "properties": known_laws, "additionalProperties": others}
     for section in known:
         for key, node in placed(section, model, made):
             node["description"] = remark(key)
@@ -45,16 +50,6 @@ def one_way(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
                 selection[entry] = {"description": rows.pop("description", ""), "anyOf": [{"const": "committed"}, rows]}
     made["required"] = [*dict.fromkeys(["template", *made.get("required", [])])]
     return made
-
-
-def laws(defs: dict[str, Any]) -> dict[str, Any]:
-    """Return the schema of the laws: those of the basic families by code, others by names that say their family."""
-    known = {code: {"$ref": f"{REFERENCE}{model.__name__}"} for code, model in ENTRIES.items()}
-    for model in ENTRIES.values():
-        node = defs[model.__name__]
-        node["required"] = [name for name in node.get("required", []) if name != "family"]
-    others = {"type": "object", "required": ["family"], "properties": {"family": {"enum": [*ENTRIES]}}}
-    return {"type": "object", "properties": known, "additionalProperties": others}
 
 
 def placed(section: Section, model: type[BaseModel], made: dict[str, Any]) -> Iterator[tuple[Key, dict[str, Any]]]:

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from engine.laws import Law
 from engine.laws.piece import begins
 from engine.motion import Phase
 from workbook.book.chart import Chart, Series
@@ -14,7 +13,7 @@ from workbook.entries.machine import Sizes
 from workbook.entries.texts import sheet_title
 from workbook.entries.units import MM, shown, si
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, Page, entries_of, value_at
+from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, entries_of, value_at
 from workbook.laws.library import NamedLaw
 
 SPELLED = {  # what the columns of a table of pieces add to a(u)
@@ -43,7 +42,17 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         if page.pieces:
             a = " + ".join(words for name, words in SPELLED.items() if name in page.columns) or "0"
             sheet.heading("Pieces", f"On each piece a(u) = {a}, u = ξ − ξ_k; velocity and position are carried on.")
-            pieces_table(sheet, page, law)
+            rows, pieces = page.pieces, law.monotone_pieces()
+            values = [entries_of(piece) for piece in pieces]
+            sheet.table(
+                "@pieces", "Pieces of the law", len(rows),
+                constant("name", "piece", "", "", [row.name for row in rows], align="left"),
+                constant("k", "number", "k", "", list(range(1, len(rows) + 1))),
+                calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
+                *(calc(name, *LABELS[name], "", [row.formulas[name] for row in rows], [one[name] for one in values])
+                  for name in page.columns),
+                constant("equation", "equation in the books", "", "", [row.equation for row in rows], align="left"),
+            )  # fmt: skip
         sheet.checks(*page.verdicts(one, sizes))
         for row, d, words in ((5, "s", "position"), (20, "v", "velocity"), (35, "a", "acceleration")):
             chart = Chart(
@@ -99,21 +108,6 @@ def results(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
         result("@yrms", "RMS acceleration over the rise", "ÿ_rms", "m/s²",
                "=@ca_rms*ABS(@h_m)/@t^2", rise.y2_rms, source="C_a,rms h / t_a²"),
         calc("@no", "Number on the sheet Laws", "", "", one.finding, one.number, format="0"),
-    )  # fmt: skip
-
-
-def pieces_table(sheet: Sheet, page: Page, law: Law) -> None:
-    """Declare the law's pieces, a textbook equation beside each."""
-    rows, pieces = page.pieces, law.monotone_pieces()
-    values = [entries_of(piece) for piece in pieces]
-    sheet.table(
-        "@pieces", "Pieces of the law", len(rows),
-        constant("name", "piece", "", "", [row.name for row in rows], align="left"),
-        constant("k", "number", "k", "", list(range(1, len(rows) + 1))),
-        calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
-        *(calc(name, *LABELS[name], "", [row.formulas[name] for row in rows], [one[name] for one in values])
-          for name in page.columns),
-        constant("equation", "equation in the books", "", "", [row.equation for row in rows], align="left"),
     )  # fmt: skip
 
 
