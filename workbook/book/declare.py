@@ -21,7 +21,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 
@@ -126,72 +126,45 @@ def quoted(title: str) -> str:
     return title if title.isascii() and title.isalpha() and len(title) > 3 else quote_sheetname(title)
 
 
-class Declared(NamedTuple):
-    """What was declared of a book by some calls: sheets, and what these entered in the lists of the book."""
-
-    sheets: list[Sheet]
-    checks: list[tuple[int, Any]]  # each with the place of its sheet among these
-    guards: list[Any]
-    column_names: dict[str, tuple[str, str]]
-    keyed: set[str]
-
-
 def again(book: Book, kind: str, of: tuple[Any, ...], declare: Callable[[], None]) -> None:
     """Declare sheets, or copy those that were declared of equal things behind sheets of the same titles."""
     if not remembers():
         declare()
         return
-    fresh: list[Declared] = []
+    fresh: list[Book] = []
 
-    def made() -> Declared:
-        fresh.append(declared(book, declare))
-        return fresh[0]
+    def made() -> Book:
+        sheets, checks, guards = len(book.sheets), len(book.checks), len(book.guards)
+        names, keyed = set(book.column_names), set(book.keyed)
+        declare()
+        kept = Book(book.template, book.title, guards=book.guards[guards:], keyed=book.keyed - keyed)
+        kept.column_names = {name: column for name, column in book.column_names.items() if name not in names}
+        add_copies(kept, book.sheets[sheets:], book.checks[checks:])  # which later calls on the book leave alone
+        fresh.append(kept)
+        return kept
 
     found = latest(kind, (*of, *(sheet.title for sheet in book.sheets)), made)
     if not fresh:
-        place(book, found)
+        book.guards += found.guards
+        book.column_names |= found.column_names
+        book.keyed |= found.keyed
+        add_copies(book, found.sheets, found.checks)
 
 
-def declared(book: Book, declare: Callable[[], None]) -> Declared:
-    """Declare sheets; return copies of them, which later calls on the book leave alone and which do not keep it."""
-    sheets, checks, guards = len(book.sheets), len(book.checks), len(book.guards)
-    names, keyed = set(book.column_names), set(book.keyed)
-    declare()
-    own = book.sheets[sheets:]
-    return Declared(
-        copies(own, Book(book.template, book.title)),
-        [(own.index(sheet), q) for sheet, q in book.checks[checks:]],
-        book.guards[guards:],
-        {name: column for name, column in book.column_names.items() if name not in names},
-        book.keyed - keyed,
-    )
-
-
-def place(book: Book, found: Declared) -> None:
-    """Add copies of declared sheets to a book."""
-    sheets = copies(found.sheets, book)
-    book.sheets += sheets
-    book.blocks |= {block.name: block for sheet in sheets for block in sheet.blocks}
-    book.checks += [(sheets[k], q) for k, q in found.checks]
-    book.guards += found.guards
-    book.column_names |= found.column_names
-    book.keyed |= found.keyed
-
-
-def copies(sheets: Sequence[Sheet], book: Book) -> list[Sheet]:
-    """Return copies of sheets with their blocks, for a book."""
+def add_copies(book: Book, sheets: Sequence[Sheet], checks: Sequence[tuple[Sheet, Quantity]]) -> None:
+    """Add copies of sheets with their blocks and checks to a book."""
     blocks = {id(block): block.copied() for sheet in sheets for block in sheet.blocks}
+    twins = {id(sheet): copy(sheet) for sheet in sheets}
 
     def own(block: Block | None) -> Block | None:
         return blocks[id(block)] if block is not None else None
 
-    made = []
-    for sheet in sheets:
-        one = copy(sheet)
+    for sheet, one in zip(sheets, twins.values(), strict=True):
         one.book, one.texts, one.charts, one.widths = book, [*sheet.texts], [*sheet.charts], dict(sheet.widths)
         one.blocks = [blocks[id(block)] for block in sheet.blocks]
         one.messages = [(blocks[id(block)], columns) for block, columns in sheet.messages]
         for block in one.blocks:
             block.sheet, block.lead, block.workings = one, own(block.lead), own(block.workings)
-        made.append(one)
-    return made
+    book.sheets += twins.values()
+    book.blocks |= {block.name: block for block in blocks.values()}
+    book.checks += [(twins[id(sheet)], q) for sheet, q in checks]

@@ -90,7 +90,11 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     elif is_free_text(model, q):
         rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(longest(constraints)))
     else:
-        rule = number_rule(constraints)
+        found = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
+        low, high = found.get(">=", found.get(">", -1e300)), found.get("<", found.get("<=", 1e300))
+        rule = DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
+        if ">" in found and high == 1e300:
+            rule = DataValidation("decimal", operator="greaterThan", formula1=repr(found[">"]))
     rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
     rule.allow_blank = q.key.find("*") >= 0
     rule.promptTitle = rule.errorTitle = clip(q.label, 32)
@@ -193,15 +197,6 @@ def beyond_all(value: float, constraints: list[Any]) -> bool:
     """Whether a number is beyond what any entry may be, or so small that nobody means it."""
     too_small = Ge(SMALLEST) in constraints and 0 < value < SMALLEST
     return abs(value) > LARGEST or too_small
-
-
-def number_rule(constraints: list[Any]) -> DataValidation:
-    """Return the rule for a number within bounds."""
-    found = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
-    low, high = found.get(">=", found.get(">", -1e300)), found.get("<", found.get("<=", 1e300))
-    if ">" in found and high == 1e300:
-        return DataValidation("decimal", operator="greaterThan", formula1=repr(found[">"]))
-    return DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
 
 
 def expectation(kind: Any, constraints: list[Any]) -> str:
