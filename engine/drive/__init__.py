@@ -15,7 +15,7 @@ drive_points    its motor there; the highest rate by these points
 
 from engine.drive.chain import NEAR, Load, Mechanism, Part, Slide, Stage, cylinder, resisting
 from engine.drive.drive import Drive
-from engine.drive.mechanisms.registry import KINDS, Kind
+from engine.drive.mechanisms import KINDS, Kind
 from engine.drive.motor import STANDSTILL, LimitCheck, Motor, derating
 
 __all__ = [

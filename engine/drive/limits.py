@@ -82,32 +82,31 @@ class LimitChecks:
 
     @cached_property
     def checks(self) -> tuple[LimitCheck, ...]:
-        """RMS torque, torque below the curve, speed, the reducer's three; each in the limit's unit."""
-        return tuple(self._checked(name) for name in self._asked)
-
-    @property
-    def ok(self) -> bool:
-        """Whether every limit is held."""
-        return all(check.ok for check in self._limiting)
-
-    @property
-    def worst(self) -> LimitCheck | None:
-        """The check whose limit is used most; None without any limit."""
-        return max(self._limiting, key=lambda check: check.use, default=None)
-
-    @cached_property
-    def _asked(self) -> dict[str, tuple[float, Callable[[], float]]]:
-        """Each limit, and what finds that which is asked of it."""
+        """What has a limit of RMS torque, torque below the curve, speed, the reducer's three; each in its unit."""
         motor, reducer, curve, found = self.limits.motor, self.limits.reducer, self.limits.peak_curve, self.results
-        peak = reducer.peak_at(1.0 / self.drive_cycle.time)
-        return {
+        asked: dict[str, tuple[float, Callable[[], float]]] = {
             "RMS torque": (self.continuous, lambda: found.rms_torque),
             BELOW: (float(curve.torque.max()), lambda: found.torque.peak),
             "motor speed": (min(motor.max_speed, float(curve.speed[-1])), lambda: found.speed.peak),
             "reducer input speed": (reducer.input_speed, lambda: found.speed.peak),
-            "reducer peak torque": (peak, lambda: found.shaft_torque(1).peak),
+            "reducer peak torque": (reducer.peak_at(1.0 / self.drive_cycle.time), lambda: found.shaft_torque(1).peak),
             "reducer mean torque": (reducer.mean_torque, lambda: found.mean_shaft_torque(1)),
         }
+        limited = {name: (of, limit) for name, (limit, of) in asked.items() if limit < math.inf}
+        return tuple(
+            self._below_curve if name == BELOW else LimitCheck(name, of(), limit)
+            for name, (of, limit) in limited.items()
+        )
+
+    @property
+    def ok(self) -> bool:
+        """Whether every limit is held."""
+        return all(check.ok for check in self.checks)
+
+    @property
+    def worst(self) -> LimitCheck | None:
+        """The check whose limit is used most; None without any limit."""
+        return max(self.checks, key=lambda check: check.use, default=None)
 
     @cached_property
     def continuous(self) -> float:
@@ -115,18 +114,6 @@ class LimitChecks:
         motor = self.limits.motor
         level = motor.stall_torque <= motor.rated_torque
         return motor.rated_torque if level else float(motor.continuous(self.results.mean_speed))
-
-    @cached_property
-    def _limiting(self) -> tuple[LimitCheck, ...]:
-        """The checks of what has a limit."""
-        return tuple(self._checked(name) for name, (limit, _) in self._asked.items() if limit < math.inf)
-
-    def _checked(self, name: str) -> LimitCheck:
-        limit, asked = self._asked[name]
-        if name == BELOW and limit < math.inf:
-            return self._below_curve
-        value = asked()
-        return LimitCheck(name, value, limit, value <= limit)
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
@@ -147,7 +134,7 @@ class LimitChecks:
         lacking, torque = -math.inf, 0.0
         for one in self.drive_cycle.torque_intervals:
             lacking, torque = max((lacking, torque), worst(one, lacking))
-        return LimitCheck(BELOW, torque, torque - lacking, lacking <= 0.0)
+        return LimitCheck(BELOW, torque, torque - lacking)
 
 
 FAR = 1e6

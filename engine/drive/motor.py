@@ -125,7 +125,11 @@ class LimitCheck(NamedTuple):
     name: str
     value: float
     limit: float
-    ok: bool
+
+    @property
+    def ok(self) -> bool:
+        """Whether it is within the limit."""
+        return self.value <= self.limit
 
     @property
     def reserve(self) -> float:
@@ -161,12 +165,11 @@ def continuous(rated: ArrayLike, stall: ArrayLike, rated_speed: ArrayLike, speed
 
 def reserve(motor: Motor, rms_torque: float, peak_torque: float, speed: float, mean_speed: float) -> Reserve:
     """Return RMS torque (Nm) at the mean speed, peak torque and largest speed (rad/s), each against its limit."""
-    found = (
-        ("RMS torque", rms_torque, float(motor.continuous(mean_speed))),
-        ("peak torque", peak_torque, motor.peak_torque),
-        ("speed", speed, motor.max_speed),
+    return Reserve(
+        LimitCheck("RMS torque", rms_torque, float(motor.continuous(mean_speed))),
+        LimitCheck("peak torque", peak_torque, motor.peak_torque),
+        LimitCheck("speed", speed, motor.max_speed),
     )
-    return Reserve(*(LimitCheck(name, value, limit, value <= limit) for name, value, limit in found))
 
 
 def derating(temperature: float, limit: float = WINDING_LIMIT, rated_at: float = RATED_AT) -> float:

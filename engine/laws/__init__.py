@@ -82,11 +82,3 @@ def law(name: str, **parameters: Any) -> Law:
         known = ", ".join(f"{one.code} ({one.name})" for one in CATALOGUE)
         raise UnknownLawError(f"no law is named {name!r}; expected one of {known}")
     return found(**parameters)
-
-
-def __getattr__(name: str) -> Any:
-    """Return the class of any registered law by its name, as in ``from engine.laws import Cubic``."""
-    for one in CATALOGUE:
-        if one.__name__ == name:
-            return one
-    raise AttributeError(f"engine.laws has no {name}")

@@ -1,7 +1,7 @@
 """What a movement has to meet at its two ends, and which laws can."""
 
 from dataclasses import astuple, dataclass, replace
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 from engine.laws.base import require_finite
 from engine.laws.family import Law
@@ -95,22 +95,17 @@ class EndedLaw(Law):
         return self
 
 
-class Scaled(NamedTuple):
-    """A law, and what its s, v, a and j are to be multiplied by."""
+def between(law: Law, ends: Ends) -> tuple[Law, float]:
+    """Return any law between two ends, and what its s, v, a and j are to be multiplied by.
 
-    law: Law
-    scale: float
-
-
-def between(law: Law, ends: Ends) -> Scaled:
-    """Return any law between two ends: between rests the law itself, to be multiplied by the stroke.
+    Between rests it is the law itself, to be multiplied by the stroke.
 
     Raises EndError, with the reason, for an end that the law cannot have.
     """
     if ends.at_rest:
-        return Scaled(law, ends.stroke)
+        return law, ends.stroke
     if isinstance(law, EndedLaw):
-        return Scaled(law.between(ends), 1.0)
+        return law.between(ends), 1.0
     require_ends(law, ends, "")
     raise AssertionError("ends that are not at rest ask for something")
 

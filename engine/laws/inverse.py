@@ -72,7 +72,10 @@ def inverse(law: Law, s: Real) -> Real:
 
 
 def _solve(law: Law, s: Array) -> Array:
-    low, high = _bracket(law, s)
+    edges = breaks(law)
+    knots = np.unique(edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, KNOTS))
+    above = np.clip(np.searchsorted(np.maximum.accumulate(law.s(knots)), s), 1, knots.size - 1)
+    low, high = knots[above - 1], knots[above]
     xi = 0.5 * (low + high)
     for _ in range(STEPS):
         at = law.evaluate(xi)
@@ -86,12 +89,3 @@ def _solve(law: Law, s: Array) -> Array:
         if moved <= LAST_DIGITS:
             break
     return xi
-
-
-def _bracket(law: Law, s: Array) -> tuple[Array, Array]:
-    """Return a knot of the law below and one above each s."""
-    edges = breaks(law)
-    knots = np.unique(edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, KNOTS))
-    heights = np.maximum.accumulate(law.s(knots))
-    above = np.clip(np.searchsorted(heights, s), 1, knots.size - 1)
-    return knots[above - 1], knots[above]

@@ -63,10 +63,14 @@ def zeros(f: Curve, d: float) -> list[float]:
     if not f.c and len(f.sines) < 2:
         return _of_sine(f.sines[0], d) if f.sines else []
     slope = f.derivative()
-    points = [0.0, *zeros(slope, d), d] if f.c else _cells(f, d)
+    if f.c:
+        points = [0.0, *zeros(slope, d), d]
+    else:
+        cells = CELLS * (1 + int(max(abs(w) for _, w, _ in f.sines) * d / math.pi))
+        points = [d * k / cells for k in range(cells + 1)]
     values = map(f, points)
-    cells = zip(itertools.pairwise(points), itertools.pairwise(values), strict=True)
-    return [root(f, slope, *cell) for cell, ends in cells if min(ends) < 0.0 < max(ends)]
+    between = zip(itertools.pairwise(points), itertools.pairwise(values), strict=True)
+    return [root(f, slope, *cell) for cell, ends in between if min(ends) < 0.0 < max(ends)]
 
 
 def _of_sine(sine: Sine, d: float) -> list[float]:
@@ -76,12 +80,6 @@ def _of_sine(sine: Sine, d: float) -> list[float]:
     low, high = sorted((phi / math.pi, (phi + w * d) / math.pi))
     found = ((k * math.pi - phi) / w for k in range(math.ceil(low), math.floor(high) + 1))
     return sorted(min(max(u, 0.0), d) for u in found)
-
-
-def _cells(f: Curve, d: float) -> list[float]:
-    fastest = max(abs(w) for _, w, _ in f.sines)
-    n = CELLS * (1 + int(fastest * d / math.pi))
-    return [d * k / n for k in range(n + 1)]
 
 
 def root(f: Curve, slope: Curve, low: float, high: float) -> float:

@@ -101,7 +101,9 @@ class Groups(NamedTuple):
 
 def groups(pieces: Sequence[Piece]) -> Groups:
     """Return the pieces in two groups, those that lose velocity apart."""
-    found, sizes = _gained(pieces), [_size(piece) for piece in pieces]
+    whole, sizes = math.fsum(piece.duration for piece in pieces), [_size(piece) for piece in pieces]
+    found = [(one.ds - one.v * one.piece.duration + one.dv * (whole - one.begin - one.piece.duration), one.dv)
+             for one in carried(pieces)]  # fmt: skip
     largest = max(sizes, default=0.0)
     least, least_under = NONE * largest, ALIKE * largest**2
     slows = [v < -least for _, v in found]
@@ -136,14 +138,6 @@ def mended(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
         replace(p, c=tuple(f * c for c in p.c), amplitude=f * p.amplitude, amplitude2=f * p.amplitude2)
         for p, f in zip(pieces, factors, strict=True)
     )
-
-
-def _gained(pieces: Sequence[Piece]) -> list[tuple[float, float]]:
-    """Return what each piece adds to s and v at the end: ∬a and ∫a over it, and its ∫a over the time that follows."""
-    whole = math.fsum(piece.duration for piece in pieces)
-    found = carried(pieces)
-    return [(one.ds - one.v * one.piece.duration + one.dv * (whole - one.begin - one.piece.duration), one.dv)
-            for one in found]  # fmt: skip
 
 
 def _size(piece: Piece) -> float:

@@ -94,13 +94,6 @@ class Limits(NamedTuple):
     jerk_down: float
 
 
-class TimedCurve(NamedTuple):
-    """A law and the time that it takes."""
-
-    law: "SCurve"
-    time: float
-
-
 @dataclass(frozen=True)
 class SCurve(PulseLaw):
     """Seven stages: j = A/t1, 0, −A/t3, 0, −B/t5, 0, B/t7: each ramp of velocity with a jerk of its own.
@@ -136,7 +129,7 @@ class SCurve(PulseLaw):
         return cls((edge, flat, edge, 1.0 - 2.0 * ramp, edge, flat, edge))
 
     @classmethod
-    def of_limits(cls, stroke: float, limits: Limits) -> TimedCurve:
+    def of_limits(cls, stroke: float, limits: Limits) -> tuple[Self, float]:
         """Return the quickest curve within the limits over a stroke, and its time, in the limits' units.
 
         A ramp to V takes V/A + A/J, or 2√(V/J) where A is never reached, and travels half of V times that; where
@@ -162,7 +155,7 @@ class SCurve(PulseLaw):
         (up, flat_up), (down, flat_down) = ramps(top)
         cruise = max(stroke - travel(top), 0.0) / top
         times = (up, flat_up, up, cruise, down, flat_down, down)
-        return TimedCurve(cls(tuple(t / sum(times) for t in times)), sum(times))
+        return cls(tuple(t / sum(times) for t in times)), sum(times)
 
 
 def _ramp(velocity: float, acceleration: float, jerk: float) -> tuple[float, float]:

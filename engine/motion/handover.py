@@ -97,12 +97,6 @@ class Handover:
         """Pieces before its second pulse, of a law of two pulses; 0 of all else."""
         return early_of(self.phase.named) if self.mode == PULSES else 0
 
-    @property
-    def gain(self) -> float:
-        """The velocity that two pulses gain, as a lift: (v1 − v0) δ/C_v."""
-        first, second = self.halves
-        return first - second
-
     def base(self, late: bool, y: float) -> float:
         """Return the position from which its law is counted in a half, ``y`` being the one that it begins at."""
         lift, drift = self.halves[1], self.drifts[1]

@@ -62,7 +62,7 @@ def carried(one: Handing) -> list[Quantity]:
                    [first + more for first, more in zip(one.rows.firsts, early, strict=True)],
                    "on Laws; of all else its first piece"),
         own("gain", "velocity gained, as a lift", "", f"=IF([mode]=1,([d1]-[d0])*[span]/{v},0)",
-            lambda step: step.gain, "(v1 − v0) δ/C_v"),
+            lambda step: step.halves[0] - step.halves[1], "(v1 − v0) δ/C_v"),
         own("h1", "lift of its second half", "h_b",
             f"=IF([mode]=1,[h]-[span]*([d0]*{xi}+[d1]*(1-{xi}))-{s}*[gain],IF([mode]=0,[h],0))",
             lambda step: step.halves[1], "h − (v0 λ + v1 (1 − λ)) δ − s(λ) (v1 − v0) δ/C_v"),

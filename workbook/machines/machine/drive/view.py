@@ -132,7 +132,7 @@ class DriveView:
         found = (("peak torque", points.size(behind), limits.peak_at(1.0 / self.time)),
                  ("mean torque", points.cubic_mean(behind), limits.mean_torque),
                  ("input speed", self.speed, limits.input_speed))  # fmt: skip
-        peak, mean, speed = (LimitCheck(name, value, limit, value <= limit) for name, value, limit in found)
+        peak, mean, speed = (LimitCheck(name, value, limit) for name, value, limit in found)
         return peak, mean, speed
 
     @property
