@@ -147,10 +147,7 @@ LAW = f'=IF({OTHERS},"{SEVERAL}",IF(MAX([axis{{0}}.no])={DWELL},"{NO_DRIVE}",IND
 
 
 def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> None:
-    """Declare two more columns of the table: the law of all movements of an axis, and whether all its checks hold.
-
-    These are the checks of its phases, and of its drive; ``names`` are those of the book's laws.
-    """
+    """Declare the law of all movements of an axis, and whether the checks of its phases and its drive hold."""
     block = book.blocks["axes_short"]
     found, checks = [], []
     for axis in axes:

@@ -73,10 +73,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
 
 
 def choose(data: dict[str, Any], k: int) -> None:
-    """Turn the axis that Selection looks at, what it ranks by, and the limits of pairs: from all to none of them.
-
-    If the book knows motors whose peak torque falls, that of the catalogue's falls in other ways, of some not.
-    """
+    """Turn how peak torques of the catalogue fall, if they do; the axis of Selection, its rank, and limits of pairs."""
     products, names = data["selection"], [axis["name"] for axis in data["axes"] if axis["motor"]]
     if any(map(falling, products["motors"])) if products["falling"] is None else products["falling"]:
         products["falling"] = True

@@ -145,10 +145,9 @@ class MovingAxis:
 class Whole:
     """The engine's view of a machine.
 
-    A turn lasts its ``time`` (s), at the ``speed`` of the master shaft (rad/s): a turn of the cycle by its unit over an
-    abscissa that tells no time. ``room`` are the rows of the table of an axis' pieces. A machine that ``hands_over``
-    velocity between phases has a straight line in its book. ``angles`` are the samples of the master shaft in degrees,
-    ``samples`` the same in rad.
+    A turn lasts its ``time`` (s), at the ``speed`` of the master shaft (rad/s), over an abscissa that tells no time by
+    its unit. ``room`` are the rows of an axis' pieces. A machine that ``hands_over`` velocity between phases has a
+    straight line in its book. ``angles`` are the samples of the master shaft in degrees, ``samples`` in rad.
     """
 
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:

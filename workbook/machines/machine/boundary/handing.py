@@ -35,8 +35,7 @@ NONE = Rates()
 class Handing:
     """What the phases of an axis take from their neighbours; they stand in every second row of its steps.
 
-    The table of steps has as many rows as there is ``room``; ``in_row`` has the number in the motion of the step of
-    each row that is used, both from 0.
+    ``room`` are the rows of the table of steps; ``in_row`` has the number in the motion of the step of each used row.
     """
 
     def __init__(self, rows: PieceRows, axis: MovingAxis, over: Abscissa) -> None:
@@ -108,10 +107,7 @@ class Handing:
         return found
 
     def checks(self, name: str, label: str) -> list[Quantity]:
-        """Return the checks that each law can have the ends that are asked of it, and that nothing speaks against them.
-
-        ``name`` and ``label`` are what the checks' begin with.
-        """
+        """Return the checks, of such begins of names and labels, that laws can have their ends and no line is against."""
         texts, against = f"[{self.asked}.fault]", f"[{self.asked}.contrary]"
         axis, called = self.axis.given.name, f'[axes.name.{self.axis.number}]&" '
         fault = next(filter(None, self.faults()), "")
@@ -154,10 +150,7 @@ def straight(step: Handover | None) -> int:
 
 
 def beside(one: Handing) -> list[Quantity]:
-    """Return the columns of the steps before and after, if these are straight lines or dwells, and of what is entered.
-
-    For the begin of a phase, that is: of a rest, in each odd row, there is none.
-    """
+    """Return the columns of the steps beside each, if these are straight or dwells, and of what is entered for phases."""
     rows, table, around = [place + 1 for place in one.axis.places], one.asked, one.axis.given.repeats
     earlier = [max((row for row in rows if row < k), default=0) for k in range(1, one.room + 1)]
     before, after = [rows[-1] if around else 0, *rows[:-1]], [*rows[1:], rows[0] if around else 0]
@@ -217,10 +210,7 @@ def ends(one: Handing) -> list[Quantity]:
 
 
 def carried_out(one: Handing) -> list[Quantity]:
-    """Return the columns of whether a begin is entered otherwise than a straight line there has it, and of the law.
-
-    Whether that can have such ends, why not, and how it is carried out.
-    """
+    """Return the columns of whether a straight line speaks against an entry, and how a law is carried out, or why not."""
 
     def differs(step: Handover, line: Handover | None) -> int:
         return int(line is not None and straight(line) and not agrees(step.entered or NONE, line.slope))

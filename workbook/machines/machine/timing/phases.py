@@ -184,10 +184,7 @@ def gaps(one: AxisRows) -> list[float]:
 
 
 def axis_checks(sheet: Sheet, one: AxisRows) -> None:
-    """Declare the checks of one axis; each calls it by its number, as it may get another name.
-
-    That phases end with the cycle is one where an entry says how long that is; that it repeats, where it has a drive.
-    """
+    """Declare the checks of one axis; each calls it by its number, as it may get another name."""
     axis, t, i = one.axis, one.name, one.axis.number
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", one.machine.over
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
