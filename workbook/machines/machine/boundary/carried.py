@@ -102,7 +102,7 @@ def horner(powers: int, order: int, xi: str) -> str:
 
 
 def kinds(one: Handing) -> list[Quantity]:
-    """Return the columns of rates at both ends, and of the kinds of both: of what is settled there, else of the law's."""
+    """Return the columns of rates at both ends, and of their kinds: of what is settled there, else of the law's."""
     at = one.rows.at
     no, rate, *peaks = (f"INDEX([{at.phases}.{name}],[k])" for name in ("no", "rate", "y1", "y2"))
     end = f"INDEX([{at.ends}.{{}}],[k])".format

@@ -107,7 +107,7 @@ class Handing:
         return found
 
     def checks(self, name: str, label: str) -> list[Quantity]:
-        """Return the checks, of such begins of names and labels, that laws can have their ends and no line is against."""
+        """Return the checks, of names and labels that begin so, that laws can have their ends and no line objects."""
         texts, against = f"[{self.asked}.fault]", f"[{self.asked}.contrary]"
         axis, called = self.axis.given.name, f'[axes.name.{self.axis.number}]&" '
         fault = next(filter(None, self.faults()), "")
@@ -150,7 +150,7 @@ def straight(step: Handover | None) -> int:
 
 
 def beside(one: Handing) -> list[Quantity]:
-    """Return the columns of the steps beside each, if these are straight or dwells, and of what is entered for phases."""
+    """Return the columns of the steps beside each, if these are straight, and of what is entered for phases."""
     rows, table, around = [place + 1 for place in one.axis.places], one.asked, one.axis.given.repeats
     earlier = [max((row for row in rows if row < k), default=0) for k in range(1, one.room + 1)]
     before, after = [rows[-1] if around else 0, *rows[:-1]], [*rows[1:], rows[0] if around else 0]
@@ -210,7 +210,7 @@ def ends(one: Handing) -> list[Quantity]:
 
 
 def carried_out(one: Handing) -> list[Quantity]:
-    """Return the columns of whether a straight line speaks against an entry, and how a law is carried out, or why not."""
+    """Return the columns of whether a straight line is against an entry, how a law is carried out, or why not."""
 
     def differs(step: Handover, line: Handover | None) -> int:
         return int(line is not None and straight(line) and not agrees(step.entered or NONE, line.slope))
