@@ -58,8 +58,7 @@ class Moved(NamedTuple):
 class Formulas:
     """Takes formulas of one sheet apart; ``area`` resolves a name, or a sheet's title.
 
-    A formula's text with the numbers of its row left out is looked up among those already met. Where every number
-    left out is the whole row of a reference, the formula met differs in these rows only.
+    A formula met before differs in its rows only where every number left open is the whole row of a reference.
     """
 
     def __init__(self, sheet: str, area: Resolve) -> None:

@@ -1,6 +1,5 @@
-"""The limits of entries in cells: each entry has a message, and each block of inputs a check that counts messages.
+"""The limits of entries in cells: each entry has a message, empty or a note where it is fine, each block a check.
 
-A message says what was found and what is expected; it is empty, or the entry's note, where the entry is fine.
 Programs enforce validations on what is typed alone: what is pasted, or written by a script, passes them by.
 """
 

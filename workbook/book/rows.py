@@ -31,10 +31,9 @@ def as_rows(value: Any, size: int, where: str) -> list[Any]:
 
 
 def total(column: str) -> str:
-    """Return the formula of a column's sum.
+    """Return the formula of a column's sum, not by SUM: LibreOffice 7.4 works out columns without values in threads.
 
-    SUMPRODUCT, not SUM: in a book without saved values, which another program has written, LibreOffice 7.4 works out
-    columns in threads, and SUM misses the first cell of one that is begun for it.
+    SUM then misses the first cell of one that is begun for it.
     """
     return f"SUMPRODUCT([{column}])"
 

@@ -120,10 +120,7 @@ def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: d
 
 
 def keys_of(model: type[BaseModel], loc: tuple[int | str, ...]) -> tuple[str, str]:
-    """Return the key of a fault of pydantic's, and of the rule for it: a law's entries have those of its family.
-
-    A table of different kinds has its kind in the rule, and not in the key.
-    """
+    """Return the key of a fault of pydantic's, and of its rule: by a law's family, by the kind of a table."""
     given = [*map(str, loc)]
     if len(given) < 3 or given[0] != "laws":
         own = [part for i, part in enumerate(given) if part not in rules.kinds_at(model, given[:i])]

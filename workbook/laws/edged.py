@@ -1,8 +1,7 @@
 """Pages of the laws of two pulses and a cruise: all of it follows from the forms and durations of their stages.
 
-Up to seven stages, as in the modified trapezoid: an edge up to A, constant, an edge down; uniform velocity; an edge
-down to −B, constant, an edge up. What a family has of them it states by number, with the formula of each duration,
-``@d1`` … ``@d7``. Source of the formulas: S1, 'Modified trapezoidal curve (seven parameters)', for any edges.
+Up to seven: an edge up to A, constant, an edge down; uniform velocity; an edge down to −B, constant, an edge up. What
+a family has of them it states by number, with the formula of each duration. Source: S1, 'Modified trapezoidal curve'.
 """
 
 from collections.abc import Mapping, Sequence

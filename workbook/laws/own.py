@@ -1,8 +1,7 @@
-"""An own law in cells: its extremes, nine points a piece, and by how much it misses its rise and rest.
+"""An own law in cells: its extremes by nine points of Gauss and Lobatto a piece, by how much it misses rise and rest.
 
-``POINTS`` of Gauss and Lobatto stand on each piece, both its ends among them. A point's row has the extreme that lies
-between it and the point before, by the parabola of both slopes where the slope changes its sign; the largest of a
-column is the law's.
+A point's row has the extreme that lies between it and the point before, by the parabola of both slopes where the slope
+changes its sign.
 """
 
 from collections.abc import Sequence

@@ -1,8 +1,7 @@
 """The families of laws that a workbook knows: the pages of the engine's catalogue, in its order."""
 
 import re
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from engine.laws import CATALOGUE, Law
 from engine.motion.handover import PULSES, early_of, end_mode
@@ -38,20 +37,15 @@ def require_complete(page: Page) -> None:
     early = {way: page.early if way == PULSES else 0 for way in ways}
     if early.get(end_mode(law)) != early_of(law):
         wrong.append("how it meets its neighbours, as the engine has it")
-    keys = set(numbered(default, page.fields)) ^ {parameter.key for parameter in page.parameters}
-    wrong += [f"the parameter {key}" for key in sorted(keys)]
+    entered = {name: getattr(default, name) for name in page.fields}
+    keys = {key for name, value in entered.items()
+            for key in ([f"{name}.{i}" for i in range(len(value))] if isinstance(value, list) else [name])}  # fmt: skip
+    wrong += [f"the parameter {key}" for key in sorted(keys ^ {parameter.key for parameter in page.parameters})]
     wrong += [f"variations of {key}" for key in page.fields if any(key not in v for v in page.variations)]
     if page.parameters and len(page.variations) < 2:
         wrong.append("two variations or more")
     if wrong:
         raise IncompleteError(f"the page of {page.code} lacks {', '.join(wrong)}")
-
-
-def numbered(entered: Any, fields: Sequence[str]) -> Iterator[str]:
-    """Yield the key of each number in these entries."""
-    for name in fields:
-        value = getattr(entered, name)
-        yield from (f"{name}.{i}" for i in range(len(value))) if isinstance(value, list) else (name,)
 
 
 FAMILY: dict[str, Page] = {law.code: page_of(law, PAGES) for law in CATALOGUE}

@@ -1,7 +1,5 @@
 """The laws of a book as every sheet looks them up: the Laws sheet has each by number, and the pieces of all stacked."""
 
-from __future__ import annotations
-
 from collections.abc import Container, Sequence
 from itertools import groupby
 from typing import Any, NamedTuple
@@ -33,11 +31,6 @@ LAW_SIZES = {
 }  # fmt: skip
 
 
-def shelf_of(given: Laws, sizes: Sizes, hands_over: bool = False) -> LawShelf:
-    """Return the laws of a book, those of the latest one where they are the same."""
-    return latest("laws", (given, sizes, hands_over), lambda: LawShelf(given, sizes, hands_over))
-
-
 class LawShelf:
     """The motion laws of a book: the engine's laws by name, and the stack of pieces in which sheets look them up."""
 
@@ -66,6 +59,11 @@ class LawShelf:
             if one.page.has_sheet:
                 law_sheet(book, one, self.sizes, self.stack)
         laws_sheet(book, self.named, self.sizes, self.rows, self.stack, self.hands_over)
+
+
+def shelf_of(given: Laws, sizes: Sizes, hands_over: bool = False) -> LawShelf:
+    """Return the laws of a book, those of the latest one where they are the same."""
+    return latest("laws", (given, sizes, hands_over), lambda: LawShelf(given, sizes, hands_over))
 
 
 class Row(NamedTuple):

@@ -93,10 +93,9 @@ def count(law: Law) -> int:
 
 
 def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
-    """Settle the room for the pieces of a motion, and return it: what is stated, or a few rows more than ``most``.
+    """Settle the room for the pieces of a motion: what is stated, or a few rows more than ``most``; raise EntryError.
 
-    There is room for ``rest`` pieces and any law of the book ``at_once`` times: so many does verify try. Raises
-    EntryError where less is stated.
+    At least for ``rest`` pieces and any law of the book ``at_once`` times: so many does verify try.
     """
     least = rest + at_once * max(machine.sizes.pieces, *counts(machine.laws).values())
     room = machine.sizes.motion_pieces

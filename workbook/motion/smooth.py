@@ -29,8 +29,7 @@ WORDS = ",".join(f'"{word}"' for word in ORDERS)
 class Joints:
     """The joints of a motion's pieces: the engine's, and the columns that find them.
 
-    The piece before is taken by INDEX, not from the row above: of two columns that do so within an IF, LibreOffice 7.4
-    crashes when a cell is entered and a column is then inserted.
+    The piece before is taken by INDEX: of two columns that take the row above within an IF, LibreOffice 7.4 crashes.
     """
 
     def __init__(

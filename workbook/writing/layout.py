@@ -138,10 +138,9 @@ CLOSE = 3  # rows of a section, and of a table, that its heading keeps to
 
 
 def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], high: Mapping[int, float]) -> list[int]:
-    """Return the rows after which a page ends, of a sheet that prints so many rows and columns at its width.
+    """Return the rows after which a page ends, of a sheet that prints so many rows and columns: the cheapest cuts.
 
-    ``wide`` and ``high`` are the widths of its columns (digits) and the heights of its rows (points), where they
-    are not the usual ones. The fewest and least cuts, by what they cost; none where all is one page.
+    ``wide`` are widths of its columns (digits), ``high`` heights of its rows (points), where they are not the usual.
     """
     tall = {1: TALL["title"]} | {text.row: TALL[text.style] for text in sheet.texts if text.style in TALL}
     ends = list(accumulate((high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)), initial=0.0))
