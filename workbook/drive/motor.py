@@ -10,20 +10,18 @@ from workbook.book.sentence import NOTHING, Said, amount, exceeding
 from workbook.entries.units import RPM, shown
 
 RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"  # colours in the plane of speed and torque
+PEAKS = "MAX(@tmax,0-@tmin)"
 
 
 def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quantity]:
     """Return the checks of RMS torque, peak torque and speed; ``mends`` says, behind what fails, what would mend it."""
-    peak, fastest = "MAX(@tmax,0-@tmin)", [shown(n, RPM) for n in (reserve.speed.value, reserve.speed.limit)]
+    found = (("rms", "RMS torque within the continuous torque", "@rms", "@continuous", "Nm", 1.0, reserve.rms_torque),
+             ("peak", "peak torque within the motor's", PEAKS, "@motor_peak", "Nm", 1.0, reserve.peak_torque),
+             ("speed", "speed within the motor's", "@speed", "@motor_nmax", "rpm", RPM, reserve.speed))  # fmt: skip
     return [
-        check("@ok_rms", f"{of}: RMS torque within the continuous torque", "@rms<=@continuous", reserve.rms_torque.ok,
-              says=exceeding("@rms", "@continuous", "Nm", reserve.rms_torque.value, reserve.rms_torque.limit)
-              .then(mends)),
-        check("@ok_peak", f"{of}: peak torque within the motor's", f"{peak}<=@motor_peak", reserve.peak_torque.ok,
-              says=exceeding(peak, "@motor_peak", "Nm", reserve.peak_torque.value, reserve.peak_torque.limit)
-              .then(mends)),
-        check("@ok_speed", f"{of}: speed within the motor's", "@speed<=@motor_nmax", reserve.speed.ok,
-              says=exceeding("@speed", "@motor_nmax", "rpm", *fastest).then(mends)),
+        check(f"@ok_{name}", f"{of}: {what}", f"{cell}<={limit}", one.ok,
+              says=exceeding(cell, limit, unit, shown(one.value, size), shown(one.limit, size)).then(mends))
+        for name, what, cell, limit, unit, size, one in found
     ]  # fmt: skip
 
 

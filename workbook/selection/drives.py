@@ -77,10 +77,7 @@ GROUP = 5  # drives among which one formula chooses
 def named(
     view: Choosing, column: str, label: str, symbol: str, unit: str, values: Array, whole: str = "{}", **more: Any
 ) -> list[Quantity]:  # fmt: skip
-    """Return the column of a figure of the named drive; of many drives, one for each group of them before it.
-
-    ``whole`` is what the formula of the figure stands in.
-    """
+    """Return the column of a figure, within ``whole``, of the named drive; of many, one for each group before it."""
     names = [f"INDEX({one.columns}_{column},[k])" for one in view.shafts]
     chosen = view.shaft.by_point(values)
     if len(names) <= GROUP:

@@ -6,6 +6,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field, model_validator
 
 from engine.selection.pair_matrix import Rank
+from workbook.drive.entries import noted
 from workbook.entries.machine import Sizes
 from workbook.entries.texts import place_of, require_distinct
 from workbook.entries.types import EntryError, Model, Positive
@@ -50,31 +51,23 @@ class Products(Model):
 class Ranked(Products):
     """The catalogues, what usable pairs of them are ranked by, and what a usable one must meet."""
 
-    rank: Rank = Field(default="smallest motor", description="What the sheet Selection ranks usable pairs by")
-    inertia_ratio: Positive = Field(
-        default=10.0, description="Largest inertia at the motor over the motor's of a usable pair"
+    rank: Rank = noted("smallest motor", "What the sheet Selection ranks usable pairs by")
+    inertia_ratio: Positive = noted(10.0, "Largest inertia at the motor over the motor's of a usable pair")
+    least_margin: Positive = noted(1.2, "Least continuous torque over RMS torque of a usable pair")
+    greatest_margin: Positive = noted(10.0, "Greatest continuous torque over RMS torque of a usable pair")
+    least_peak_margin: Positive = noted(1.1, "Least peak torque of the motor over the largest torque of a usable pair")
+    least_speed_margin: Positive = noted(
+        1.1, "Least largest speed of the motor over the largest speed of a usable pair"
     )
-    least_margin: Positive = Field(default=1.2, description="Least continuous torque over RMS torque of a usable pair")
-    greatest_margin: Positive = Field(
-        default=10.0, description="Greatest continuous torque over RMS torque of a usable pair"
-    )
-    least_peak_margin: Positive = Field(
-        default=1.1, description="Least peak torque of the motor over the largest torque of a usable pair"
-    )
-    least_speed_margin: Positive = Field(
-        default=1.1, description="Least largest speed of the motor over the largest speed of a usable pair"
-    )
-    torque_factor: Positive = Field(default=1.0, description="Factor on the torque that a reducer must hold")
+    torque_factor: Positive = noted(1.0, "Factor on the torque that a reducer must hold")
 
 
 class Selection(Ranked):
     """The catalogues, what their pairs are ranked by, and the motor and reducer in use: the proposed where none is."""
 
-    motor: Name | None = Field(default=None, description="Motor in use; that of the proposed pair if empty")
-    reducer: Name | None = Field(default=None, description="Reducer in use; that of the proposed pair if empty")
-    efficiency: Efficiency = Field(
-        default=1.0, description="Efficiency in the range of ratios, before a reducer is known"
-    )
+    motor: Name | None = noted(None, "Motor in use; that of the proposed pair if empty")
+    reducer: Name | None = noted(None, "Reducer in use; that of the proposed pair if empty")
+    efficiency: Efficiency = noted(1.0, "Efficiency in the range of ratios, before a reducer is known")
 
     @model_validator(mode="after")
     def _named(self) -> Self:

@@ -41,10 +41,7 @@ def grid(
     sheet: Sheet, view: Choosing, name: str, title: str, formula: Callable[[int], str], values: NDArray[Any],
     spare: Any = 0.0, **more: Any,
 ) -> None:  # fmt: skip
-    """Declare a table of the pairs: a row a motor, a column a reducer, which has its name and reduction above.
-
-    ``spare`` stands in rows and columns without a product.
-    """
+    """Declare a table of the pairs: a row a motor, a column a reducer below its name; ``spare`` where there is none."""
     (down, across), r = view.rooms, view.reducers
     names, reductions = filled(r.names, across, ""), filled(r.reduction, across)
     whole = np.full(view.rooms, spare, dtype=object)
@@ -76,15 +73,10 @@ def of(figure: str) -> str:
     return f"[@motors.{figure}.same]"
 
 
-def if_on(c: int, formula: str) -> str:
-    """Return a formula where both are in use."""
-    return f"IF({of('on')}*[@reducers.on.{c}],{formula},0)"
-
-
 def share(c: int) -> str:
     """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
     rms = rms_of(f"({of('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "mixed", "square")))
-    return if_on(c, f"{rms}/{continuous(f'[@reducers.mean.{c}]')}")
+    return f"IF({of('on')}*[@reducers.on.{c}],{rms}/{continuous(f'[@reducers.mean.{c}]')},0)"
 
 
 def continuous(mean: str) -> str:
@@ -96,7 +88,7 @@ def peak(c: int) -> str:
     """Return the formula of the peak torque of the motor of a row; no program takes ABS of an array in MAX alike."""
     torques = torque_of(f"({of('jm')}+[@reducers.jt.{c}])",
                         *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own")))  # fmt: skip
-    return if_on(c, f"SUMPRODUCT(MAX(({torques})^2))^0.5")
+    return f"IF({of('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
 
 
 def wanted(table: str, n: int, inertia: str) -> str:

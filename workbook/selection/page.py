@@ -32,7 +32,6 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "") -> None:
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: usable pairs, best first.")
     with sheet.scoped("sel_"):
         entries(sheet, view, axis)
-        asked(sheet, view)
         outcome(sheet, view, axis)
         best_table(sheet, view)
         chart(sheet)
@@ -57,7 +56,7 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "") -> None:
 
 
 def entries(sheet: Sheet, view: Choosing, axis: str) -> None:
-    """Declare the axis, what pairs are ranked by, and what a usable one holds."""
+    """Declare the axis, what pairs are ranked by, what a usable one holds, and what the axis asks for."""
     s = view.given
     sheet.heading("Enter", ABOUT)
     sheet.rows(
@@ -68,10 +67,6 @@ def entries(sheet: Sheet, view: Choosing, axis: str) -> None:
         *(given(f"@{name}", label, symbol, "", getattr(s, entry), f"selection.{entry}", format="0.0##", source=source)
           for name, entry, label, symbol, source in ENTRIES),
     )  # fmt: skip
-
-
-def asked(sheet: Sheet, view: Choosing) -> None:
-    """Declare what the axis asks for behind its reducer."""
     load = view.grid.task
     scale = view.shaft.torque
     sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")

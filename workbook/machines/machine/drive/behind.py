@@ -5,8 +5,6 @@ drives it, d the direction: the squares of T are sums of means of α, S and d ov
 Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 """
 
-import numpy as np
-
 from engine.selection.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
 from workbook.machines.machine.drive.entered import on_shaft
@@ -31,12 +29,7 @@ def turns_of(view: DriveView) -> float:
 
 def asked_of(view: DriveView) -> dict[str, tuple[float, float]]:
     """Return the figures of what the cycle asks for, with their scales."""
-    return asked(load_of(view), turning(view), view.scales.behind)
-
-
-def turning(view: DriveView) -> float:
-    """Return how large the acceleration of the shaft grows (rad/s²)."""
-    return max(float(np.abs(view.load.shaft_acceleration).max()), 1e-9)
+    return asked(load_of(view), view.scales.turning, view.scales.behind)
 
 
 def means(sheet: Sheet, view: DriveView) -> None:
@@ -94,4 +87,4 @@ def shaft_of(view: DriveView) -> Shaft:
         "held_gear": ("@reducer_row", reducer.row),
     })  # fmt: skip
     return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load_of(view),
-                 "ABS({})/@held_i", turning(view), view.scales.behind, rows)  # fmt: skip
+                 "ABS({})/@held_i", view.scales.turning, view.scales.behind, rows)  # fmt: skip

@@ -73,7 +73,8 @@ def loads(driven: Driven, key: str) -> list[Quantity]:
     ]  # fmt: skip
 
 
-ACTS = "(({x}>=[@windows.from])*({x}<[@windows.from]+[@windows.span])+({x}+360<[@windows.from]+[@windows.span]))"
+# where a process force acts at the angle in the column ``at``
+ACTS = "(([at]>=[@windows.from])*([at]<[@windows.from]+[@windows.span])+([at]+360<[@windows.from]+[@windows.span]))"
 
 
 def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
@@ -120,8 +121,3 @@ def windows_check(view: DriveView) -> Quantity:
     return check("@ok_windows", f"{view.driven.called}: no process force goes on beyond the cycle",
                  f'COUNTIF({words},"?*")=0', True, rule=over.rule("axes", i, "forces"),
                  says=f'[axes.name.{i}]&" process force "&{row}&" "&INDEX({words},{row})')  # fmt: skip
-
-
-def acting(angle: str, column: str) -> str:
-    """Return the formula of what acts at an angle of the master shaft, of a column of the process forces."""
-    return f"SUMPRODUCT({ACTS.format(x=angle)}*[@windows.{column}])"

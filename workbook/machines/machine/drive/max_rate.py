@@ -23,10 +23,7 @@ SPEEDS = ("motor speed", "reducer input speed")
 
 
 def grown(torque: str, limit: str, *more: str) -> str:
-    """Return the formula of the largest share of a limit of torque: |I| over what T_s leaves of it at each point.
-
-    ``more`` are other shares that the largest is taken of.
-    """
+    """Return the formula of the largest share of a limit of torque, or of ``more``: |I| over what T_s leaves of it."""
     now, none = f"[@pt.{torque}]", f"[@pt.{torque}0]"
     ways = f"({now}-{none})/({limit}-{none})", f"({none}-{now})/({limit}+{none})"
     return f"MAX({','.join((*(f'SUMPRODUCT(MAX({way}))' for way in ways), *more))})"

@@ -18,7 +18,7 @@ from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive import brake, by_angle
-from workbook.machines.machine.drive.entered import acting
+from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.pieces import FROM_START, arguments, sampled
@@ -43,7 +43,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     linked = [] if not view.varies else [
         *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
         calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
-             "φ'' ẏ² + φ' ÿ", scale=max(float(np.abs(load.shaft_acceleration).max()), 1e-9)),
+             "φ'' ẏ² + φ' ÿ", scale=size.turning),
     ]  # fmt: skip
     sheet.table(
         "@pt", "The drive at nine points of each interval", view.rows * POINTS,
@@ -186,10 +186,10 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
         calc("dir", "direction", "", "", f"=IF({LENGTH},[dir-1],IF(ABS({speed})<=@still,0,SIGN({speed})))",
              view.by_interval(cycle.direction), "1, −1; 0 at rest", format="0"),
         *(brake.of_intervals(view, LENGTH) if view.brakes else ()),
-        calc("steady", "resists always", "", unit, f"=@steady+{acting('[at]', 'always')}", view.by_interval(steady),
-             "with process forces", scale=view.scales.force),
-        calc("friction", "against motion", "", unit, f"=@rub+{acting('[at]', 'moving')}", view.by_interval(friction),
-             scale=view.scales.force),
+        calc("steady", "resists always", "", unit, f"=@steady+SUMPRODUCT({ACTS}*[@windows.always])",
+             view.by_interval(steady), "with process forces", scale=view.scales.force),
+        calc("friction", "against motion", "", unit, f"=@rub+SUMPRODUCT({ACTS}*[@windows.moving])",
+             view.by_interval(friction), scale=view.scales.force),
         blank=LENGTH,
     )  # fmt: skip
 

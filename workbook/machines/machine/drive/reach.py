@@ -14,8 +14,8 @@ from workbook.machines.machine.drive.driven import APART, FALLS, linkage_of, pre
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import MechanismEntry, PressCrank, Table
-from workbook.machines.machine.view import MovingAxis, Whole
+from workbook.machines.machine.mechanism import UNSIZED, MechanismEntry, PressCrank, Table
+from workbook.machines.machine.view import Whole
 
 WORDS = " reaches {} {}, {} {} beyond the {}"
 
@@ -54,16 +54,21 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     )  # fmt: skip
 
 
-def reach_checks(view: DriveView, within: str) -> list[Quantity]:
-    """Return the checks that every position is reached, and that the axis comes back: such a mechanism has ends."""
+def linkage_checks(view: DriveView) -> list[Quantity]:
+    """Return the checks of a mechanism whose ratio changes: its sizes, its reach, and that its axis comes back."""
     driven, i, motion = view.driven, view.driven.number, view.driven.axis.motion
+    called, page = driven.called, LINKAGES[driven.given.kind]
     says = f'[axes.name.{i}]&" row "&INDEX([@reach.says],MATCH(1,[@reach.out],0))'
     lifts, cell, travel = f"[axis{i}.h]", f"[axes.travel.{i}]", shown(motion.lifts_sum, driven.axis.unit)
     back = f"ABS(SUM({lifts}))<=check_zero*MAX(MAX({lifts}),0-MIN({lifts}))"
     return [
-        check("@ok_reach", f"{driven.called}: the mechanism reaches every position", "SUM([@reach.out])=0", True,
-              within, f":reach{i}", says),
-        check("@ok_back", f"{driven.called}: the axis comes back every cycle", back, motion.closes,
+        check("@ok_sized", f"{called}: the mechanism has its sizes", page.sized, True,
+              rule=f"axes.{i - 1}.mechanism:sized", says=f'"{UNSIZED}"'),
+        check("@ok_linked", f"{called}: the sizes of the mechanism go together", page.fits, True, page.holds,
+              f":linked{i}", page.wrong),
+        check("@ok_reach", f"{called}: the mechanism reaches every position", "SUM([@reach.out])=0", True, page.within,
+              f":reach{i}", says),
+        check("@ok_back", f"{called}: the axis comes back every cycle", back, motion.closes,
               "its mechanism has ends",
               says=amount(cell, travel, "it ends ", f" {driven.entered.unit} from where it begins")),
     ]  # fmt: skip
@@ -84,28 +89,22 @@ def apart(given: MechanismEntry, unit: str) -> str:
     return ""
 
 
-def unreached_row(axis: MovingAxis, linkage: Linkage) -> str:
-    """Return what is said of the first phase that leaves the reach; nothing where none does."""
-    for row, k in enumerate(axis.entered, 1):
-        errors = [error for y in axis.motion.reaches[k] if (error := linkage.beyond(y))]
-        if errors:
-            found, unit = max(errors, key=lambda error: error.by), axis.given.unit
-            place, by = (shown(one, axis.unit) for one in (found.position, found.by))
-            return f"{axis.given.name} row {row}" + WORDS.format(figure(place), unit, rounded(by), unit, found.end)
-    return ""
-
-
 def require_mechanisms(machine: AnyMachine) -> None:
-    """Raise DesignError for a mechanism that cannot be, or that does not reach a position of its axis."""
-    sized = [axis.mechanism for axis in machine.axes if axis.mechanism and axis.mechanism.LARGE]
-    for axis in Whole(machine, laws(machine.laws)).axes if sized else ():
-        i, given = axis.number, axis.given.mechanism
+    """Raise DesignError for a mechanism that cannot be, or for the first phase that leaves its reach."""
+    if not any(axis.mechanism and axis.mechanism.LARGE for axis in machine.axes):
+        return
+    for axis in Whole(machine, laws(machine.laws)).axes:
+        name, given, unit = axis.given.name, axis.given.mechanism, axis.given.unit
         if given is None or not given.LARGE:
             continue
-        where, large = f"axes.{i - 1}.mechanism", given.model_dump() | given.LARGE
-        said = apart(given, axis.given.unit)
-        if said:
-            raise DesignError(where, said, f"linked{i}", large)
-        said = "" if given.SLIDES else unreached_row(axis, linkage_of(given, axis.unit))
-        if said:
-            raise DesignError(where, said, f"reach{i}", large)
+        where, large = f"axes.{axis.number - 1}.mechanism", given.model_dump() | given.LARGE
+        if said := apart(given, unit):
+            raise DesignError(where, said, f"linked{axis.number}", large)
+        linkage = None if given.SLIDES else linkage_of(given, axis.unit)
+        for row, k in enumerate(axis.entered if linkage else (), 1):
+            errors = [error for y in axis.motion.reaches[k] if linkage and (error := linkage.beyond(y))]
+            if errors:
+                found = max(errors, key=lambda error: error.by)
+                place, by = (shown(one, axis.unit) for one in (found.position, found.by))
+                said = f"{name} row {row}" + WORDS.format(figure(place), unit, rounded(by), unit, found.end)
+                raise DesignError(where, said, f"reach{axis.number}", large)

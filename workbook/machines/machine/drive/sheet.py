@@ -12,11 +12,11 @@ from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
 from workbook.machines.machine.drive.points import charts, cuts_table, intervals_table, points_table, samples_table
-from workbook.machines.machine.drive.reach import reach_checks, reach_table
+from workbook.machines.machine.drive.reach import linkage_checks, reach_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.workings import peaks_table, top, workings
 from workbook.machines.machine.from_names import kind_name
-from workbook.machines.machine.mechanism import SCREWS, UNSIZED
+from workbook.machines.machine.mechanism import SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
 
 USED = "The figures that this sheet computes with: the catalogue's where a name is entered, else those entered below."
@@ -159,10 +159,7 @@ def energies(view: DriveView) -> list[Quantity]:
 
 
 def at_rate(view: DriveView) -> list[Quantity]:
-    """Return the rows of the reducer's largest torque at its cycles an hour, and of the curve of the motor in use.
-
-    Books that know none that falls have only by how much it does.
-    """
+    """Return the rows of the reducer's torque at its cycles an hour, and of the motor's curve if the book has any."""
     held, driven, falling = view.reducer_checks[0].limit, view.driven, view.driven.catalogued_falling
     peak, row, motors = driven.motor.peak_torque, driven.motor_used.row, driven.products.motors
     listed = row > 0 and motors[row - 1].end_torque is not None
@@ -209,16 +206,4 @@ def checks(view: DriveView) -> list[Quantity]:
         below_curve(called, driven.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.one.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),
-    ]  # fmt: skip
-
-
-def linkage_checks(view: DriveView) -> list[Quantity]:
-    """Return the checks of a mechanism whose ratio changes: its sizes, and where it can bring its load to."""
-    driven, i, page = view.driven, view.driven.number, LINKAGES[view.driven.given.kind]
-    return [
-        check("@ok_sized", f"{driven.called}: the mechanism has its sizes", page.sized, True,
-              rule=f"axes.{i - 1}.mechanism:sized", says=f'"{UNSIZED}"'),
-        check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", page.fits, True, page.holds,
-              f":linked{i}", page.wrong),
-        *reach_checks(view, page.within),
     ]  # fmt: skip

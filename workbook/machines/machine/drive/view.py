@@ -34,6 +34,7 @@ class Scales(NamedTuple):
     rpm: float
     power: float
     work: float
+    turning: float  # the acceleration of the shaft behind the reducer (rad/s²)
 
 
 class Highest(NamedTuple):
@@ -158,7 +159,8 @@ class DriveView:
         power = max(shown(torque * (max(self.speed, LEAST) + self.driven.motor_used.copper * torque), KW), LEAST)
         behind = max(float(np.abs(load.output_torque).max()), LEAST)
         force = max(float(np.abs(load.force).max()), LEAST)
-        return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.time, LEAST))
+        turning = max(float(np.abs(load.shaft_acceleration).max()), 1e-9)
+        return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.time, LEAST), turning)
 
     @property
     def energy(self) -> tuple[float, float]:
