@@ -84,9 +84,9 @@ class Beside:
 
     def end(self) -> None:
         """End the process, whatever it does."""
-        self._pool.shutdown(wait=False, cancel_futures=True)
         for process in multiprocessing.active_children():
             process.kill()
+        self._pool.shutdown(cancel_futures=True)
 
 
 def answer(asked: Future[Any] | None) -> Any:
