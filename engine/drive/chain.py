@@ -52,9 +52,7 @@ class Stage:
         if back is not None and not (math.isfinite(back) and back <= 1.0):
             raise ValueError(f"{self.name}: efficiency backward is {back:g}; expected a finite number, at most 1")
 
-    def factor(
-        self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR
-    ) -> Array:
+    def factor(self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR) -> Array:
         """Return f, by which it multiplies the torque behind it.
 
         1/η where power flows to the load and at rest; where the load drives, the efficiency backward. A stage whose

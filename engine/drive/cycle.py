@@ -202,7 +202,9 @@ class DriveCycle:
         """Yield the spans of a piece."""
         velocity = piece.curves[1]
         moves = largest_size(velocity, piece.duration) > NOISE * self.unshifted.fastest
-        cuts = [0.0, piece.duration, *self._edges(piece)]
+        edges = [edge for window in self.train.windows for edge in (window.begin, window.end)]
+        places = ((edge - self.shift - piece.begin) % self.unshifted.total for edge in edges)
+        cuts = [0.0, piece.duration, *(u for u in places if u < piece.duration)]
         if moves:
             turns = sign_changes(velocity, 0.0, piece.duration)
             cuts += [*turns, *self._knots(piece, turns)]
@@ -212,13 +214,6 @@ class DriveCycle:
             sense = direction * self.train.sense(piece.curves[0](middle))
             force = self.train.force(sense, piece.begin + middle + self.shift, self.unshifted.total)
             yield Span(piece, low, high, direction, force)
-
-    def _edges(self, piece: MotionPiece) -> Iterator[float]:
-        """Yield the edges of windows within a piece."""
-        for edge in (edge for window in self.train.windows for edge in (window.begin, window.end)):
-            u = (edge - self.shift - piece.begin) % self.unshifted.total
-            if u < piece.duration:
-                yield u
 
     def _knots(self, piece: MotionPiece, turns: Sequence[float]) -> Iterator[float]:
         """Yield where a piece, which turns round at ``turns``, passes a place at which the torque's formula changes."""

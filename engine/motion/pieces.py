@@ -38,10 +38,6 @@ class MotionPiece:
         """Return y, y', y'', y''' at u."""
         return MotionValues(*(curve.at(u) for curve in self.curves))
 
-    def derivative(self, order: int, u: Array) -> Array:
-        """Return the derivative of an order, 0 to 3, at u."""
-        return self.curves[order].at(u)
-
     @cached_property
     def curves(self) -> tuple[Curve, Curve, Curve, Curve]:
         """y, y', y'' and y''' over u."""

@@ -110,21 +110,14 @@ def least_gap(axes: Sequence[tuple[float, Shifted]], offset: float) -> Gap:
 
 
 def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, high: float) -> Gap:
-    """Return the least gap between two neighbouring breaks."""
-    gap = gap_curve(axes, offset, low, high)
-    return min(Gap(gap(u), low + u) for u in (0.0, *zeros(gap.derivative(), high - low), high - low))
-
-
-def gap_curve(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, high: float) -> Curve:
-    """Return ``offset`` + Σ factor · y over u from ``low``, up to ``high``, between which no piece begins."""
+    """Return the least gap between two neighbouring breaks, of the sum of the axes as one curve over u from ``low``."""
     curves = [(factor, one.curve(low, high)) for factor, one in axes]
-    powers = max(len(curve.c) for _, curve in curves)
-    columns = np.zeros(powers)
+    columns = np.zeros(max(len(curve.c) for _, curve in curves))
     for factor, curve in curves:
         columns[: len(curve.c)] += factor * np.array(curve.c)
     columns[0] += offset
-    sines = tuple((factor * a, w, phi) for factor, curve in curves for a, w, phi in curve.sines)
-    return Curve(tuple(columns.tolist()), sines)
+    gap = Curve(tuple(columns.tolist()), tuple((f * a, w, phi) for f, curve in curves for a, w, phi in curve.sines))
+    return min(Gap(gap(u), low + u) for u in (0.0, *zeros(gap.derivative(), high - low), high - low))
 
 
 def meets_least(gap: float, least: float, size: float) -> bool:

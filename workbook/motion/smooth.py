@@ -124,7 +124,7 @@ class Joints:
 
         def begun(n: int) -> list[float]:
             pairs = zip(self._taken(room), begins, strict=True)
-            return [float(piece.derivative(n, np.array(u))) for piece, u in pairs]
+            return [float(piece.curves[n].at(np.array(u))) for piece, u in pairs]
 
         def begin(n: int) -> str:
             return at_place(rows, n, "0") if opens else at_begin(rows, n)

@@ -223,7 +223,7 @@ def peaks(one: Handing) -> list[Quantity]:
 
 def at_ends(piece: MotionPiece, order: int) -> list[float]:
     """Return a derivative at the begin and at the end of a piece."""
-    return [float(y) for y in piece.derivative(order, np.array([0.0, piece.duration]))]
+    return [float(y) for y in piece.curves[order].at(np.array([0.0, piece.duration]))]
 
 
 def leaps(one: Handing) -> tuple[list[float], list[int]]:
@@ -260,7 +260,7 @@ def in_pieces(one: Handing, room: int) -> list[Quantity]:
         return filled((figure(piece) if step.mode == PULSES and piece.duration else 0.0 for piece, step in both), room)
 
     def mean_square(piece: MotionPiece) -> float:
-        return float(WEIGHTS @ piece.derivative(2, piece.duration * (NODES + 1.0) / 2.0) ** 2) / 2.0
+        return float(WEIGHTS @ piece.curves[2].at(piece.duration * (NODES + 1.0) / 2.0) ** 2) / 2.0
 
     lows = of(lambda piece: float(at_points(piece, 0).min()) - one.begin_of(piece))
     highs = of(lambda piece: float(at_points(piece, 0).max()) - one.begin_of(piece))

@@ -16,7 +16,7 @@ POINTS = np.linspace(0.0, 1.0, 201)  # where a piece is looked at for its extrem
 
 def at_points(piece: MotionPiece, order: int) -> Array:
     """Return the position (order 0) or a derivative of a piece at its points."""
-    return piece.derivative(order, piece.duration * POINTS)
+    return piece.curves[order].at(piece.duration * POINTS)
 
 
 @dataclass(frozen=True)
