@@ -3,8 +3,7 @@
 mechanisms      screw, belt, rollers …; crank-slider, rocker, table of positions; the register of all
 chain           stages and parts on shafts; losses by the direction of power; masses on guides, forces, cylinders
 motor           its limits, its peak torque over the speed, derating
-drive           a motor, with its brake, on a mechanism of constant ratio: torque, speed and power for any motion
-train           a motor, gears and a mechanism of any ratio, and the forces of the process
+train           a motor, with its brake and gears, a mechanism of any ratio, and the forces of the process
 search          extremes, zeros and integrals, of forces within a piece as powers and sines, and of functions
 cycle           a train over a motion, cut into intervals in which nothing changes its formula
 results         peaks, RMS torque, energy and mean power of a cycle, exact
@@ -14,9 +13,9 @@ drive_points    its motor there; the highest rate by these points
 """
 
 from engine.drive.chain import NEAR, Load, Mechanism, Part, Slide, Stage, cylinder, resisting
-from engine.drive.drive import Drive
 from engine.drive.mechanisms import KINDS, Kind
 from engine.drive.motor import STANDSTILL, LimitCheck, Motor, derating
+from engine.drive.train import Drive
 
 __all__ = [
     "KINDS", "NEAR", "STANDSTILL", "Drive", "Kind", "LimitCheck", "Load", "Mechanism", "Motor", "Part", "Slide",

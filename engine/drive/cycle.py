@@ -8,9 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.drive import dwell_times
 from engine.drive.search import NOISE, crossed, force_curve, largest_size, sign_changes
-from engine.drive.train import Force, Motion3, ShaftMotion, Train, Weights
+from engine.drive.train import Force, Motion3, ShaftMotion, Train, Weights, dwell_times
 from engine.laws.base import Array
 from engine.laws.ladder import Curve
 from engine.motion import Motion

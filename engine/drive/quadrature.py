@@ -16,8 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.drive.cycle import DriveCycle
-from engine.drive.drive import dwell_times
-from engine.drive.train import Train
+from engine.drive.train import Train, dwell_times
 from engine.laws.base import Array
 from engine.laws.points import POINTS, SHARES, WEIGHTS
 from engine.motion.pieces import MotionPiece, profile_of

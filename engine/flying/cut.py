@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import is_monotone, velocity_peak
+from engine.laws.ladder import reach_of
 from engine.laws.piece import scaled_piece
-from engine.laws.piece_extremes import reach_of
 
 Beyond = Literal["standstill", "reversal"]
 SAME_LENGTH = 1e-12  # of the design length, the line speed: a smaller difference is none

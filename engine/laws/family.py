@@ -9,8 +9,8 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from engine.laws.base import ROUNDING, Array, Coefficients, Kinematics, Real, require_within, stage_of, unwrap
+from engine.laws.ladder import coefficients_of
 from engine.laws.piece import POWERS, Carried, Piece, carried
-from engine.laws.piece_extremes import coefficients_of
 
 BLOCK = 8192  # samples evaluated at a time, so that what lies between stays in the cache
 

@@ -1,20 +1,20 @@
-"""Every zero of a polynomial plus a sine: each derivative's zeros bracket those of the function before it."""
+"""Every zero of a polynomial plus a sine, by its derivatives; where v, a, j and v·a of pieces are stationary."""
 
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-from engine.laws.base import Array
+from engine.laws.base import Array, Coefficients
+from engine.laws.piece import Piece, Sine, carried, cut, gains
 
 STEPS = 100  # of Newton's method, or of halving where that leaves the bracket: to the last digit
 CELLS = 64  # a half turn, in which two sines together are searched: they have no ladder
-
-Sine = tuple[float, float, float]
-"""P, ω, φ of P sin(ωu + φ)"""
 
 
 @dataclass(frozen=True)
@@ -119,3 +119,123 @@ def narrowed(positive: Callable[[Array], NDArray[np.bool_]], low: Array, high: A
         at = changed.argmax(axis=1)
         low, high = points[each, at - 1], points[each, at]
     return 0.5 * (low + high)
+
+
+POWER_CELLS = 512  # at least, in which the power of a piece with sines is searched for changes of sign
+ROUNDS = 4  # of narrowing a cell: a stationary value is then right to the last digit
+JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
+EDGE = 1e-7  # of a piece: a peak so near to its end lies at it
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
+
+
+def acceleration(piece: Piece) -> Curve:
+    """Return a(u) of a piece as a curve of no higher degree than it has; a sine that does not turn is a constant."""
+    still = sum(p * math.sin(phi) for p, w, phi in piece.sines if w == 0.0)
+    return trimmed(Curve((piece.c[0] + still, *piece.c[1:]), tuple(sine for sine in piece.sines if sine[1])))
+
+
+def stationary_power_points(piece: Piece, v0: float) -> list[float]:
+    """Return where v·a of a piece that is entered with velocity ``v0`` is stationary.
+
+    Of a polynomial by the ladder; of a piece with sines where the slope a² + v j changes its sign between samples.
+    """
+    a = acceleration(piece)
+    if not a.sines:
+        p = Polynomial(a.c or (0.0,))
+        return zeros(Curve(tuple((p * p.integ(k=v0)).deriv().coef.tolist())), piece.duration)
+    row = np.array(piece.row)[:, None]
+
+    def rises(u: Array) -> NDArray[np.bool_]:
+        _, v, a, j = gains(u, row)
+        return np.asarray(a * a + (v0 + v) * j >= 0.0)
+
+    cells = POWER_CELLS + int(max(abs(w) for _, w, _ in a.sines) * piece.duration * 16.0)
+    grid = np.linspace(0.0, piece.duration, cells + 1)
+    up = rises(grid)
+    at = np.flatnonzero(up[1:] != up[:-1])
+    return [float(u) for u in narrowed(rises, grid[at], grid[at + 1], ROUNDS)]
+
+
+def stationary_points(piece: Piece) -> list[float]:
+    """Return where v, a or j of a piece is stationary, by the ladder of derivatives, which misses none; in no order."""
+    a = acceleration(piece)
+    j = a.derivative()
+    return [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
+
+
+def at_peaks(piece: Piece) -> list[Piece]:
+    """Return the parts of a piece between which its acceleration is largest or lowest."""
+    d = piece.duration
+    peaks = [u / d for u in zeros(acceleration(piece).derivative(), d)] if d else []
+    return cut(piece, [share for share in peaks if EDGE < share < 1.0 - EDGE])
+
+
+def turning_points(piece: Piece, v0: float) -> list[float]:
+    """Return where v, a polynomial with sines as a is, changes its sign."""
+    a = acceleration(piece)
+    still = v0 + sum(p / w * math.cos(phi) for p, w, phi in a.sines)
+    turned = tuple((-p / w, w, phi + math.pi / 2.0) for p, w, phi in a.sines)
+    return zeros(Curve((still, *(c / (i + 1) for i, c in enumerate(a.c))), turned), piece.duration)
+
+
+def along(
+    pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
+) -> list[tuple[Array, Array, Array, Array]]:
+    """Return s, v, a and j of each piece that lasts, at its begin, at places inside it, and at its end.
+
+    The pieces follow each other from 0, with the velocity ``v0``.
+    """
+    found = []
+    for one in carried(pieces, v0):
+        if one.piece.duration > 0.0:
+            u = np.array([0.0, *inside(one.piece, one.v), one.piece.duration])
+            s, v, a, j = gains(u, np.array(one.piece.row)[:, None])
+            found.append((one.s + one.v * u + s, one.v + v, a, j))
+    return found
+
+
+def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:
+    """Return the coefficients of pieces one after the other, entered with the velocity ``v0``.
+
+    C_j is infinite where a jumps between pieces that last, or from ``a0`` at the begin or to ``a1`` at the end.
+    """
+    found = along(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
+    _, v, a, j = np.concatenate(found, axis=1)
+    before = np.array([a0, *(one[2][-1] for one in found)])
+    after = np.array([*(one[2][0] for one in found), a1])
+    jumps = np.abs(before - after).max() > JUMP * np.abs(a).max()
+    return Coefficients(
+        cv=float(np.abs(v).max()), ca_max=float(a.max()), ca_min=float(a.min()),
+        ca_rms=math.sqrt(sum(square_integral(piece) for piece in pieces if piece.duration > 0.0)),
+        cj=math.inf if jumps else float(np.abs(j).max()), va_max=float((v * a).max()), va_min=float((v * a).min()),
+    )  # fmt: skip
+
+
+def square_integral(piece: Piece) -> float:
+    """Return ∫a² over a piece by Gauss-Legendre, exact for the polynomial, on at most half a turn of ωu."""
+    fastest = max((abs(w) for _, w, _ in piece.sines), default=0.0)
+    parts = 1 + int(fastest * piece.duration / math.pi)
+    width = piece.duration / parts
+    u = (np.arange(parts)[:, None] + (NODES + 1.0) / 2.0).ravel() * width
+    a = gains(u, np.array(piece.row)[:, None])[2]
+    return float(np.tile(WEIGHTS, parts) @ (a * a)) * width / 2.0
+
+
+class Extremes(NamedTuple):
+    """Lowest and largest v, a and j; of j where a does not jump."""
+
+    v: tuple[float, float]
+    a: tuple[float, float]
+    j: tuple[float, float]
+
+
+def reach_of(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
+    """Return the lowest and the highest position of pieces one after the other, from 0 with the velocity ``v0``."""
+    s = np.concatenate([one[0] for one in along(pieces, v0, turning_points)])
+    return float(s.min()), float(s.max())
+
+
+def extremes_of(pieces: Sequence[Piece], v0: float) -> Extremes:
+    """Return the extremes of pieces one after the other, entered with the velocity ``v0``: exact, of any shape."""
+    _, *rates = np.concatenate(along(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
+    return Extremes(*((float(x.min()), float(x.max())) for x in rates))

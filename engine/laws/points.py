@@ -1,7 +1,7 @@
 """An own law by nine points of Gauss and Lobatto on each of its pieces: how the cells work out its coefficients.
 
 Peaks are those of the points, or of the parabola by the slopes at two neighbours between which the slope changes its
-sign; the RMS is by the points' weights. What is true is in :mod:`engine.laws.piece_extremes`.
+sign; the RMS is by the points' weights. What is true is in :mod:`engine.laws.ladder`.
 """
 
 import math
@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from engine.laws.base import Array, Coefficients
 from engine.laws.family import Law
 from engine.laws.inverse import velocity_peak
+from engine.laws.ladder import extremes_of, reach_of
 from engine.laws.piece import Piece, begins, bends, carried, gains
-from engine.laws.piece_extremes import extremes_of, reach_of
 from engine.laws.pieces import PieceLaw
 
 

@@ -9,8 +9,8 @@ from typing import ClassVar, NamedTuple
 
 from engine.laws.base import require_finite
 from engine.laws.ends import EndedLaw
+from engine.laws.ladder import at_peaks
 from engine.laws.piece import Carried, Piece, backwards, carried, scaled_piece
-from engine.laws.piece_extremes import at_peaks
 
 K = 2.0 / math.pi  # mean of a quarter sine
 QUARTER = math.pi / 2.0

@@ -14,7 +14,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 from rich.table import Column, Table
 
 from engine.laws import CATALOGUE
-from engine.laws.continuity import WORDS, continuity
+from engine.laws.inverse import WORDS, continuity
 from workbook.judging.many import Outcome
 from workbook.judging.report import FOLLOWS, Finding, Report
 from workbook.reports.page import VERDICTS, figure, line, own_verdict, where

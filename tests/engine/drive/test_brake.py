@@ -8,11 +8,10 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drive import Brake, dwell_times
 from engine.drive.drive_points import DrivePoints
 from engine.drive.quadrature import Cycle
 from engine.drive.results import DriveResults
-from engine.drive.train import Train
+from engine.drive.train import Brake, Train, dwell_times
 from engine.laws import Dwell, law
 from engine.motion import Motion
 

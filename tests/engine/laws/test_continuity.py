@@ -7,7 +7,7 @@ import pytest
 
 from engine.laws import Piece, PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.continuity import SMOOTH, code, continuity, meetings
+from engine.laws.inverse import SMOOTH, code, continuity, meetings
 from tests.engine.families import ENTRIES
 
 LAWS = pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.code)

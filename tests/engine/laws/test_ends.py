@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
 from engine.laws.ends import EndedLaw, EndError, Ends, between, kind, kinds
+from engine.laws.ladder import extremes_of
 from engine.laws.modified import HarmonicCombination, ModifiedSine
-from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import Limits, SCurve, TrapezoidalVelocity
 from engine.laws.simple import Cycloidal, SimpleHarmonic

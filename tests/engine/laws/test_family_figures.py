@@ -5,6 +5,7 @@ import math
 import pytest
 
 from engine.laws.ends import REST
+from engine.laws.ladder import extremes_of
 from engine.laws.modified import (
     HarmonicCombination,
     ModifiedSine,
@@ -13,7 +14,6 @@ from engine.laws.modified import (
     SineStraightSine,
     TrapezoidByShare,
 )
-from engine.laws.piece_extremes import extremes_of
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.pulse_law import PulseLaw, TwoPulses, polynomial_pulse
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity

@@ -8,9 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws.ladder import Curve, zeros
+from engine.laws.ladder import Curve, coefficients_of, extremes_of, zeros
 from engine.laws.piece import Piece, gains
-from engine.laws.piece_extremes import coefficients_of, extremes_of
 
 number = st.floats(-5, 5)
 

@@ -7,8 +7,7 @@ import pytest
 
 from engine.laws import PieceLaw
 from engine.laws.ends import Ends
-from engine.laws.ladder import zeros
-from engine.laws.piece_extremes import acceleration
+from engine.laws.ladder import acceleration, zeros
 from engine.laws.polynomials import EndedPolynomial
 from engine.laws.pulse_law import PulseLaw
 from engine.motion.handover import PULSES, end_mode

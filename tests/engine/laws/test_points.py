@@ -8,7 +8,7 @@ import pytest
 
 from engine.laws import Piece, PieceLaw
 from engine.laws.inverse import velocity_peak
-from engine.laws.piece_extremes import extremes_of, reach_of
+from engine.laws.ladder import extremes_of, reach_of
 from engine.laws.pieces import POLYNOMIAL_345
 from engine.laws.points import POINTS, SHARES, WEIGHTS, PointedLaw, Points, fastest, reach, slowest
 

@@ -1,6 +1,6 @@
 """The Comparison sheet: curves of up to four laws, and every law with what it costs."""
 
-from engine.laws.continuity import WORDS, code
+from engine.laws.inverse import WORDS, code
 from engine.laws.piece import POWERS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws import Dwell
-from engine.laws.continuity import Meeting, continuity, meetings
+from engine.laws.inverse import Meeting, continuity, meetings
 from workbook.laws.library import NamedLaw
 from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws

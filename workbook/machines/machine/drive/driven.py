@@ -9,14 +9,13 @@ import numpy as np
 
 from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.cycle import DriveCycle, MotionPieces
-from engine.drive.drive import Brake
 from engine.drive.limits import LimitChecks, Limits
 from engine.drive.mechanisms import slides
 from engine.drive.mechanisms.slides import Arm, ByAngle, crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
 from engine.drive.motor import Falling, TorqueCurve
 from engine.drive.results import DriveResults
-from engine.drive.train import Train, Window
+from engine.drive.train import Brake, Train, Window
 from workbook.entries.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.latest import latest
 from workbook.machines.machine.chain import AxisPart
