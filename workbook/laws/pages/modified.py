@@ -15,30 +15,17 @@ from engine.laws.modified import (
 )
 from workbook.book.sentence import figure
 from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
+from workbook.laws import shared
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Parameter
-from workbook.laws.shared import (
-    BRIEF,
-    DURATIONS,
-    EVEN,
-    LASTING,
-    LEAST,
-    REVERSAL,
-    SHARE,
-    SUM_SAYS,
-    Between,
-    SevenDurations,
-    Shared,
-    too_brief,
-)
 
 MODIFIED_TRAPEZOIDAL = edged(
     dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),
     titled="Modified trapezoidal acceleration",
     source="S1, seven parameters; S3, figure 2",
-    entries=SevenDurations,
+    entries=shared.SevenDurations,
     law=ModifiedTrapezoidal,
-    parameters=DURATIONS,
+    parameters=shared.DURATIONS,
     variations=(
         {"durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]},
         {"durations": [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0]},
@@ -47,11 +34,11 @@ MODIFIED_TRAPEZOIDAL = edged(
         {"durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]},
         {"durations": [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25]},
     ),
-    checks=LASTING,
+    checks=shared.LASTING,
 )
 
 
-class Cut(Shared):
+class Cut(shared.Shared):
     """The share of the time that accelerates, and the end at which the motion turns round."""
 
     reversal: Literal["none", "start", "end"] = "none"
@@ -71,7 +58,7 @@ TRAPEZOID_BY_SHARE = edged(
     entries=Cut,
     law=TrapezoidByShare,
     parameters=(
-        SHARE,
+        shared.SHARE,
         Parameter("@reversal", "It turns round at", "", "reversal", "reversal",
                   source="none, start or end: there the acceleration stands"),
         Parameter("@edge", "Edge of the pulse that is cut off", "ρ", "edge", "edge",
@@ -89,7 +76,7 @@ TRAPEZOID_BY_SHARE = edged(
 class Edges(LawSheet):
     """The share of the time that accelerates, and the edges' shares of either half."""
 
-    share: Between = ModifiedSine.share
+    share: shared.Between = ModifiedSine.share
     rise_edge: Share = ModifiedSine.rise_edge
     fall_edge: Share = ModifiedSine.fall_edge
 
@@ -105,7 +92,7 @@ MODIFIED_SINE = edged(
     entries=Edges,
     law=ModifiedSine,
     parameters=(
-        SHARE,
+        shared.SHARE,
         Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",
                   source="¼; ½: cycloidal, 0: simple harmonic"),
         Parameter("@fall_edge", "Last edge, as a share of the deceleration", "β_2", "fall_edge", "last edge"),
@@ -120,7 +107,7 @@ MODIFIED_SINE = edged(
 PARTS = ("sine", "constant", "cosine", "straight")
 
 
-class Parts(Shared):
+class Parts(shared.Shared):
     """The shares of the time of sine edges, constants, cosine edges and a straight line; they sum to 1."""
 
     sine: Share = SineConstantCosine.sine
@@ -130,15 +117,16 @@ class Parts(Shared):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield shares that do not fill the rise, and a law that cannot start or stop."""
-        total = sum(getattr(self, part) for part in PARTS)
+        parts = {part: getattr(self, part) for part in PARTS}
+        total, moves = sum(parts.values()), self.sine + self.constant + self.cosine
         fits = self.model_dump() | {part: getattr(SineConstantCosine, part) for part in PARTS}
         if abs(total - 1) > SUM_TOLERANCE:
             yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
-        if not self.sine + self.constant + self.cosine:
+        if not moves:
             yield DesignError("", "all of the time is straight", "lasts", fits)
-        if abs(total - 1) <= SUM_TOLERANCE and self.sine + self.constant + self.cosine:
-            law = SineConstantCosine(**{part: getattr(self, part) for part in PARTS}, share=self.share)
-            yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits | {"share": EVEN})
+        if abs(total - 1) <= SUM_TOLERANCE and moves:
+            stages = [piece.duration for piece in SineConstantCosine(**parts, share=self.share).as_pieces()]
+            yield from shared.too_brief(stages, "", fits | {"share": shared.EVEN})
 
 
 SINE_CONSTANT_COSINE = edged(
@@ -161,7 +149,7 @@ SINE_CONSTANT_COSINE = edged(
         Parameter("@constant", "Constant acceleration", "c", "constant", "constant"),
         Parameter("@cosine", "Cosine edges inside", "d", "cosine", "cosine edges"),
         Parameter("@straight", "Constant velocity", "e", "straight", "constant velocity"),
-        SHARE,
+        shared.SHARE,
     ),
     variations=(
         {"sine": 0.1, "constant": 0.6, "cosine": 0.3, "straight": 0.0, "share": 0.4},
@@ -170,15 +158,15 @@ SINE_CONSTANT_COSINE = edged(
         {"sine": 0.15, "constant": 0.25, "cosine": 0.35, "straight": 0.25, "share": 0.55},
     ),
     checks=(
-        LawCheck("@sum", "the four shares sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", SUM_SAYS),
+        LawCheck("@sum", "the four shares sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", shared.SUM_SAYS),
         LawCheck("@lasts", "the law starts and stops", "@sine+@constant+@cosine>0", "lasts",
                  '"all of the time is straight"'),
-        BRIEF,
+        shared.BRIEF,
     ),
 )  # fmt: skip
 
 
-class Turning(Shared):
+class Turning(shared.Shared):
     """The share of the time that accelerates, and the end at which the motion turns round."""
 
     reversal: Literal["start", "end"] = "end"
@@ -194,7 +182,7 @@ HARMONIC_COMBINATION = edged(
     source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI",
     entries=Turning,
     law=HarmonicCombination,
-    parameters=(SHARE, REVERSAL),
+    parameters=(shared.SHARE, shared.REVERSAL),
     variations=(
         {"share": 0.4, "reversal": "start"},
         {"share": 0.6, "reversal": "end"},
@@ -203,16 +191,16 @@ HARMONIC_COMBINATION = edged(
 )
 
 
-class Curved(Shared):
+class Curved(shared.Shared):
     """The share of the time that is curved, and the part of that which accelerates."""
 
-    curved: Annotated[float, Field(ge=LEAST, le=1, allow_inf_nan=False)] = SineStraightSine.curved
+    curved: Annotated[float, Field(ge=shared.LEAST, le=1, allow_inf_nan=False)] = SineStraightSine.curved
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a stage that is next to none."""
-        fits = self.model_dump() | {"curved": SineStraightSine.curved, "share": EVEN}
+        fits = self.model_dump() | {"curved": SineStraightSine.curved, "share": shared.EVEN}
         law = SineStraightSine(curved=self.curved, share=self.share)
-        yield from too_brief([piece.duration for piece in law.as_pieces()], "", fits)
+        yield from shared.too_brief([piece.duration for piece in law.as_pieces()], "", fits)
 
 
 SINE_STRAIGHT_SINE = edged(
@@ -225,10 +213,10 @@ SINE_STRAIGHT_SINE = edged(
     entries=Curved,
     law=SineStraightSine,
     parameters=(
-        SHARE,
+        shared.SHARE,
         Parameter("@curved", "Share of the time that is curved", "c", "curved", "share of the sines",
                   source="1: simple harmonic"),
     ),
-    checks=(BRIEF,),
+    checks=(shared.BRIEF,),
     variations=({"share": 0.4, "curved": 0.3}, {"share": 0.7, "curved": 1.0}, {"share": 0.55, "curved": 0.8}),
 )  # fmt: skip
