@@ -1,21 +1,12 @@
 """What a description says of the laws: named entries, each of a family, and the names by which phases take them."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union
 
-from pydantic import (
-    BeforeValidator,
-    Field,
-    PrivateAttr,
-    RootModel,
-    SerializerFunctionWrapHandler,
-    create_model,
-    model_serializer,
-    model_validator,
-)
+from pydantic import BeforeValidator, Field, PrivateAttr, RootModel, create_model, model_serializer, model_validator
 
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
 from workbook.entries.types import EntryError, Model
@@ -92,7 +83,7 @@ class Laws(RootModel[dict[str, Entered]]):
         return {name: in_family(name, entry) for name, entry in {**basic, **given}.items()}
 
     @model_serializer(mode="wrap")
-    def _plain(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+    def _plain(self, handler: Callable[[Any], Any]) -> dict[str, Any]:
         """Put the family first, and leave out that of a basic law: its name says it."""
         dumped: dict[str, Any] = handler(self)
         families = {name: entry.pop("family") for name, entry in dumped.items()}
