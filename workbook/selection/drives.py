@@ -133,7 +133,8 @@ def motors_by_drives(sheet: Sheet, view: Choosing) -> None:
          {"format": DASH, "scale": max(1e-3, *(float(one.peak.max()) for one in each))}),
         ("wanted", "What is wanted of them", lambda n: wanted("all_", n, "@behind.at"), "wanted_verdicts", LARGE,
          {"align": "center"}),
-        ("word", "What they fail first; yes: they can do it", verdict, "verdicts", "–", {"align": "center"}),
+        ("word", "What they fail first; yes: they can do it",
+         lambda n: f'IF({of("on")}=0,"–",{weak("all_", n, "@behind.fast")})', "verdicts", "–", {"align": "center"}),
     )  # fmt: skip
     for name, title, formula, figure, spare, more in tables:
         matrix(sheet, view, f"all_{name}", title, formula, [getattr(one, figure)[:, 0] for one in each], spare, **more)
@@ -216,8 +217,3 @@ def peak(n: int, drive: Choosing) -> str:
     torque, acceleration = (f"{drive.shaft.columns}_{column}" for column in ("T", "al"))
     other = f"({of('jm')}-[@drives.held_jm.{n}])*[@behind.turn.{n}]"
     return f"IF({of('on')}=1,SUMPRODUCT(MAX(({torque}+{other}*{acceleration})^2))^0.5,0)"
-
-
-def verdict(n: int) -> str:
-    """Return the formula of what the motor of a row fails first."""
-    return f'IF({of("on")}=0,"–",{weak("all_", n, "@behind.fast")})'

@@ -27,11 +27,6 @@ def turns_of(view: DriveView) -> float:
     return 1.0 if view.varies else view.driven.mechanism.ratio_from(1)
 
 
-def asked_of(view: DriveView) -> dict[str, tuple[float, float]]:
-    """Return the figures of what the cycle asks for, with their scales."""
-    return asked(load_of(view), view.scales.turning, view.scales.behind)
-
-
 def means(sheet: Sheet, view: DriveView) -> None:
     """Declare the means over the cycle, and what else hangs on no motor and no reducer."""
     free = "[@pt.free]" if view.brakes else '(1-([@pt.dir]=0)*(@holding="brake"))'
@@ -43,7 +38,7 @@ def means(sheet: Sheet, view: DriveView) -> None:
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
     )
-    found = asked_of(view)
+    found = asked(load_of(view), view.scales.turning, view.scales.behind)
     sheet.rows(
         *(calc(f"@ask_{name}", label, symbol, unit, f"={formula}", found[name][0], source, scale=found[name][1])
           for name, label, symbol, unit, formula, source in (
@@ -73,7 +68,8 @@ def shaft_of(view: DriveView) -> Shaft:
     spare = ("@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top)
     means = ("own", "square", "square_back", "product", "product_back", "way", "way_turning", "way_behind", "way_back",
              "speed", "inertia")  # fmt: skip
-    rows = figures(f"drive{d.number}_", asked_of(view), {name: f"@ask_{name}" for name in means} | {
+    load, turning, behind = load_of(view), view.scales.turning, view.scales.behind
+    rows = figures(f"drive{d.number}_", asked(load, turning, behind), {name: f"@ask_{name}" for name in means} | {
         "mean": "@mean*PI()/30/@i1", "smax": "@smax", "smean": "@smean", "cycles": ("@cycles", view.cycles),
         "beside": ("@ask_beside", d.beside_motor), "turns": ("@ask_turns", turns_of(view)),
         "brake": ("0", 0.0) if view.brakes else ('(@holding="brake")', float(d.holding == "brake")),
@@ -86,5 +82,5 @@ def shaft_of(view: DriveView) -> Shaft:
         "held_nmax": ("@motor_nmax", motor.max_speed), "held_row": ("@motor_row", motor.row),
         "held_gear": ("@reducer_row", reducer.row),
     })  # fmt: skip
-    return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load_of(view),
-                 "ABS({})/@held_i", view.scales.turning, view.scales.behind, rows)  # fmt: skip
+    return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load,
+                 "ABS({})/@held_i", turning, behind, rows)  # fmt: skip

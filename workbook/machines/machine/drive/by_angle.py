@@ -59,21 +59,15 @@ def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def resisting(view: DriveView) -> tuple[str, str]:
-    """Return the formula of what resists without inertia, at the axis, and its equation."""
+def forces(view: DriveView) -> tuple[tuple[str, str], tuple[str, str]]:
+    """Return what resists without inertia, at the axis, and what drives the load: formula and equation."""
     steady, friction = "INDEX([@iv.steady],[iv])", "INDEX([@iv.friction],[iv])"
+    viscous = f"+@viscous*{'[vs]' if view.slides else '[v]'}" if view.driven.entered.load.viscous is not None else ""
     if view.slides:
-        return f"=[dx]*{steady}+[dir]*ABS([dx])*{friction}", "dx/dψ F_r, without inertia"
+        return ((f"=[dx]*{steady}+[dir]*ABS([dx])*{friction}", "dx/dψ F_r, without inertia"),
+                (f"=[R]+[dx]*(@m*[as]{viscous})", "F_r + dx/dψ m ẍ"))  # fmt: skip
     arm = "+@arm*COS([y]+RADIANS(@arm_angle))" if view.driven.by_angle else ""
-    return f"={steady}+[dir]*{friction}{arm}", "without inertia"
-
-
-def driving(view: DriveView) -> tuple[str, str]:
-    """Return the formula of what drives the load, at its axis, and its equation."""
-    resists = f"+@viscous*{'[vs]' if view.slides else '[v]'}" if view.driven.entered.load.viscous is not None else ""
-    if view.slides:
-        return f"=[R]+[dx]*(@m*[as]{resists})", "F_r + dx/dψ m ẍ"
-    return f"=[R]+@m*[a]{resists}", "F_r + m ÿ"
+    return (f"={steady}+[dir]*{friction}{arm}", "without inertia"), (f"=[R]+@m*[a]{viscous}", "F_r + m ÿ")
 
 
 def ends_in_place(driven: Driven) -> bool:

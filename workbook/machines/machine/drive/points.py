@@ -34,7 +34,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive at the points of each interval."""
     rows = range(1, view.rows + 1)
     load, points, size = view.load, view.points, view.scales
-    (resists, without), (drives, equation) = by_angle.resisting(view), by_angle.driving(view)
+    (resists, without), (drives, equation) = by_angle.forces(view)
     behind, inertia, motor_ratio, motor_inertia = (
         (f"{LOSS2}/[g]", "@j1*[al]", "@i1*[g]", "@j0*@i1*[al]") if view.varies else
         (CONSTANT, "@j1i2*[a]", "@i", "@j0i*[a]")
