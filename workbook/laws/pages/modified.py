@@ -5,14 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from engine.laws.modified import (
-    HarmonicCombination,
-    ModifiedSine,
-    ModifiedTrapezoidal,
-    SineConstantCosine,
-    SineStraightSine,
-    TrapezoidByShare,
-)
+from engine.laws import modified as engine
 from workbook.book.sentence import figure
 from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws import shared
@@ -24,7 +17,7 @@ MODIFIED_TRAPEZOIDAL = edged(
     titled="Modified trapezoidal acceleration",
     source="S1, seven parameters; S3, figure 2",
     entries=shared.SevenDurations,
-    law=ModifiedTrapezoidal,
+    law=engine.ModifiedTrapezoidal,
     parameters=shared.DURATIONS,
     variations=(
         {"durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]},
@@ -42,7 +35,7 @@ class Cut(shared.Shared):
     """The share of the time that accelerates, and the end at which the motion turns round."""
 
     reversal: Literal["none", "start", "end"] = "none"
-    edge: Share = TrapezoidByShare.edge
+    edge: Share = engine.TrapezoidByShare.edge
 
 
 TRAPEZOID_BY_SHARE = edged(
@@ -56,7 +49,7 @@ TRAPEZOID_BY_SHARE = edged(
     },
     source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D",
     entries=Cut,
-    law=TrapezoidByShare,
+    law=engine.TrapezoidByShare,
     parameters=(
         shared.SHARE,
         Parameter("@reversal", "It turns round at", "", "reversal", "reversal",
@@ -76,9 +69,9 @@ TRAPEZOID_BY_SHARE = edged(
 class Edges(LawSheet):
     """The share of the time that accelerates, and the edges' shares of either half."""
 
-    share: shared.Between = ModifiedSine.share
-    rise_edge: Share = ModifiedSine.rise_edge
-    fall_edge: Share = ModifiedSine.fall_edge
+    share: shared.Between = engine.ModifiedSine.share
+    rise_edge: Share = engine.ModifiedSine.rise_edge
+    fall_edge: Share = engine.ModifiedSine.fall_edge
 
 
 MODIFIED_SINE = edged(
@@ -90,7 +83,7 @@ MODIFIED_SINE = edged(
     },
     source="LCamHdl, D_D_MOD_SINE",
     entries=Edges,
-    law=ModifiedSine,
+    law=engine.ModifiedSine,
     parameters=(
         shared.SHARE,
         Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",
@@ -110,22 +103,22 @@ PARTS = ("sine", "constant", "cosine", "straight")
 class Parts(shared.Shared):
     """The shares of the time of sine edges, constants, cosine edges and a straight line; they sum to 1."""
 
-    sine: Share = SineConstantCosine.sine
-    constant: Share = SineConstantCosine.constant
-    cosine: Share = SineConstantCosine.cosine
-    straight: Share = SineConstantCosine.straight
+    sine: Share = engine.SineConstantCosine.sine
+    constant: Share = engine.SineConstantCosine.constant
+    cosine: Share = engine.SineConstantCosine.cosine
+    straight: Share = engine.SineConstantCosine.straight
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield shares that do not fill the rise, and a law that cannot start or stop."""
         parts = {part: getattr(self, part) for part in PARTS}
         total, moves = sum(parts.values()), self.sine + self.constant + self.cosine
-        fits = self.model_dump() | {part: getattr(SineConstantCosine, part) for part in PARTS}
+        fits = self.model_dump() | {part: getattr(engine.SineConstantCosine, part) for part in PARTS}
         if abs(total - 1) > SUM_TOLERANCE:
             yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
         if not moves:
             yield DesignError("", "all of the time is straight", "lasts", fits)
         if abs(total - 1) <= SUM_TOLERANCE and moves:
-            stages = [piece.duration for piece in SineConstantCosine(**parts, share=self.share).as_pieces()]
+            stages = [piece.duration for piece in engine.SineConstantCosine(**parts, share=self.share).as_pieces()]
             yield from shared.too_brief(stages, "", fits | {"share": shared.EVEN})
 
 
@@ -142,7 +135,7 @@ SINE_CONSTANT_COSINE = edged(
     titled="Sine-constant-cosine (SCCA)",
     source="PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'",
     entries=Parts,
-    law=SineConstantCosine,
+    law=engine.SineConstantCosine,
     parameters=(
         Parameter("@sine", "Sine edges at the dwells", "b", "sine", "sine edges",
                   source="shares of the whole time; all four sum to 1"),
@@ -181,7 +174,7 @@ HARMONIC_COMBINATION = edged(
     },
     source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI",
     entries=Turning,
-    law=HarmonicCombination,
+    law=engine.HarmonicCombination,
     parameters=(shared.SHARE, shared.REVERSAL),
     variations=(
         {"share": 0.4, "reversal": "start"},
@@ -194,12 +187,12 @@ HARMONIC_COMBINATION = edged(
 class Curved(shared.Shared):
     """The share of the time that is curved, and the part of that which accelerates."""
 
-    curved: Annotated[float, Field(ge=shared.LEAST, le=1, allow_inf_nan=False)] = SineStraightSine.curved
+    curved: Annotated[float, Field(ge=shared.LEAST, le=1, allow_inf_nan=False)] = engine.SineStraightSine.curved
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a stage that is next to none."""
-        fits = self.model_dump() | {"curved": SineStraightSine.curved, "share": shared.EVEN}
-        law = SineStraightSine(curved=self.curved, share=self.share)
+        fits = self.model_dump() | {"curved": engine.SineStraightSine.curved, "share": shared.EVEN}
+        law = engine.SineStraightSine(curved=self.curved, share=self.share)
         yield from shared.too_brief([piece.duration for piece in law.as_pieces()], "", fits)
 
 
@@ -211,7 +204,7 @@ SINE_STRAIGHT_SINE = edged(
     },
     source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286",
     entries=Curved,
-    law=SineStraightSine,
+    law=engine.SineStraightSine,
     parameters=(
         shared.SHARE,
         Parameter("@curved", "Share of the time that is curved", "c", "curved", "share of the sines",
