@@ -149,7 +149,7 @@ class PointedLaw(PieceLaw):
         """The points on its pieces."""
         return Points(self.pieces)
 
-    @property
+    @cached_property
     def coefficients(self) -> Coefficients:
         """Those by its points."""
         return self.points.coefficients

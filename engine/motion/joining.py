@@ -131,7 +131,8 @@ def _between(phase: Phase, begin: Side, end: Side) -> Phase:
     d, law = phase.duration, phase.law
     one, other = begin.required, end.required
     if isinstance(law, EndedLaw) and law.fixes_ends:
-        return _kept(phase, law, one, other)
+        require_ends(law, Ends(a0=one.a, a1=other.a, j0=one.j, j1=other.j), "")  # it keeps its velocities
+        return Phase(law, phase.lift, d)
     if isinstance(law, EndedLaw):
         law = law.opened(begin.open, end.open)
     ends = Ends(phase.lift, one.v * d, other.v * d, one.a * d**2, other.a * d**2, one.j * d**3, other.j * d**3)
@@ -139,12 +140,6 @@ def _between(phase: Phase, begin: Side, end: Side) -> Phase:
     if ends.at_rest:
         return Phase(made, phase.lift, d)
     return EndedPhase(EndedLine(ends) if ends.straight else made, phase.lift, d, phase.law)
-
-
-def _kept(phase: Phase, law: EndedLaw, begin: Rates, end: Rates) -> Phase:
-    """Return a phase whose law keeps its ends; raise EndError if an acceleration or jerk is asked for there."""
-    require_ends(law, Ends(a0=begin.a, a1=end.a, j0=begin.j, j1=end.j), "")
-    return Phase(law, phase.lift, phase.duration)
 
 
 def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[str]:

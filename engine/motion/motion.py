@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Any, NamedTuple, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from engine.laws import Law, law
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
@@ -148,7 +148,9 @@ class Motion:
         """
         at = np.asarray(x, dtype=np.float64)
         flat = at.reshape(-1)
-        index = self._locate(flat)
+        require_within("x", flat, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)
+        found = np.searchsorted(self.edges, flat + self.tolerance, side="right") - 1
+        index = np.clip(found, 0, len(self.phases) - 1)
         durations = np.array([p.duration for p in self.phases])
         xi = np.clip((flat - self.edges[index]) / durations[index], 0.0, 1.0)
         table = np.empty((4, flat.size))
@@ -161,11 +163,6 @@ class Motion:
         """Return y, ẏ = y' w, ÿ = y'' w² and the jerk y''' w³ at x, of an abscissa at the constant speed w."""
         y, y1, y2, y3 = self.at(x)
         return TimeValues(y, y1 * speed, y2 * speed**2, y3 * speed**3)
-
-    def _locate(self, x: Array) -> NDArray[np.intp]:
-        require_within("x", x, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)
-        found = np.searchsorted(self.edges, x + self.tolerance, side="right") - 1
-        return np.clip(found, 0, len(self.phases) - 1)
 
 
 class MotionSamples(NamedTuple):
