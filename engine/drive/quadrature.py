@@ -19,7 +19,7 @@ from engine.drive.cycle import DriveCycle
 from engine.drive.train import Train, dwell_times
 from engine.laws.base import Array
 from engine.laws.points import POINTS, SHARES, WEIGHTS
-from engine.motion.pieces import MotionPiece, profile_of
+from engine.motion.pieces import CamProfile, MotionPiece
 
 STANDSTILL = 1e-9
 """of the greatest speed: a slower load stands"""
@@ -211,7 +211,8 @@ class Cycle:
 
     def _moved(self, number: NDArray[np.intp], place: Array) -> list[Array]:
         """Return position, velocity and acceleration of the motion at places, each in an interval."""
-        middles, motion, w = np.array([one.middle for one in self.intervals]), self.drive_cycle, self.drive_cycle.speed
-        profile = profile_of(self.pieces, motion.unshifted.begin + motion.unshifted.total)
-        powers = profile.taylor(place.ravel(), profile.index(middles)[number].ravel(), 3)
+        piece, w = np.array([one.piece for one in self.intervals])[number], self.drive_cycle.speed
+        names = ("begin", "origin", "c", "sines")  # of all pieces: cells show those without duration too
+        every = CamProfile(*(np.array([getattr(one, name) for one in self.pieces]) for name in names))
+        powers = every.taylor(place.ravel(), piece.ravel(), 3)
         return [by * one.reshape(place.shape) for by, one in zip((1.0, w, 2.0 * w**2), powers, strict=True)]
