@@ -96,8 +96,7 @@ class Switch:
         return self.cycle if end - begin == self.cycle else (end - begin) % self.cycle
 
 
-SAME = 1e-12
-"""of the cycle: edges so near to each other are one"""
+SAME = 1e-12  # of the cycle: edges so near to each other are one
 
 
 class Differing(NamedTuple):

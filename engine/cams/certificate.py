@@ -11,10 +11,8 @@ from numpy.typing import NDArray
 from engine.laws.base import Array
 from engine.motion.pieces import SAME, CamProfile
 
-DEGREE = 15
-"""of every polynomial here; a sine over one rad about its middle is one to 1e-13 of its third derivative"""
-NARROW = 1e-9
-"""by so much of itself the largest may be larger than what was found"""
+DEGREE = 15  # of every polynomial here; a sine over one rad about its middle is one to 1e-13 of its third derivative
+NARROW = 1e-9  # by so much of itself the largest may be larger than what was found
 ROUNDS = 40
 TERMS = range(DEGREE + 1)
 BASIS = np.array([
@@ -23,8 +21,7 @@ BASIS = np.array([
 ])  # fmt: skip
 """makes the coefficients of powers of t, from −1 to 1, those of Bernstein: the polar form at i times 1, else −1"""
 LEFT = np.array([[comb(i, j) / 2.0**i for i in TERMS] for j in TERMS])
-RIGHT = LEFT[::-1, ::-1]
-"""make a row of coefficients that of its left half, and of its right half (de Casteljau)"""
+RIGHT = LEFT[::-1, ::-1]  # make a row of coefficients that of its left half, and of its right half (de Casteljau)
 
 
 class Largest(NamedTuple):
@@ -72,8 +69,7 @@ def largest(rows: Array) -> Largest:
     return best
 
 
-ORDERS = 4
-"""position, velocity, acceleration, jerk"""
+ORDERS = 4  # position, velocity, acceleration, jerk
 WIDEST = 1.0  # rad of a sine in one interval
 
 
@@ -167,8 +163,7 @@ def derived(powers: Array, half: Array, order: int) -> Array:
 
 
 STEPS = 60  # of halving
-CUBIC = 4
-"""the order of a rule through polynomials of the third degree"""
+CUBIC = 4  # the order of a rule through polynomials of the third degree
 JUMP = 1e-9  # of the largest y' or y'': a smaller jump is none
 
 

@@ -20,8 +20,7 @@ ROUND = 24  # numbers, so many of which may be round ones
 QUINTIC = "PO5"
 LONGER = 2.0  # times its neighbours: an interval between two equal points is a dwell, one along a line is one
 AT_SPEED = 1e-3  # of the fastest: what is slower rests
-SEAM = 1e-2
-"""of the fastest: so alike are begin and end of a cycle that goes on as it began, as few points tell them"""
+SEAM = 1e-2  # of the fastest: so alike are begin and end of a cycle that goes on as it began, as few points tell them
 
 
 class Points(NamedTuple):
@@ -104,8 +103,7 @@ def seam(of: Points) -> tuple[float, float] | None:
     return _polynomial_rates(x, y)
 
 
-LEVEL = 0.01
-"""of the reach: a movement that comes back so near to where it began is told as two"""
+LEVEL = 0.01  # of the reach: a movement that comes back so near to where it began is told as two
 BETWEEN = 8  # places of a table whose polynomials are known, from point to point
 MOST_PHASES = 20
 

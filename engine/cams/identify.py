@@ -14,14 +14,11 @@ from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile, turned
 
-ROUNDED = 1e-9
-"""of the reach: what a fit may miss by whatever the data's precision is"""
-MOST_WAYS = 24
-"""from turn to turn of a movement: more phases has no composed motion"""
+ROUNDED = 1e-9  # of the reach: what a fit may miss by whatever the data's precision is
+MOST_WAYS = 24  # from turn to turn of a movement: more phases has no composed motion
 FEWEST = 6  # points of positions alone, of which a law has four figures of its own
 DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
-THINNED = 1e-4
-"""of the reach: so far a spline may be from points that keep to no law"""
+THINNED = 1e-4  # of the reach: so far a spline may be from points that keep to no law
 
 
 class Read(NamedTuple):

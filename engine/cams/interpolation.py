@@ -101,8 +101,7 @@ def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArr
     return _profile(x, *c.T)
 
 
-HIGHEST = 6
-"""power of a segment's polynomial"""
+HIGHEST = 6  # power of a segment's polynomial
 
 
 def simple(of: CamProfile) -> NDArray[np.bool_]:
@@ -132,8 +131,7 @@ def segmented(of: CamProfile, x: Array) -> CamProfile:
 
 NEAR, NEAR_ACCELERATION = 1e-9, 1e-5
 """of the reach of f, and of its largest second derivative: so far may polynomials be off"""
-FIRST, NARROWEST = 4, 1e-7
-"""intervals of a piece to begin with; of the cycle: the least that is halved"""
+FIRST, NARROWEST = 4, 1e-7  # intervals of a piece to begin with; of the cycle: the least that is halved
 
 
 class Seen(NamedTuple):

@@ -16,12 +16,10 @@ from engine.motion.pieces import CamProfile
 
 SHORTEST = 3  # ways from point to point of a straight line, where y' is not known
 TURNS = 12  # of Gauss and Newton
-SETTLED, SLOW = 3, 0.5
-"""after so many turns the residual must have fallen to so much of itself, or it is another law"""
+SETTLED, SLOW = 3, 0.5  # after so many turns the residual must have fallen to so much of itself, or it is another law
 RATES = 1e-5  # of the peak: so far a law's velocity and acceleration may be from a table's
 STEP = 1e-4  # of the interval between points, to see how a break's place matters
-MOST = 8
-"""quintics in place of a part that is one law no longer"""
+MOST = 8  # quintics in place of a part that is one law no longer
 
 
 class Side(NamedTuple):

@@ -10,9 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from engine.laws.base import Array, require_finite
 
-Method = Literal["physical", "document"]
-"""losses that help to brake, or S4's way: always against the motor"""
-
+Method = Literal["physical", "document"]  # losses that help to brake, or S4's way: always against the motor
 NEAR = 1e-9
 """Nm (N at a load that travels); a load that drives with less counts as driven, or rounding would choose the side"""
 
@@ -57,9 +55,8 @@ class Stage:
 
         1/η where power flows to the load and at rest; where the load drives, the efficiency backward. A stage whose
         efficiency backward is 0 or less locks itself: it must be driven then, and at rest it holds the load by itself,
-        f = 0. With the document's method 1/η always.
-        Source: S1, 'Feeding group', last equation, where f = 1; S4, problem 1, where inertia and torque behind the
-        screw are over η; S5, step 7.
+        f = 0. With the document's method 1/η always. Source: S1, 'Feeding group', last equation, where f = 1; S4,
+        problem 1, where inertia and torque behind the screw are over η; S5, step 7.
         """
         if method == "document":
             return np.full(np.broadcast(torque, direction).shape, 1.0 / self.efficiency)
@@ -225,9 +222,7 @@ def require_not_negative(where: str, **quantities: float) -> None:
             raise ValueError(f"{where}: {name} is {value:g}; expected a finite number, 0 or more")
 
 
-GRAVITY = 9.81
-"""m/s², as S4 has it"""
-
+GRAVITY = 9.81  # m/s², as S4 has it
 Resists = Literal["always", "moving"]
 
 
@@ -273,9 +268,8 @@ def resisting(force: float, resists: Resists) -> Load:
 def cylinder(diameter: float, length: float, density: float, bore: float = 0.0) -> float:
     """Return the inertia of a solid or hollow cylinder about its axis, ½ ρ π (R⁴ − r⁴) L, in kg m².
 
-    ``diameter``, ``length`` and ``bore`` (the inner diameter) in m, ``density`` in kg/m³.
-    Raises ValueError for a negative quantity, or a bore that is not smaller than the diameter.
-    Source: S4, problem 1, 'a. J_leadscrew'.
+    ``diameter``, ``length`` and ``bore`` (the inner diameter) in m, ``density`` in kg/m³. Raises ValueError for a
+    negative quantity, or a bore that is not smaller than the diameter. Source: S4, problem 1, 'a. J_leadscrew'.
     """
     require_not_negative("cylinder", diameter=diameter, length=length, density=density, bore=bore)
     if bore > 0.0 and bore >= diameter:

@@ -15,11 +15,8 @@ from engine.laws.ladder import Curve
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, motion_pieces
 
-NARROW = 1e-9
-"""of a piece: what is shorter is left out"""
-
-NODES = 32
-"""parts of an interval, and of each half turn of its sines, in which functions without a ladder are searched"""
+NARROW = 1e-9  # of a piece: what is shorter is left out
+NODES = 32  # parts of an interval, and of each half turn of its sines, in which functions without a ladder are searched
 
 
 @dataclass(frozen=True)

@@ -14,8 +14,7 @@ from engine.drive.motor import Falling
 from engine.drive.quadrature import LoadPoints
 from engine.laws.base import Array
 
-TIED = 1e-9
-"""of the largest size: what differs by less is as large"""
+TIED = 1e-9  # of the largest size: what differs by less is as large
 
 
 class Between(NamedTuple):

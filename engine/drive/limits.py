@@ -16,8 +16,7 @@ from engine.drive.search import extremes
 from engine.laws.base import Array
 
 BELOW = "torque below the curve"
-NEAR = 1e-9
-"""by which share a rate may be above another and count as the same"""
+NEAR = 1e-9  # by which share a rate may be above another and count as the same
 
 
 @dataclass(frozen=True)
@@ -137,11 +136,8 @@ class LimitChecks:
         return LimitCheck(BELOW, torque, torque - lacking)
 
 
-FAR = 1e6
-"""times the rate that is asked about: no further is looked, up or down"""
-
-CLOSE = 1e-10
-"""of the rate: how near to the highest rate is near enough"""
+FAR = 1e6  # times the rate that is asked about: no further is looked, up or down
+CLOSE = 1e-10  # of the rate: how near to the highest rate is near enough
 
 
 class HighestRate(NamedTuple):

@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from engine.drive.chain import require_not_negative
 from engine.laws.base import Array
 
-STANDSTILL = 1e-9
-"""rad/s (m/s of a load that travels); a slower shaft counts as standing"""
+STANDSTILL = 1e-9  # rad/s (m/s of a load that travels); a slower shaft counts as standing
 
 
 class Falling(NamedTuple):
@@ -49,12 +48,8 @@ class TorqueCurve(NamedTuple):
         return np.asarray(np.interp(np.abs(speed), self.speed, self.torque, right=0.0))
 
 
-RATED_AT = 25.0
-"""°C at which a motor's rated torque holds in S4"""
-
-WINDING_LIMIT = 175.0
-"""°C; inferred from S4, problem 2, where 35 °C lowers the torque from 0.147 to 0.142 Nm"""
-
+RATED_AT = 25.0  # °C at which a motor's rated torque holds in S4
+WINDING_LIMIT = 175.0  # °C; inferred from S4, problem 2, where 35 °C lowers the torque from 0.147 to 0.142 Nm
 UPPER = ((-1, 3), (-1, 2), (-1, 1), (0, 0), (1, 1), (1, 2), (1, 3))
 CORNERS = (*((*one, 1) for one in UPPER), *((*one, -1) for one in reversed(UPPER)), (-1, 3, 1))
 """of the limits in the plane of speed and torque: side; which speed (0: none, 1 and 2: where the continuous torque and

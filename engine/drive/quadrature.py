@@ -21,8 +21,7 @@ from engine.laws.base import Array
 from engine.laws.points import POINTS, SHARES, WEIGHTS
 from engine.motion.pieces import CamProfile, MotionPiece
 
-STANDSTILL = 1e-9
-"""of the greatest speed: a slower load stands"""
+STANDSTILL = 1e-9  # of the greatest speed: a slower load stands
 
 
 class Interval(NamedTuple):

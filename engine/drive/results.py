@@ -14,8 +14,7 @@ from engine.drive.search import extremes, integral
 from engine.laws.base import Array
 from engine.laws.ladder import Curve, zeros
 
-OfInterval = Callable[[TorqueInterval, Array], Array]
-"""a quantity of a torque interval at its u"""
+OfInterval = Callable[[TorqueInterval, Array], Array]  # a quantity of a torque interval at its u
 HOUR = 3600.0  # s
 
 

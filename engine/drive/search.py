@@ -14,20 +14,15 @@ from engine.motion.pieces import MotionPiece
 
 PARTS = 16
 ROUNDS = 9  # of narrowing a bracket, to an eighth by each
-FLAT = 1e-13
-"""of the largest value: what differs by less is all one height"""
+FLAT = 1e-13  # of the largest value: what differs by less is all one height
 TOPS = 4  # of which are narrowed, at most
 NOISE = 1e-9
 """of a quantity's size in its piece: what is smaller at an end has no sign, and a change of sign there is none"""
-
 LAST_ROUNDS = 6  # of narrowing a change of sign: to the last digit
 ORDERS = (16, 32, 64, 128)
-TOLERANCE = 1e-13
-"""of the integral of the size"""
-LEAST = 0.1
-"""of the scale over the width: of what is smaller, rounding is not asked to be right"""
+TOLERANCE = 1e-13  # of the integral of the size
+LEAST = 0.1  # of the scale over the width: of what is smaller, rounding is not asked to be right
 HALVINGS = 12
-
 Function = Callable[[Array], Array]
 
 

@@ -14,8 +14,7 @@ from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.laws.base import Array, require_finite
 
 Holding = Literal["motor", "brake"]
-SAME = 1e-9
-"""s; a dwell that is shorter than the brake's time by less is as long"""
+SAME = 1e-9  # s; a dwell that is shorter than the brake's time by less is as long
 
 
 @dataclass(frozen=True)

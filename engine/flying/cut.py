@@ -63,10 +63,9 @@ def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:
 def flying_saw(tool_length: float, metres_per_radian: float) -> Tool:
     """Return a saw on a slide: in step with the line over L_T (m), then back; the motor's mean speed is zero.
 
-    A transmission ratio with a mean that is not zero makes it the case L_0 = 0 of the drum's equations:
-    there is no design length, h = −L_p, and the tool always reverses. ``metres_per_radian`` of the shaft
-    that moves the slide: 1/(2πP) of a screw, the radius of a pinion.
-    Source: S5, 'Systems where τ_gx,mean ≠ 0'.
+    A transmission ratio with a mean that is not zero makes it the case L_0 = 0 of the drum's equations: there is no
+    design length, h = −L_p, and the tool always reverses. ``metres_per_radian`` of the shaft that moves the slide:
+    1/(2πP) of a screw, the radius of a pinion. Source: S5, 'Systems where τ_gx,mean ≠ 0'.
     """
     return Tool(0.0, tool_length, metres_per_radian)
 

@@ -25,7 +25,6 @@ from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, 
 from engine.laws.spline import Spline
 
 __all__ = ["CATALOGUE", "Coefficients", "Dwell", "Kinematics", "Law", "Piece", "PieceLaw", "UnknownLawError", "law"]
-
 CATALOGUE: tuple[type[Law], ...] = (
     Dwell, ConstantAcceleration, TrapezoidalVelocity, Cycloidal, Cubic, ModifiedTrapezoidal, PieceLaw, StraightLine,
     SimpleHarmonic, DoubleHarmonic, Polynomial345, Polynomial4567, ModifiedSine, TrapezoidByShare, SineConstantCosine,

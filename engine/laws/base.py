@@ -15,10 +15,7 @@ The cells look up the same sum of ξ and tolerance, and spreadsheet programs tak
 
 Laws are right-continuous: at a break they have the value of the later stage, at ξ = 1 the left limit.
 """
-
-ROUNDING = 1e-12
-"""By so much of its range an abscissa may lie outside it."""
-
+ROUNDING = 1e-12  # By so much of its range an abscissa may lie outside it.
 Array = NDArray[np.float64]
 Real = TypeVar("Real", float, Array)
 
@@ -36,20 +33,13 @@ class Kinematics(NamedTuple, Generic[Real]):
 class Coefficients:
     """Extremes of a law for unit rise and unit time; one-sided limits at breaks count."""
 
-    cv: float
-    """C_v = max |v|"""
-    ca_max: float
-    """largest a"""
-    ca_min: float
-    """lowest a, negative"""
-    ca_rms: float
-    """C_a,rms = sqrt(∫ a² dξ)"""
-    cj: float
-    """C_j = max |j|; infinite where a jumps, also at the ends against rest"""
-    va_max: float
-    """largest v·a: the greatest power that an inertia asks for"""
-    va_min: float
-    """lowest v·a: the greatest power that an inertia gives back, negative"""
+    cv: float  # C_v = max |v|
+    ca_max: float  # largest a
+    ca_min: float  # lowest a, negative
+    ca_rms: float  # C_a,rms = sqrt(∫ a² dξ)
+    cj: float  # C_j = max |j|; infinite where a jumps, also at the ends against rest
+    va_max: float  # largest v·a: the greatest power that an inertia asks for
+    va_min: float  # lowest v·a: the greatest power that an inertia gives back, negative
 
     @property
     def ca(self) -> float:

@@ -7,10 +7,8 @@ from engine.laws.base import require_finite
 from engine.laws.family import Law
 
 NAMES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
-STILL = 1e-9
-"""of the law's own scale: a velocity or an acceleration below this is rounding"""
-ROUNDING = 1e-12
-"""of a stroke or a velocity: two of them that differ by less are the same"""
+STILL = 1e-9  # of the law's own scale: a velocity or an acceleration below this is rounding
+ROUNDING = 1e-12  # of a stroke or a velocity: two of them that differ by less are the same
 
 
 class EndError(ValueError):

@@ -34,11 +34,9 @@ class Law(ABC):
     A law states its names, its source and its pieces; all else follows from these in closed form.
     """
 
-    code: ClassVar[str]
-    """three letters"""
+    code: ClassVar[str]  # three letters
     name: ClassVar[str]
-    aliases: ClassVar[tuple[str, ...]] = ()
-    """other names that documents give it"""
+    aliases: ClassVar[tuple[str, ...]] = ()  # other names that documents give it
     source: ClassVar[str]
     vendors: ClassVar[Vendors] = Vendors()
 

@@ -14,10 +14,8 @@ from engine.laws.piece import Piece, begins, carried, gains
 KNOTS = 65  # a stage, between which a height is first located
 STEPS = 120
 LAST_DIGITS = 4e-16  # of ξ: within them rounding of s turns the steps to and fro
-BACKWARDS = 1e-9
-"""a velocity below minus this, in units of the mean velocity, is a motion backwards"""
-INSIDE = 1e-9
-"""of a stage: what is nearer to its end is at it"""
+BACKWARDS = 1e-9  # a velocity below minus this, in units of the mean velocity, is a motion backwards
+INSIDE = 1e-9  # of a stage: what is nearer to its end is at it
 
 
 def breaks(law: Law) -> Array:
@@ -92,15 +90,10 @@ def _solve(law: Law, s: Array) -> Array:
     return xi
 
 
-JUMP = 1e-9
-"""of the law's C_v, of a and j of its C_a: a smaller jump is rounding"""
-SMOOTH = 3
-"""derivatives of s that are looked at: v, a and j"""
-WORDS = ("position", "velocity", "acceleration", "jerk")
-"""the highest derivative of s that is continuous, in words"""
-
-Rates = tuple[float, ...]
-"""v, a, j"""
+JUMP = 1e-9  # of the law's C_v, of a and j of its C_a: a smaller jump is rounding
+SMOOTH = 3  # derivatives of s that are looked at: v, a and j
+WORDS = ("position", "velocity", "acceleration", "jerk")  # the highest derivative of s that is continuous, in words
+Rates = tuple[float, ...]  # v, a, j
 
 
 class Meeting(NamedTuple):

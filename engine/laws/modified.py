@@ -25,10 +25,9 @@ CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)
 class ModifiedTrapezoidal(PulseLaw):
     """Seven stages: a = A sin(πu/2d1), A, A cos(πu/2d3), 0, −B sin(πu/2d5), −B, −B cos(πu/2d7).
 
-    ``durations`` are the seven shares of the rise: not negative, of sum 1 (within 1e-9), neither the first
-    three nor the last three all zero; else ValueError. With k = 2/π, m = k d1 + d2 + k d3 and
-    n = k d5 + d6 + k d7, A m = B n = C_v and A = 1/(S_a + m d4 + S_d m/n), where S_a and S_d are the travels
-    of the two lobes for unit acceleration.
+    ``durations`` are the seven shares of the rise: not negative, of sum 1 (within 1e-9), neither the first three nor
+    the last three all zero; else ValueError. With k = 2/π, m = k d1 + d2 + k d3 and n = k d5 + d6 + k d7, A m = B n =
+    C_v and A = 1/(S_a + m d4 + S_d m/n), where S_a and S_d are the travels of the two lobes for unit acceleration.
     """
 
     code = "MTP"
@@ -85,19 +84,17 @@ class TrapezoidByShare(PulseLaw):
 
 
 N = 2.0 * math.pi**2 / (4.0 + math.pi)
-LATE = (3.0 * math.pi - 4.0) / (4.0 * math.pi)
-"""κ of the pulse told backwards"""
+LATE = (3.0 * math.pi - 4.0) / (4.0 * math.pi)  # κ of the pulse told backwards
 
 
 @dataclass(frozen=True)
 class ModifiedSine(PulseLaw):
     """Quarters of a sine: up over β₁λ, down over (1 − β₁)λ, and the like downwards with β₂ and μ = 1 − λ.
 
-    ``share`` is λ, between 0 and 1; ``rise_edge`` and ``fall_edge`` are β₁ and β₂, the shares of either half that
-    the edge at the dwell takes, from 0 to 1: ¼ in the modified sine, ½ in the cycloidal law, 0 in the simple
-    harmonic one. Else ValueError.
-    Source: Neklutin's modified sine, as in LCamHdl, ProfileTypes, D_D_MOD_SINE and, between velocities,
-    C_C_MOD_SINE, D_C_MOD_SINE, C_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'.
+    ``share`` is λ, between 0 and 1; ``rise_edge`` and ``fall_edge`` are β₁ and β₂, the shares of either half that the
+    edge at the dwell takes, from 0 to 1: ¼ in the modified sine, ½ in the cycloidal law, 0 in the simple harmonic one.
+    Else ValueError. Source: Neklutin's modified sine, as in LCamHdl, ProfileTypes, D_D_MOD_SINE and, between
+    velocities, C_C_MOD_SINE, D_C_MOD_SINE, C_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'.
     """
 
     code = "MSN"
@@ -128,9 +125,8 @@ class ModifiedSine(PulseLaw):
     def with_deceleration(cls, deceleration: float, ends: Ends) -> "ModifiedSine":
         """Return the classic law whose second pulse has the height B, by its share λ: the option Ca* of a cam editor.
 
-        μ = [N(H − v0) − π(v1 − v0)/2]/[B + Nκ'(v1 − v0)], κ' = (3π − 4)/4π, N = 2π²/(4 + π).
-        Raises EndError where no share between 0 and 1 does.
-        Source: LCamHdl, types, 'Ca*'; CODESYS, SM3_CamBuilder, ModifiedSine.
+        μ = [N(H − v0) − π(v1 − v0)/2]/[B + Nκ'(v1 − v0)], κ' = (3π − 4)/4π, N = 2π²/(4 + π). Raises EndError where no
+        share between 0 and 1 does. Source: LCamHdl, types, 'Ca*'; CODESYS, SM3_CamBuilder, ModifiedSine.
         """
         gained = ends.v1 - ends.v0
         over = deceleration + N * LATE * gained
@@ -144,13 +140,12 @@ class ModifiedSine(PulseLaw):
 class SineConstantCosine(PulseLaw):
     """Sine edges at the dwells, constants, cosine edges inside, and a part at constant velocity.
 
-    ``sine``, ``constant``, ``cosine`` and ``straight`` are their shares of the whole time, b, c, d and e: not
-    negative, of sum 1 (within 1e-9), and not all of it straight. ``share`` is λ, the first pulse's share of what is
-    not straight, between 0 and 1. Else ValueError. With λ = ½ and e = 0,
-    C_a = 4π²/[(π² − 8)(b² − d²) − 2π(π − 2)b + π²].
-    It contains constant acceleration (0, 1, 0), the modified trapezoid (¼, ½, ¼), simple harmonic (0, 0, 1),
-    modified sine (¼, 0, ¾) and cycloidal motion (½, 0, ½).
-    Source: Norton's SCCA family, as in PTC Creo, 'SCCA', and mechdesigner.support, 'Sine-Constant-Cosine'.
+    ``sine``, ``constant``, ``cosine`` and ``straight`` are their shares of the whole time, b, c, d and e: not negative,
+    of sum 1 (within 1e-9), and not all of it straight. ``share`` is λ, the first pulse's share of what is not straight,
+    between 0 and 1. Else ValueError. With λ = ½ and e = 0, C_a = 4π²/[(π² − 8)(b² − d²) − 2π(π − 2)b + π²]. It contains
+    constant acceleration (0, 1, 0), the modified trapezoid (¼, ½, ¼), simple harmonic (0, 0, 1), modified sine (¼, 0,
+    ¾) and cycloidal motion (½, 0, ½). Source: Norton's SCCA family, as in PTC Creo, 'SCCA', and mechdesigner.support,
+    'Sine-Constant-Cosine'.
     """
 
     code = "SCC"

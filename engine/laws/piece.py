@@ -11,15 +11,10 @@ from numpy.typing import NDArray
 
 from engine.laws.base import Array, require_finite, stage_of
 
-POWERS = 6
-"""coefficients of the polynomial, at most"""
-
-SINES = (POWERS, POWERS + 4)
-"""where the two sines stand in :attr:`Piece.row`"""
-
+POWERS = 6  # coefficients of the polynomial, at most
+SINES = (POWERS, POWERS + 4)  # where the two sines stand in :attr:`Piece.row`
 Columns = Sequence[Array] | Array
-Sine = tuple[float, float, float]
-"""P, ω, φ of P sin(ωu + φ)"""
+Sine = tuple[float, float, float]  # P, ω, φ of P sin(ωu + φ)
 
 
 @dataclass(frozen=True)

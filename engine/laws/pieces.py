@@ -58,10 +58,8 @@ class PieceLaw(Law):
         return self.pieces
 
 
-NONE = 1e-12
-"""a velocity gained by a piece below this is none, in units of the largest that any piece could gain"""
-ALIKE = 1e-6
-"""a travel below this is none, in the same units, and a determinant below this, in units of their square"""
+NONE = 1e-12  # a velocity gained by a piece below this is none, in units of the largest that any piece could gain
+ALIKE = 1e-6  # a travel below this is none, in the same units, and a determinant below this, in units of their square
 
 
 class Misses(NamedTuple):
@@ -87,16 +85,11 @@ class Groups(NamedTuple):
     v1: float
     s2: float
     v2: float
-    least: float
-    """a velocity below which none is gained"""
-    under: float
-    """S⁺ V⁻ − S⁻ V⁺"""
-    least_under: float
-    """a determinant below which there is none"""
-    factors: tuple[float, float]
-    """α and β; 0 where none do"""
-    mends: bool
-    """whether both factors are positive, one beside the other"""
+    least: float  # a velocity below which none is gained
+    under: float  # S⁺ V⁻ − S⁻ V⁺
+    least_under: float  # a determinant below which there is none
+    factors: tuple[float, float]  # α and β; 0 where none do
+    mends: bool  # whether both factors are positive, one beside the other
 
 
 def groups(pieces: Sequence[Piece]) -> Groups:

@@ -43,18 +43,14 @@ def ends(pieces: Sequence[Piece]) -> list[Ends]:
     return found
 
 
-POINTS = 9
-"""of a piece, both its ends among them"""
-SAME = 1e-9
-"""of ξ: places no farther apart are one; of v: speeds; of a: a smaller jump is none"""
+POINTS = 9  # of a piece, both its ends among them
+SAME = 1e-9  # of ξ: places no farther apart are one; of v: speeds; of a: a smaller jump is none
 _BASIS = Legendre.basis(POINTS - 1)
 _NODES = np.array([-1.0, *_BASIS.deriv().roots(), 1.0])
-SHARES: Array = (_NODES + 1.0) / 2.0
-"""of a piece's duration"""
+SHARES: Array = (_NODES + 1.0) / 2.0  # of a piece's duration
 WEIGHTS: Array = 1.0 / (POINTS * (POINTS - 1) * _BASIS(_NODES) ** 2)
 """of the points in an integral over the piece, 1 in all"""
-SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}
-"""what has extremes, with its slope"""
+SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}  # what has extremes, with its slope
 
 
 class Points:

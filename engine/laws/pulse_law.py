@@ -24,10 +24,8 @@ class Pulse:
     The outer end is where the law begins; a deceleration is told backwards from where the law ends.
     """
 
-    pieces: tuple[Piece, ...]
-    """from the outer end; a stage without length is among them"""
-    turned: tuple[Piece, ...]
-    """those of p(1 − x), from the inner end"""
+    pieces: tuple[Piece, ...]  # from the outer end; a stage without length is among them
+    turned: tuple[Piece, ...]  # those of p(1 − x), from the inner end
 
     @cached_property
     def gain(self) -> float:
@@ -90,8 +88,7 @@ HALF_SINE = Pulse(ONE := (Piece(1.0, amplitude=1.0, omega=math.pi),), ONE)
 """sin πx: two quarter sines that are one piece. Source: S3, 'CIC'"""
 FALLING_SINE = sine_edged(0.0, 0.0, 1.0)
 CONSTANT = polynomial_pulse(1.0)
-LINE_DOWN = polynomial_pulse(1.0, -1.0)
-"""the half of a cubic"""
+LINE_DOWN = polynomial_pulse(1.0, -1.0)  # the half of a cubic
 HALF_345 = polynomial_pulse(*(c / (5.0 / math.sqrt(3.0)) for c in (0.0, 15.0, -22.5, 7.5)))
 """the half of the polynomial 3-4-5, s = 10ξ³ − 15ξ⁴ + 6ξ⁵"""
 HALF_4567 = polynomial_pulse(*(c / (42.0 / (5.0 * math.sqrt(5.0))) for c in (0.0, 0.0, 52.5, -105.0, 65.625, -13.125)))

@@ -45,10 +45,9 @@ class RampedLaw(PulseLaw):
 class TrapezoidalVelocity(RampedLaw):
     """Constant acceleration A up to ξ = α_v, uniform velocity A α_v, constant deceleration B from ξ = α_w on.
 
-    A = 2/(α_v (1 − α_v + α_w)), B = 2/((1 − α_w)(1 − α_v + α_w)).
-    ``rise_end`` is α_v and ``fall_start`` α_w, both as shares of the rise (α_s = 1):
-    0 < α_v ≤ α_w < 1, else ValueError.
-    Source: S1, 'Asymmetric trapezoidal speed profile', equations of A and B; S3, function TVP (e_v = 1/3).
+    A = 2/(α_v (1 − α_v + α_w)), B = 2/((1 − α_w)(1 − α_v + α_w)). ``rise_end`` is α_v and ``fall_start`` α_w, both as
+    shares of the rise (α_s = 1): 0 < α_v ≤ α_w < 1, else ValueError. Source: S1, 'Asymmetric trapezoidal speed
+    profile', equations of A and B; S3, function TVP (e_v = 1/3).
     """
 
     code = "TVP"
@@ -132,9 +131,8 @@ class SCurve(PulseLaw):
     def of_limits(cls, stroke: float, limits: Limits) -> tuple[Self, float]:
         """Return the quickest curve within the limits over a stroke, and its time, in the limits' units.
 
-        A ramp to V takes V/A + A/J, or 2√(V/J) where A is never reached, and travels half of V times that; where
-        both ramps travel farther than the stroke, V is lowered until they do not.
-        Raises ValueError unless all are positive.
+        A ramp to V takes V/A + A/J, or 2√(V/J) where A is never reached, and travels half of V times that; where both
+        ramps travel farther than the stroke, V is lowered until they do not. Raises ValueError unless all are positive.
         """
         if not min(stroke, *limits) > 0.0:
             raise ValueError(f"the stroke is {stroke:g} and the limits {tuple(limits)}; expected them positive")

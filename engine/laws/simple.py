@@ -133,9 +133,8 @@ class DoubleHarmonic(Law):
     """s = sin⁴(πξ/2), from rest to a reversal: a = (π²/2)(cos πξ − cos 2πξ).
 
     At its end v = 0 and a = −π²: its mirror image has to follow, never a dwell. ``reversal`` says which end turns
-    round, "end" or "start" (s = 1 − cos⁴(πξ/2)); else ValueError. Its beginning is as smooth as that of the
-    polynomial 4-5-6-7.
-    Source: LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC and R_D_DOUBLE_HARMONIC; saltire.com, cam functions.
+    round, "end" or "start" (s = 1 − cos⁴(πξ/2)); else ValueError. Its beginning is as smooth as that of the polynomial
+    4-5-6-7. Source: LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC and R_D_DOUBLE_HARMONIC; saltire.com, cam functions.
     """
 
     code = "DHM"

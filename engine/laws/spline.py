@@ -17,7 +17,6 @@ from engine.laws.piece import Piece
 
 MOST = 100
 NARROWEST = 1e-6  # of the time, between two points
-
 Point = tuple[float, float]
 Slopes = tuple[float | None, float | None]
 EXAMPLE: tuple[Point, ...] = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1.0, 1.0))
@@ -71,9 +70,8 @@ class Spline(EndedLaw):
     def system(self) -> tuple[Array, Array, Array, Array]:
         """The equations of the moments: below, on and above the diagonal, and their right sides.
 
-        With the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points,
-        d_{k−1} a_{k−1} + 2(d_{k−1} + d_k) a_k + d_k a_{k+1} = 6(m_k − m_{k−1}),
-        and at an end with the slope v, 2 d_0 a_0 + d_0 a_1 = 6(m_0 − v).
+        With the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points, d_{k−1} a_{k−1} + 2(d_{k−1} + d_k) a_k
+        + d_k a_{k+1} = 6(m_k − m_{k−1}), and at an end with the slope v, 2 d_0 a_0 + d_0 a_1 = 6(m_0 − v).
         """
         xi, s = self.knots
         d = np.diff(xi)
@@ -155,14 +153,9 @@ def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Ar
 
 
 WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
-
-
-STILL = 1e-9
-"""of the largest velocity: one below this is none"""
-EQUAL = 1e-12
-"""of the largest velocity: peaks that differ by less are equal"""
-SAME = 1e-9
-"""of ξ: places no farther apart are one"""
+STILL = 1e-9  # of the largest velocity: one below this is none
+EQUAL = 1e-12  # of the largest velocity: peaks that differ by less are equal
+SAME = 1e-9  # of ξ: places no farther apart are one
 
 
 def rising(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Array, still: float) -> Array:

@@ -16,9 +16,7 @@ from engine.motion.phase import Phase
 STRAIGHT, NEVER, PULSES, FIXED = -1, 0, 1, 2
 """ways in which laws meet their neighbours: they have a velocity; take none; take one by the heights of two pulses;
 keep the velocities that they have at their ends"""
-
-LINE = 2
-"""of how a phase is carried out: its ends are those of a straight line"""
+LINE = 2  # of how a phase is carried out: its ends are those of a straight line
 
 
 def end_mode(law: Law) -> int:

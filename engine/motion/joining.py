@@ -170,8 +170,7 @@ def _kinds(phase: Phase, sides: tuple[Side, Side]) -> tuple[str, str]:
 
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 ORDERS: tuple[Smoothness, ...] = ("velocity", "acceleration", "jerk")
-JUMP = 1e-9
-"""of what a motion's jumps are measured by: a smaller one is rounding"""
+JUMP = 1e-9  # of what a motion's jumps are measured by: a smaller one is rounding
 
 
 class Joint(NamedTuple):

@@ -13,10 +13,8 @@ from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_fin
 from engine.laws.points import reach
 from engine.motion.phase import Ends, MotionValues, Phase, TimeValues, numbered_phase, scaled
 
-EDGE_TOLERANCE = BREAK_TOLERANCE
-"""A sample this near to an edge, in units of the whole abscissa, counts as on it."""
-ZERO_TOLERANCE = 1e-9
-"""of the largest lift: a smaller jump is none"""
+EDGE_TOLERANCE = BREAK_TOLERANCE  # A sample this near to an edge, in units of the whole abscissa, counts as on it.
+ZERO_TOLERANCE = 1e-9  # of the largest lift: a smaller jump is none
 
 
 class Motion:

@@ -161,8 +161,7 @@ def evaluated(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float)
     return MotionValues(*table)
 
 
-SAME = 1e-12
-"""of the cycle: breaks so near to each other are one"""
+SAME = 1e-12  # of the cycle: breaks so near to each other are one
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,10 +16,8 @@ from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
 
-LOST = 1e-9
-"""of the size of a figure: less is rounding"""
-SAME = 1e-12
-"""of the cycle: breaks so near to each other are one"""
+LOST = 1e-9  # of the size of a figure: less is rounding
+SAME = 1e-12  # of the cycle: breaks so near to each other are one
 
 
 class Unshifted(NamedTuple):

@@ -102,12 +102,8 @@ def crank_slider(
     return SlideLinkage("crank-slider", crank, rod, offset, side, direction, begin, start, reach)
 
 
-SAME = 1e-9
-"""of the link, by which the link may be out of the square to count as square to the slide"""
-
-FAR = 4.0
-"""of lever, link and offset together: no slide goes there"""
-
+SAME = 1e-9  # of the link, by which the link may be out of the square to count as square to the slide
+FAR = 4.0  # of lever, link and offset together: no slide goes there
 DEAD = "dead centre of lever and link"
 SQUARE = "link square to the slide"
 
@@ -182,10 +178,8 @@ def farther(lever: float, link: float, offset: float) -> float:
 class ByAngle(ABC):
     """A load that follows the angle of its axis."""
 
-    steps: int = 1
-    """equal parts of a cycle in which a rule of points is exact enough"""
-    slides: bool = False
-    """whether its mass travels by x(φ); else it turns with the axis"""
+    steps: int = 1  # equal parts of a cycle in which a rule of points is exact enough
+    slides: bool = False  # whether its mass travels by x(φ); else it turns with the axis
 
     @abstractmethod
     def slopes(self, angle: Array) -> tuple[Array, Array]:
