@@ -74,10 +74,7 @@ WIDEST = 1.0  # rad of a sine in one interval
 
 
 class Deviation(NamedTuple):
-    """The largest deviation of one derivative over the cycle: how large, where, and the motion's own peak.
-
-    The peak of the position is its reach, from the lowest to the highest.
-    """
+    """The largest deviation of one derivative over the cycle, where, and the motion's peak: of y its reach."""
 
     largest: float
     x: float

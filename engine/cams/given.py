@@ -92,10 +92,7 @@ def fastest(of: Points) -> float:
 
 
 def seam(of: Points) -> tuple[float, float] | None:
-    """Return y' and y'' where a cycle goes on as it began, by a polynomial through the points on either side.
-
-    None where its velocities at begin and end are not alike, or the table tells them.
-    """
+    """Return y' and y'' where a cycle goes on as it began, by the points on either side; None where it does not."""
     if of.v is not None or abs(rate_at(of, 0)[0] - rate_at(of, -1)[0]) > SEAM * fastest(of):
         return None
     half = FEW // 2 + 1

@@ -171,10 +171,7 @@ def _fitted(one: EndedLaw, of: Points, sides: tuple[Side, Side], near: float) ->
 
 
 def nearest(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
-    """Return figures of which nothing is off by more than ``near``, by Gauss and Newton; None if they miss.
-
-    In a turn none moves by more than its step.
-    """
+    """Return figures that are off by at most ``near``, by Gauss and Newton, no turn beyond ``steps``; else None."""
     missed: list[float] = []
     moves = np.diag(np.where(np.isfinite(steps), STEP * steps, 1.0))
     for _ in range(TURNS + 1):

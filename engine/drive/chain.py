@@ -160,10 +160,7 @@ class Mechanism:
         return math.prod(stage.ratio for stage in self.stages[shaft:])
 
     def on_shaft(self, shaft: int) -> float:
-        """Return the inertia on a shaft, at that shaft (kg m² or kg), the load's on the last.
-
-        Source: S1, 'Feeding group layout', J_tot = 4 J1 + 4 J2.
-        """
+        """Return the inertia on a shaft, there (kg m² or kg), the load's on the last: S1, J_tot = 4 J1 + 4 J2."""
         parts = math.fsum(part.reflected for part in self.parts if part.shaft == shaft)
         return parts + self.load.inertia if shaft == self.last else parts
 
@@ -182,10 +179,7 @@ class Mechanism:
         return math.fsum([*parts, self.at_motor(self.load.inertia, self.last, method)])
 
     def driving(self, force: float) -> float:
-        """Return the torque (Nm) at the motor's shaft that drives a force (N, or Nm) at the load: F/(i η).
-
-        Source: S4, problem 1, the friction torque and the load torque.
-        """
+        """Return the motor's torque (Nm) that drives a force (N, or Nm) at the load, F/(i η). Source: S4, problem 1."""
         return force / self.ratio / self.efficiency
 
     def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:

@@ -65,10 +65,7 @@ class TorqueInterval:
         return np.asarray(self.train.gear * self.shaft(u).speed)
 
     def torque(self, u: Array, shaft: int = 0) -> Array:
-        """Return the torque (Nm) that drives a shaft: the motor's with its own inertia, 0, or one behind a stage.
-
-        Of the last one, the load's, what drives the load (N, or Nm).
-        """
+        """Return the torque (Nm) that drives a shaft: 0 is the motor's, the last the load's (N, or Nm)."""
         load = self.load(u)
         if shaft == len(self.weights):
             return self.force.at(load)
@@ -115,10 +112,7 @@ class TorqueInterval:
 
 
 class Span(NamedTuple):
-    """A part of a piece, from ``low`` to ``high``, in which direction and process force stay as they are.
-
-    ``dwell`` is the time (s) of the dwell that it belongs to; 0 where it moves.
-    """
+    """A part of a piece of one direction and process force; ``dwell`` is its dwell's time (s), 0 where it moves."""
 
     piece: MotionPiece
     low: float

@@ -116,10 +116,7 @@ class LimitChecks:
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
-        """|T| and the curve where the reserve is least; beyond its last corner the curve is taken to go on level.
-
-        The speed has a check of its own.
-        """
+        """|T| and the curve where the reserve is least; beyond its last corner it goes on level: speed has a check."""
         curve = self.limits.peak_curve
         last = float(curve.speed[-1])
 

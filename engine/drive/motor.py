@@ -21,10 +21,7 @@ class Falling(NamedTuple):
 
     @classmethod
     def between(cls, knee: float, peak_torque: float, fastest: float, end_torque: float) -> "Falling":
-        """Return how a peak torque (Nm) falls from a knee to another torque at the largest speed (rad/s).
-
-        Not at all where the second is not smaller, or the knee not below that speed.
-        """
+        """Return how a peak torque (Nm) falls from a knee to ``end_torque`` at the largest speed, if it is less."""
         return cls(knee, max(0.0, peak_torque - end_torque) / (fastest - knee)) if knee < fastest else cls()
 
     def corner(self, peak_torque: float) -> float:
@@ -98,10 +95,7 @@ class Motor:
 
 
 class Corners(NamedTuple):
-    """A motor's limits in the plane of speed (rad/s) and torque (Nm): arrays of shape (15,).
-
-    ``right`` says of each corner whether its speed is above 0.
-    """
+    """A motor's limits by speed (rad/s) and torque (Nm), arrays of shape (15,); ``right`` where speed is above 0."""
 
     right: NDArray[np.bool_]
     speed: Array

@@ -25,10 +25,7 @@ STANDSTILL = 1e-9  # of the greatest speed: a slower load stands
 
 
 class Interval(NamedTuple):
-    """A part of a cycle in which one piece of the motion holds and process forces stay as they are.
-
-    From ``begin`` to ``end`` of the unshifted abscissa; ``piece`` is the piece's number, from 0.
-    """
+    """A part of a cycle of one piece (a number from 0) and steady process forces, in the unshifted abscissa."""
 
     begin: float
     end: float
@@ -147,10 +144,7 @@ class Cycle:
 
     @cached_property
     def intervals(self) -> list[Interval]:
-        """The intervals between begins of pieces, edges of process forces and even steps, in the order of the motion.
-
-        A cut that is ``near`` an earlier one, or the end, is left out.
-        """
+        """The intervals between begins of pieces, edges of forces, even steps; of cuts that are ``near`` the first."""
         motion, shift = self.drive_cycle.unshifted, self.drive_cycle.shift
         train = self.drive_cycle.train
         edges = [edge for window in train.windows for edge in (window.begin, window.end)]

@@ -39,10 +39,7 @@ class Bounds(NamedTuple):
 
 
 class Energy(NamedTuple):
-    """Energy at a motor's shaft over a cycle (J): what it drives with, and what comes back to it, both 0 or more.
-
-    Of one motor, or of several, one value each.
-    """
+    """Energy at the shaft of a motor, or of several, over a cycle (J): what drives, what comes back, both 0 or more."""
 
     driving: Any
     regenerated: Any
@@ -102,10 +99,7 @@ class DriveResults:
         return Energy(math.fsum(e for e in each if e > 0.0), -math.fsum(e for e in each if e < 0.0))
 
     def mean_shaft_torque(self, shaft: int) -> float:
-        """Return the cubic mean of a shaft's torque, weighted by its speed (Nm); 0 where it stands all the time.
-
-        ³√(∫|ω| |T|³ dt/∫|ω| dt). Source: Harmonic Drive, engineering data, average output torque T_av.
-        """
+        """Return ³√(∫|ω||T|³ dt/∫|ω| dt) of a shaft (Nm), 0 at rest: Harmonic Drive, average output torque T_av."""
         fastest, peak = self.speed.peak, self.shaft_torque(shaft).peak
         cubes = self._total(lambda one, u: np.abs(one.motor_speed(u) * one.torque(u, shaft) ** 3), fastest * peak**3)
         ways = self._total(_turning, fastest)
@@ -141,10 +135,7 @@ def _candidates(one: TorqueInterval, of: OfInterval, curve: Curve | None) -> Arr
 
 
 class Means(NamedTuple):
-    """Mean power (W): from the mains, and in the brake resistor, of a drive that shares its DC bus with no other.
-
-    Of one drive, or of many designs of it.
-    """
+    """Mean power (W) of a drive, or of designs of it, on a DC bus of its own: from the mains, in the brake resistor."""
 
     mains: Any
     resistor: Any
@@ -165,10 +156,7 @@ class Means(NamedTuple):
 
 
 def means(energy: Energy, time: Any, efficiency: float) -> Means:
-    """Return them from the energy at a motor's shaft over a cycle; exact.
-
-    A drive takes E/η where its motor drives, and gives back η E where the motor is driven.
-    """
+    """Return the means of an energy at a motor's shaft, exact: E/η where it drives, η E where it is driven."""
     return Means(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
 
 

@@ -141,10 +141,7 @@ def force_curve(
 
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
-    """Return where a curve changes its sign between two points, from values that are no rounding on either side.
-
-    Between the zeros of its derivative, and so none is missed.
-    """
+    """Return where a curve changes its sign beyond rounding: between zeros of its derivative, and so none is missed."""
     slope = curve.derivative()
     turns = [u for u in zeros(slope, high) if low < u < high]
     points = [low, *turns, high]

@@ -193,10 +193,7 @@ class Train:
         return self.drive.method
 
     def shaft(self, load: Motion3, within: float | None = None) -> ShaftMotion:
-        """Return the motion of the mechanism's own shaft, φ̇ = φ' ẏ, φ̈ = φ'' ẏ² + φ' ÿ.
-
-        ``within`` and errors as of :meth:`engine.drive.mechanisms.variable_ratio.Linkage.shaft`.
-        """
+        """Return the motion of the mechanism's own shaft, φ̇ = φ' ẏ, φ̈ = φ'' ẏ² + φ' ÿ, as :meth:`Linkage.shaft`."""
         first, second = self.ratio(load.y, within)
         return ShaftMotion(first, first * load.v, second * load.v**2 + first * load.a)
 
@@ -235,10 +232,7 @@ class Train:
         return Force(m.on_shaft(m.last), self.viscous, level, self.by_angle)
 
     def weights(self, factors: Sequence[float]) -> list[Weights]:
-        """Return the torque of each shaft but the load's, from the motor's, with the motor's own inertia in the first.
-
-        ``factors`` are those of the rule of losses, of each stage from the motor's.
-        """
+        """Return the torques of shafts but the load's, from the motor's with its inertia, by each stage's factor."""
         m = self.drive.mechanism
         last = m.last - 1
         found = [Weights(factors[last], m.on_shaft(last))]

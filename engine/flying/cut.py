@@ -1,7 +1,4 @@
-"""A tool that goes round or comes back, and a cut: what a product length asks of it.
-
-Lengths in m along the line, speeds in m/s, angles in rad.
-"""
+"""A tool that goes round or comes back, and a cut: what a product length asks of it. Lengths in m along the line."""
 
 import math
 from dataclasses import dataclass
@@ -155,10 +152,7 @@ class Cut:
         return float(np.ptp([*places, *turned]))
 
     def at(self, time: ArrayLike) -> ToolMotion:
-        """Return position, speed, acceleration and jerk of the tool (m, s) at times from 0 to t_C.
-
-        At an event they are those behind it, at the end of the cycle those before it. Raises ValueError outside.
-        """
+        """Return the tool's motion at times from 0 to t_C (s); at an event what is behind it. Raises ValueError."""
         t, near = np.asarray(time, dtype=np.float64), self.time_tolerance
         if t.size and not (t.min() >= -near and t.max() <= self.cycle_time + near):
             raise ValueError(f"time reaches from {t.min():g} to {t.max():g} s; expected 0 to {self.cycle_time:g} s")

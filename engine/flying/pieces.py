@@ -59,10 +59,7 @@ def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart,
 
 
 def cut_joints(cut: Cut, smooth: Smoothness) -> tuple[Joint, ...]:
-    """Return where the pieces of the tool's motion begin, and what jumps there of what must not.
-
-    Jumps are measured by the tool's highest speed and acceleration, and by this over the time of the law.
-    """
+    """Return where the tool's pieces begin and what jumps there, by its speed, acceleration, and that over t_m."""
     pieces = cut_pieces(cut)
     ends = [*(piece.begin for piece in pieces[1:]), cut.cycle_time]
     spans = [(piece.begin - piece.origin, end - piece.origin) for piece, end in zip(pieces, ends, strict=True)]
@@ -96,10 +93,7 @@ class CutCycle(Cycle):
 
 
 def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Train:
-    """Return the tool's shaft with a load J_L (kg m²), T_L (Nm) behind a motor and its reducer.
-
-    ``pair`` is J_M + J_T (kg m²), i, η and the no-load torque of the reducer (Nm).
-    """
+    """Return the tool's shaft with a load (kg m², Nm); ``pair`` is J_M + J_T, i, η and the reducer's no-load torque."""
     inertia, ratio, efficiency, no_load = pair
     radius, stage = cut.tool.radius, Stage("reducer", ratio, efficiency)
     shaft = Part("shaft", load.inertia, 1)

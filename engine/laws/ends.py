@@ -17,10 +17,7 @@ class EndError(ValueError):
 
 @dataclass(frozen=True)
 class Ends:
-    """Stroke, and velocity, acceleration and jerk at begin and end, per unit of ξ: y' δ, y'' δ², y''' δ³.
-
-    Raises ValueError for what is not finite.
-    """
+    """Stroke; velocity, acceleration, jerk at begin and end, per unit of ξ: y' δ, y'' δ², y''' δ³. All are finite."""
 
     stroke: float = 1.0
     v0: float = 0.0
@@ -124,10 +121,7 @@ def _reason(takes: str) -> str:
 
 
 def kind(v: float, a: float) -> str:
-    """Return what VDI 2143 calls an end: R rest, G constant velocity, U reversal, B general motion.
-
-    ``v`` and ``a`` are those of the end in units of the motion's own peaks: below 1e-9 they are none.
-    """
+    """Return VDI 2143's R rest, G constant velocity, U reversal or B general, by v and a in units of their peaks."""
     moves, accelerates = abs(v) > STILL, abs(a) > STILL
     return ("B" if accelerates else "G") if moves else ("U" if accelerates else "R")
 

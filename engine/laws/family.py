@@ -68,10 +68,7 @@ class Law(ABC):
         return tuple(accumulate(piece.duration for piece in self.as_pieces()[:-1]))
 
     def evaluate(self, xi: Real) -> Kinematics[Real]:
-        """Return s, v, a, j at ξ: floats of a number, arrays of ξ's shape of an array.
-
-        Raises ValueError where ξ is not a number from 0 to 1.
-        """
+        """Return s, v, a, j at ξ: floats of a number, else arrays of ξ's shape. Raises ValueError outside 0 to 1."""
         x = np.asarray(xi, dtype=np.float64)
         require_within("xi", x, 0.0, 1.0, ROUNDING)
         flat = x.reshape(-1)

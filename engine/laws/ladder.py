@@ -181,10 +181,7 @@ def turning_points(piece: Piece, v0: float) -> list[float]:
 def along(
     pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
 ) -> list[tuple[Array, Array, Array, Array]]:
-    """Return s, v, a and j of each piece that lasts, at its begin, at places inside it, and at its end.
-
-    The pieces follow each other from 0, with the velocity ``v0``.
-    """
+    """Return s, v, a, j of each piece that lasts: at its begin, inside, at its end; ``v0`` is the first velocity."""
     found = []
     for one in carried(pieces, v0):
         if one.piece.duration > 0.0:

@@ -16,10 +16,7 @@ Table = tuple[tuple[int, ...], ...]
 
 @dataclass(frozen=True)
 class EndedPolynomial(EndedLaw):
-    """The polynomial of least degree between the given ends, by Hermite's conditions.
-
-    ``TABLE`` has what stroke, v0, v1, a0, a1, j0 and j1 add to c0, c1, … of a(ξ), a row a coefficient.
-    """
+    """The least polynomial that meets the ends: ``TABLE`` times stroke, v0, v1, a0, a1, j0, j1 is c0, c1 … of a(ξ)."""
 
     TABLE: ClassVar[Table]
 
@@ -62,10 +59,7 @@ class EndedCubic(EndedPolynomial):
 
 
 class EndedQuintic(EndedPolynomial):
-    """c0 = a0, and c1, c2, c3 that meet stroke, v1 and a1.
-
-    Source: LCamHdl, ProfileTypes, POLY_5; TwinCAT, POLYNOM5_MM; CODESYS, Poly5.
-    """
+    """c0 = a0; c1, c2, c3 meet stroke, v1 and a1: LCamHdl, POLY_5; TwinCAT, POLYNOM5_MM; CODESYS, Poly5."""
 
     code = "PO5"
     name = "Polynomial 3-4-5"
@@ -74,10 +68,7 @@ class EndedQuintic(EndedPolynomial):
 
 
 class EndedSeptic(EndedPolynomial):
-    """c0 = a0, c1 = j0, and c2 … c5 that meet stroke, v1, a1 and j1.
-
-    Source: LCamHdl, ProfileTypes, POLY_7; TwinCAT, POLYNOM7_MM; CODESYS, Poly7.
-    """
+    """c0 = a0, c1 = j0; c2 … c5 meet stroke, v1, a1, j1: LCamHdl, POLY_7; TwinCAT, POLYNOM7_MM; CODESYS, Poly7."""
 
     code = "PO7"
     name = "Polynomial 4-5-6-7"

@@ -19,10 +19,7 @@ SUM_TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Pulse:
-    """An acceleration p(x) of peak 1 over x from 0 to 1, nowhere negative, told from its outer end.
-
-    The outer end is where the law begins; a deceleration is told backwards from where the law ends.
-    """
+    """An acceleration p(x) of peak 1 over x from 0 to 1, nowhere negative, told from where the law begins, or ends."""
 
     pieces: tuple[Piece, ...]  # from the outer end; a stage without length is among them
     turned: tuple[Piece, ...]  # those of p(1 − x), from the inner end
@@ -64,10 +61,7 @@ def _sines(rise: float, flat: float, fall: float) -> tuple[Piece, ...]:
 
 
 def linear_edged(rise: float, flat: float, fall: float) -> Pulse:
-    """Return x/t1, 1, 1 − x/t3, each from the begin of its stage: a ramp of velocity whose jerk is limited.
-
-    Raises ValueError as :func:`sine_edged`.
-    """
+    """Return x/t1, 1, 1 − x/t3 from the begin of each stage: a ramp with limited jerk; see :func:`sine_edged`."""
     return _edged(_lines, (rise, flat, fall))
 
 

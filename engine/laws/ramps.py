@@ -118,10 +118,7 @@ class SCurve(PulseLaw):
 
     @classmethod
     def of_shares(cls, ramp: float, jerk: float) -> Self:
-        """Return the symmetric curve whose ramps last ``ramp`` each, the part ``jerk`` of them under jerk.
-
-        Raises ValueError unless 0 < ramp ≤ 1/2 and 0 ≤ jerk ≤ 1.
-        """
+        """Return the symmetric curve of ramps of 0 < ``ramp`` ≤ ½, the share 0 ≤ ``jerk`` ≤ 1 of each under jerk."""
         if not (0.0 < ramp <= 0.5 and 0.0 <= jerk <= 1.0):
             raise ValueError(f"ramp is {ramp:g} and jerk {jerk:g}; expected 0 < ramp <= 0.5 and 0 <= jerk <= 1")
         edge, flat = jerk * ramp / 2.0, (1.0 - jerk) * ramp

@@ -1,7 +1,4 @@
-"""Laws of no pulse, of one over the share λ of the time and the same backwards, of two sines.
-
-DWL, LIN; ACS, CIC, SHM; DHM.
-"""
+"""Laws of no pulse (DWL, LIN), of one over the share λ and the same backwards (ACS, CIC, SHM), of two sines (DHM)."""
 
 import math
 from dataclasses import dataclass
@@ -50,10 +47,7 @@ class StraightLine(Law):
 
 @dataclass(frozen=True)
 class HalvedLaw(PulseLaw):
-    """A pulse over the share λ of the time, and the same backwards over the rest.
-
-    Raises ValueError unless λ, the ``share``, is between 0 and 1.
-    """
+    """A pulse over λ of the time, the same backwards over the rest; ValueError unless the ``share`` λ is in (0, 1)."""
 
     STAGES = (0, 2)
     HALF: ClassVar[Pulse]

@@ -25,10 +25,7 @@ class Rates(NamedTuple):
 
 @dataclass(frozen=True)
 class EndedPhase(Phase):
-    """A phase whose law has the lift in itself, as its ends are prescribed; ``origin`` is the law that is named.
-
-    ``scale`` is what the law's s is multiplied by.
-    """
+    """A phase whose law has prescribed ends, and the lift in it; ``origin`` is the law named, ``scale`` times s."""
 
     origin: Law
     scale: float = 1.0
@@ -199,10 +196,7 @@ def joints(
     pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True,
     spans: Sequence[tuple[float, float]] = (),
 ) -> tuple[Joint, ...]:  # fmt: skip
-    """Return where the pieces of a motion begin; of a periodic one, the first follows the last.
-
-    ``spans`` are the begin and end of each piece, from its origin, where a motion does not have them whole.
-    """
+    """Return where pieces begin, cyclic if ``periodic``; ``spans`` are their begins and ends, where not whole."""
     found: list[Joint] = []
     asked = ORDERS.index(smooth) + 1
     whole = spans or [(0.0, piece.duration) for piece in pieces]

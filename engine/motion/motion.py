@@ -140,10 +140,7 @@ class Motion:
         return all(abs(p.lack) <= ZERO_TOLERANCE * self.peaks.y for p in self.phases)
 
     def at(self, x: Real) -> MotionValues[Real]:
-        """Return y, y', y'', y''' at x: floats of a number, arrays of x's shape of an array.
-
-        Raises ValueError outside the abscissa.
-        """
+        """Return y, y', y'', y''' at x: floats of a number, else arrays. Raises ValueError outside the abscissa."""
         at = np.asarray(x, dtype=np.float64)
         flat = at.reshape(-1)
         require_within("x", flat, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)

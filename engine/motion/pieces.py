@@ -81,10 +81,7 @@ class LawPiece(NamedTuple):
 
 
 def law_pieces(law: Law, whole: bool = False) -> list[LawPiece]:
-    """Return the monotone pieces of a law that begin before its end, those of no duration between them too.
-
-    ``whole`` ones are not cut where the acceleration is largest.
-    """
+    """Return the pieces of a law that begin before its end: monotone ones, or ``whole``, not cut at peaks."""
     pieces = law.as_pieces() if whole else law.monotone_pieces()
     found = [LawPiece(*both) for both in zip(pieces, begins(pieces), strict=True)]
     return [one for one in found if one.begin <= 1.0 - BREAK_TOLERANCE]
@@ -215,10 +212,7 @@ class CamProfile:
 
 
 def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
-    """Return a motion's pieces up to ``end`` as a profile in other units: ``x`` and ``y`` of them make one of its own.
-
-    Pieces that do not last are left out.
-    """
+    """Return the pieces that last, up to ``end``, as a profile in units of which one of theirs is ``x`` and ``y``."""
     lasting = [one for one in pieces if one.duration > 0.0]
     ends = [*(one.begin for one in lasting[1:]), np.inf]
     kept = [one for one, after in zip(lasting, ends, strict=True)

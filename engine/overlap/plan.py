@@ -15,10 +15,7 @@ from engine.timing import FULL_TURN
 
 
 def one_after_the_other(transfer: Transfer, tool: Tool, split: float = 0.5) -> Schedule:
-    """Return the schedule without overlap: in, dwell and out in what the transfer leaves of the turn.
-
-    Raises ValueError where nothing is left. Source: S2, (360 − 150 − 100)/2 = 55°.
-    """
+    """Return the schedule without overlap, in what the transfer leaves of the turn: S2, (360 − 150 − 100)/2 = 55°."""
     free = free_angle(transfer.angle, tool)
     return Schedule(transfer, tool, free * split, free * (1.0 - split), transfer.angle + free * split)
 

@@ -30,10 +30,7 @@ class Points(NamedTuple):
 
 @lru_cache(maxsize=256)
 def points_of(law: Law) -> Points:
-    """Return the points of a law: as many on each of its pieces, closer towards both ends of it, where it may rest.
-
-    The share of the i-th of n is (1 − cos(πi/n))/2.
-    """
+    """Return the points of a law, as many on each of its pieces: of n, the i-th at the share (1 − cos(πi/n))/2."""
     pieces = law_pieces(law)
     n, k = INTERVALS // len(pieces), np.arange(INTERVALS + 1)
     piece = np.minimum(k // n + 1, len(pieces))
@@ -66,11 +63,7 @@ class Between(NamedTuple):
 
 
 def between(law: Law, heights: Array) -> Between:
-    """Return where a law reaches heights from 0 to 1.
-
-    From point to point as if the acceleration were constant, u = 2Δs/(v + √(v² + 2aΔs)); then what is missing there
-    at the velocity there.
-    """
+    """Return where a law reaches heights: u = 2Δs/(v + √(v² + 2aΔs)) between points, then what is missing over v."""
     points = points_of(law)
     k = np.searchsorted(points.s, np.minimum(heights + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE), side="right") - 1
     low, high = (points._replace(xi=points.xi[i], s=points.s[i], v=points.v[i]) for i in (k, k + 1))

@@ -71,10 +71,7 @@ class Tool:
 
 @dataclass(frozen=True)
 class Passage:
-    """What one part leaves to the other.
-
-    Raises ValueError unless 0 ≤ remaining < 1/2, 0 ≤ margin ≤ clearance, allowance ≥ 0 and 0 < split < 1.
-    """
+    """What one part leaves to the other: 0 ≤ remaining < ½, 0 ≤ margin ≤ clearance, allowance ≥ 0, 0 < split < 1."""
 
     remaining: float  # share of the transfer's stroke that may be missing, at either end, with the tool in (S2: 0.65 %)
     clearance: float  # travel (m) of the tool before it would touch the transfer (S2: 20 mm)

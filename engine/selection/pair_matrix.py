@@ -156,10 +156,7 @@ class PairMatrix:
         return np.asarray(r.ratio**2 / r.efficiency * share)
 
     def scores(self, rank: Rank) -> Array:
-        """Return what pairs are ranked by, the lowest first; NaN of one without the figure.
-
-        Of the smallest motor: how many have a smaller rated torque, and as a fraction, who has less to do.
-        """
+        """Return what pairs are ranked by, lowest first, NaN without the figure; of equal motors the less used."""
         used = self.uses / (1.0 + self.uses)
         if rank == "smallest motor":
             return self.smaller[:, None] + used
@@ -172,10 +169,7 @@ class PairMatrix:
         return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))
 
     def keys(self, rank: Rank, across: int, rooms: int) -> Array:
-        """Return whole numbers that rise as pairs rank, NaN of those that do not: equals in the order of the table.
-
-        Of a table of ``rooms`` pairs, ``across`` of them in a row.
-        """
+        """Return whole numbers that rise as pairs rank, of ``rooms``, ``across`` in a row; NaN of no rank."""
         score = np.where(self.verdicts == "yes", self.scores(rank), np.nan)
         motor, reducer = np.indices(score.shape)
         return np.asarray(np.floor(score * PARTS + 0.5) * rooms + motor * across + reducer)

@@ -184,10 +184,7 @@ class DriveBatch:
 
 
 def tops(values: Array, place: Array) -> Array:
-    """Return the largest of each row of values at the points, as :func:`engine.drive.drive_points.peak` finds it.
-
-    ``place`` is an array of intervals by points, each row of values its points in a line.
-    """
+    """Return each row's largest value, as :func:`engine.drive.drive_points.peak`; ``place`` is intervals by points."""
     rows, width, x = np.arange(len(values)), place.shape[1], place.ravel()
     limit = values.max(axis=1) - TIED * np.abs(values).max(axis=1)
     k: NDArray[np.intp] = (values >= limit[:, None]).argmax(axis=1)

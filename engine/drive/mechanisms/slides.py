@@ -196,10 +196,7 @@ class ByAngle(ABC):
 
 @dataclass(frozen=True)
 class Arm(ByAngle):
-    """An arm that swings in a vertical plane: m g r (Nm), and its angle from the horizontal where the axis is at 0.
-
-    The torque is m g r cos(φ + φ_0). Raises ValueError for a negative moment.
-    """
+    """An arm in a vertical plane: m g r (Nm, 0 or more) and its angle φ_0 from the horizontal: m g r cos(φ + φ_0)."""
 
     moment: float
     angle: float = 0.0

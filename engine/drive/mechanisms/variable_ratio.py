@@ -66,10 +66,7 @@ class Linkage(ABC):
         return ()
 
     def shaft(self, position: ArrayLike, within: float | None = None) -> ShaftAngles:
-        """Return φ, φ', φ'' at positions of the load, on a knot as on the side of the position ``within``.
-
-        Raises OutOfReachError for the one that lies farthest out.
-        """
+        """Return φ, φ', φ'' at positions, on a knot as on the side of ``within``. Raises OutOfReachError."""
         y = np.asarray(position, dtype=np.float64)
         beyond = [one for at in (y.min(initial=np.inf), y.max(initial=-np.inf)) if (one := self.beyond(float(at)))]
         if beyond:
