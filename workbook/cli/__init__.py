@@ -9,12 +9,12 @@ from pathlib import Path
 
 from typer.exceptions import TyperException
 
-from workbook.cli import books, tools
-from workbook.cli.options import app
+from workbook.cli import tools
+from workbook.cli.books import app
 from workbook.errors import AGREES, UNREADABLE, MotionbookError
 from workbook.reports.terminal import ERR, lasting, say
 
-__all__ = ["app", "books", "main", "tools"]
+__all__ = ["app", "main", "tools"]
 
 
 def main() -> None:

@@ -1,18 +1,86 @@
-"""Commands on descriptions and books: from a new machine to its verdict."""
+"""The command line ``motionbook``, options that several commands have, and commands from a new machine to its verdict.
+
+Each command loads what it does when it is called.
+"""
+# ruff: noqa: B008 - Typer reads options from defaults
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, Literal
 
 import typer
 from typer import Argument, Option
 
-from workbook.cli.options import Book, Books, Force, Jobs, Json, Machine, Scheduler, With, app, to
+from workbook import __version__
+from workbook.controllers.registry import TARGETS
+from workbook.errors import AGREES
+from workbook.witnesses.registry import ALL, WITNESSES
+
+app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
+
+
+def flag(name: str, words: str, **ways: Any) -> Any:
+    """Return what is off unless it is named."""
+    return Option(False, name, help=words, **ways)
+
+
+def option(metavar: str, words: str, *names: str, default: Any = None, **ways: Any) -> Any:
+    """Return an option that takes a value; it must be there if its default is ``...``."""
+    return Option(default, *names, metavar=metavar, help=words, **ways)
+
+
+def to(metavar: str, words: str, *names: str, default: Any = None) -> Any:
+    """Return the option that names a file to be written: the output unless told otherwise."""
+    return option(metavar, words, *(names or ("-o", "--output")), default=default)
+
+
+def tell_version(asked: bool) -> None:
+    """Print the version, and leave."""
+    if asked:
+        print(f"motionbook {__version__}")
+        raise typer.Exit(AGREES)
+
+
+@app.callback()
+def motionbook(version: bool = flag("--version", "Print the version.", callback=tell_version, is_eager=True)) -> None:
+    """Workbooks of machine motion: motion laws, timing diagram, drive.
+
+    Build one, change it in Excel or LibreOffice, and verify that every formula cell still computes the engine's value.
+    """
+
+
+def witness_named(name: str) -> str:
+    """Return the name of a witness; raise BadParameter where there is none of that name."""
+    if name not in (*WITNESSES, ALL):
+        raise typer.BadParameter(f"no witness is named {name!r}; expected one of {', '.join((*WITNESSES, ALL))}")
+    return name
+
+
+def named_place(name: str) -> Path:
+    """Return the file or folder of a name; raise BadParameter for an empty one, which Python takes for this folder."""
+    if not name:
+        raise typer.BadParameter("the name is empty; expected that of a workbook or a folder")
+    return Path(name)
+
+
+Book = Annotated[Path, Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
+Force = Annotated[bool, Option("--force", help="Replace the output file if it exists.")]
+Json = Annotated[bool, Option("--json", help="Print JSON for machines instead of a table.")]
+Scheduler = Annotated[str | None, Option(
+    metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."
+)]  # fmt: skip
+Jobs = Annotated[int | None, Option(min=1, metavar="N", help="Processes at once; else one a core.")]
+Of = Annotated[Literal["load", "shaft"], Option(
+    metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft."
+)]  # fmt: skip
+Fresh = Annotated[bool, Option("--fresh", help="Verify the book again, also where these bytes were verified before.")]
+Source = Annotated[str, Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
+CamFile = Annotated[Path, Argument(metavar="FILE", help="A controller's cam table.")]
 
 
 @app.command()
 def new(
     template: Annotated[str, Argument(metavar="TEMPLATE", help="The kind of machine, such as machine.")],
-    output: Annotated[Path | None, to("FILE.toml", "Where to write; else here, named like the template.")] = None,
+    output: Path | None = to("FILE.toml", "Where to write; else here, named like the template."),
     force: Force = False,
 ) -> None:
     """Write a description with every key explained, to be changed and built; its schema beside it."""
@@ -24,7 +92,7 @@ def new(
 @app.command("new-template")
 def new_template(
     name: Annotated[str, Argument(metavar="NAME", help="What your kind of machine is called, such as hoist.")],
-    output: Annotated[Path | None, to("FOLDER", "The folder to make; else motionbook-NAME, here.")] = None,
+    output: Path | None = to("FOLDER", "The folder to make; else motionbook-NAME, here."),
 ) -> None:
     """Write a package with a template of your own, to be changed: it installs, builds, verifies and tests itself."""
     from workbook.commands import make
@@ -34,10 +102,8 @@ def new_template(
 
 @app.command()
 def schema(
-    template: Annotated[
-        str | None, Argument(metavar="[TEMPLATE]", help="The kind of machine; any when none is named.")
-    ] = None,
-    output: Annotated[Path | None, to("FILE.json", "Where to write; else to the terminal.")] = None,
+    template: str | None = Argument(None, metavar="[TEMPLATE]", help="The kind of machine; any when none is named."),
+    output: Path | None = to("FILE.json", "Where to write; else to the terminal."),
     force: Force = False,
 ) -> None:
     """Write the JSON Schema of descriptions, from which an editor completes their keys."""
@@ -46,15 +112,15 @@ def schema(
     make.schema(template, output, force)
 
 
+MACHINE = "Machine description; the cutting machine when none is named."
+
+
 @app.command()
 def build(
-    machine: Machine = None,
-    output: Annotated[Path | None, to("BOOK.xlsx", "Where to write; else here, named like the description.")] = None,
-    motors: Annotated[
-        Path | None,
-        Option(metavar="MOTORS.csv", help="Motors to choose among; else those in or beside the description."),
-    ] = None,
-    reducers: Annotated[Path | None, Option(metavar="REDUCERS.csv", help="Reducers to choose among, likewise.")] = None,
+    machine: Path | None = Argument(None, metavar="[MACHINE.toml]", help=MACHINE),
+    output: Path | None = to("BOOK.xlsx", "Where to write; else here, named like the description."),
+    motors: Path | None = option("MOTORS.csv", "Motors to choose among; else those in or beside the description."),
+    reducers: Path | None = option("REDUCERS.csv", "Reducers to choose among, likewise."),
     force: Force = False,
 ) -> None:
     """Build a workbook from a machine description.
@@ -66,28 +132,27 @@ def build(
     make.build(machine, output, motors, reducers, force)
 
 
+PLACES = "Workbooks built by motionbook, or folders of them."
+ASKED = ("Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that "
+         "are on this machine.")  # fmt: skip
+
+
 @app.command()
 def verify(
-    books: Books,
+    books: Annotated[list[Path], Argument(metavar="BOOK|FOLDER...", parser=named_place, help=PLACES)],
     as_json: Json = False,
-    report: Annotated[Path | None, to("FILE.html", "Write a report as one page of HTML.", "--report")] = None,
-    junit: Annotated[Path | None, to("FILE.xml", "Write JUnit XML for CI servers.", "--junit")] = None,
-    sarif: Annotated[Path | None, to("FILE.sarif", "Write SARIF 2.1.0 for code hosts.", "--sarif")] = None,
-    force: Annotated[bool, Option("--force", help="Replace the report files if they exist.")] = False,
-    witnesses: With = None,
+    report: Path | None = to("FILE.html", "Write a report as one page of HTML.", "--report"),
+    junit: Path | None = to("FILE.xml", "Write JUnit XML for CI servers.", "--junit"),
+    sarif: Path | None = to("FILE.sarif", "Write SARIF 2.1.0 for code hosts.", "--sarif"),
+    force: bool = flag("--force", "Replace the report files if they exist."),
+    witnesses: list[str] | None = option("|".join((*WITNESSES, ALL)), ASKED, "--with", parser=witness_named),
     jobs: Jobs = None,
     scheduler: Scheduler = None,
-    everything: Annotated[
-        bool, Option("--all", help="List every finding, also what only follows from others.")
-    ] = False,
-    against: Annotated[
-        Path | None, Option(metavar="FILE.py", help="Compare any workbook with what this file declares of it.")
-    ] = None,
-    cases: Annotated[int, Option(min=1, max=100_000, metavar="N", help="With --against: values tried.")] = 100,
-    cover: Annotated[
-        float | None, Option(min=0, max=100, metavar="PER CENT", help="With --against: fail if less is covered.")
-    ] = None,
-    marked: Annotated[Path | None, to("OUT.xlsx", "With --against: colour a copy by class.", "--marked")] = None,
+    everything: bool = flag("--all", "List every finding, also what only follows from others."),
+    against: Path | None = option("FILE.py", "Compare any workbook with what this file declares of it."),
+    cases: int = option("N", "With --against: values tried.", default=100, min=1, max=100_000),
+    cover: float | None = option("PER CENT", "With --against: fail if less is covered.", min=0, max=100),
+    marked: Path | None = to("OUT.xlsx", "With --against: colour a copy by class.", "--marked"),
 ) -> None:
     """Compare every formula cell of workbooks with the engine, at the values entered in them.
 
@@ -108,15 +173,14 @@ def verify(
     with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
         from workbook.commands.verify import verify as run
 
-        raise typer.Exit(
-            run(books, as_json, report, junit, sarif, force, witnesses, jobs, everything, helper, scheduler)
-        )
+        ways = witnesses, jobs, everything, helper, scheduler
+        raise typer.Exit(run(books, as_json, report, junit, sarif, force, *ways))
 
 
 @app.command()
 def inputs(
     book: Book,
-    output: Annotated[Path | None, to("MACHINE.toml", "Where to write; else to the terminal.")] = None,
+    output: Path | None = to("MACHINE.toml", "Where to write; else to the terminal."),
     force: Force = False,
 ) -> None:
     """Read what was entered into a workbook, as a machine description."""
@@ -127,7 +191,7 @@ def inputs(
 
 @app.command()
 def regenerate(
-    book: Book, output: Annotated[Path, to("NEW.xlsx", "Where to write the new workbook.")], force: Force = False
+    book: Book, output: Path = to("NEW.xlsx", "Where to write the new workbook.", default=...), force: Force = False
 ) -> None:
     """Build a workbook anew from what was entered into an old one: its inputs, today's formulas."""
     from workbook.commands import make
@@ -140,7 +204,7 @@ def diff(
     old: Annotated[Path, Argument(metavar="OLD", help="A workbook built by motionbook, or a description.")],
     new: Annotated[Path, Argument(metavar="NEW", help="Another one of the same template.")],
     as_json: Json = False,
-    html: Annotated[Path | None, to("FILE.html", "Write a page with both timing diagrams.", "--html")] = None,
+    html: Path | None = to("FILE.html", "Write a page with both timing diagrams.", "--html"),
     force: Force = False,
 ) -> None:
     """Tell what differs between two workbooks or descriptions: entries, results, checks, formulas, cells of your own.
@@ -153,9 +217,7 @@ def diff(
 
 
 @app.command()
-def templates(
-    check: Annotated[bool, Option("--check", help="Write nothing; fail if a template is stale.")] = False,
-) -> None:
+def templates(check: bool = flag("--check", "Write nothing; fail if a template is stale.")) -> None:
     """Generate the workbooks in templates/ from the machine descriptions beside them."""
     from workbook.commands import make
 

@@ -1,53 +1,40 @@
 """Commands on controllers' cam tables; for studies, the browser, other workbooks and the functions of spreadsheets."""
+# ruff: noqa: B008 - Typer reads options from defaults
 
 import asyncio
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Literal
 
 import typer
 from typer import Argument, Option
 
-from workbook.cli.options import Book, CamFile, Force, Fresh, Jobs, Json, Of, Scheduler, Source, app, to
+from workbook.cli.books import Book, CamFile, Force, Fresh, Jobs, Json, Of, Scheduler, Source, app, flag, option, to
 from workbook.controllers.registry import TARGETS
 from workbook.reports.terminal import OUT, say, say_json
 
-Tolerance = Annotated[list[str] | None, Option(
-    metavar="a=1%", help="Largest error of y, v, a or j as a share of its peak; beyond it nothing is written. "
-                         "May be given several times."
-)]  # fmt: skip
+BEYOND = ("Largest error of y, v, a or j as a share of its peak; beyond it nothing is written. "
+          "May be given several times.")  # fmt: skip
 
 
 @app.command()
 def export(
     book: Book,
-    to_target: Annotated[str, Option("--to", metavar="TARGET", help=f"One of {', '.join(TARGETS)}.")],
-    axis: Annotated[str | None, Option(metavar="NAME", help="The axis to export.")] = None,
-    everything: Annotated[
-        bool, Option("--all", help="Export every axis, and the switches; -o then names a folder.")
-    ] = False,
-    switches: Annotated[bool, Option("--switches", help="Export the machine's switches.")] = False,
-    output: Annotated[Path | None, to("FILE", "Where to write; else here, named like book and axis.")] = None,
-    points: Annotated[
-        str, Option(metavar="N|auto", help="How many points; auto takes the fewest within the tolerance.")
-    ] = "auto",
-    equidistant: Annotated[
-        bool, Option("--equidistant", help="Points at equal steps, also where the format would take others.")
-    ] = False,
-    tolerance: Tolerance = None,
+    to_target: str = option("TARGET", f"One of {', '.join(TARGETS)}.", "--to", default=...),
+    axis: str | None = option("NAME", "The axis to export."),
+    everything: bool = flag("--all", "Export every axis, and the switches; -o then names a folder."),
+    switches: bool = flag("--switches", "Export the machine's switches."),
+    output: Path | None = to("FILE", "Where to write; else here, named like book and axis."),
+    points: str = option("N|auto", "How many points; auto takes the fewest within the tolerance.", default="auto"),
+    equidistant: bool = flag("--equidistant", "Points at equal steps, also where the format would take others."),
+    tolerance: list[str] | None = option("a=1%", BEYOND),
     of: Of = "load",
-    unverified: Annotated[
-        bool, Option("--unverified", help="Do not ask whether the book agrees; the file says so.")
-    ] = False,
+    unverified: bool = flag("--unverified", "Do not ask whether the book agrees; the file says so."),
     fresh: Fresh = False,
-    separator: Annotated[
-        Literal["semicolon", "comma", "tab"], Option(metavar="semicolon|comma|tab", help="Between columns of text.")
-    ] = "semicolon",
-    decimal: Annotated[
-        Literal["point", "comma"], Option(metavar="point|comma", help="The decimal sign of columns of text.")
-    ] = "point",
-    report: Annotated[
-        Path | None, to("FILE.html", "Write the certificates as a page with pictures.", "--report")
-    ] = None,
+    separator: Literal["semicolon", "comma", "tab"] = option(
+        "semicolon|comma|tab", "Between columns of text.", default="semicolon"
+    ),
+    decimal: Literal["point", "comma"] = option("point|comma", "The decimal sign of columns of text.", default="point"),
+    report: Path | None = to("FILE.html", "Write the certificates as a page with pictures.", "--report"),
     as_json: Json = False,
     force: Force = False,
 ) -> None:
@@ -70,12 +57,9 @@ def export(
 def read(
     file: CamFile,
     source: Source,
-    output: Annotated[Path | None, to("MACHINE.toml", "Where to write; else to the terminal.")] = None,
-    tolerance: Annotated[
-        str | None,
-        Option(metavar="y=0.01%", help="Largest error of a spline through few points, as a share of the reach."),
-    ] = None,
-    switches: Annotated[bool, Option("--switches", help="Tell a file's switches as entries.")] = False,
+    output: Path | None = to("MACHINE.toml", "Where to write; else to the terminal."),
+    tolerance: str | None = option("y=0.01%", "Largest error of a spline through few points, as a share of the reach."),
+    switches: bool = flag("--switches", "Tell a file's switches as entries."),
     force: Force = False,
 ) -> None:
     """Read a controller's cam table as the description of a machine of one axis.
@@ -98,13 +82,11 @@ def compare(
     book: Book,
     file: CamFile,
     source: Source,
-    axis: Annotated[str | None, Option(metavar="NAME", help="The axis of the book.")] = None,
-    switches: Annotated[bool, Option("--switches", help="Compare the machine's switches.")] = False,
-    tolerance: Annotated[
-        list[str] | None, Option(metavar="a=1%", help="Largest error of y, v, a or j as a share of its peak.")
-    ] = None,
+    axis: str | None = option("NAME", "The axis of the book."),
+    switches: bool = flag("--switches", "Compare the machine's switches."),
+    tolerance: list[str] | None = option("a=1%", "Largest error of y, v, a or j as a share of its peak."),
     of: Of = "load",
-    unverified: Annotated[bool, Option("--unverified", help="Do not ask whether the book agrees.")] = False,
+    unverified: bool = flag("--unverified", "Do not ask whether the book agrees."),
     fresh: Fresh = False,
     as_json: Json = False,
 ) -> None:
@@ -119,23 +101,16 @@ def compare(
 
 @app.command()
 def study(
-    path: Annotated[
-        Path | None, Argument(metavar="STUDY.toml", help="What varies, what is constrained, what is best.")
-    ] = None,
-    output: Annotated[
-        Path | None,
-        to("RESULTS", "Where to write: .csv or .parquet; with --pick, the book. Else named like the study."),
-    ] = None,
+    path: Path | None = Argument(None, metavar="STUDY.toml", help="What varies, what is constrained, what is best."),
+    output: Path | None = to(
+        "RESULTS", "Where to write: .csv or .parquet; with --pick, the book. Else named like the study."
+    ),
     scheduler: Scheduler = None,
-    resume: Annotated[bool, Option("--resume", help="Go on with a study that was interrupted.")] = False,
-    pick: Annotated[
-        int | None, Option(min=1, metavar="N", help="Build and verify the book of the N-th best design.")
-    ] = None,
+    resume: bool = flag("--resume", "Go on with a study that was interrupted."),
+    pick: int | None = option("N", "Build and verify the book of the N-th best design.", min=1),
     jobs: Jobs = None,
-    results: Annotated[
-        Path | None, Option("--results", metavar="BASE", help="List the results of a machine by name, and stop.")
-    ] = None,
-    unverified: Annotated[bool, Option("--unverified", help="Do not verify the book of the best.")] = False,
+    results: Path | None = option("BASE", "List the results of a machine by name, and stop.", "--results"),
+    unverified: bool = flag("--unverified", "Do not verify the book of the best."),
     force: Force = False,
 ) -> None:
     """Work out many designs of a machine: laws, angles, motors, reducers, any entry; find the best.
@@ -156,9 +131,9 @@ def study(
 
 @app.command()
 def serve(
-    folder: Annotated[Path, Argument(metavar="[FOLDER]", help="The folder with your machines.")] = Path(),
-    port: Annotated[int, Option(min=0, max=65535, help="The port; 0 takes a free one.")] = 0,
-    browse: Annotated[bool, Option(help="Open the browser.")] = True,
+    folder: Path = Argument(Path(), metavar="[FOLDER]", help="The folder with your machines."),
+    port: int = Option(0, min=0, max=65535, help="The port; 0 takes a free one."),
+    browse: bool = Option(True, help="Open the browser."),
 ) -> None:
     """Work in the browser: new machines, build, verify, compare. Nobody but this computer can reach it."""
     from workbook.serve import app as server
@@ -171,8 +146,8 @@ def serve(
 
 @app.command()
 def oracle(
-    book: Annotated[Path, Argument(metavar="BOOK", help="Any workbook.")],
-    output: Annotated[Path | None, to("FILE.py", "Where to write; else it is printed.")] = None,
+    book: Path = Argument(..., metavar="BOOK", help="Any workbook."),
+    output: Path | None = to("FILE.py", "Where to write; else it is printed."),
     force: Force = False,
 ) -> None:
     """Write a first file of declarations for any workbook, for `motionbook verify BOOK --against FILE.py`."""
@@ -183,7 +158,7 @@ def oracle(
 
 @app.command()
 def addin(
-    output: Annotated[Path, to("MOTION.oxt", "Where to write the add-in.")] = Path("motion.oxt"), force: Force = False
+    output: Path = to("MOTION.oxt", "Where to write the add-in.", default=Path("motion.oxt")), force: Force = False
 ) -> None:
     """Write the LibreOffice add-in, which brings the functions MOTION.* to Calc; open it to install it."""
     from workbook.functions import publish
