@@ -1,9 +1,11 @@
 """The dimension of an expression, from those of the cells that it reads."""
 
 import math
+import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 
 from workbook.book.address import Address
 from workbook.book.columns import Moved, Node, tree
@@ -11,22 +13,20 @@ from workbook.book.formula import Area, Formula, FormulaError
 from workbook.dimensions.units import NONE, Dimension, dimension_of, is_either, powers, written
 from workbook.reading.contents import Contents
 
-LIKE = frozenset([
+LIKE = frozenset([  # functions whose arguments, and result, have one dimension
     "ABS", "AVERAGE", "CEILING", "FLOOR", "IFERROR", "IFNA", "INT", "LARGE", "MAX", "MEDIAN", "MIN", "MOD", "MROUND",
     "N", "SMALL", "STDEV", "SUM", "TRUNC",
 ])  # fmt: skip
-"""functions whose arguments, and result, have one dimension"""
-FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])
-"""functions whose result has that of the first argument"""
-NUMBERS = frozenset([
+FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])  # those whose result has that of the first
+NUMBERS = frozenset([  # functions of numbers and angles
     "ACOS", "ACOSH", "ASIN", "ASINH", "ATAN", "ATANH", "COS", "COSH", "DEGREES", "EXP", "LN", "LOG", "LOG10", "RADIANS",
     "SIN", "SINH", "TAN", "TANH",
 ])  # fmt: skip
-"""functions of numbers and angles"""
 COUNTS = frozenset([
     "AND", "COUNT", "COUNTA", "COUNTIF", "COLUMN", "COLUMNS", "FALSE", "ISBLANK", "ISERROR", "ISNUMBER", "MATCH", "NOT",
     "OR", "ROW", "ROWS", "SIGN", "TRUE",
 ])  # fmt: skip
+COMPUTED = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow}
 
 
 @dataclass(frozen=True)
@@ -52,12 +52,8 @@ FREE, UNKNOWN = Term(free=True), Term()
 def plain(number: float) -> bool:
     """Whether a number is a count or converts units: whole, one part of a whole number, or such times π."""
     sizes = (abs(number), abs(number) / math.pi, abs(number) * math.pi)
-    return any(size == 0 or near(size) or near(1 / size) for size in sizes)
-
-
-def near(size: float) -> bool:
-    """Whether a number is whole but for rounding."""
-    return size >= 0.5 and math.isclose(size, round(size), rel_tol=1e-12)
+    either = [one for size in sizes if size for one in (size, 1 / size)]
+    return not number or any(one >= 0.5 and math.isclose(one, round(one), rel_tol=1e-12) for one in either)
 
 
 class Reading:
@@ -87,24 +83,20 @@ class Reading:
         numbers = [part.number for part in parts if part.number is not None]
         if len(numbers) == len(parts) and (made := computed(sign, *numbers)) is not None:
             return Term(number=made, free=True)
-        match sign:
-            case "+" | "-":
-                return self.like("a sum", parts)
-            case "*" | "/":
-                return product(parts, (1, 1 if sign == "*" else -1))
-            case "^":
-                return self.power(*parts)
-            case "&":
-                return FREE
+        if sign in "+-":
+            return self.like("a sum", parts)
+        if sign in "*/":
+            return product(parts, (1, 1 if sign == "*" else -1))
+        if sign in "^&":
+            return self.power(*parts) if sign == "^" else FREE
         self.like("a comparison", parts)
         return Term(NONE)
 
     def like(self, what: str, parts: Iterable[Term]) -> Term:
         """Return the term of what has one dimension in all its parts."""
-        known: dict[Dimension, None] = {}
         every = list(parts)
-        for part in every:
-            known |= dict.fromkeys(part.several if part.dimension is None else (part.dimension,))
+        each = (part.several if part.dimension is None else (part.dimension,) for part in every)
+        known = dict.fromkeys(chain.from_iterable(each))
         if len(known) > 1:
             self.wrong.append(f"{what} of {' and '.join(map(written, known))}")
         if len(known) == 1:
@@ -114,11 +106,9 @@ class Reading:
     def power(self, base: Term, exponent: Term) -> Term:
         """Return the term of a power."""
         self.require_number("an exponent", exponent)
-        if base.factor is None:
+        if base.factor is None or (base.factor != NONE and exponent.number is None):
             return UNKNOWN
-        if base.factor == NONE:
-            return Term(NONE)
-        return UNKNOWN if exponent.number is None else Term(raised(base.factor, exponent.number))
+        return Term(raised(base.factor, exponent.number or 0.0))
 
     def require_number(self, what: str, term: Term) -> None:
         """Note where a term that must be a number or an angle has a dimension."""
@@ -129,9 +119,8 @@ class Reading:
         """Return the term of a call; unknown for a function that is not known here."""
         if name == "PI":
             return Term(number=math.pi, free=True)
-        if name in NUMBERS:
-            for part in parts:
-                self.require_number(name, part)
+        for part in parts if name in NUMBERS else ():
+            self.require_number(name, part)
         if name in NUMBERS or name in COUNTS:
             return Term(NONE)
         if name in LIKE:
@@ -172,17 +161,14 @@ def product(parts: Sequence[Term], signs: Sequence[int]) -> Term:
 
 def raised(dimension: Dimension, exponent: float) -> Dimension:
     """Return a power of a dimension, its exponents as fractions so that √x² is x."""
-    times = Fraction(exponent).limit_denominator(60)
-    found = {name: Fraction(power).limit_denominator(60) for name, power in powers(dimension).items()}
-    return Dimension({name: float(power * times) for name, power in found.items()})
+    found = {name: Fraction(power * exponent).limit_denominator(60) for name, power in powers(dimension).items()}
+    return Dimension({name: float(power) for name, power in found.items()})
 
 
 def computed(sign: str, *numbers: float) -> float | None:
     """Return the value of an operation with numbers; None where there is none."""
-    a, b = numbers
     try:
-        made = {"+": a + b, "-": a - b, "*": a * b}.get(sign)
-        value = made if made is not None else a / b if sign == "/" else a**b if sign == "^" else None
+        value = COMPUTED[sign](*numbers) if sign in COMPUTED else None
     except (ArithmeticError, ValueError):
         return None
     return value if isinstance(value, float) and math.isfinite(value) else None
@@ -245,14 +231,11 @@ class Walk:
 
     def range(self, one: Area) -> Term:
         """Return the term of a range: unknown where that of one of its cells is."""
-        found: dict[Dimension, None] = {}
-        for cell in one.cells():
-            term = self.cell(cell)
-            if term.dimension is None and not term.free:
-                return UNKNOWN
-            if term.dimension is not None:
-                found[term.dimension] = None
-        return Term(next(iter(found))) if len(found) == 1 else Term(several=tuple(found)) if found else FREE
+        terms = [self.cell(cell) for cell in one.cells()]
+        if any(term.dimension is None and not term.free for term in terms):
+            return UNKNOWN
+        found = tuple(dict.fromkeys(term.dimension for term in terms if term.dimension is not None))
+        return Term(found[0]) if len(found) == 1 else Term(several=found) if found else FREE
 
     def cell(self, cell: Address) -> Term:
         """Return the term of a cell; texts and empty cells go with any."""

@@ -13,12 +13,11 @@ NONE = Dimension({})  # of numbers, angles, shares and counts
 POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 FACTOR = re.compile(r"(?P<word>1|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
 BETWEEN = re.compile(r"(?! - )[ ·*.×-]*")
-WORDS = {
+WORDS = {  # what pint does not know, or reads as something else
     "1": "", "%": "", "‰": "", "°": "", "cycles": "", "pieces": "", "rpm": "1/min", "C": "K", "°C": "K", "°F": "K",
     "Ω": "ohm", "µm": "m", "μm": "m", "Nm": "N m", "kNm": "N m", "mNm": "N m", "Ncm": "N m", "Nmm": "N m",
     "Nms": "N m s", "Ws": "J", "Vs": "V s", "As": "A s",
 }  # fmt: skip
-"""what pint does not know, or reads as something else"""
 BASE = {"[mass]": "kg", "[length]": "m", "[time]": "s", "[current]": "A", "[temperature]": "K", "[substance]": "mol",
         "[luminosity]": "cd"}  # fmt: skip
 
@@ -82,11 +81,7 @@ def powers(dimension: Dimension) -> dict[str, float]:
 @cache
 def written(dimension: Dimension) -> str:
     """Return a dimension as a product of SI units, such as ``kg·m^2/s^3``."""
-    found = powers(dimension)
-
-    def product(sign: int) -> str:
-        there = [(unit, sign * found.get(name, 0.0)) for name, unit in BASE.items()]
-        return "·".join(unit + (f"^{power:g}" if power != 1 else "") for unit, power in there if power > 0)
-
-    above, below = product(1), product(-1)
+    there = [(unit, powers(dimension).get(name, 0.0)) for name, unit in BASE.items()]
+    above, below = ("·".join(unit + (f"^{sign * power:g}" if sign * power != 1 else "")
+                             for unit, power in there if sign * power > 0) for sign in (1, -1))  # fmt: skip
     return f"{above or 1}/{below}" if below else above or "a number"

@@ -7,7 +7,7 @@ from collections import Counter
 from workbook.book.address import Address
 from workbook.dimensions.units import dimension_of
 from workbook.errors import ReadError
-from workbook.oracle.cases import is_number
+from workbook.oracle.declared import is_number
 from workbook.reading.files import BookFile
 
 CELL = re.compile(r"(?:(?P<sheet>'(?:[^']|'')+'|[^'!]+)!)?\$?(?P<column>[A-Za-z]{1,3})\$?(?P<row>\d{1,7})")
@@ -17,8 +17,7 @@ NEAR = 6  # columns right of a label in which its figure stands
 
 def find(file: BookFile, text: str) -> Address:
     """Return the cell of an address, a name or a label; raise ReadError where there is none, or are several."""
-    match = CELL.fullmatch(text)
-    if match:
+    if CELL.fullmatch(text):
         return on_sheet(file, text)
     if text in file.places:
         return file.places[text].cell(0, 0)
@@ -40,9 +39,8 @@ def on_sheet(file: BookFile, text: str) -> Address:
 
 def labels(file: BookFile, text: str) -> list[Address]:
     """Return the cells that hold this text, whatever its case, blanks and a colon behind it."""
-    wanted = plain(text)
     held = file.contents.constants.items()
-    return [address for address, value in held if isinstance(value, str) and plain(value) == wanted]
+    return [address for address, value in held if isinstance(value, str) and plain(value) == plain(text)]
 
 
 def plain(text: str) -> str:
@@ -52,11 +50,9 @@ def plain(text: str) -> str:
 
 def beside(file: BookFile, label: Address) -> Address | None:
     """Return the first number or formula right of a label; None where there is none nearby."""
-    for column in range(label.column + 1, label.column + 1 + NEAR):
-        cell = label._replace(column=column)
-        if isinstance(file.contents.constants.get(cell), int | float) or cell in file.contents.formulas:
-            return cell
-    return None
+    constants, formulas = file.contents.constants, file.contents.formulas
+    cells = (label._replace(column=label.column + right) for right in range(1, NEAR + 1))
+    return next((at for at in cells if isinstance(constants.get(at), int | float) or at in formulas), None)
 
 
 def label_of(file: BookFile, cell: Address) -> str:
@@ -106,33 +102,20 @@ def draft(file: BookFile) -> str:
     """Return the text of a first file: inputs are numbers that formulas read, outputs formulas that nothing reads."""
     contents = file.contents
     numbers = [cell for cell, value in contents.constants.items() if is_number(value)]
-    read = contents.read(numbers)
-    inputs = [cell for cell in numbers if cell in read]
-    formulas = contents.formula_cells
-    used = contents.read(formulas)
-    outputs = [cell for cell in formulas if cell not in used]
-    names = named(file, inputs)
+    read, used = contents.read(numbers), contents.read(contents.formula_cells)
+    outputs = [cell for cell in contents.formula_cells if cell not in used]
+    names = named(file, [cell for cell in numbers if cell in read])
     lines = [HEAD.format(book=file.path.name, title=file.path.stem)]
     for cell, name in names.items():
-        value = contents.constants[cell]
-        unit = unit_of(file, cell)
-        lines.append(
-            f"{name} = book.input({str(cell)!r}, unit={unit!r}, low={value!r}, high={value!r})  # entered {value!r}\n"
-        )
+        value = f"{contents.constants[cell]!r}"
+        given = f"{str(cell)!r}, unit={unit_of(file, cell)!r}, low={value}, high={value}"
+        lines.append(f"{name} = book.input({given})  # entered {value}\n")
     for cell, name in named(file, outputs, tuple(names.values())).items():
-        lines.append(
-            f"\n\n@book.output({str(cell)!r}, unit={unit_of(file, cell)!r}, source='')\n"
-            f"def {name}({', '.join(needed(file, cell, names))}):\n"
-            f"    raise NotImplementedError({label_of(file, cell)!r})\n"
-        )
+        read = contents.read(list(names), contents.needed(contents.formula_cells, [cell]) | {cell})
+        needed = ", ".join(name for one, name in names.items() if one in read)
+        lines += [f"\n\n@book.output({str(cell)!r}, unit={unit_of(file, cell)!r}, source='')\n",
+                  f"def {name}({needed}):\n    raise NotImplementedError({label_of(file, cell)!r})\n"]  # fmt: skip
     return "".join(lines)
-
-
-def needed(file: BookFile, output: Address, names: dict[Address, str]) -> list[str]:
-    """Return the names of the inputs on which an output depends."""
-    steps = file.contents.needed(file.contents.formula_cells, [output]) | {output}
-    read = file.contents.read(list(names), steps)
-    return [name for cell, name in names.items() if cell in read]
 
 
 def named(file: BookFile, cells: list[Address], taken: tuple[str, ...] = ()) -> dict[Address, str]:

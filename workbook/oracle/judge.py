@@ -10,9 +10,8 @@ import numpy as np
 from workbook.book.address import Address
 from workbook.dimensions.rules import Dimensions
 from workbook.errors import ReadError, WitnessError
-from workbook.oracle.cases import Case, cases, close, is_number, same, size
 from workbook.oracle.cells import cells_of, find, label_of
-from workbook.oracle.declared import Oracle, Output, Table
+from workbook.oracle.declared import Case, Oracle, Output, Table, cases, close, is_number, same, size
 from workbook.oracle.findings import Looks, Wrong
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
@@ -69,8 +68,8 @@ class Judge:
         found.wrong += self.deviating(tried, witnesses, found.notes)
         found.dimensions = self.looks.dimensions(self.model.order)
         found.wrong += self.looked()
-        for cell, text in found.dimensions.wrong.items():
-            found.wrong.append(Wrong(cell, "dimension", text, "one dimension"))
+        wrong = found.dimensions.wrong.items()
+        found.wrong += [Wrong(cell, "dimension", text, "one dimension") for cell, text in wrong]
         found.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
         return found
 
@@ -82,13 +81,8 @@ class Judge:
 
     def looked(self) -> Iterator[Wrong]:
         """Yield what is wrong whatever the formulas should compute."""
-        inputs = list(self.cells.values())
         saved = {one: self.file.saved.get(cell) for one, cell in self.cells.items() if one.macro}
-        yield from self.looks.stale(self.values(self.entered | saved))
-        yield from self.looks.unread(inputs)
-        yield from self.looks.other_units()
-        yield from self.looks.replaced(inputs)
-        yield from self.looks.empty()
+        return self.looks.wrong(self.values(self.entered | saved), list(self.cells.values()))
 
     @property
     def entered(self) -> Case:
