@@ -105,16 +105,14 @@ def columns_of(models: Sequence[Any], place: str, rows: int) -> Callable[..., Qu
     return column
 
 
-def calc(
-    name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "", **more: Any
-) -> Quantity:  # fmt: skip
+def calc(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "",
+         **more: Any) -> Quantity:  # fmt: skip
     """Return a working: a formula cell on the way to a result; its value comes by other means than the formula."""
     return Quantity(name, label, symbol, unit, "calculation", formula, value, source, **more)
 
 
-def result(
-    name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "", **more: Any
-) -> Quantity:  # fmt: skip
+def result(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "",
+           **more: Any) -> Quantity:  # fmt: skip
     """Return a result: a formula cell that the engineer came for."""
     return Quantity(name, label, symbol, unit, "result", formula, value, source, **more)
 
@@ -124,9 +122,8 @@ def constant(name: str, label: str, symbol: str, unit: str, value: Any, source: 
     return Quantity(name, label, symbol, unit, "constant", None, value, source, **more)
 
 
-def check(
-    name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str | Said = "",
-) -> Quantity:  # fmt: skip
+def check(name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "",
+          says: str | Said = "") -> Quantity:  # fmt: skip
     """Return a check: a cell that says OK where ``condition``, a formula without =, is TRUE, and FAIL where it is not.
 
     Whether it is ``ok`` comes by other means. Where it fails, the cell beside it ``says`` why: a formula without =,

@@ -136,9 +136,8 @@ class Sheet:
             self._row(here._replace(source=""))
             self.book.checks.append((self, q))
 
-    def table(
-        self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (), blank: str = ""
-    ) -> Block:  # fmt: skip
+    def table(self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (),
+              blank: str = "") -> Block:  # fmt: skip
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
 
         A table of inputs gets messages to its right on entries beyond their limits or against ``rules``, and a check

@@ -108,10 +108,8 @@ def law_for(turn: int, names: Iterable[str]) -> str:
     return known[turn % len(known)]
 
 
-def variations(
-    machine: Machine, varied: Callable[[dict[str, Any], int], dict[str, Any]],
-    suited: Callable[[dict[str, Any]], Iterable[str]] = list,
-) -> list[dict[str, Any]]:  # fmt: skip
+def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[str, Any]],
+               suited: Callable[[dict[str, Any]], Iterable[str]] = list) -> list[dict[str, Any]]:  # fmt: skip
     """Return six variations of a machine's description, and of further turns those by which a law has its first turn.
 
     ``varied(description, turn)`` makes the one of a turn, counted from 0, with laws by :func:`law_for`; ``suited``
@@ -130,10 +128,8 @@ def variations(
     raise LookupError(f"no variation of {machine.template} ever has the law {', '.join(sorted(missing))}")
 
 
-def varying(
-    model: type[M], varied: Callable[[dict[str, Any], int], dict[str, Any]],
-    suited: Callable[[dict[str, Any]], Iterable[str]] = list,
-) -> Callable[[M], list[M]]:  # fmt: skip
+def varying(model: type[M], varied: Callable[[dict[str, Any], int], dict[str, Any]],
+            suited: Callable[[dict[str, Any]], Iterable[str]] = list) -> Callable[[M], list[M]]:  # fmt: skip
     """Return what gives machines of the same layout as one: its :func:`variations`, as the model has them."""
     return lambda machine: [model.model_validate(data) for data in variations(machine, varied, suited)]
 

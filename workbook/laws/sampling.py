@@ -81,9 +81,8 @@ class Pieces:
             *self.within(f"=[{xi}]-INDEX(piece_xi,[q])", "ξ − ξ_k", *local, entries=entries),
         ]
 
-    def within(
-        self, formula: str, words: str, u: Array, *angles: Any, entries: Container[str] = ENTRIES
-    ) -> list[Quantity]:
+    def within(self, formula: str, words: str, u: Array, *angles: Any,
+               entries: Container[str] = ENTRIES) -> list[Quantity]:  # fmt: skip
         """Return u by its formula, and the argument of each sine, of points whose piece is known."""
         return [
             calc("u", "within piece", "u", "", f"{formula}{NOT_ZERO}", u + LEAST,
@@ -93,9 +92,8 @@ class Pieces:
               if amplitude in entries),
         ]  # fmt: skip
 
-    def columns(
-        self, values: dict[str, Array], derivatives: str, role: Any = calc, entries: Container[str] = ENTRIES
-    ) -> list[Quantity]:
+    def columns(self, values: dict[str, Array], derivatives: str, role: Any = calc,
+                entries: Container[str] = ENTRIES) -> list[Quantity]:  # fmt: skip
         """Return the columns of ``derivatives``, a part of ``svaj``, with the engine's values."""
         both = ARGUMENTS if self.second_sine else ARGUMENTS[:1]
         sines = [(entry[1:], x) for entry, x, *_ in both if entry in entries]

@@ -95,9 +95,8 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     return rows
 
 
-def laws_sheet(
-    book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces, hands_over: bool = False
-) -> None:
+def laws_sheet(book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces,
+               hands_over: bool = False) -> None:  # fmt: skip
     """Declare the sheet from which every axis evaluates its law; ``hands_over`` where phases hand over at speed."""
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.heading("Results: the laws and their coefficients")

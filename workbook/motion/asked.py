@@ -62,10 +62,8 @@ def passed(phases: Iterable[Any]) -> dict[int, Rates]:
     return {k: Rates(one.velocity or 0.0, one.acceleration or 0.0) for k, one in enumerate(phases) if one.passes}
 
 
-def entries(
-    velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],
-    symbols: tuple[str, str] = ("y'", "y''"),
-) -> list[Quantity]:  # fmt: skip
+def entries(velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],
+            symbols: tuple[str, str] = ("y'", "y''")) -> list[Quantity]:  # fmt: skip
     """Return the columns in which it is entered; ``key`` is that of the rows in the description."""
     return [
         given("velocity", "velocity at its start", symbols[0], units[0], velocities, f"{key}.velocity",

@@ -121,10 +121,8 @@ class PieceRows:
         return filled((figure(piece) for piece in self.pieces), room, figure(self.pieces[-1]))
 
 
-def rows_of_parts(
-    at: Cells, parts: Sequence[Scaled], pieces: Sequence[MotionPiece], stack: Pieces, end: float,
-    begun: Sequence[int] = (),
-) -> PieceRows:  # fmt: skip
+def rows_of_parts(at: Cells, parts: Sequence[Scaled], pieces: Sequence[MotionPiece], stack: Pieces, end: float,
+                  begun: Sequence[int] = ()) -> PieceRows:  # fmt: skip
     """Return the pieces of a motion of parts, from 0 to its ``end``; each may begin with any piece of its law."""
     numbers = [1 if isinstance(part.law, Dwell) else stack.number(part.law) for part in parts]  # there is one dwell
     starts = [stack.first[number] for number in numbers]

@@ -68,10 +68,8 @@ def room_check(name: str, at: Cells, number: int = 1, of: str = "", cuts: str = 
     return check(name, label, f"{count}<={rows}", True, ROOM, f":{rule_of(number)}", says)
 
 
-def pieces_table(
-    sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity,
-    taken: Sequence[Quantity] = (),
-) -> None:  # fmt: skip
+def pieces_table(sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity,
+                 taken: Sequence[Quantity] = ()) -> None:  # fmt: skip
     """Declare the table of a motion's pieces, and ``more`` columns; ``taken`` are those of what a piece takes over."""
     at = rows.at
     place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
@@ -94,12 +92,10 @@ def pieces_table(
     block = sheet.table(
         at.pieces, title, room,
         constant("r", "piece", "k", "", list(range(1, room + 1))),
-        calc("p", "phase", "", "",
-             f'=COUNTIF([{at.phases}.before],"<="&{place})', of(lambda piece: piece.phase + 1), format="0",
-             source="the last with no more before it"),
-        calc("m", "row on Laws", "", "",
-             f"={at.of_phase('first')}+{place}-{at.of_phase('before')}", filled(rows.rows, room, rows.rows[-1]),
-             format="0"),
+        calc("p", "phase", "", "", f'=COUNTIF([{at.phases}.before],"<="&{place})', of(lambda piece: piece.phase + 1),
+             format="0", source="the last with no more before it"),
+        calc("m", "row on Laws", "", "", f"={at.of_phase('first')}+{place}-{at.of_phase('before')}",
+             filled(rows.rows, room, rows.rows[-1]), format="0"),
         begins("begin", "begins at", begin, lambda piece: piece.begin),
         *opened, *([] if at.degrees else [share]),
         calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{lasting})",
@@ -222,9 +218,8 @@ def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
     return at_place(rows, order, suffix, f"[q{suffix}]")
 
 
-def place_columns(
-    rows: PieceRows, suffix: str, of: str, formula: str, u: Array, pieces: Sequence[MotionPiece], q: str = ""
-) -> list[Quantity]:  # fmt: skip
+def place_columns(rows: PieceRows, suffix: str, of: str, formula: str, u: Array, pieces: Sequence[MotionPiece],
+                  q: str = "") -> list[Quantity]:  # fmt: skip
     """Return the columns of a place u in each piece, of the row ``q`` or else the same, and the arguments of sines."""
     return [
         calc(f"u{suffix}", f"{of}: u", "u", rows.at.x, f"{formula}{NOT_ZERO}", u + LEAST, scale=rows.end,

@@ -32,9 +32,8 @@ class Joints:
     The piece before is taken by INDEX: of two columns that take the row above within an IF, LibreOffice 7.4 crashes.
     """
 
-    def __init__(
-        self, rows: PieceRows, asked: Asked, found: Sequence[Joint], scales: Rates, phases: Sequence[Phase] = ()
-    ) -> None:
+    def __init__(self, rows: PieceRows, asked: Asked, found: Sequence[Joint], scales: Rates,
+                 phases: Sequence[Phase] = ()) -> None:  # fmt: skip
         self.rows, self.asked, self.found, self._scales, self._phases = rows, asked, tuple(found), scales, phases
 
     @classmethod

@@ -55,10 +55,8 @@ class Own(NamedTuple):
 NOTHING = Own()
 
 
-def save(
-    book: Book, model: type[BaseModel], path: Path, overwrite: bool = False,
-    check: Callable[[Path], None] | None = None, own: Own = NOTHING,
-) -> None:  # fmt: skip
+def save(book: Book, model: type[BaseModel], path: Path, overwrite: bool = False,
+         check: Callable[[Path], None] | None = None, own: Own = NOTHING) -> None:  # fmt: skip
     """Save a book, each formula with its value, and what an engineer had added to an older one, by :func:`replace`.
 
     ``check`` may refuse the file that stands beside the target.
@@ -67,10 +65,8 @@ def save(
     pack(parts(book, model, own=own), path, overwrite, check)
 
 
-def parts(
-    book: Book, model: type[BaseModel], names: Iterable[DefinedName] | None = None, dynamic: str = "",
-    own: Own = NOTHING,
-) -> dict[str, bytes]:  # fmt: skip
+def parts(book: Book, model: type[BaseModel], names: Iterable[DefinedName] | None = None, dynamic: str = "",
+          own: Own = NOTHING) -> dict[str, bytes]:  # fmt: skip
     """Return the parts of the file, with ``names`` for the book's own; a formula with ``dynamic`` is an array."""
     strings = Strings()
     cells = {sheet.title: Cells(strings, dynamic) for sheet in book.sheets}
@@ -162,9 +158,8 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
             )
 
 
-def write_block(
-    block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel], wide: dict[int, float]
-) -> None:
+def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel],
+                wide: dict[int, float]) -> None:  # fmt: skip
     """Write the cells of one block, each column in one style and with its rule, and set the height of wrapped texts."""
     looks: dict[str, int] = {}
     for q in block.quantities:
@@ -233,9 +228,8 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
         page.row_breaks.append(Break(id=row))
 
 
-def pack(
-    parts: dict[str, bytes], path: Path, overwrite: bool = False, check: Callable[[Path], None] | None = None
-) -> None:
+def pack(parts: dict[str, bytes], path: Path, overwrite: bool = False,
+         check: Callable[[Path], None] | None = None) -> None:  # fmt: skip
     """Write the parts as one file, as :func:`replace` does."""
 
     def written(beside: Path) -> None:

@@ -14,11 +14,8 @@ from workbook.laws.family import LawCheck, LawSheet, Parameter
 
 MODIFIED_TRAPEZOIDAL = edged(
     dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),
-    titled="Modified trapezoidal acceleration",
-    source="S1, seven parameters; S3, figure 2",
-    entries=shared.SevenDurations,
-    law=engine.ModifiedTrapezoidal,
-    parameters=shared.DURATIONS,
+    titled="Modified trapezoidal acceleration", source="S1, seven parameters; S3, figure 2",
+    entries=shared.SevenDurations, law=engine.ModifiedTrapezoidal, parameters=shared.DURATIONS,
     variations=(
         {"durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]},
         {"durations": [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0]},
@@ -28,7 +25,7 @@ MODIFIED_TRAPEZOIDAL = edged(
         {"durations": [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25]},
     ),
     checks=shared.LASTING,
-)
+)  # fmt: skip
 
 
 class Cut(shared.Shared):
@@ -47,9 +44,7 @@ TRAPEZOID_BY_SHARE = edged(
         6: Stage(FLAT, '=(1-@share)*IF(@reversal="end",1-@edge,1/2)'),
         7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
     },
-    source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D",
-    entries=Cut,
-    law=engine.TrapezoidByShare,
+    source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D", entries=Cut, law=engine.TrapezoidByShare,
     parameters=(
         shared.SHARE,
         Parameter("@reversal", "It turns round at", "", "reversal", "reversal",
@@ -81,9 +76,7 @@ MODIFIED_SINE = edged(
         5: Stage(SINE_IN, "=(1-@fall_edge)*(1-@share)"),
         7: Stage(SINE_OUT, "=@fall_edge*(1-@share)"),
     },
-    source="LCamHdl, D_D_MOD_SINE",
-    entries=Edges,
-    law=engine.ModifiedSine,
+    source="LCamHdl, D_D_MOD_SINE", entries=Edges, law=engine.ModifiedSine,
     parameters=(
         shared.SHARE,
         Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",
@@ -133,8 +126,7 @@ SINE_CONSTANT_COSINE = edged(
         7: Stage(SINE_OUT, "=@sine*(1-@share)"),
     },
     titled="Sine-constant-cosine (SCCA)",
-    source="PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'",
-    entries=Parts,
+    source="PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'", entries=Parts,
     law=engine.SineConstantCosine,
     parameters=(
         Parameter("@sine", "Sine edges at the dwells", "b", "sine", "sine edges",
@@ -172,16 +164,14 @@ HARMONIC_COMBINATION = edged(
         5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",1,3/4)'),
         7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
     },
-    source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI",
-    entries=Turning,
-    law=engine.HarmonicCombination,
+    source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI", entries=Turning, law=engine.HarmonicCombination,
     parameters=(shared.SHARE, shared.REVERSAL),
     variations=(
         {"share": 0.4, "reversal": "start"},
         {"share": 0.6, "reversal": "end"},
         {"share": 0.3, "reversal": "start"},
     ),
-)
+)  # fmt: skip
 
 
 class Curved(shared.Shared):
@@ -202,8 +192,7 @@ SINE_STRAIGHT_SINE = edged(
         4: Stage(None, "=1-@curved"),
         5: Stage(SINE_IN, "=@curved*(1-@share)"),
     },
-    source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286",
-    entries=Curved,
+    source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286", entries=Curved,
     law=engine.SineStraightSine,
     parameters=(
         shared.SHARE,

@@ -166,10 +166,7 @@ def spread_of(law: Law, room: int) -> Points:
 
 
 PAGE = OwnPage(
-    source="entered piece by piece",
-    entries=OwnLaw,
-    law=PointedLaw,
-    pieces=(),
+    source="entered piece by piece", entries=OwnLaw, law=PointedLaw, pieces=(),
     coefficients={
         "cv": ("=MAX(@v_most,0-@v_least)", "largest of its extremes"),
         "ca_max": ("=@a_most", "largest acceleration"),
@@ -182,15 +179,9 @@ PAGE = OwnPage(
         "va_max": ("=@va_most", "largest v·a"),
         "va_min": ("=@va_least", "lowest v·a"),
     },
-    fastest="=@v_at",
-    lowest="=@v_least",
-    low="=@s_least",
-    high="=@s_most",
-    named="=@name",
-    of_pieces=OWN_ENTRIES,
-    wrong="=@back",
-    variations=VARIATIONS,
-)
+    fastest="=@v_at", lowest="=@v_least", low="=@s_least", high="=@s_most", named="=@name",
+    of_pieces=OWN_ENTRIES, wrong="=@back", variations=VARIATIONS,
+)  # fmt: skip
 
 
 def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:

@@ -38,8 +38,7 @@ ORDER = LawCheck("@order", "the break points follow each other", "@av<=@aw", "or
 
 TRAPEZOIDAL_VELOCITY = Page(
     source="S1, second and third slide of the asymmetric trapezoidal profile; S3, function TVP",
-    entries=BreakPoints,
-    law=TrapezoidalVelocity,
+    entries=BreakPoints, law=TrapezoidalVelocity,
     parameters=(
         Parameter("@av", "End of the acceleration", "α_v", "rise_end", "end of acceleration",
                   source="S1, asymmetric trapezoidal profile, as a share of α_s"),
@@ -69,9 +68,7 @@ TRAPEZOIDAL_VELOCITY = Page(
         "va_max": ("=@cv*@ca_max", "at α_v"),
         "va_min": ("=@cv*@ca_min", "at α_w"),
     },
-    fastest="=@av",
-    way="=1",
-    early=1,
+    fastest="=@av", way="=1", early=1,
 )  # fmt: skip
 
 
@@ -84,13 +81,10 @@ class SmoothRamps(BreakPoints):
 
 SINE_RAMPS = edged(
     {2: Stage(HALF_SINE, "=@av"), 4: Stage(None, "=@aw-@av"), 6: Stage(HALF_SINE, "=1-@aw")},
-    source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'",
-    entries=SmoothRamps,
-    law=SineRamps,
-    parameters=TRAPEZOIDAL_VELOCITY.parameters,
-    variations=TRAPEZOIDAL_VELOCITY.variations,
+    source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'", entries=SmoothRamps,
+    law=SineRamps, parameters=TRAPEZOIDAL_VELOCITY.parameters, variations=TRAPEZOIDAL_VELOCITY.variations,
     checks=(ORDER,),
-)
+)  # fmt: skip
 
 
 class Ramps(SevenDurations):
@@ -101,10 +95,7 @@ class Ramps(SevenDurations):
 
 S_CURVE = edged(
     dict(enumerate(map(Stage, (LINE_OUT, FLAT, LINE_IN, None, LINE_IN, FLAT, LINE_OUT)), 1)),
-    source="TwinCAT NC, set-point generator with seven phases",
-    entries=Ramps,
-    law=SCurve,
-    parameters=DURATIONS,
+    source="TwinCAT NC, set-point generator with seven phases", entries=Ramps, law=SCurve, parameters=DURATIONS,
     variations=(
         {"durations": [0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2]},
         {"durations": [0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25]},
@@ -112,4 +103,4 @@ S_CURVE = edged(
         {"durations": [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2]},
     ),
     checks=LASTING,
-)
+)  # fmt: skip

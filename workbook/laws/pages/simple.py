@@ -10,28 +10,16 @@ from workbook.laws.family import COEFFICIENTS, LawSheet, Page, PieceRow
 from workbook.laws.shared import POLYNOMIAL, REVERSAL, SHARED
 
 DWELL = Page(
-    source="S3, function motionlaw",
-    entries=None,
-    law=Dwell,
-    has_sheet=False,
+    source="S3, function motionlaw", entries=None, law=Dwell, has_sheet=False,
     pieces=(PieceRow("rest", "s = 0", "=1"),),
-    coefficients={name: ("=0", "at rest") for name, *_ in COEFFICIENTS},
-    fastest="=0",
-    way="=-1",
-)
+    coefficients={name: ("=0", "at rest") for name, *_ in COEFFICIENTS}, fastest="=0", way="=-1",
+)  # fmt: skip
 
 STRAIGHT_LINE = Page(
-    source="LCamHdl, CONST_VELO",
-    law=StraightLine,
-    pieces=(PieceRow("straight line", "s = ξ", "=1"),),
+    source="LCamHdl, CONST_VELO", law=StraightLine, pieces=(PieceRow("straight line", "s = ξ", "=1"),),
     coefficients={name: ("=0", "no acceleration") for name, *_ in COEFFICIENTS} | {"cv": ("=1", "v = 1")},
-    fastest="=0",
-    start="=1",
-    lowest="=1",
-    rests=False,
-    way="=-1",
-    single=False,
-)
+    fastest="=0", start="=1", lowest="=1", rests=False, way="=-1", single=False,
+)  # fmt: skip
 
 HALVED = [  # by the stage of one pulse, and of the same backwards
     edged({k: Stage(form, "=@share"), 8 - k: Stage(form, "=1-@share")}, source=source, **SHARED, law=law, way=way)
@@ -45,9 +33,7 @@ HALVED = [  # by the stage of one pulse, and of the same backwards
 ]  # fmt: skip
 
 POLYNOMIAL_345 = Page(
-    source="LCamHdl, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'",
-    **SHARED,
-    law=Polynomial345,
+    source="LCamHdl, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'", **SHARED, law=Polynomial345,
     pieces=(
         PieceRow("a rises", "s = 2λ S(ξ/2λ), S = 10x³ − 15x⁴ + 6x⁵", "=@share*(1-1/SQRT(3))",
                  c1="=15/@share^2", c2="=0-45/(2*@share^3)", c3="=15/(2*@share^4)"),
@@ -67,25 +53,20 @@ POLYNOMIAL_345 = Page(
         "va_max": ("=6075/(686*SQRT(7)*@share)", "S'S''/2λ at x = (7 − √7)/14"),
         "va_min": ("=0-6075/(686*SQRT(7)*(1-@share))", "by symmetry, over 2μ"),
     },
-    fastest="=@share",
-    way=POLYNOMIAL.format(5),
+    fastest="=@share", way=POLYNOMIAL.format(5),
 )  # fmt: skip
 
 POLYNOMIAL_4567 = Page(
-    source="LCamHdl, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'",
-    **SHARED,
-    law=Polynomial4567,
+    source="LCamHdl, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'", **SHARED, law=Polynomial4567,
     pieces=(
         PieceRow("a rises", "s = 2λ S(ξ/2λ), S = 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷", "=@share*(1-1/SQRT(5))",
                  c2="=105/(2*@share^3)", c3="=0-105/@share^4", c4="=525/(8*@share^5)", c5="=0-105/(8*@share^6)"),
-        PieceRow("a falls", "the same from its peak, x = (5 − √5)/10", "=@share/SQRT(5)",
-                 c0="=42/(5*SQRT(5)*@share)", c2="=0-21*SQRT(5)/(2*@share^3)", c4="=105*SQRT(5)/(8*@share^5)",
-                 c5="=0-105/(8*@share^6)"),
+        PieceRow("a falls", "the same from its peak, x = (5 − √5)/10", "=@share/SQRT(5)", c0="=42/(5*SQRT(5)*@share)",
+                 c2="=0-21*SQRT(5)/(2*@share^3)", c4="=105*SQRT(5)/(8*@share^5)", c5="=0-105/(8*@share^6)"),
         PieceRow("−a rises", "s = 1 − 2μ S((1 − ξ)/2μ), μ = 1 − λ", "=(1-@share)/SQRT(5)",
                  c1="=0-105/(8*(1-@share)^2)", c3="=105/(4*(1-@share)^4)", c5="=0-105/(8*(1-@share)^6)"),
-        PieceRow("−a falls", "the same from its peak", "=(1-@share)*(1-1/SQRT(5))",
-                 c0="=0-42/(5*SQRT(5)*(1-@share))", c2="=21*SQRT(5)/(2*(1-@share)^3)",
-                 c4="=0-105*SQRT(5)/(8*(1-@share)^5)", c5="=0-105/(8*(1-@share)^6)"),
+        PieceRow("−a falls", "the same from its peak", "=(1-@share)*(1-1/SQRT(5))", c0="=0-42/(5*SQRT(5)*(1-@share))",
+                 c2="=21*SQRT(5)/(2*(1-@share)^3)", c4="=0-105*SQRT(5)/(8*(1-@share)^5)", c5="=0-105/(8*(1-@share)^6)"),
     ),
     coefficients={
         "cv": ("=35/16", "S' = 140x³(1 − x)³ at x = ½"),
@@ -96,8 +77,7 @@ POLYNOMIAL_4567 = Page(
         "va_max": ("=58800/2048*(10/11)^5/(SQRT(11)*@share)", "S'S''/2λ at x = (11 − √11)/22"),
         "va_min": ("=0-58800/2048*(10/11)^5/(SQRT(11)*(1-@share))", "by symmetry, over 2μ"),
     },
-    fastest="=@share",
-    way=POLYNOMIAL.format(7),
+    fastest="=@share", way=POLYNOMIAL.format(7),
 )  # fmt: skip
 
 
@@ -112,11 +92,8 @@ PEAK = "ATAN2(1,SQRT(15))/PI()"  # where the acceleration at the end at rest is 
 POWER = "675*SQRT(15)*PI()^3/8192"
 
 DOUBLE_HARMONIC = Page(
-    source="LCamHdl, D_R_DOUBLE_HARMONIC; saltire.com, cam functions",
-    entries=Reversed,
-    law=DoubleHarmonic,
-    parameters=(REVERSAL,),
-    variations=({"reversal": "start"}, {"reversal": "end"}),
+    source="LCamHdl, D_R_DOUBLE_HARMONIC; saltire.com, cam functions", entries=Reversed, law=DoubleHarmonic,
+    parameters=(REVERSAL,), variations=({"reversal": "start"}, {"reversal": "end"}),
     pieces=(
         PieceRow(
             "two sines", "sin⁴(πξ/2), or mirrored", f"={ENDS.format(PEAK, f'1-{PEAK}')}",

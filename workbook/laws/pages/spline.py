@@ -164,10 +164,8 @@ WRONG = (
 UNIT = 1.0  # rise and time: what rounding of accelerations is measured by
 
 
-def column(
-    found: Mapping[str, Any], name: str, label: str, symbol: str, formula: str, source: str = "", scale: float = 0.0,
-    role: Callable[..., Quantity] = calc,
-) -> Quantity:  # fmt: skip
+def column(found: Mapping[str, Any], name: str, label: str, symbol: str, formula: str, source: str = "",
+           scale: float = 0.0, role: Callable[..., Quantity] = calc) -> Quantity:  # fmt: skip
     """Return a column whose values are among those found."""
     return role(name, label, symbol, "", formula, found[name], source=source, scale=scale)
 
@@ -261,10 +259,8 @@ PLACES = (f"{NARROW}+1", f"INDEX([@points.xi],{NARROW}+1)", f"INDEX([@points.xi]
 
 PAGE = SplinePage(
     titled="Cubic spline through points",
-    source="the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline",
-    entries=Points,
-    law=Spline,
-    pieces=(),
+    source="the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline", entries=Points,
+    law=Spline, pieces=(),
     coefficients={
         "cv": ("=MAX(@v_most,0-MIN([@intervals.v_low]))", "at a point, or where a = 0"),
         "ca_max": ("=MAX([@intervals.a])", "at a point: a is linear between two"),
@@ -278,21 +274,13 @@ PAGE = SplinePage(
         "va_max": ("=MAX([@intervals.va_high])", "at a point, or where a² = W/3"),
         "va_min": ("=MIN([@intervals.va_low])", "at a point, or where a² = W/3"),
     },
-    fastest="=@v_at",
-    lowest="=MIN([@intervals.v_low])",
-    low="=MIN([@intervals.s_low])",
-    high="=MAX([@intervals.s_high])",
-    of_pieces=("c0", "c1"),
-    start="=[@intervals.v.1]",
-    wrong="=MAX([@intervals.wrong])",
-    way="=2",
-    rests=False,
-    single=False,
+    fastest="=@v_at", lowest="=MIN([@intervals.v_low])", low="=MIN([@intervals.s_low])",
+    high="=MAX([@intervals.s_high])", of_pieces=("c0", "c1"), start="=[@intervals.v.1]",
+    wrong="=MAX([@intervals.wrong])", way="=2", rests=False, single=False,
     checks=(
         LawCheck("@enough", "there are points", "@used>1", "enough", spelled(FEW, "@used")),
         LawCheck("@lead", "the points lead from 0 to 1", LEADS, "lead", spelled(LEAD, *OUTER)),
         LawCheck("@rise", "the points follow each other", "SUM([@solved.narrow])=0", "rise", spelled(RISE, *PLACES)),
     ),
-    variations=VARIATIONS,
-    functions=False,
-)
+    variations=VARIATIONS, functions=False,
+)  # fmt: skip

@@ -63,10 +63,8 @@ class AtAngles:
 UNITS = tuple((f'"{unit}"', unit) for unit in ("m/rad", "m/rad²", "m/rad³"))
 
 
-def joints_of(
-    rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry, scope: str, after: str, cell: str,
-    names: tuple[str, ...],
-) -> Joints:  # fmt: skip
+def joints_of(rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry, scope: str, after: str, cell: str,
+              names: tuple[str, ...]) -> Joints:  # fmt: skip
     """Return the joints of a motion's pieces, and how smooth it must be; ``cell`` has its name."""
     largest = f"MAX([{rows.at.phases}.v])", f"MAX([{rows.at.phases}.a])"
     place, of = (f'"{after}"', after), (cell, given.name)
@@ -204,10 +202,8 @@ def tool_pieces(sheet: Sheet, station: Station, pieces: Pieces) -> Joints:
     return joints
 
 
-def phases(
-    sheet: Sheet, title: str, names: tuple[str, ...], parts: tuple[Scaled, ...], rows: PieceRows,
-    **formulas: list[str],
-) -> None:  # fmt: skip
+def phases(sheet: Sheet, title: str, names: tuple[str, ...], parts: tuple[Scaled, ...], rows: PieceRows,
+           **formulas: list[str]) -> None:  # fmt: skip
     """Declare the phases of a motion over the master angle; ``formulas`` are those of the columns, a row each."""
     size, degrees = size_of_parts(parts), [shown(part.duration, DEGREE) for part in parts]
     sheet.row += 1

@@ -25,10 +25,8 @@ CORNERS = ("transfer gets in the way", "transfer is in place", "tool sets off", 
            "tool is back")  # fmt: skip
 
 
-def declare(
-    sheet: Sheet, station: Station, pieces: Pieces, beside: int, below: int, shared: Sequence[Quantity] = (),
-    workings: Sequence[Quantity] = (),
-) -> None:  # fmt: skip
+def declare(sheet: Sheet, station: Station, pieces: Pieces, beside: int, below: int, shared: Sequence[Quantity] = (),
+            workings: Sequence[Quantity] = ()) -> None:  # fmt: skip
     """Declare a tool: charts from the row ``beside``, tables from ``below``; ``shared`` are checks of all tools."""
     with sheet.scoped(station.scope):
         entries(sheet, station)

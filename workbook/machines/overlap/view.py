@@ -31,9 +31,8 @@ class Overlapping:
     Laws are inverted by their points, as the sheet Inverse does it; the truth is the same with the exact ``inverse``.
     """
 
-    def __init__(
-        self, machine: IndexingOverlap, library: dict[str, Law], inverted: Inverse = inverse_by_points
-    ) -> None:
+    def __init__(self, machine: IndexingOverlap, library: dict[str, Law],
+                 inverted: Inverse = inverse_by_points) -> None:  # fmt: skip
         self.given, self.sizes, self.library = machine.overlap, machine.sizes, library
         moved = machine.overlap.transfer
         self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE), inverted)
