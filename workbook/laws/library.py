@@ -56,16 +56,6 @@ class NamedLaw:
         """Return a name or a formula of its page as other sheets write it."""
         return in_scope(text, f"{self.slug}_")
 
-    @property
-    def listed(self) -> str:
-        """The formula of its name in the list of laws."""
-        return f'="{self.name}"' if self.basic else self.own("=@called")
-
-    @property
-    def finding(self) -> str:
-        """The formula of its number."""
-        return f'=MATCH("{self.name}",law_code,0)' if self.basic else "=MATCH(@called,law_code,0)"
-
 
 def named(given: Laws) -> list[NamedLaw]:
     """Return the laws of a book in the order of their numbers."""

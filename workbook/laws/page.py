@@ -99,6 +99,7 @@ def results(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
     if workings := page.workings(law):
         sheet.heading("Workings")
         sheet.rows(*workings)
+    finding = f'=MATCH("{one.name}",law_code,0)' if one.basic else "=MATCH(@called,law_code,0)"
     sheet.heading("Results: the rise h in the time t_a")
     sheet.rows(
         calc("@h_m", "Rise in metres", "h", "m", "=@h/1000", rise.lift, source="h / 1000"),
@@ -107,7 +108,7 @@ def results(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
                "=MAX(@ca_max,-@ca_min)*ABS(@h_m)/@t^2", rise.y2_max, source="C_a h / t_a²"),
         result("@yrms", "RMS acceleration over the rise", "ÿ_rms", "m/s²",
                "=@ca_rms*ABS(@h_m)/@t^2", rise.y2_rms, source="C_a,rms h / t_a²"),
-        calc("@no", "Number on the sheet Laws", "", "", one.finding, one.number, format="0"),
+        calc("@no", "Number on the sheet Laws", "", "", finding, one.number, format="0"),
     )  # fmt: skip
 
 

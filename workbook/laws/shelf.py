@@ -14,12 +14,11 @@ from workbook.book.rows import LEAST
 from workbook.entries.machine import Sizes
 from workbook.latest import latest
 from workbook.laws.entries import Laws
-from workbook.laws.family import COEFFICIENTS, LABELS, POWERS, SECOND, SINE, entries_of
+from workbook.laws.family import COEFFICIENTS, LABELS, LEAST_STAGE, POWERS, SECOND, SINE, entries_of
 from workbook.laws.library import NamedLaw, named
 from workbook.laws.page import finite, law_sheet
 from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sampling import Pieces
-from workbook.laws.shared import LEAST_STAGE
 
 RISE = 1.0  # what every law goes in a time of 1: so large are its velocity and acceleration at least, somewhere
 
@@ -149,7 +148,8 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         calc("name", "law in words", "", "",
              [one.own(one.page.named or f'="{one.words}"') for one in laws], [one.words for one in laws]),
         constant("no", "number", "", "", [one.number for one in laws]),
-        calc("code", "name", "", "", [one.listed for one in laws], [one.name for one in laws]),
+        calc("code", "name", "", "",
+             [f'="{one.name}"' if one.basic else one.own("=@called") for one in laws], [one.name for one in laws]),
         *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
         stated("start", "velocity it begins with", "", "start", [one.law.start.v for one in laws]),
         stated("v_low", "lowest velocity", "", "lowest", [slowest(one.law) for one in laws], scale=1.0),

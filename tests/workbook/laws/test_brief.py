@@ -4,7 +4,7 @@ import pytest
 
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import MACHINE, composed
-from workbook.laws.shared import LEAST_STAGE
+from workbook.laws.family import LEAST_STAGE
 
 SAID = "a stage lasts less than 0.0001 of the rise; expected that, or none"
 

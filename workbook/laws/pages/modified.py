@@ -8,14 +8,14 @@ from pydantic import Field
 from engine.laws import modified as engine
 from workbook.book.sentence import figure
 from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
-from workbook.laws import shared
+from workbook.laws import family
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Parameter
 
 MODIFIED_TRAPEZOIDAL = edged(
     dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),
     titled="Modified trapezoidal acceleration", source="S1, seven parameters; S3, figure 2",
-    entries=shared.SevenDurations, law=engine.ModifiedTrapezoidal, parameters=shared.DURATIONS,
+    entries=family.SevenDurations, law=engine.ModifiedTrapezoidal, parameters=family.DURATIONS,
     variations=(
         {"durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]},
         {"durations": [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0]},
@@ -24,11 +24,11 @@ MODIFIED_TRAPEZOIDAL = edged(
         {"durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]},
         {"durations": [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25]},
     ),
-    checks=shared.LASTING,
+    checks=family.LASTING,
 )  # fmt: skip
 
 
-class Cut(shared.Shared):
+class Cut(family.Shared):
     """The share of the time that accelerates, and the end at which the motion turns round."""
 
     reversal: Literal["none", "start", "end"] = "none"
@@ -46,7 +46,7 @@ TRAPEZOID_BY_SHARE = edged(
     },
     source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D", entries=Cut, law=engine.TrapezoidByShare,
     parameters=(
-        shared.SHARE,
+        family.SHARE,
         Parameter("@reversal", "It turns round at", "", "reversal", "reversal",
                   source="none, start or end: there the acceleration stands"),
         Parameter("@edge", "Edge of the pulse that is cut off", "ρ", "edge", "edge",
@@ -64,7 +64,7 @@ TRAPEZOID_BY_SHARE = edged(
 class Edges(LawSheet):
     """The share of the time that accelerates, and the edges' shares of either half."""
 
-    share: shared.Between = engine.ModifiedSine.share
+    share: family.Between = engine.ModifiedSine.share
     rise_edge: Share = engine.ModifiedSine.rise_edge
     fall_edge: Share = engine.ModifiedSine.fall_edge
 
@@ -78,7 +78,7 @@ MODIFIED_SINE = edged(
     },
     source="LCamHdl, D_D_MOD_SINE", entries=Edges, law=engine.ModifiedSine,
     parameters=(
-        shared.SHARE,
+        family.SHARE,
         Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",
                   source="¼; ½: cycloidal, 0: simple harmonic"),
         Parameter("@fall_edge", "Last edge, as a share of the deceleration", "β_2", "fall_edge", "last edge"),
@@ -93,7 +93,7 @@ MODIFIED_SINE = edged(
 PARTS = ("sine", "constant", "cosine", "straight")
 
 
-class Parts(shared.Shared):
+class Parts(family.Shared):
     """The shares of the time of sine edges, constants, cosine edges and a straight line; they sum to 1."""
 
     sine: Share = engine.SineConstantCosine.sine
@@ -112,7 +112,7 @@ class Parts(shared.Shared):
             yield DesignError("", "all of the time is straight", "lasts", fits)
         if abs(total - 1) <= SUM_TOLERANCE and moves:
             stages = [piece.duration for piece in engine.SineConstantCosine(**parts, share=self.share).as_pieces()]
-            yield from shared.too_brief(stages, "", fits | {"share": shared.EVEN})
+            yield from family.too_brief(stages, "", fits | {"share": family.EVEN})
 
 
 SINE_CONSTANT_COSINE = edged(
@@ -134,7 +134,7 @@ SINE_CONSTANT_COSINE = edged(
         Parameter("@constant", "Constant acceleration", "c", "constant", "constant"),
         Parameter("@cosine", "Cosine edges inside", "d", "cosine", "cosine edges"),
         Parameter("@straight", "Constant velocity", "e", "straight", "constant velocity"),
-        shared.SHARE,
+        family.SHARE,
     ),
     variations=(
         {"sine": 0.1, "constant": 0.6, "cosine": 0.3, "straight": 0.0, "share": 0.4},
@@ -143,15 +143,15 @@ SINE_CONSTANT_COSINE = edged(
         {"sine": 0.15, "constant": 0.25, "cosine": 0.35, "straight": 0.25, "share": 0.55},
     ),
     checks=(
-        LawCheck("@sum", "the four shares sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", shared.SUM_SAYS),
+        LawCheck("@sum", "the four shares sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", family.SUM_SAYS),
         LawCheck("@lasts", "the law starts and stops", "@sine+@constant+@cosine>0", "lasts",
                  '"all of the time is straight"'),
-        shared.BRIEF,
+        family.BRIEF,
     ),
 )  # fmt: skip
 
 
-class Turning(shared.Shared):
+class Turning(family.Shared):
     """The share of the time that accelerates, and the end at which the motion turns round."""
 
     reversal: Literal["start", "end"] = "end"
@@ -165,7 +165,7 @@ HARMONIC_COMBINATION = edged(
         7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
     },
     source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI", entries=Turning, law=engine.HarmonicCombination,
-    parameters=(shared.SHARE, shared.REVERSAL),
+    parameters=(family.SHARE, family.REVERSAL),
     variations=(
         {"share": 0.4, "reversal": "start"},
         {"share": 0.6, "reversal": "end"},
@@ -174,16 +174,16 @@ HARMONIC_COMBINATION = edged(
 )  # fmt: skip
 
 
-class Curved(shared.Shared):
+class Curved(family.Shared):
     """The share of the time that is curved, and the part of that which accelerates."""
 
-    curved: Annotated[float, Field(ge=shared.LEAST, le=1, allow_inf_nan=False)] = engine.SineStraightSine.curved
+    curved: Annotated[float, Field(ge=family.LEAST, le=1, allow_inf_nan=False)] = engine.SineStraightSine.curved
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a stage that is next to none."""
-        fits = self.model_dump() | {"curved": engine.SineStraightSine.curved, "share": shared.EVEN}
+        fits = self.model_dump() | {"curved": engine.SineStraightSine.curved, "share": family.EVEN}
         law = engine.SineStraightSine(curved=self.curved, share=self.share)
-        yield from shared.too_brief([piece.duration for piece in law.as_pieces()], "", fits)
+        yield from family.too_brief([piece.duration for piece in law.as_pieces()], "", fits)
 
 
 SINE_STRAIGHT_SINE = edged(
@@ -195,10 +195,10 @@ SINE_STRAIGHT_SINE = edged(
     source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286", entries=Curved,
     law=engine.SineStraightSine,
     parameters=(
-        shared.SHARE,
+        family.SHARE,
         Parameter("@curved", "Share of the time that is curved", "c", "curved", "share of the sines",
                   source="1: simple harmonic"),
     ),
-    checks=(shared.BRIEF,),
+    checks=(family.BRIEF,),
     variations=({"share": 0.4, "curved": 0.3}, {"share": 0.7, "curved": 1.0}, {"share": 0.55, "curved": 0.8}),
 )  # fmt: skip

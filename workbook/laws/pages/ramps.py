@@ -8,9 +8,9 @@ from pydantic import Field
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from workbook.book.sentence import figure
 from workbook.entries.types import DesignError, Share
+from workbook.laws import family
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, LINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow
-from workbook.laws.shared import BRIEF, DURATIONS, LASTING, SevenDurations, too_brief
 
 
 class BreakPoints(LawSheet):
@@ -25,7 +25,7 @@ class BreakPoints(LawSheet):
             said = f"brakes from {figure(self.fall_start)}, before {figure(self.rise_end)}"
             yield DesignError("", said, "order", self._fits)
         stages = (self.rise_end, self.fall_start - self.rise_end, 1 - self.fall_start)
-        yield from too_brief(stages, "", self._fits)
+        yield from family.too_brief(stages, "", self._fits)
 
     @property
     def _fits(self) -> dict[str, Any]:
@@ -45,15 +45,8 @@ TRAPEZOIDAL_VELOCITY = Page(
         Parameter("@aw", "Begin of the deceleration", "α_w", "fall_start", "start of deceleration",
                   source="as a share of α_s; not before α_v"),
     ),
-    variations=(
-        {"rise_end": 0.15, "fall_start": 0.6},
-        {"rise_end": 0.22, "fall_start": 0.65},
-        {"rise_end": 0.29, "fall_start": 0.7},
-        {"rise_end": 0.36, "fall_start": 0.75},
-        {"rise_end": 0.43, "fall_start": 0.8},
-        {"rise_end": 0.5, "fall_start": 0.85},
-    ),
-    checks=(ORDER, BRIEF),
+    variations=tuple({"rise_end": (15 + 7 * k) / 100, "fall_start": (60 + 5 * k) / 100} for k in range(6)),
+    checks=(ORDER, family.BRIEF),
     pieces=(
         PieceRow("acceleration", "y'' = A, y' = Aα, y = ½Aα²", "=@av", c0="=@ca_max"),
         PieceRow("uniform velocity", "y'' = 0, y' = Aα_v, y = Aα_v(α − α_v/2)", "=@aw-@av"),
@@ -87,7 +80,7 @@ SINE_RAMPS = edged(
 )  # fmt: skip
 
 
-class Ramps(SevenDurations):
+class Ramps(family.SevenDurations):
     """Seven stage durations as shares of the rise; they sum to 1."""
 
     durations: Annotated[list[Share], Field(min_length=7, max_length=7)] = Field(default=list(SCurve.durations))
@@ -95,12 +88,12 @@ class Ramps(SevenDurations):
 
 S_CURVE = edged(
     dict(enumerate(map(Stage, (LINE_OUT, FLAT, LINE_IN, None, LINE_IN, FLAT, LINE_OUT)), 1)),
-    source="TwinCAT NC, set-point generator with seven phases", entries=Ramps, law=SCurve, parameters=DURATIONS,
+    source="TwinCAT NC, set-point generator with seven phases", entries=Ramps, law=SCurve, parameters=family.DURATIONS,
     variations=(
         {"durations": [0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2]},
         {"durations": [0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25]},
         {"durations": [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0]},
         {"durations": [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2]},
     ),
-    checks=LASTING,
+    checks=family.LASTING,
 )  # fmt: skip

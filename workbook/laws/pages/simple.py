@@ -6,8 +6,7 @@ from engine.laws import Dwell
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, SINE_IN, Stage, edged
-from workbook.laws.family import COEFFICIENTS, LawSheet, Page, PieceRow
-from workbook.laws.shared import POLYNOMIAL, REVERSAL, SHARED
+from workbook.laws.family import COEFFICIENTS, POLYNOMIAL, REVERSAL, SHARED, LawSheet, Page, PieceRow
 
 DWELL = Page(
     source="S3, function motionlaw", entries=None, law=Dwell, has_sheet=False,
