@@ -69,10 +69,7 @@ def certified(target: Target, table: Table, meant: CamProfile) -> Made:
 
 
 def tabulated(target: Target, axis: CamAxis, n: int) -> Table:
-    """Return the table of n points at most, in the target's numbers; raise TargetError beyond its limits.
-
-    They are at equal steps, or on the breaks and where the rule needs them.
-    """
+    """Return the table of n points at most, in the target's numbers: at equal steps, or on breaks and where rules need."""
     allowed(target, n)
     of, units = axis.profile, (axis.x_unit, axis.y_unit)
     if target.spacing == "equal":
@@ -106,11 +103,7 @@ def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
 
 
 def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> Table:
-    """Return the table of a motion at places, each number as the target holds it.
-
-    The breaks of the motion are moved to where numbers have rounded the places: what jumps there jumps at a point.
-    What is only what rounding leaves of zero is zero.
-    """
+    """Return the table of a motion at places as the target holds it, the motion's breaks moved to where x is."""
     number = target.number
     x_step, y_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest), step_of(units[1])
     places, x = x, number.rounded(np.round(x, DIGITS - ceil(log10(of.total))), x_step)
@@ -166,9 +159,7 @@ class Tries:
 def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
     """Return the table of the fewest points that keeps to the tolerance, or the best there is.
 
-    Where none does, as where an acceleration jumps, and several are alike, it is the one that keeps velocity and
-    position to theirs, or to what is tolerated of the derivatives above. Raises TargetError where the target has no
-    room for the breaks of the motion.
+    Where none does, as where an acceleration jumps, the best keeps velocity and position to theirs.
     """
     tries = Tries(target, axis)
     best = nearest(tries, tolerance)

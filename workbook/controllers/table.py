@@ -19,10 +19,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Table:
-    """Points of a cam: x and y, where the controller takes them y', y'' and y''' by the master, all of one length.
-
-    Raises TargetError, by point and reason, for fewer than two points, what is not finite, and x that does not rise.
-    """
+    """Points of a cam, with derivatives by x; raises TargetError for what is not finite, or an x that does not rise."""
 
     x: Array
     y: Array

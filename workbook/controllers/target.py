@@ -150,10 +150,7 @@ class Target(Claimed):
 
 
 def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
-    """Return switches as tracks in a target's numbers; raise TargetError beyond its limits.
-
-    A time that begins with the end of the cycle begins at 0.
-    """
+    """Return switches as tracks in a target's numbers, a begin at the end of the cycle as 0; or raise TargetError."""
     if len(given) > tappets.tracks:
         raise TargetError(f"{len(given)} switches; expected at most {tappets.tracks}")
     found = []
@@ -220,10 +217,7 @@ def text_of(path: Path, target: Target) -> str:
 
 
 def parsed(text: str, target: Target) -> Table:
-    """Return the table of a text; raise TargetError where it is none, or has not the points that its header tells.
-
-    Nor has a motion a number so large, or a step of x so small: fits would overflow.
-    """
+    """Return the table of a text; raise TargetError for none, a part of one, and numbers by which fits overflow."""
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is refused by point
         table = target.read(text)
     for name, column in table.columns.items():

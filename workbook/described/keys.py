@@ -1,8 +1,4 @@
-"""Every key of a description: what it means, its unit, default, range, an example; how these are written.
-
-All of it is taken from where it is declared: type, range and default from the models, meaning and unit from the cell
-that shows the entry, the example from the committed description. A key without a cell says itself what it means.
-"""
+"""Every key of a description, from where it is declared: models, the cells that show it, the committed descriptions."""
 
 import re
 import tomllib

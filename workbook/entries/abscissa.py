@@ -1,10 +1,6 @@
-"""What the cycle of a machine is entered and shown over: degrees of its master shaft, or seconds where it has none.
+"""What the cycle of a machine is over: degrees of its master shaft, seconds, or an angle or travel that tells no time.
 
-Or an abscissa that does not tell how time passes: degrees or radians of a shaft whose speed nobody says, the travel of
-a product. Rates are then by that: y' and y'' in place of velocity and acceleration.
-
-Within, every machine counts its cycle as one turn: what is entered in s becomes degrees once, at the edge, in cells and
-for the engine. All that differs is here: units, words, and how places and rates go from the one to the other.
+Within, every machine counts its cycle as one turn: what is entered in another unit becomes degrees at the edge, here.
 """
 
 from dataclasses import dataclass, replace
@@ -39,8 +35,7 @@ ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*DE
 class Abscissa:
     """What a cycle is over: by default degrees of a master shaft, entered and shown as they are.
 
-    One that is ``measured`` has a ``length`` that is entered, in its unit: places and figures are told by that. One
-    that is not ``paced`` does not tell how time passes: an angle, or the travel of a product.
+    One that is ``measured`` has a ``length`` that is entered; one not ``paced`` does not tell how time passes.
     """
 
     unit: str = "°"

@@ -1,7 +1,6 @@
-"""Unfinished designs: entries of the right structure and type whose numbers do not do, or are not there yet.
+"""Unfinished designs: entries of the right type whose numbers do not do, or are not there yet.
 
-Such a machine is not refused. What the engine works out is a machine with other entries in their places; what was
-entered is kept beside it, with all that is wrong: the book shows the one, and is worked out with the other.
+The book shows what was entered, with all that is wrong, and is worked out with other entries in those places.
 """
 
 import re
@@ -32,10 +31,9 @@ class RefusedError(Exception):
 
 
 def designed(model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]) -> M:
-    """Return the machine of a description; raise RefusedError for one of a wrong structure or type.
+    """Return the machine of a description, with ``example``'s entries, or those that fit a rule, for what does not do.
 
-    Entries that do not do are replaced by ``example``'s, or by those that a rule says would fit, one after the other
-    until the rest goes together; ``check`` says what only the engine can see.
+    ``check`` says what only the engine can see. Raises RefusedError for a wrong structure or type.
     """
     replaced: dict[str, int] = {}  # the turn in which each place was
     faults: list[Fault] = []
@@ -79,10 +77,7 @@ def attempted(model: type[M], check: Callable[[M], None], data: dict[str, Any]) 
 
 
 def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
-    """Return the faults of a design that one of pydantic's tells; None where it is not one of numbers.
-
-    Such are beyond bounds, not there, or do not go together.
-    """
+    """Return the faults of numbers (beyond bounds, missing, at odds) that one of pydantic's tells; None for others."""
     key, rule = keys_of(model, fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, TogetherError):

@@ -21,10 +21,7 @@ KIND = "kind"  # the entry that says which kind a table is of
 
 
 def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
-    """Return the bare type and the constraints of the entry at ``key``; raise KeyError where there is none.
-
-    The type of a table of several kinds is the tuple of their models; ``key`` may name the kind behind the table.
-    """
+    """Return the type (models, of a table of several kinds) and constraints at a key; raise KeyError where none is."""
     kind: Any = model
     constraints: list[Any] = []
     for part in filter(None, key.split(".")):

@@ -47,11 +47,7 @@ class CountsAs:
 
 
 class DesignError(EntryError):
-    """Numbers that do not go together: the book is built with them, and its check of this ``rule`` says FAIL.
-
-    The text is the sentence that stands beside the check. ``fits`` are entries at ``field`` that would obey the rule:
-    what hangs on none of them is worked out with these.
-    """
+    """Numbers that do not go together: the check of this ``rule`` says FAIL, and the engine is given what ``fits``."""
 
     def __init__(self, field: str, message: str, rule: str, fits: Any = None) -> None:
         super().__init__(field, message)

@@ -1,7 +1,4 @@
-"""The functions MOTION.* of ``functions.toml``: both back ends take names, arguments and help texts from here.
-
-What both promise beside the help texts stands in docs/motion-functions.md.
-"""
+"""The functions MOTION.* of ``functions.toml``, for both back ends; docs/motion-functions.md has what both promise."""
 
 import tomllib
 from collections.abc import Sequence

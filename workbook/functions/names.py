@@ -1,9 +1,7 @@
-"""The functions as names of Excel: LAMBDA formulas, as they are read and as a file stores them.
+"""The functions as names of Excel: LAMBDA formulas of ``formulas.txt``, as Excel shows them and as a file stores them.
 
-``formulas.txt`` holds them in the spelling that Excel shows; what differs from law to law is made from the table of
-laws that the add-in computes by, whose functions are called with the names of parameters in place of numbers. A file
-marks what Excel 2007 did not know: functions by ``_xlfn.``, the parameters of LAMBDA and the variables of LET by
-``_xlpm.``, an optional parameter, ``[name]`` as Excel shows it, by ``_xlop.`` where it is declared
+What differs from law to law is made from the add-in's table of laws. A file marks what Excel 2007 did not know:
+functions by ``_xlfn.``, parameters and variables by ``_xlpm.``, optional ones, shown as ``[name]``, by ``_xlop.``
 (Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
 """
 
@@ -99,10 +97,7 @@ def tokens(formula: str) -> list[tuple[str, str]]:
 
 
 def meaning(stored: str) -> list[tuple[str, object]] | str:
-    """Return a stored formula without what a program may write in its own way: prefixes, blanks, case, digits.
-
-    A formula that cannot be read stands for itself.
-    """
+    """Return a stored formula without what programs write in their own way; as it is where it cannot be read."""
     try:
         parts = tokens(PREFIX.sub("", stored.removeprefix("=")))
     except ValueError:
@@ -234,11 +229,7 @@ def by_law(text: Callable[[Declared], str], otherwise: str, **more: str) -> str:
 
 
 def tables() -> dict[str, str]:
-    """Return the formulas by the names that ``formulas.txt`` has for them.
-
-    How many parameters a law takes, whether it can have them, its pieces, its durations of seven stages, and the
-    highest derivative that it can have prescribed at its ends.
-    """
+    """Return what ``formulas.txt`` names: of each law parameters, pieces, stages, and how many derivatives its ends meet."""
     stages = "_MOTION.STAGES(_MOTION.SEVEN(code, p), {})"
     return {
         "delivered": by_law(lambda law: array(law.delivered) if law.delivered else "", "0", OWN=array(OWN[0])),

@@ -1,8 +1,6 @@
 """The files by which spreadsheets get the functions: a workbook with the names, their text, the add-in ``motion.oxt``.
 
-The add-in is an archive of the component, its types, and the texts of the function wizard. ``motion.rdb`` holds the
-types in LibreOffice's own form, made by its SDK of ``motion.idl``, which a test compares with the functions:
-unoidl-write program/types.rdb program/types/offapi.rdb motion.idl motion.rdb
+LibreOffice's SDK made ``motion.rdb``: unoidl-write program/types.rdb program/types/offapi.rdb motion.idl motion.rdb
 """
 
 import re
@@ -42,10 +40,7 @@ PACKAGE = resources.files("workbook.functions") / "addin"
 
 
 def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
-    """Write the workbook with the names and the page that shows them, replacing what is there.
-
-    The cell that says whether the functions compute has no saved value: a program shows what is saved and does not ask.
-    """
+    """Write the workbook of the names; what says whether they compute has no saved value, which programs would show."""
     names = [DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored) for one in definitions()]
     made = parts(declare(shown), Shown, names, f"{NAMESPACE}.")  # a copied sheet brings along these names alone
     pack(archive.dynamic(made | {SHEET: WHETHER.sub(rb"\1\2", made[SHEET])}), path, overwrite=True)

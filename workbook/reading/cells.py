@@ -1,7 +1,4 @@
-"""The cells of a workbook as the guard met them: openpyxl reads all else of a sheet, and no row a second time.
-
-A number is a number, whatever date its format makes of it.
-"""
+"""The cells of a workbook as the guard met them, numbers whatever a format makes of them; openpyxl reads all else."""
 
 from collections.abc import Sequence
 from typing import Any

@@ -28,8 +28,7 @@ Mend = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # puts entries in
 class Entries:
     """The input cells of a workbook as a machine description.
 
-    Inputs that hold a formula are given to ``evaluate``. ``mend`` puts them in order first, such as cells that were
-    moved back into their tables; ``moved`` is what it says of them.
+    Formulas among them are given to ``evaluate``; first ``mend`` may put cells in order, and ``moved`` is what it says.
     """
 
     def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend | None = None) -> None:

@@ -58,10 +58,7 @@ class BookFile:
     bare: bool = False  # whether it is a copy of contents and names alone
 
     def value(self, address: Address) -> Any:
-        """Return what a cell holds: a number, a text, a formula, or None; a cell without place on a sheet is empty.
-
-        A text that looks like a formula is a :class:`Words`; an array formula stands in braces, in all its cells.
-        """
+        """Return what a cell holds: ``=text`` as :class:`Words`, an array formula in braces in all its cells; or None."""
         cell = self.cell(address)
         if cell is None:
             return None

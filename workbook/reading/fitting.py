@@ -1,8 +1,6 @@
-"""Rows and columns that someone has put into a table of a file, or taken out of it.
+"""Rows and columns that someone has put into a table of a file, or taken out of it: names follow what is inserted.
 
-A program lets names and formulas follow what is inserted and deleted, so that a table may be larger or smaller than it
-was built. Which of its rows are its own is told by the number that most tables have in each row, or by their formulas;
-which of its columns, by the headings above them and by where formulas stand.
+A table's own rows are told by the number that most have in each, or by formulas; its columns by headings and formulas.
 """
 
 from collections.abc import Callable, Container, Sequence
@@ -104,10 +102,7 @@ def messages_beside(file: BookFile, block: Block, place: Place) -> list[tuple[Pl
 def by_numbers(
     numbers: Sequence[int | None], empty: Sequence[bool], first: int, leads_up: Callable[[int], int | None]
 ) -> tuple[list[int], list[tuple[int, int]]] | None:  # fmt: skip
-    """Return what :func:`rows_of` does by the number in each row, from ``first`` on; None where they do not say.
-
-    ``empty`` are rows without formulas; ``leads_up`` tells which row the formulas of a row take for the one above.
-    """
+    """Return :func:`rows_of` by the rows' numbers from ``first``; None if they do not say. ``empty`` lack formulas."""
     own: list[int] = []
     aside: list[int] = []
     lost: list[tuple[int, int]] = []

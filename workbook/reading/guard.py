@@ -1,7 +1,6 @@
 """What a workbook file must not hold: checked on its zip and its XML before a parser builds anything from them.
 
-A workbook is a zip of XML from anywhere. Each part is unpacked here under a limit and read once, and counted while it
-is read. The limits let a machine of 24 axes with a drive each pass, at 720 samples; most are at or below Excel's own.
+Each part is unpacked under a limit and read once. A machine of 24 axes with a drive each passes, at 720 samples.
 """
 
 import zipfile

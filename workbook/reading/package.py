@@ -1,7 +1,6 @@
-"""Which part of a package is what: by its relationships, as spreadsheet programs read it, and by content types.
+"""Which part of a package is what: openpyxl goes by content types and names, spreadsheet programs by relationships.
 
-openpyxl finds the workbook and the shared strings by content type and the styles by name; spreadsheet programs follow
-the relationships. A package in which the two disagree has two readings, and is refused.
+A package in which the two disagree has two readings, and is refused.
 """
 
 import io

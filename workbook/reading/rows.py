@@ -1,8 +1,4 @@
-"""The rows of a worksheet's part, met one by one: each cell once and of one reading, and what it was saved with.
-
-Where the standard leaves it to a reader what two formulas in a cell mean, or an element inside of a formula, readers
-differ, and a file could show one thing and be verified as another: such a part is refused.
-"""
+"""The rows of a worksheet's part, each cell once; refused is what readers take differently, such as two formulas."""
 
 import re
 from typing import NamedTuple

@@ -78,10 +78,7 @@ def state(path: Path) -> str:
 
 
 class Page(RequestHandler):
-    """A page, which answers only at its own address and to who has the token of the first address.
-
-    The Host is compared against DNS rebinding, the Origin of what is posted against pages from elsewhere.
-    """
+    """A page for who has the token; Host is compared against DNS rebinding, Origin against posts from other pages."""
 
     def initialize(self, method: str, action: "Action | None", folder: Folder, work: Work,
                    verdicts: dict[str, str]) -> None:  # fmt: skip

@@ -42,10 +42,9 @@ DRAWN, FEWER, MANY = 4, 2, 12
 
 
 class Edge(NamedTuple):
-    """What is dragged in the diagram: where phases of an axis begin or end, or its whole lane.
+    """What is dragged in the diagram: where phases of an axis begin or end, or its whole lane; ``value`` as entered.
 
-    ``value`` is as entered; ``places`` are where its numbers stand in the text. A lane without a shift in the text has
-    the place for one, and ``before`` is what is to be written before its number.
+    ``places`` are where its numbers stand in the text, or may stand, with ``before`` written before them.
     """
 
     axis: str

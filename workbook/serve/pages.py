@@ -31,10 +31,7 @@ def is_study(path: Path) -> bool:
 
 
 def editor(name: str, words: str, state: str, said: str = "", target: str = "") -> str:
-    """Return the page on which a description is edited; ``said`` is what there is to say of the text.
-
-    ``target`` is the name that is proposed for saving it, that of the description unless told otherwise.
-    """
+    """Return the page on which a description is edited, with what is ``said`` of it and the proposed name to save."""
     return page(name, "edit", "form", "live", words=words, state=state, said=said, target=target or name)
 
 

@@ -116,10 +116,7 @@ async def progress(page: Page, name: str) -> str:
 
 
 class Field(NamedTuple):
-    """An entry that can vary: its key, its value now, over what it is proposed to vary.
-
-    ``known`` are the words that it may be, ``givers`` the phases that can give the room that this one takes.
-    """
+    """An entry that can vary: its value, over what, the words it may be, the phases that can give the room it takes."""
 
     key: str
     now: str

@@ -73,10 +73,7 @@ def written(place: Place) -> str:
 
 
 def changed(text: str, template: str, data: dict[str, Any], place: Place, do: str, value: str) -> str:
-    """Return the text with an entry set to what a field says, or a table or row added, copied or removed.
-
-    Raises InputError where the text cannot be changed so.
-    """
+    """Return the text with an entry set, or a table or row added, copied or removed; raise InputError if it cannot."""
     above = at(data, place[:-1])
     if do == "Remove":
         return edited(text, [(place, None)])
@@ -161,10 +158,7 @@ def required(keys: Sequence[Key]) -> dict[str, Any]:
 
 
 def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
-    """Return the text with other values at paths, names and row numbers from 0; None takes an entry away.
-
-    Raises InputError for a text that is not TOML, and for a path that does not lead to an entry.
-    """
+    """Return the text with other values at paths, None to take one away; raise InputError for no TOML, no such path."""
     try:
         document = tomlkit.parse(text)
         for path, value in changes:

@@ -31,12 +31,9 @@ OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))
 def agreed(
     file: BookFile, asked: Collection[Address] = (), names: Iterable[str] = WITNESSES
 ) -> Callable[[Address], Any]:
-    """Return what gives the value of a formula cell of ``file``, most likely of those in ``asked``.
+    """Return what gives the value of a formula cell of ``file``, or its error; it is asked most likely of those in ``asked``.
 
-    Two witnesses, the first of ``names`` that are on this machine and can evaluate it, must agree on it, and the saved
-    value, if the file has one. What gives a value raises DisputedError where they do not, or where not two of them can
-    evaluate it, or one finds that it hangs on a cycle; an error value that two give is a value, and one that differs
-    from the other's value is a doubt.
+    The first two of ``names`` that can evaluate it must agree, and a saved value too: else it raises DisputedError.
     """
     return Evaluation(file, asked, names).value
 
@@ -148,10 +145,9 @@ def same(value: Any, other: Any) -> bool:
 
 
 def spreads(formula: str) -> bool:
-    """Return whether a range stands outside of every function, or is computed with where one cell of it is taken.
+    """Whether a range stands outside of every function, or is computed with where one cell of it is taken.
 
-    "Implicit intersection operator: @" (support.microsoft.com): a formula that is no array formula takes of such a
-    range the cell in its own row or column.
+    Source: support.microsoft.com, "Implicit intersection operator: @".
     """
     found = list(words(formula.removeprefix("=")))
     begun: list[str] = []

@@ -1,8 +1,6 @@
 """A second process that evaluates a book's formulas while the first reads and judges it: verifying takes both cores.
 
-It opens the same file for itself, under the same limits, and has its formulas joined and evaluated by the time that
-the first asks. It says nothing by itself: what it does not answer, because it was killed, or read another state of the
-file, or cannot be started, the first computes for itself, and finds the same.
+It reads the same file under the same limits. What it does not answer, the first computes for itself, to the same end.
 """
 
 from __future__ import annotations

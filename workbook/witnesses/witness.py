@@ -1,9 +1,4 @@
-"""What a witness is: something that takes a workbook file and says what each formula cell computes.
-
-It may be given a copy of the file without some of its cells. A table, a newer function, a name that leads nowhere keep
-some programs from opening a file, or from ending in time; what a book's declared formulas compute does not depend on
-them.
-"""
+"""What a witness is, and the copies of books it may be given: without what keeps programs from opening a file."""
 
 import io
 import tempfile
@@ -66,11 +61,7 @@ class Model(Protocol):
     def each(
         self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
     ) -> Callable[[], Sequence[Any]]:
-        """Begin with the values of formula cells, each by itself, with ``values`` in the cells of ``strips``.
-
-        Return what gives them. ``wanted`` are the numbers of the cells within ``strips``; a cell that is in none holds
-        what it has without a formula.
-        """
+        """Begin with the cells ``wanted``, each by itself with ``values`` in ``strips``; return what gives theirs."""
 
 
 class CellWitness(Witness):
@@ -102,10 +93,9 @@ def without(
     file: BookFile, own: Collection[Address] = (), given: Mapping[Address, Any] = MappingProxyType({}),
     bare: bool = False,
 ) -> Iterator[BookFile]:  # fmt: skip
-    """Give ``file`` itself, or a copy of one that was mended, without the cells ``own`` or with the values ``given``.
+    """Give ``file``, or a copy of one that was mended, without the cells ``own`` or with the values ``given``.
 
-    The copy holds contents of cells and the names that lead to cells, no styled empty cells, and lies in a folder that
-    goes away. A ``bare`` one is for a program that would follow what else a book holds, such as a linked picture.
+    The copy holds contents and names that lead to cells; a ``bare`` one also where a program would follow links.
     """
     if not (own or given or file.mended or (bare and not file.bare)):
         yield file

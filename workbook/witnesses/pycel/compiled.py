@@ -80,10 +80,7 @@ def check_function(name: str) -> None:
 
 
 def signed(shape: str, tokens: Sequence[Token]) -> str:
-    """Return a shape whose powers pycel takes as Excel does, signs first: ``-A1^A2`` is ``(0-A1)^A2``.
-
-    pycel knows that order, but writes its own tree to Python without parentheses, where the power goes first.
-    """
+    """Return a shape whose powers take signs first, as Excel's do, not Python's: ``-A1^A2`` is ``(0-A1)^A2``."""
     if not any(token.type == Token.OP_PRE for token in tokens):
         return shape
     words = [token.value for token in tokens]

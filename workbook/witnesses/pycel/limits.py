@@ -1,7 +1,6 @@
-"""pycel's functions within bounds: no cell may fill the memory or take a day.
+"""pycel's functions within Excel's limits, which it looks for here first: no cell may fill the memory or take a day.
 
-pycel looks for a function here before it looks in its own modules. Each is pycel's (or Python's) own, behind a
-limit that Excel sets and pycel does not: whole numbers are exact in Python, and ``9^9^9^9`` would fill a disk.
+Whole numbers are exact in Python, and ``9^9^9^9`` would fill a disk.
 """
 
 import math
@@ -33,10 +32,7 @@ class Crossed:
 
 
 def cross(*arrays: Any) -> None:
-    """Count an array as tall as the tallest of ``arrays`` and as wide as the widest, before it is made.
-
-    Raises ValueError beyond the limit. A reader cannot see it coming: two references of 10,000 cells make 100,000,000.
-    """
+    """Count the array of all ``arrays`` before it is made: of a column and a row of 10,000 cells it has 100 million."""
     sizes = [(len(array), len(array[0])) for array in arrays if isinstance(array, tuple)]
     if len(set(sizes)) > 1:
         spend(max(rows for rows, _ in sizes) * max(columns for _, columns in sizes))
@@ -66,10 +62,7 @@ def raised(number: float, exponent: float) -> Any:
 
 
 def to_15_digits(compare: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
-    """Return a comparison that takes numbers for one that are the same to 15 digits, as Excel shows and compares them.
-
-    "Numeric precision in Excel" (learn.microsoft.com): 15 digits. 0.1+0.2=0.3 is TRUE.
-    """
+    """Return a comparison to 15 digits (learn.microsoft.com, "Numeric precision in Excel"): 0.1+0.2=0.3 is TRUE."""
 
     def compared(left: Any, right: Any) -> Any:
         numbers = left != right and type(left) in NUMBERS and type(right) in NUMBERS

@@ -1,8 +1,6 @@
-"""pycel as a witness: its parser, compiler and functions, each formula shape compiled once.
+"""pycel as a witness: each formula shape compiled once, cells evaluated in an order found without recursion.
 
-pycel itself parses, compiles and loads every formula anew and walks its graph at every call; here its compiler is
-called once for each shape (:mod:`workbook.witnesses.pycel.compiled`), and cells are evaluated in an order found without
-recursion. Every value is computed by pycel's functions and operators.
+Every value is computed by pycel's functions and operators; pycel itself compiles every formula and walks a graph anew.
 """
 
 import sys
@@ -45,11 +43,9 @@ class Pycel(CellWitness):
 
 
 class PycelModel:
-    """A workbook's formulas, joined once, to be evaluated again and again with other inputs.
+    """A workbook's formulas, or those of ``cells``, joined once to be evaluated at many inputs; values have numbers.
 
-    ``problems`` says in a line why a cell could not be evaluated; its value is an Excel error, or ``#CYCLE!``. The
-    formulas of ``cells`` are evaluated, all by default. Everything that has a value (a cell, a range, a text in a
-    formula) is known by its number.
+    ``problems`` says in a line why a cell could not be evaluated; its value is an Excel error, or ``#CYCLE!``.
     """
 
     def __init__(self, held: Workbook | Contents, cells: Collection[Address] | None = None) -> None:

@@ -1,8 +1,6 @@
-"""Straight ways into pycel: numbers go to the bodies of its operators and functions, past checks of their kind.
+"""Straight ways into pycel: numbers go past its checks, and a range of numbers stays an array as long as it can.
 
-pycel checks every argument, and works out ranges, which are tuples of rows to it, element by element. Here a range of
-numbers stays an array from its first operator until a function wants it that knows none: a book takes a fraction of the
-time. What is not all numbers, or would not give what pycel gives of each element, takes pycel's own way.
+What is not all numbers, or would not give what pycel gives of each element, takes pycel's own way.
 """
 
 import functools

@@ -1,7 +1,6 @@
 """What a spreadsheet hands over, read as codes, parameters and phases; motions of these, and sums over parts.
 
-In rows an empty cell comes as an empty text. An argument that is left out comes as None: a law's parameters are then
-those as delivered, and anything else is refused.
+An empty cell comes as an empty text, an argument that is left out as None: a law's parameters are then as delivered.
 """
 
 from __future__ import annotations
@@ -50,10 +49,7 @@ class Row(NamedTuple):
 
 
 class Motion:
-    """Phases one after the other, from position 0: from x = 0, or from a rest that goes on before and after.
-
-    Refuses what is prescribed twice, or other than a straight line has it.
-    """
+    """Phases one after the other, from position 0: from x = 0, or from a rest that goes on before and after."""
 
     def __init__(self, rows: Sequence[Row | Via], rests_from: float | None = None) -> None:
         met = [(beside(rows, k, -1), beside(rows, k, 1)) for k in range(len(rows))]
@@ -129,10 +125,7 @@ def named(name: Cell, given: Cells) -> Law:
 
 
 def motion(table: Cells) -> Motion:
-    """Return the motion of a table of phases, a row a phase: code, duration, lift, parameters of the law.
-
-    Where numbers stand in the first column, the columns are those of a book's phases: from, to, lift, code, parameters.
-    """
+    """Return the motion of rows code, duration, lift, parameters; or, as in books, from, to, lift, code, parameters."""
     if not isinstance(table, tuple) or len(table[0]) < 3:
         raise Refused(VALUE)
     dated = any(isinstance(row[0], float) for row in table)
