@@ -124,7 +124,7 @@ def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
 
 
 def passing(found: Sequence[Found], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
-    """Return y' and y'' of a phase where another curved one, or none, ends: as machines are told, over s in m or rad."""
+    """Return y' and y'' of a phase where another curved one, or none, ends: as machines have them, of s in m or rad."""
     before = found[k - 1]
     meets = k == 0 or found[k].begin - before.end <= near
     if not meets or {"LIN", Spline.code} & {found[k].law.code, before.law.code if k else ""}:

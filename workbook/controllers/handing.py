@@ -69,7 +69,7 @@ def certified(target: Target, table: Table, meant: CamProfile) -> Made:
 
 
 def tabulated(target: Target, axis: CamAxis, n: int) -> Table:
-    """Return the table of n points at most, in the target's numbers: at equal steps, or on breaks and where rules need."""
+    """Return the table of at most n points, in the target's numbers: at equal steps, or on breaks and as rules need."""
     allowed(target, n)
     of, units = axis.profile, (axis.x_unit, axis.y_unit)
     if target.spacing == "equal":

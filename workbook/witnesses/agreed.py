@@ -31,7 +31,7 @@ OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))
 def agreed(
     file: BookFile, asked: Collection[Address] = (), names: Iterable[str] = WITNESSES
 ) -> Callable[[Address], Any]:
-    """Return what gives the value of a formula cell of ``file``, or its error; it is asked most likely of those in ``asked``.
+    """Return what gives the value of a formula cell of ``file``, or its error; most likely it is asked of ``asked``.
 
     The first two of ``names`` that can evaluate it must agree, and a saved value too: else it raises DisputedError.
     """

@@ -63,7 +63,7 @@ def read(text: str) -> Table:
 
 
 def only_tag(text: str, *kinds: str) -> tuple[list[Element], Element]:
-    """Return the tags of an XML text, and the one of these types; raise TargetError for many or none, and for entities."""
+    """Return the tags of an XML text, and the one of these types; raise TargetError for none, several, and entities."""
     if "<!DOCTYPE" in text:
         raise TargetError("it declares a document type or entities, which no engineering tool writes")
     if text.count("<") > MOST:
@@ -97,7 +97,7 @@ def numbers(k: int, row: list[str]) -> list[float]:
 
 
 def profile_table(rows: list[list[str]]) -> Table:
-    """Return the polynomials Slave + C0 + C1 d + C2 d² + C3 d³ of a CAM_PROFILE: each 64 bits, high integer, then low."""
+    """Return the polynomials Slave + C0 + C1 d + C2 d² + C3 d³ of a CAM_PROFILE: of 64 bits each, high integer first."""
     words = []
     for k, row in enumerate(rows):
         if len(row) != PROFILE_ROW or not all(re.fullmatch(r"-?[0-9]{1,10}", field) for field in row):

@@ -119,7 +119,7 @@ PARAMETERS = {code: len(one.delivered) for code, one in LAWS.items()}
 
 @lru_cache(maxsize=512)
 def law(code: str, parameters: Rows, lift: float = 1.0, begin: End = REST, end: End = REST) -> Law:
-    """Return the law of a code over a lift between ends; refuses unknown codes, and parameters or ends it cannot have."""
+    """Return the law of a code over a lift between ends; refuses unknown codes, parameters or ends it cannot have."""
     if code == "OWN":
         require(begin == end == REST)
         if any(len(row) != OWN_WIDTH for row in parameters):
