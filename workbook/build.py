@@ -16,11 +16,11 @@ from workbook.judging.matching import Match
 from workbook.judging.order import in_order
 from workbook.judging.report import OK
 from workbook.pool import collector_paused, swept_between
-from workbook.reading.count import Refusal
 from workbook.reading.descriptions import checked, counted, read_machine, require_possible, template_named
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.reading.guard import inspect
+from workbook.reading.rows import Refusal
 from workbook.selection.catalogue_files import Product, read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Products
 from workbook.template import FOLDER

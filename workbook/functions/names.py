@@ -229,7 +229,7 @@ def by_law(text: Callable[[Declared], str], otherwise: str, **more: str) -> str:
 
 
 def tables() -> dict[str, str]:
-    """Return what ``formulas.txt`` names: of each law its parameters, pieces, stages, and the derivatives its ends meet."""
+    """Return what ``formulas.txt`` names: of each law its parameters, pieces, stages, and derivatives its ends meet."""
     stages = "_MOTION.STAGES(_MOTION.SEVEN(code, p), {})"
     return {
         "delivered": by_law(lambda law: array(law.delivered) if law.delivered else "", "0", OWN=array(OWN[0])),

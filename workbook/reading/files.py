@@ -22,10 +22,9 @@ from workbook.errors import ReadError
 from workbook.intake import require_file
 from workbook.reading.cells import fill, saved_values
 from workbook.reading.contents import Cells, Contents, Patterns, entered
-from workbook.reading.count import SAVE_AS
 from workbook.reading.guard import Inspected, guard
 from workbook.reading.package import Bare
-from workbook.reading.rows import LAST_COLUMN, LAST_ROW
+from workbook.reading.rows import LAST_COLUMN, LAST_ROW, SAVE_AS
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name

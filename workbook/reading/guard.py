@@ -12,10 +12,8 @@ from typing import IO, NamedTuple
 from xml.etree.ElementTree import Element
 
 from workbook.errors import ReadError
-from workbook.reading.count import SAVE_AS, Count, Refusal, shown
-from workbook.reading.drawings import Anchor, anchored
-from workbook.reading.package import DRAWING, package, without_points
-from workbook.reading.rows import Rows, tag
+from workbook.reading.package import DRAWING, Anchor, anchored, package, without_points
+from workbook.reading.rows import SAVE_AS, Count, Refusal, Rows, shown, tag
 from workbook.reading.scan import Scan
 
 MEGABYTE = 1_000_000

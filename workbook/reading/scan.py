@@ -8,8 +8,22 @@ from typing import Any
 from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 from xml.parsers import expat
 
-from workbook.reading.count import MOST_DEPTH, MOST_IN_TAG, MOST_LONG, SAVE_AS, Count, Refusal, shown
-from workbook.reading.rows import FREE, MAIN, Rows, corner, refuse_two_texts, tag, text_of
+from workbook.reading.rows import (
+    FREE,
+    MAIN,
+    MOST_DEPTH,
+    MOST_IN_TAG,
+    MOST_LONG,
+    SAVE_AS,
+    Count,
+    Refusal,
+    Rows,
+    corner,
+    refuse_two_texts,
+    shown,
+    tag,
+    text_of,
+)
 
 CHUNK = 65_536  # bytes that are parsed before what they make is looked at
 DATA, ROW, CELL = f"{MAIN}sheetData", f"{MAIN}row", f"{MAIN}c"

@@ -16,9 +16,9 @@ from workbook.book.address import Address, Strip
 from workbook.errors import WitnessError
 from workbook.reading.cells import saved_values
 from workbook.reading.contents import Cells
-from workbook.reading.count import Refusal
 from workbook.reading.files import BookFile, find_places
 from workbook.reading.guard import inspect
+from workbook.reading.rows import Refusal
 
 CYCLE = "#CYCLE!"
 """what a witness has for a cell that computes from itself, or from cells that do: no program shows it"""

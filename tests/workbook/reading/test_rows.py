@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from workbook.reading.count import Count, Refusal
+from workbook.reading.rows import Count, Refusal
 from workbook.reading.scan import Scan
 
 SMALL = (

@@ -25,10 +25,10 @@ from workbook.book.columns import Formulas
 from workbook.book.formula import FormulaError, read
 from workbook.reading.contents import Contents
 from workbook.witnesses.pycel import compiled, shortcuts
+from workbook.witnesses.pycel.compiled import ordered
 from workbook.witnesses.pycel.limits import build_operators
 from workbook.witnesses.pycel.model import Pycel, PycelModel
 from workbook.witnesses.pycel.shortcuts import plain
-from workbook.witnesses.pycel.steps import ordered
 
 SHEET = "Sheet 1"
 

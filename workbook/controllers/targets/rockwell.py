@@ -97,7 +97,7 @@ def numbers(k: int, row: list[str]) -> list[float]:
 
 
 def profile_table(rows: list[list[str]]) -> Table:
-    """Return the polynomials Slave + C0 + C1 d + C2 d² + C3 d³ of a CAM_PROFILE: of 64 bits each, high integer first."""
+    """Return the polynomials Slave + C0 + C1 d + C2 d² + C3 d³ of a CAM_PROFILE: of 64 bits each, high integer, low."""
     words = []
     for k, row in enumerate(rows):
         if len(row) != PROFILE_ROW or not all(re.fullmatch(r"-?[0-9]{1,10}", field) for field in row):

@@ -20,7 +20,7 @@ from workbook.judging.shown import taste
 from workbook.judging.shown.formats import Judged
 from workbook.judging.shown.looks import Seen, Told
 from workbook.reading.contents import Cells
-from workbook.reading.drawings import PIXEL, Anchor
+from workbook.reading.package import PIXEL, Anchor
 from workbook.reading.rows import LAST_ROW, tag
 
 POINT = 12700  # EMU

@@ -1,26 +1,34 @@
-"""Shapes as pycel compiles them, each once."""
+"""Shapes as pycel compiles them, each once, and what an evaluation makes of them: formulas called, ranges filled."""
 
 import ast
 import importlib
 import keyword
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from functools import lru_cache
+from graphlib import CycleError, TopologicalSorter
 from typing import Any, NamedTuple
 
+import numpy as np
 from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
+from pycel.excelutil import EMPTY, list_like
 from pycel.lib.function_helpers import load_functions
 from pycel.lib.function_info import all_excel_functions
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
+from workbook.book.address import Address
 from workbook.book.formula import FormulaError
 from workbook.witnesses.pycel import limits, shortcuts
+from workbook.witnesses.pycel.shortcuts import Range
 
 MODULES = (limits, *(importlib.import_module(name) for name in ExcelFormula.default_modules))
 UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's graph, or a number in the text
 DUMMY = re.compile(r"A[0-9]+(:B[0-9]+)?")
 ADDRESS_ASKED = re.compile(r'_REF_\("(.*?)"\)')
-
+LONGEST_TEXT = 32_767  # characters that a cell can hold
+LARGEST_EXACT = 2**53  # whole numbers beyond are not exact in a cell
 arguments: dict[str, Any] = {}  # what the dummies of the shape under evaluation stand for
 _space: dict[str, Any] = {
     "__builtins__": {},
@@ -132,3 +140,88 @@ def _compiled(shape: str) -> Compiled:
     exec(code, _space)  # noqa: S102 - what pycel made of a shape: check() let no word of the file's own pass
     dummies = tuple(match[0] for match in DUMMY.finditer(shape))
     return Compiled(made[0], dummies, frozenset(ADDRESS_ASKED.findall(formula.python_code)))
+
+
+class FormulaStep(NamedTuple):
+    """One formula cell: its shape, and the numbers of the cells, ranges and texts that this is called with."""
+
+    compiled: Compiled
+    sources: Sequence[int]
+
+    def compute(self, values: list[Any]) -> Any:
+        """Return what the cell holds; raise what pycel raises, and OverflowError for what no cell can hold."""
+        arguments.update(zip(self.compiled.dummies, map(values.__getitem__, self.sources), strict=True))
+        return held(self.compiled.call())
+
+
+class RangeStep(NamedTuple):
+    """One range: the numbers of its cells, row by row."""
+
+    sources: Sequence[int]
+    width: int
+
+    def compute(self, values: list[Any]) -> Range:
+        """Return the range as pycel's functions take it."""
+        cells = map(values.__getitem__, self.sources)
+        return Range(zip(*[cells] * self.width, strict=True))
+
+
+def held(result: Any) -> Any:
+    """Return a result as a cell holds it: 0 for nothing, of an array its first element."""
+    kind = type(result)
+    if kind is float:
+        if math.isfinite(result):
+            return result
+        raise OverflowError
+    if kind is int:
+        return result if abs(result) <= LARGEST_EXACT else float(result)
+    if result is None or result == EMPTY:
+        return 0
+    if kind is str:
+        return result if len(result) <= LONGEST_TEXT else "#VALUE!"
+    if kind is bool:
+        return result
+    return held(result[0]) if list_like(result) else held(result.item())
+
+
+class Numbering:
+    """Gives numbers from 1; ``values`` holds what each begins with, and None, the empty cell of ranges, at 0."""
+
+    def __init__(self) -> None:
+        self.values: list[Any] = [None]
+        self.cells: dict[int, Address] = {}
+        self._columns: dict[tuple[str, int], dict[int, int]] = {}
+        self._others: dict[Hashable, int] = {}
+
+    def column(self, sheet: str, column: int) -> dict[int, int]:
+        """Return the numbers of a column's cells, by row; it grows with them."""
+        return self._columns.setdefault((sheet, column), {})
+
+    def cell(self, address: Address, value: Any = None) -> int:
+        """Return the number of a cell; a new one, with ``value``, for what has none."""
+        number = self.column(address.sheet, address.column).setdefault(address.row, len(self.values))
+        if number == len(self.values):
+            self.values.append(value)
+            self.cells[number] = address
+        return number
+
+    def other(self, key: Hashable, value: Any = None) -> int:
+        """Return the number of a range or text; a new one, with ``value``, for what has none."""
+        number = self._others.setdefault(key, len(self.values))
+        if number == len(self.values):
+            self.values.append(value)
+        return number
+
+
+def ordered(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[int, int]]:
+    """Return keys so that each follows those keys that it needs; for each in a cycle, one that it needs there."""
+    cyclic: dict[int, int] = {}
+    try:
+        order = list(TopologicalSorter(needs).static_order())
+    except CycleError:
+        ends = np.array([(key, need) for key, found in needs.items() for need in found])
+        size = 1 + ends.max()
+        parts = connected_components(coo_array((ends[:, 0] + 1, ends.T), (size, size)), connection="strong")[1]
+        cyclic = dict(ends[parts[ends[:, 0]] == parts[ends[:, 1]]].tolist())
+        order = list(TopologicalSorter(needs | dict.fromkeys(cyclic, ())).static_order())
+    return [key for key in order if key in needs], cyclic

@@ -18,9 +18,8 @@ from workbook.book.columns import Moved
 from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.reading.contents import Cells, Contents, entered
 from workbook.reading.files import BookFile
-from workbook.witnesses.pycel.compiled import compiled
+from workbook.witnesses.pycel.compiled import FormulaStep, Numbering, RangeStep, compiled, ordered
 from workbook.witnesses.pycel.limits import Crossed
-from workbook.witnesses.pycel.steps import FormulaStep, Numbering, RangeStep, ordered
 from workbook.witnesses.witness import CYCLE, CellWitness, Model
 
 PLAIN = frozenset((float, int, str, bool, type(None)))
