@@ -100,15 +100,12 @@ SAME = 1e-12  # of the cycle: edges so near to each other are one
 
 
 class Differing(NamedTuple):
-    """The edges of the switch that is meant, how far an edge is off at most, and where; for how long states differ.
+    """How two switches differ, in units of the cycle."""
 
-    Without an edge of its kind on the other side, an edge is off by infinity. All in units of the cycle.
-    """
-
-    edges: int
-    largest: float
-    x: float
-    duration: float
+    edges: int  # of the switch that is meant
+    largest: float  # how far one is off at most; infinite without one of its kind on the other side
+    x: float  # where
+    duration: float  # for how long states differ
 
 
 def differing(meant: Switch, found: Switch) -> Differing:

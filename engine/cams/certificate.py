@@ -88,15 +88,11 @@ class Deviation(NamedTuple):
 
 @dataclass(frozen=True)
 class Certificate:
-    """How far a rebuilt motion is from the one meant: of y, y', y'' and y''' the largest deviation over the cycle.
+    """How far a rebuilt motion is from the one meant, of y, y', y'' and y''' over the cycle."""
 
-    ``jumps`` are the largest between two pieces that rebuilding adds to y, y' and y'', ``closure`` what the end of the
-    cycle fails to meet its begin by in these, beyond what the motion does.
-    """
-
-    deviations: tuple[Deviation, ...]
-    jumps: tuple[float, ...]
-    closure: tuple[float, ...]
+    deviations: tuple[Deviation, ...]  # the largest of each
+    jumps: tuple[float, ...]  # the largest between two pieces that rebuilding adds, of y, y' and y''
+    closure: tuple[float, ...]  # what its end fails to meet its begin by in these, beyond the motion's own
 
 
 def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:

@@ -24,21 +24,17 @@ SEAM = 1e-2  # of the fastest: so alike are begin and end of a cycle that goes o
 
 
 class Points(NamedTuple):
-    """A table: x, y, where it has them y' and y'', and the precision of y.
-
-    ``begins`` and ``ends`` say whether it begins and ends on the way, and meets nothing there; what keeps to no law is
-    ``thinned`` to a spline that is no farther from it. ``seam`` is y' and y'' where the cycle goes on as it began.
-    """
+    """A table of points, which may begin or end on the way."""
 
     x: Array
     y: Array
-    v: Array | None
-    a: Array | None
-    precision: float
-    begins: bool = False
-    ends: bool = False
-    thinned: float = 0.0
-    seam: tuple[float, float] | None = None
+    v: Array | None  # y', where the table has it
+    a: Array | None  # y'', likewise
+    precision: float  # of y
+    begins: bool = False  # on the way: it meets nothing there
+    ends: bool = False  # likewise
+    thinned: float = 0.0  # how far a spline may be from what keeps to no law
+    seam: tuple[float, float] | None = None  # y' and y'' where the cycle goes on as it began
 
 
 def precision(y: Array) -> float:
@@ -107,19 +103,16 @@ MOST_PHASES = 20
 
 @dataclass(frozen=True)
 class Found:
-    """A phase that was found: a law from x to x and from y by a lift, and how far the table is from it at most.
-
-    It is ``known`` if it is a law of the registry, and no spline through the points; ``fits`` if it does at all.
-    """
+    """A phase that was found: a law from x to x and from y by a lift."""
 
     law: Law
     begin: float
     end: float
     y: float
     lift: float
-    residual: float = 0.0
-    fits: bool = True
-    known: bool = True
+    residual: float = 0.0  # how far the table is from it at most
+    fits: bool = True  # whether it keeps to the table at all
+    known: bool = True  # a law of the registry, and no spline through the points
 
     @property
     def scale(self) -> float:

@@ -67,18 +67,13 @@ class Stage:
 
 @dataclass(frozen=True)
 class Part:
-    """Equal parts that turn with a shaft: ``count`` of them, each of the ``inertia`` J (kg m²), both 0 or more.
-
-    ``shaft`` is how many stages are between the motor and it: 0 is the motor's. J is in kg at the output of a stage
-    that makes travel. ``speed_ratio`` is ω_i/ω of that shaft, for parts that are geared to it: n1/n2 of its teeth
-    (S1: τ_g = 90/45). Raises ValueError for a negative count or inertia.
-    """
+    """Equal parts that turn with a shaft. Raises ValueError for a negative count or inertia."""
 
     name: str
-    inertia: float
-    shaft: int = 0
-    count: float = 1.0
-    speed_ratio: float = 1.0
+    inertia: float  # J of each (kg m²; kg behind a stage that makes travel)
+    shaft: int = 0  # how many stages are between the motor and it: 0 is the motor's
+    count: float = 1.0  # 0 or more
+    speed_ratio: float = 1.0  # ω_i/ω of parts geared to that shaft, n1/n2 of its teeth (S1: τ_g = 90/45)
 
     def __post_init__(self) -> None:
         require_not_negative(self.name, inertia=self.inertia, count=self.count)
@@ -97,15 +92,11 @@ class Part:
 
 @dataclass(frozen=True)
 class Load:
-    """What hangs on a shaft: its ``inertia`` (kg m², or kg), 0 or more.
+    """What hangs on a shaft. Raises ValueError for a negative inertia."""
 
-    ``torque`` (Nm, or N) acts against positive motion always, also at rest, like a weight. ``friction`` (Nm, or N)
-    opposes the motion (or, below 0, helps it on) and is zero at standstill. Raises ValueError for a negative inertia.
-    """
-
-    inertia: float
-    torque: float = 0.0
-    friction: float = 0.0
+    inertia: float  # kg m², or kg
+    torque: float = 0.0  # Nm, or N: against positive motion always, also at rest, like a weight
+    friction: float = 0.0  # Nm, or N: opposes the motion (below 0 helps it on); 0 at standstill
 
     def __post_init__(self) -> None:
         require_finite(torque=self.torque, friction=self.friction)
@@ -222,17 +213,13 @@ Resists = Literal["always", "moving"]
 
 @dataclass(frozen=True)
 class Slide:
-    """A ``mass`` (kg) on a guide, with the coefficient of ``friction`` μ, both 0 or more.
+    """A mass on a guide. Raises ValueError for a figure outside the limits beside it."""
 
-    ``slope`` (rad) is the guide's, rising with positive travel, within a right angle either way; ``force`` (N) acts
-    against positive travel, always; ``gravity`` is g (m/s²). Raises ValueError for a figure outside these limits.
-    """
-
-    mass: float
-    friction: float = 0.0
-    slope: float = 0.0
-    force: float = 0.0
-    gravity: float = GRAVITY
+    mass: float  # kg, 0 or more
+    friction: float = 0.0  # its coefficient μ, 0 or more
+    slope: float = 0.0  # rad; rises with positive travel, within ±π/2
+    force: float = 0.0  # N, against positive travel, always
+    gravity: float = GRAVITY  # g (m/s²), 0 or more
 
     def __post_init__(self) -> None:
         require_not_negative("load", mass=self.mass, friction=self.friction, gravity=self.gravity)

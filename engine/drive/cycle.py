@@ -21,21 +21,17 @@ NODES = 32  # parts of an interval, and of each half turn of its sines, in which
 
 @dataclass(frozen=True)
 class TorqueInterval:
-    """A part of a piece in which direction, process force and the way of power through every stage stay as they are.
-
-    u runs from ``low`` to ``high``, from the piece's begin, in units of the motion; ``speed`` is that of the abscissa
-    (1/s). ``weights`` are those of each shaft from the motor's, which is ``braked`` where a brake holds it.
-    """
+    """A part of a piece in which direction, process force and the way of power through every stage stay as they are."""
 
     train: Train
     piece: MotionPiece
-    speed: float
-    low: float
-    high: float
-    direction: float
+    speed: float  # of the abscissa (1/s)
+    low: float  # u of its begin, from that of the piece, in units of the motion
+    high: float  # and of its end
+    direction: float  # 1, −1, or 0 at rest
     force: Force
-    weights: tuple[Weights, ...]
-    braked: bool = False
+    weights: tuple[Weights, ...]  # of each shaft from the motor's
+    braked: bool = False  # whether a brake holds the motor's shaft
 
     @property
     def nodes(self) -> int:
@@ -223,7 +219,7 @@ class DriveCycle:
                 continue
             stage = self.train.drive.mechanism.stages[shaft - 1]
             behind = here.torque(np.array([0.5 * (low + high)]), shaft)
-            factor = float(stage.factor(behind, span.direction, self.train.method, 0.0)[0])
+            factor = float(stage.factor(behind, span.direction, self.train.drive.method, 0.0)[0])
             yield from self._through(part, [*factors[: shaft - 1], factor, *factors[shaft:]], shaft - 1)
 
     def _interval(self, span: Span, factors: Sequence[float]) -> TorqueInterval:

@@ -37,16 +37,13 @@ def between(points: Array, places: Array, near: float) -> Between:
 
 
 class Peak(NamedTuple):
-    """The first largest of a quantity at points: where (counted from 0), there and beside it, and the parabola's top.
+    """The first largest of a quantity at points."""
 
-    ``before`` and ``after`` are how far its neighbours are; 0 where it is at an end of an interval.
-    """
-
-    at: int
-    values: tuple[float, float, float]
-    before: float
-    after: float
-    top: float
+    at: int  # where, counted from 0
+    values: tuple[float, float, float]  # before it, there and after it
+    before: float  # how far its neighbour is; 0 where it is at an end of an interval
+    after: float  # likewise
+    top: float  # of the parabola through it and its neighbours
 
 
 def peak(values: Array, place: Array) -> Peak:
@@ -170,15 +167,12 @@ def squares(points: DrivePoints) -> tuple[float, float, float]:
 
 
 class Line(NamedTuple):
-    """The continuous torque against the rate: at no speed, its fall to the present mean speed (Nm); see :func:`by_rms`.
+    """The continuous torque against the rate, a straight line; see :func:`by_rms`."""
 
-    ``near`` is the rate over the present one at which the fall is exact, ``half`` half of x's coefficient (Nm²).
-    """
-
-    stall: float
-    fall: float
-    near: float
-    half: float
+    stall: float  # at no speed (Nm)
+    fall: float  # to the present mean speed (Nm)
+    near: float  # rate over the present one at which the fall is exact
+    half: float  # half of x's coefficient (Nm²)
 
 
 def line(points: DrivePoints, motor: Motor) -> Line:

@@ -21,17 +21,12 @@ NEAR = 1e-9  # by which share a rate may be above another and count as the same
 
 @dataclass(frozen=True)
 class ReducerLimits:
-    """Largest peak and mean torque (Nm) behind the first stage, and largest speed before it (rad/s).
+    """Limits of a reducer, infinite where none is given. Raises ValueError for one not above 0, or a factor below 1."""
 
-    The peak torque holds up to ``full_rate`` cycles (1/s), beyond over ``cycle_factor``. The mean is the cubic one,
-    weighted by speed (:meth:`engine.drive.results.DriveResults.mean_shaft_torque`). No limit is given by infinity.
-    Raises ValueError for a limit that is not above 0, or a factor below 1.
-    """
-
-    peak_torque: float = math.inf
-    mean_torque: float = math.inf
-    input_speed: float = math.inf
-    full_rate: float = math.inf
+    peak_torque: float = math.inf  # behind the first stage (Nm), up to ``full_rate``; beyond over ``cycle_factor``
+    mean_torque: float = math.inf  # the cubic one, weighted by speed (Nm)
+    input_speed: float = math.inf  # rad/s, before the first stage
+    full_rate: float = math.inf  # cycles (1/s)
     cycle_factor: float = 1.0
 
     def __post_init__(self) -> None:
@@ -103,9 +98,9 @@ class LimitChecks:
         return all(check.ok for check in self.checks)
 
     @property
-    def worst(self) -> LimitCheck | None:
-        """The check whose limit is used most; None without any limit."""
-        return max(self.checks, key=lambda check: check.use, default=None)
+    def worst(self) -> LimitCheck:
+        """The check whose limit is used most; one of no name without any limit."""
+        return max(self.checks, key=lambda check: check.use, default=LimitCheck("", 0.0, math.inf))
 
     @cached_property
     def continuous(self) -> float:
@@ -138,15 +133,11 @@ CLOSE = 1e-10  # of the rate: how near to the highest rate is near enough
 
 
 class HighestRate(NamedTuple):
-    """The highest speed of the abscissa (1/s) at which every check holds, and the axis and the limit that bind there.
+    """The highest speed of the abscissa at which every check holds, and what binds there."""
 
-    0 where one does not even hold at a millionth of the speed asked about; infinite, with no name, where none binds
-    up to a million times.
-    """
-
-    speed: float
-    axis: str
-    limit: str
+    speed: float  # 1/s; 0 where one fails at a millionth of that asked about, infinite where none does at a million
+    axis: str  # that binds
+    limit: str  # that binds; no name where none does
 
 
 def highest_rate(axes: Mapping[str, LimitChecks]) -> HighestRate:
@@ -166,23 +157,15 @@ def of_axis(checks: LimitChecks) -> tuple[float, str]:
     while at_speed(checks, way * known).ok == checks.ok:
         known *= way
         if not 1.0 / FAR < known / speed < FAR:
-            return (math.inf, "") if checks.ok else (0.0, named(at_speed(checks, known)))
+            return (math.inf, "") if checks.ok else (0.0, at_speed(checks, known).worst.name)
     from scipy.optimize import brentq  # slow to import, and most commands need no highest rate
 
-    met = brentq(lambda rate: over(at_speed(checks, rate)), *sorted((known, way * known)), rtol=CLOSE)
-    return met * (1.0 - 2.0 * CLOSE), named(at_speed(checks, met * (1.0 + 2.0 * CLOSE)))
+    met = brentq(
+        lambda rate: min(at_speed(checks, rate).worst.use, 2.0) - 1.0, *sorted((known, way * known)), rtol=CLOSE
+    )
+    return met * (1.0 - 2.0 * CLOSE), at_speed(checks, met * (1.0 + 2.0 * CLOSE)).worst.name
 
 
 def at_speed(checks: LimitChecks, speed: float) -> LimitChecks:
     """Return the same cycle and limits at another speed of the abscissa."""
     return LimitChecks(replace(checks.drive_cycle, speed=speed), checks.limits)
-
-
-def named(checks: LimitChecks) -> str:
-    """Return the name of the limit that is used most; nothing without any limit."""
-    return checks.worst.name if checks.worst else ""
-
-
-def over(checks: LimitChecks) -> float:
-    """Return by how much the most used limit is overstepped, as a share of it: below 0 where all hold."""
-    return min(checks.worst.use, 2.0) - 1.0 if checks.worst else -1.0

@@ -55,19 +55,14 @@ the peak torque change their slope, the lower first, 3: the largest); above or b
 
 @dataclass(frozen=True)
 class Motor:
-    """A motor by its ``inertia`` (kg m², 0 or more) and its limits; no limit is given by infinity.
+    """A motor and its limits, infinite where none is given. Raises ValueError for a limit not above 0."""
 
-    ``rated_torque`` (Nm) is given continuously at ``rated_speed`` (rad/s), ``stall_torque`` (Nm) at standstill: it
-    counts where it is larger. ``peak_torque`` (Nm) is the largest for a short time, ``max_speed`` (rad/s) the largest
-    speed. Raises ValueError for a negative inertia or a limit that is not above 0.
-    """
-
-    inertia: float
-    rated_torque: float = math.inf
-    peak_torque: float = math.inf
-    max_speed: float = math.inf
-    stall_torque: float = 0.0
-    rated_speed: float = math.inf
+    inertia: float  # kg m²
+    rated_torque: float = math.inf  # Nm, given continuously at the rated speed
+    peak_torque: float = math.inf  # Nm, for a short time
+    max_speed: float = math.inf  # rad/s
+    stall_torque: float = 0.0  # Nm, continuously at standstill; it counts where it is larger
+    rated_speed: float = math.inf  # rad/s
 
     def __post_init__(self) -> None:
         require_not_negative("motor", inertia=self.inertia)

@@ -39,26 +39,20 @@ class Interval(NamedTuple):
 
 @dataclass(frozen=True)
 class LoadPoints:
-    """A load and the mechanism's shaft at the points of a cycle: arrays of intervals by points.
-
-    ``velocity`` and ``acceleration`` are those of the load (m or rad, per s), ``direction`` 1, −1 or 0 at rest;
-    ``steady`` and ``friction`` (N or Nm) resist always, and against motion; ``first`` and ``second`` are φ' and φ'' of
-    the mechanism; ``share`` is what a point counts in a mean over the cycle; ``position`` counts in m or rad;
-    ``dwell`` is the time (s) of the dwell that it belongs to, 0 where it moves.
-    """
+    """A load and the mechanism's shaft at the points of a cycle: arrays of intervals by points."""
 
     train: Train
     x: Array
-    position: Array
-    velocity: Array
-    acceleration: Array
-    direction: Array
-    steady: Array
-    friction: Array
-    first: Array
-    second: Array
-    share: Array
-    dwell: Array
+    position: Array  # of the load (m or rad)
+    velocity: Array  # of the load (m or rad, per s)
+    acceleration: Array  # of the load (per s²)
+    direction: Array  # 1, −1, or 0 at rest
+    steady: Array  # resists always (N or Nm)
+    friction: Array  # resists motion (N or Nm)
+    first: Array  # φ' of the mechanism
+    second: Array  # φ''
+    share: Array  # what a point counts in a mean over the cycle
+    dwell: Array  # time (s) of the dwell that it belongs to; 0 where it moves
 
     @property
     def resisting(self) -> Array:
@@ -120,7 +114,7 @@ class LoadPoints:
     def _through(self, stage: int, torque: Array) -> Array:
         """Return a torque behind a stage times its factor of losses."""
         one = self.train.drive.mechanism.stages[stage]
-        return one.factor(torque, self.direction, self.train.method, 0.0) * torque
+        return one.factor(torque, self.direction, self.train.drive.method, 0.0) * torque
 
     def at_motor(self, behind: Array) -> Array:
         """Return a torque behind the reducer at the motor's shaft (Nm), f S/i."""

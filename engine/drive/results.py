@@ -111,10 +111,14 @@ class DriveResults:
         return math.fsum(integral(*one, scale) for one in each)
 
     def _bounds(self, of: OfInterval, curve: Callable[[TorqueInterval], Curve | None]) -> Bounds:
-        """Return the extremes of a quantity, which is a curve over u in each interval or is searched."""
+        """Return the extremes of a quantity: at ends of intervals, where its curve over u is level, or by a search."""
         ends = []
         for one in self.drive_cycle.torque_intervals:
-            u = _candidates(one, of, curve(one))
+            if (over := curve(one)) is None:
+                inner = [found.x for found in extremes(partial(of, one), one.low, one.high, one.nodes)]
+            else:
+                inner = [u for u in zeros(over.derivative(), one.piece.duration) if one.low < u < one.high]
+            u = np.array([one.low, *inner, one.high])
             values = of(one, u)
             for k in (int(values.argmin()), int(values.argmax())):
                 ends.append(Extreme(float(values[k]), one.piece.phase, one.piece.begin + float(u[k])))
@@ -123,15 +127,6 @@ class DriveResults:
 
 def _turning(one: TorqueInterval, u: Array) -> Array:
     return np.abs(one.motor_speed(u))
-
-
-def _candidates(one: TorqueInterval, of: OfInterval, curve: Curve | None) -> Array:
-    """Return where a quantity can be largest: at the ends and where the slope of its curve is 0, or by a search."""
-    if curve is None:
-        inner = [found.x for found in extremes(partial(of, one), one.low, one.high, one.nodes)]
-    else:
-        inner = [u for u in zeros(curve.derivative(), one.piece.duration) if one.low < u < one.high]
-    return np.array([one.low, *inner, one.high])
 
 
 class Means(NamedTuple):

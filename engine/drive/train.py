@@ -19,14 +19,10 @@ SAME = 1e-9  # s; a dwell that is shorter than the brake's time by less is as lo
 
 @dataclass(frozen=True)
 class Brake:
-    """A brake that holds the motor's shaft in dwells, with a torque (Nm) that is above 0.
+    """A brake that holds the motor's shaft in dwells. Raises ValueError for a figure outside the limits beside it."""
 
-    ``time`` (s, 0 or more) is what it takes to close and to open; the motor holds in a shorter dwell.
-    Raises ValueError for a figure outside these limits.
-    """
-
-    torque: float = math.inf
-    time: float = 0.0
+    torque: float = math.inf  # Nm, above 0
+    time: float = 0.0  # s, 0 or more, to close and to open; the motor holds in a shorter dwell
 
     def __post_init__(self) -> None:
         if not self.torque > 0.0:
@@ -98,16 +94,12 @@ def dwell_times(durations: Array, direction: Array) -> Array:
 
 @dataclass(frozen=True)
 class Window:
-    """A process force (N, or Nm) at the load from one place of the cycle to another, in units of its abscissa.
+    """A process force at the load over part of the cycle. Source: S1, 'Feeding group', F_r."""
 
-    It resists ``always`` in one direction, also at rest, or ``moving``: it opposes the motion. A window whose end
-    is not behind its begin runs across the end of the cycle. Source: S1, 'Feeding group', F_r.
-    """
-
-    begin: float
-    end: float
-    force: float
-    resists: Resists = "always"
+    begin: float  # in units of the abscissa
+    end: float  # likewise; not behind the begin, it runs across the end of the cycle
+    force: float  # N, or Nm
+    resists: Resists = "always"  # in one direction, also at rest, or against the motion
 
     def __post_init__(self) -> None:
         require_finite(begin=self.begin, end=self.end, force=self.force)
@@ -167,18 +159,13 @@ class Weights(NamedTuple):
 
 @dataclass(frozen=True)
 class Train:
-    """A drive, and what it does not know of itself: a ratio that depends on position, and the rest of the load.
-
-    ``linkage`` takes the place of the last stage's ratio, which is then 1 (its efficiency counts). ``viscous`` is a
-    resistance in N per m/s (Nm per rad/s). ``by_angle`` is what a load does that follows the angle of its axis.
-    Raises ValueError for a negative viscous friction, or a last stage whose ratio is not 1 where there is a linkage.
-    """
+    """A drive, and what it does not know of itself. Raises ValueError for what cannot be."""
 
     drive: Drive
-    linkage: Linkage | None = None
-    viscous: float = 0.0
+    linkage: Linkage | None = None  # takes the place of the last stage's ratio, which is then 1 (its efficiency counts)
+    viscous: float = 0.0  # resistance (N per m/s, or Nm per rad/s), 0 or more
     windows: tuple[Window, ...] = field(default=())
-    by_angle: ByAngle | None = None
+    by_angle: ByAngle | None = None  # what a load does that follows the angle of its axis
 
     def __post_init__(self) -> None:
         require_not_negative("load", viscous=self.viscous)
@@ -186,11 +173,6 @@ class Train:
         last = self.drive.mechanism.stages[-1]
         if self.linkage and last.ratio != 1.0:
             raise ValueError(f"{last.name}: ratio is {last.ratio:g} before a {self.linkage.name}; expected 1")
-
-    @property
-    def method(self) -> Method:
-        """How losses are counted."""
-        return self.drive.method
 
     def shaft(self, load: Motion3, within: float | None = None) -> ShaftMotion:
         """Return the motion of the mechanism's own shaft, φ̇ = φ' ẏ, φ̈ = φ'' ẏ² + φ' ÿ, as :meth:`Linkage.shaft`."""

@@ -97,21 +97,16 @@ Rates = tuple[float, ...]  # v, a, j
 
 
 class Meeting(NamedTuple):
-    """The begin of a piece of a law, or of the rest behind it: rates there and at its end, and what jumps.
+    """The begin of a piece of a law, or of the rest behind it."""
 
-    ``angles`` are the ωd + φ of both sines at its end, after its duration d. ``before`` counts, from 1, the last piece
-    before that lasts; 0 is rest. ``order`` is the highest derivative of s that is continuous there, up to
-    3; of a piece that does not last, 3. ``outer`` tells the law's ends from what is between them.
-    """
-
-    duration: float
-    angles: tuple[float, float]
-    begin: Rates
-    end: Rates
-    before: int
-    jump: Rates
-    order: int
-    outer: bool
+    duration: float  # d, of the piece
+    angles: tuple[float, float]  # ωd + φ of both sines, at its end
+    begin: Rates  # rates there
+    end: Rates  # and at its end
+    before: int  # the last piece before it that lasts, from 1; 0 is rest
+    jump: Rates  # of the rates
+    order: int  # the highest continuous derivative of s, up to 3; 3 of a piece that does not last
+    outer: bool  # at an end of the law
 
 
 def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:

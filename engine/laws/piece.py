@@ -102,12 +102,6 @@ def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Arr
     return s, v, a, j
 
 
-def gains_at(piece: Piece, u: float) -> tuple[float, float]:
-    """Return ∬a and ∫a of a piece from its begin to one u."""
-    s, v, _, _ = gains(np.array([u]), np.array(piece.row)[:, None])
-    return float(s[0]), float(v[0])
-
-
 class Carried(NamedTuple):
     """A piece at its place in a law: its begin ξ_k, s_k and v_k there, and what s and v gain over it.
 
@@ -146,7 +140,7 @@ def carried(pieces: Sequence[Piece], v: float = 0.0) -> list[Carried]:
     """Return pieces one after the other, from s = 0 with a velocity, with s and v at their begins."""
     found, s = [], 0.0
     for piece, begin in zip(pieces, begins(pieces), strict=False):  # of no pieces, none
-        gained, dv = gains_at(piece, piece.duration)
+        gained, dv, _, _ = (one.item() for one in gains(np.array([piece.duration]), np.array(piece.row)[:, None]))
         found.append(Carried(piece, begin, s, v, v * piece.duration + gained, dv))
         s, v = s + found[-1].ds, v + dv
     return found

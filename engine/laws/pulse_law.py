@@ -37,39 +37,33 @@ class Pulse:
         return (last.s + last.ds) / self.gain
 
 
-def _edged(stages: Callable[[float, float, float], tuple[Piece, ...]], shares: tuple[float, float, float]) -> Pulse:
-    """Return a pulse of three stages: an edge up, a constant, an edge down; backwards it has these exchanged."""
-    if not (min(shares) >= 0.0 and abs(sum(shares) - 1.0) <= SUM_TOLERANCE):
-        raise ValueError(f"the shares of a pulse are {shares}; expected three, none negative, of sum 1")
-    return Pulse(stages(*shares), stages(*shares[::-1]))
-
-
 def sine_edged(rise: float, flat: float, fall: float) -> Pulse:
     """Return sin(πx/2d1), 1, cos(πx/2d3), each from the begin of its stage.
 
     Raises ValueError unless the shares are 0 or more and sum to 1.
     Source: S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'.
     """
-    return _edged(_sines, (rise, flat, fall))
-
-
-def _sines(rise: float, flat: float, fall: float) -> tuple[Piece, ...]:
-    """Return a quarter sine, a constant, a quarter cosine."""
-    up, down = (QUARTER / d if d > 0.0 else 0.0 for d in (rise, fall))
-    level = Piece(flat, (1.0, 0.0, 0.0, 0.0))
-    return Piece(rise, amplitude=1.0, omega=up), level, Piece(fall, amplitude=1.0, omega=down, phase=QUARTER)
+    return _edged((rise, flat, fall), sine=True)
 
 
 def linear_edged(rise: float, flat: float, fall: float) -> Pulse:
     """Return x/t1, 1, 1 − x/t3 from the begin of each stage: a ramp with limited jerk; see :func:`sine_edged`."""
-    return _edged(_lines, (rise, flat, fall))
+    return _edged((rise, flat, fall), sine=False)
 
 
-def _lines(rise: float, flat: float, fall: float) -> tuple[Piece, ...]:
-    """Return a line up, a constant, a line down."""
-    up, down = (1.0 / d if d > 0.0 else 0.0 for d in (rise, fall))
-    coefficients = (0.0, up, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0), (1.0, -down, 0.0, 0.0)
-    return tuple(Piece(d, c) for d, c in zip((rise, flat, fall), coefficients, strict=True))
+def _edged(shares: tuple[float, float, float], sine: bool) -> Pulse:
+    """Return a pulse of an edge up, a constant, an edge down; backwards it has these exchanged."""
+    if not (min(shares) >= 0.0 and abs(sum(shares) - 1.0) <= SUM_TOLERANCE):
+        raise ValueError(f"the shares of a pulse are {shares}; expected three, none negative, of sum 1")
+    return Pulse(_stages(*shares, sine), _stages(*shares[::-1], sine))
+
+
+def _stages(rise: float, flat: float, fall: float, sine: bool) -> tuple[Piece, ...]:
+    up, down = ((QUARTER if sine else 1.0) / d if d > 0.0 else 0.0 for d in (rise, fall))
+    level = Piece(flat, (1.0, 0.0, 0.0, 0.0))
+    if sine:
+        return Piece(rise, amplitude=1.0, omega=up), level, Piece(fall, amplitude=1.0, omega=down, phase=QUARTER)
+    return Piece(rise, (0.0, up, 0.0, 0.0)), level, Piece(fall, (1.0, -down, 0.0, 0.0))
 
 
 def polynomial_pulse(*c: float) -> Pulse:

@@ -49,26 +49,21 @@ class Fault(NamedTuple):
 
 
 class Side(NamedTuple):
-    """One end of a phase: what it has to meet, whether that is settled, and whether nothing lies beyond."""
+    """One end of a phase."""
 
-    required: Rates
-    settled: bool
-    open: bool
+    required: Rates  # what it has to meet
+    settled: bool  # whether that is settled
+    open: bool  # whether nothing lies beyond
 
 
 @dataclass(frozen=True)
 class Joined:
-    """A motion of phases with the ends that their neighbours and the entries ask for.
-
-    The laws that ``faults`` names are carried out between rests. ``kinds`` are the begin and the end of each phase
-    as VDI 2143 names them: R rest, G constant velocity, U reversal, B general motion. ``asked`` is what each phase is
-    asked for at both ends.
-    """
+    """A motion of phases with the ends that their neighbours and the entries ask for."""
 
     motion: Motion
-    faults: tuple[Fault, ...]
-    kinds: tuple[tuple[str, str], ...]
-    required: tuple[tuple[Side, Side], ...]
+    faults: tuple[Fault, ...]  # their laws are carried out between rests
+    kinds: tuple[tuple[str, str], ...]  # of begin and end, by VDI 2143: R rest, G constant velocity, U reversal, B any
+    required: tuple[tuple[Side, Side], ...]  # what each is asked for
 
 
 def slope(phase: Phase) -> float | None:
@@ -171,20 +166,15 @@ JUMP = 1e-9  # of what a motion's jumps are measured by: a smaller one is roundi
 
 
 class Joint(NamedTuple):
-    """Where a piece of a motion begins: what jumps there, and what it ends with.
-
-    What does not last takes over what is before it: ``lasting`` counts the pieces that last up to here, ``phase`` is
-    the phase of the last of these and ``end`` its rates at its end. ``before`` is the phase of the one before,
-    ``jump`` what jumps, and ``order`` the least derivative that does, of those asked for: 0 where none does.
-    """
+    """Where a piece of a motion begins. What does not last takes over what is before it."""
 
     x: float
-    lasting: int
-    phase: int
-    end: Rates
-    before: int
-    jump: Rates
-    order: int
+    lasting: int  # pieces that last, up to here
+    phase: int  # that of the last of these
+    end: Rates  # its rates at its end
+    before: int  # phase of the one before
+    jump: Rates  # what jumps
+    order: int  # the least derivative asked for that jumps; 0 where none does
 
     @property
     def size(self) -> float:

@@ -20,19 +20,15 @@ from engine.motion.phase import MotionValues
 
 @dataclass(frozen=True)
 class MotionPiece:
-    """y(u) = c0 + c1 u + … + c7 u⁷ + Σ A sin(ωu + φ), two sines, u from ``origin``; it holds from ``begin``.
+    """y(u) = c0 + c1 u + … + c7 u⁷ + Σ A sin(ωu + φ), two sines, in units of the motion."""
 
-    All in units of the motion; ``phase`` and ``number`` say which piece of which phase it is, counted from 0.
-    ``origin`` lies before ``begin`` only where a motion goes on in the middle of a piece.
-    """
-
-    phase: int
-    number: int
-    begin: float
+    phase: int  # counted from 0
+    number: int  # in its phase, counted from 0
+    begin: float  # it holds from here
     duration: float
     c: tuple[float, ...]
     sines: tuple[Sine, ...]
-    origin: float
+    origin: float  # of u: before ``begin`` where a motion goes on in the middle of a piece
 
     def at(self, u: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at u."""
@@ -163,16 +159,12 @@ SAME = 1e-12  # of the cycle: breaks so near to each other are one
 
 @dataclass(frozen=True, eq=False)
 class CamProfile:
-    """y(x) from ``edges[0]`` to ``edges[-1]`` in pieces, n of them: y = Σ c_k u^k + Σ A sin(ωu + φ).
+    """y(x) in n pieces, y = Σ c_k u^k + Σ A sin(ωu + φ); outside its range the first and the last piece go on."""
 
-    ``edges`` are n + 1 places in rising order, ``origins`` n places from which u counts, ``c`` n rows of powers,
-    ``sines`` n rows of sines, each A, ω, φ. Outside its range the first and the last piece go on.
-    """
-
-    edges: Array
-    origins: Array
-    c: Array
-    sines: Array
+    edges: Array  # n + 1 places in rising order
+    origins: Array  # n places from which u counts
+    c: Array  # n rows of powers
+    sines: Array  # n rows of sines, each A, ω, φ
 
     @property
     def total(self) -> float:

@@ -74,7 +74,7 @@ class PointLoad:
     def __post_init__(self) -> None:
         load = self.load
         torque = np.where(load.braked, 0.0, load.output_torque)  # of a brake that holds the motor none reaches it
-        back = gives_back(torque, load.direction, 0.0) & (load.train.method == "physical")
+        back = gives_back(torque, load.direction, 0.0) & (load.train.drive.method == "physical")
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
         each = load.shaft_acceleration, driving, driven, np.abs(load.speed), load.direction
         self.points = Points(*(one.ravel() for one in each))

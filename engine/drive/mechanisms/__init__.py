@@ -22,14 +22,9 @@ class Kind:
     belt: bool = False
 
     def of(
-        self,
-        load: Load,
-        size: float = 1.0,
-        efficiency: float = 1.0,
-        gears: Sequence[Stage] = (),
-        parts: Sequence[Part] = (),
-        belt: float = 0.0,
-    ) -> Mechanism:
+        self, load: Load, size: float = 1.0, efficiency: float = 1.0, gears: Sequence[Stage] = (),
+        parts: Sequence[Part] = (), belt: float = 0.0,
+    ) -> Mechanism:  # fmt: skip
         """Return the mechanism of a load behind gears, ``parts`` on their shafts, and a belt of a mass (kg).
 
         ``size`` and ``efficiency`` are those of the last element. The belt's own weight balances itself; a mechanism

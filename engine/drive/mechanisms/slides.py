@@ -139,19 +139,15 @@ def rocker(
 
 
 class EndPlace(NamedTuple):
-    """A place ``at`` of the slide at which the linkage may lock, at d from the shaft; the lever's end along the line.
+    """A place of the slide at which the linkage may lock."""
 
-    ``rest`` is its square, less than 0 where it is none. x is that place, or that of y = 0 where the linkage does not
-    lock; ``below`` and ``above`` are x, or far off where x is on the other side.
-    """
-
-    rest: float
-    at: float
-    d: float
-    along: float
-    x: float
-    below: float
-    above: float
+    rest: float  # square of the place; less than 0 where it is none
+    at: float  # the place
+    d: float  # its distance from the shaft
+    along: float  # of the lever's end, along the line
+    x: float  # that place, or that of y = 0 where the linkage does not lock
+    below: float  # x, or far off where x is above y = 0
+    above: float  # x, or far off where x is below
     name: str
 
 

@@ -91,17 +91,14 @@ def near_end(linkage: Linkage) -> float:
 
 
 class Parabolas(NamedTuple):
-    """The parabolas through points: y' and y'' by φ, φ'' by y, the widths of the parts beside, the flatter chord Δφ/Δy.
+    """The parabolas through points and their neighbours."""
 
-    ``calm`` says whether Bernstein's coefficients of both parts rise with that slope and curvature.
-    """
-
-    slope: Array
-    bend: Array
-    second: Array
-    widths: tuple[Array, Array]
-    flat: Array
-    calm: NDArray[np.bool_]
+    slope: Array  # y' by φ
+    bend: Array  # y''
+    second: Array  # φ'' by y
+    widths: tuple[Array, Array]  # of the parts beside
+    flat: Array  # the flatter chord Δφ/Δy beside
+    calm: NDArray[np.bool_]  # whether Bernstein's coefficients of both parts rise with that slope and curvature
 
     @classmethod
     def of(cls, angle: Array, y: Array) -> "Parabolas":

@@ -248,7 +248,7 @@ def test_losses_are_what_the_motor_gives_more(request, number):
             behind = np.linspace(stretch.low, stretch.high, 3001)
             ratio = stage_speed(stretch, k + 1, behind)
             through = stretch.torque(behind, k + 1) * ratio
-            if one.train.method == "document":
+            if one.train.drive.method == "document":
                 loss = through * (1 / stage.efficiency - 1)
             else:
                 loss = np.where(through > 0, through * (1 / stage.efficiency - 1), through * (stage.efficiency - 1))
@@ -257,7 +257,7 @@ def test_losses_are_what_the_motor_gives_more(request, number):
     found = DriveResults(one).energy
     most = found.driving + found.regenerated
     assert found.net == pytest.approx(friction_work(one) + lost, rel=1e-7, abs=1e-7 * most)
-    if one.train.method == "physical":
+    if one.train.drive.method == "physical":
         assert lost >= -1e-9 * most
 
 
