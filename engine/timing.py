@@ -43,14 +43,10 @@ def turn_time(rate: float) -> float:
 
 @dataclass(frozen=True)
 class Switch:
-    """A lane that is on or off over the cycle: a cylinder, a valve, a sensor, a cam switch.
-
-    ``on`` holds begin and end of each time it is on; an end before its begin lies in the next cycle. Raises ValueError
-    for an edge outside the cycle, or a time that begins where one before it is not over.
-    """
+    """A lane that is on or off over the cycle: a cylinder, a valve. Raises ValueError for times that overlap."""
 
     name: str
-    on: tuple[tuple[float, float], ...]
+    on: tuple[tuple[float, float], ...]  # begin and end of each time; an end before its begin is in the next cycle
     cycle: float = FULL_TURN
 
     def __post_init__(self) -> None:

@@ -30,17 +30,12 @@ def held_factor(efficiency: float, back_efficiency: float) -> float:
 
 @dataclass(frozen=True)
 class Stage:
-    """A transmission: the ``ratio`` of the speed at its input to that at its output, and its ``efficiency``.
-
-    The ratio is above 0; in rad/m where it turns rotation into travel (lead screw: 2πP; roller: 1/R). The efficiency is
-    above 0 and at most 1; ``back_efficiency`` is that where the load drives, at most 1, the same by default: at 0 or
-    less the stage locks itself. Raises ValueError for a figure outside these limits.
-    """
+    """A transmission. Raises ValueError for a figure outside the limits beside it."""
 
     name: str
-    ratio: float
-    efficiency: float = 1.0
-    back_efficiency: float | None = None
+    ratio: float  # speed at its input over that at its output, above 0; rad/m of travel (screw: 2πP; roller: 1/R)
+    efficiency: float = 1.0  # above 0, at most 1
+    back_efficiency: float | None = None  # where the load drives, at most 1; None: the same; 0 or less: it locks itself
 
     def __post_init__(self) -> None:
         require_positive(self.name, ratio=self.ratio)
@@ -109,16 +104,12 @@ class Load:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Stages from the motor to the load, at least one, the parts on their shafts, and the load on the last one.
-
-    Shafts are counted from the motor's, 0, to the load's, as many as there are stages. Raises ValueError for no stages,
-    or a part on a shaft that is not there.
-    """
+    """Stages from the motor to the load, parts on their shafts, and the load. Raises ValueError for what cannot be."""
 
     name: str
-    stages: tuple[Stage, ...]
-    parts: tuple[Part, ...]
-    load: Load
+    stages: tuple[Stage, ...]  # at least one
+    parts: tuple[Part, ...]  # on shafts from the motor's, 0, to the load's, as many as there are stages
+    load: Load  # on the last shaft
 
     def __post_init__(self) -> None:
         if not self.stages:

@@ -144,17 +144,12 @@ class MotionPieces:
 
 @dataclass(frozen=True)
 class DriveCycle:
-    """A train over the cycle of its load's motion, whose abscissa advances at ``speed`` (1/s).
-
-    The motion is one of phases, or given by its pieces (a flying tool's, whose law rides on the line's speed).
-    ``shift`` is by how much the motion is later than entered: y(x) = y0(x − shift); windows stay where they are.
-    Raises ValueError unless the speed is above 0.
-    """
+    """A train over the cycle of its load's motion. Raises ValueError unless the speed is above 0."""
 
     train: Train
-    motion: Motion | MotionPieces
-    speed: float = 1.0
-    shift: float = 0.0
+    motion: Motion | MotionPieces  # of phases, or by its pieces (a flying tool's, whose law rides on the line's speed)
+    speed: float = 1.0  # of the abscissa (1/s)
+    shift: float = 0.0  # by which the motion is later than entered, y(x) = y0(x − shift); windows stay
 
     def __post_init__(self) -> None:
         if not 0.0 < self.speed < np.inf:

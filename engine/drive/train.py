@@ -40,23 +40,15 @@ ANY = Brake()
 
 @dataclass(frozen=True)
 class Drive:
-    """A mechanism, the motor that drives it, of an inertia (kg m²), and how losses and rest are counted.
-
-    ``method`` is "physical", where each stage's losses count against the motor where it drives and help it where the
-    load drives (at rest, as if it drove), or "document", S4's: inertia and torque at the output of a stage always over
-    η. ``holding`` says what holds the load at rest, "motor" or "brake"; S4 counts no torque there, as with a brake.
-    ``no_load`` (Nm) opposes the rotation of the motor's shaft, whatever the load. ``copper`` (W/(Nm)²) is the losses of
-    its winding over the square of its torque, P_N/T_N². The ``brake`` by default holds any torque, in any dwell.
-    Raises ValueError for what is negative, or another word.
-    """
+    """A mechanism, the motor that drives it, how losses and rest are counted. Raises ValueError for what cannot be."""
 
     mechanism: Mechanism
-    motor_inertia: float
-    method: Method = "physical"
-    holding: Holding = "motor"
-    no_load: float = 0.0
-    copper: float = 0.0
-    brake: Brake = ANY
+    motor_inertia: float  # kg m²
+    method: Method = "physical"  # losses help to brake where the load drives; or S4's "document": all over η, always
+    holding: Holding = "motor"  # of the load at rest: S4 counts no torque there, as with a brake
+    no_load: float = 0.0  # Nm, against the rotation of the motor's shaft, whatever the load
+    copper: float = 0.0  # losses of its winding over the square of its torque, P_N/T_N² (W/(Nm)²)
+    brake: Brake = ANY  # holds any torque, in any dwell, by default
 
     def __post_init__(self) -> None:
         require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load, copper=self.copper)

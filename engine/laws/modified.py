@@ -91,10 +91,8 @@ LATE = (3.0 * math.pi - 4.0) / (4.0 * math.pi)  # κ of the pulse told backwards
 class ModifiedSine(PulseLaw):
     """Quarters of a sine: up over β₁λ, down over (1 − β₁)λ, and the like downwards with β₂ and μ = 1 − λ.
 
-    ``share`` is λ, between 0 and 1; ``rise_edge`` and ``fall_edge`` are β₁ and β₂, the shares of either half that the
-    edge at the dwell takes, from 0 to 1: ¼ in the modified sine, ½ in the cycloidal law, 0 in the simple harmonic one.
-    Else ValueError. Source: Neklutin's modified sine, as in LCamHdl, ProfileTypes, D_D_MOD_SINE and, between
-    velocities, C_C_MOD_SINE, D_C_MOD_SINE, C_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'.
+    Source: Neklutin's modified sine, as in LCamHdl, ProfileTypes, D_D_MOD_SINE and, between velocities, C_C_MOD_SINE,
+    D_C_MOD_SINE, C_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'.
     """
 
     code = "MSN"
@@ -106,9 +104,9 @@ class ModifiedSine(PulseLaw):
     )
     STAGES = (0, 2, 4, 6)
 
-    share: float = 0.5
-    rise_edge: float = 0.25
-    fall_edge: float = 0.25
+    share: float = 0.5  # λ, between 0 and 1, else ValueError
+    rise_edge: float = 0.25  # β₁, of its half, 0 to 1: ¼ modified sine, ½ cycloidal, 0 simple harmonic
+    fall_edge: float = 0.25  # β₂, likewise
     ends: Ends = REST
 
     def __post_init__(self) -> None:
@@ -140,12 +138,10 @@ class ModifiedSine(PulseLaw):
 class SineConstantCosine(PulseLaw):
     """Sine edges at the dwells, constants, cosine edges inside, and a part at constant velocity.
 
-    ``sine``, ``constant``, ``cosine`` and ``straight`` are their shares of the whole time, b, c, d and e: not negative,
-    of sum 1 (within 1e-9), and not all of it straight. ``share`` is λ, the first pulse's share of what is not straight,
-    between 0 and 1. Else ValueError. With λ = ½ and e = 0, C_a = 4π²/[(π² − 8)(b² − d²) − 2π(π − 2)b + π²]. It contains
-    constant acceleration (0, 1, 0), the modified trapezoid (¼, ½, ¼), simple harmonic (0, 0, 1), modified sine (¼, 0,
-    ¾) and cycloidal motion (½, 0, ½). Source: Norton's SCCA family, as in PTC Creo, 'SCCA', and mechdesigner.support,
-    'Sine-Constant-Cosine'.
+    The shares b, c, d and e sum to 1 (within 1e-9), else ValueError. With λ = ½ and e = 0,
+    C_a = 4π²/[(π² − 8)(b² − d²) − 2π(π − 2)b + π²]. It contains constant acceleration (0, 1, 0), the modified trapezoid
+    (¼, ½, ¼), simple harmonic (0, 0, 1), modified sine (¼, 0, ¾) and cycloidal motion (½, 0, ½).
+    Source: Norton's SCCA family, as in PTC Creo, 'SCCA', and mechdesigner.support, 'Sine-Constant-Cosine'.
     """
 
     code = "SCC"
@@ -153,11 +149,11 @@ class SineConstantCosine(PulseLaw):
     aliases = ("SCCA",)
     source = "PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'"
 
-    sine: float = 1 / 3
-    constant: float = 1 / 3
-    cosine: float = 1 / 3
-    straight: float = 0.0
-    share: float = 0.5
+    sine: float = 1 / 3  # b, share of the whole time, not negative
+    constant: float = 1 / 3  # c, likewise
+    cosine: float = 1 / 3  # d, likewise
+    straight: float = 0.0  # e, likewise, below 1
+    share: float = 0.5  # λ, the first pulse's share of what is not straight, between 0 and 1
     ends: Ends = REST
 
     def __post_init__(self) -> None:
@@ -187,8 +183,6 @@ REST_SIDE = sine_edged(0.25, 0.0, 0.75)
 class HarmonicCombination(PulseLaw):
     """A modified sine at one end, and at the other, where it turns round, a quarter of a sine.
 
-    ``reversal`` says which end, "end" (rest to reversal, velocity to reversal) or "start". ``share`` is λ, between
-    0 and 1; else ValueError.
     Source: LCamHdl, ProfileTypes, D_R_, R_D_, C_R_ and R_C_HARMONIC_COMBI; camdoku of i-halbritter.
     """
 
@@ -199,8 +193,8 @@ class HarmonicCombination(PulseLaw):
     vendors = Vendors(siemens="D_R_HARMONIC_COMBINATION (20)")
     STAGES = (0, 2, 4, 6)
 
-    share: float = 0.5
-    reversal: Literal["start", "end"] = "end"
+    share: float = 0.5  # λ, between 0 and 1, else ValueError
+    reversal: Literal["start", "end"] = "end"  # which end turns round; the other is a rest or a velocity
     ends: Ends = REST
 
     def __post_init__(self) -> None:
@@ -217,8 +211,7 @@ class HarmonicCombination(PulseLaw):
 class SineStraightSine(PulseLaw):
     """A quarter of a cosine over cλ, a straight line over 1 − c, a quarter of a sine over c(1 − λ).
 
-    ``curved`` is c, more than 0 and at most 1 (1 is the simple harmonic law), ``share`` λ, between 0 and 1; else
-    ValueError. V = π/(π − (π − 2)c). It begins and ends with an acceleration: it is meant for reversals.
+    V = π/(π − (π − 2)c). It begins and ends with an acceleration: it is meant for reversals.
     Source: LCamHdl, ProfileTypes, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286 (C, 0.5 by default).
     """
 
@@ -229,8 +222,8 @@ class SineStraightSine(PulseLaw):
     vendors = Vendors(siemens="R_R_MOD_VELO_TRAPEZOID (14)", twincat="SINUS_GERADE_KOMBI (16)")
     STAGES = (2, 3, 4)
 
-    curved: float = 0.5
-    share: float = 0.5
+    curved: float = 0.5  # c, more than 0 and at most 1 (the simple harmonic law), else ValueError
+    share: float = 0.5  # λ, between 0 and 1, else ValueError
     ends: Ends = REST
 
     def __post_init__(self) -> None:

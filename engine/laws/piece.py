@@ -19,21 +19,16 @@ Sine = tuple[float, float, float]  # P, ω, φ of P sin(ωu + φ)
 
 @dataclass(frozen=True)
 class Piece:
-    """a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂) over a ``duration``, u from its begin.
+    """a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂), u from its begin."""
 
-    The duration is a share of the rise, 0 or more; ``c`` are c0 to c3, c4 or c5; ``amplitude``, ``omega`` and ``phase``
-    are P, ω and φ (rad), those with a 2 for the one law that has two sines. Raises ValueError for a negative duration,
-    other than four to six coefficients, or what is not finite.
-    """
-
-    duration: float
-    c: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)
-    amplitude: float = 0.0
-    omega: float = 0.0
-    phase: float = 0.0
-    amplitude2: float = 0.0
-    omega2: float = 0.0
-    phase2: float = 0.0
+    duration: float  # share of the rise, 0 or more, else ValueError
+    c: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)  # c0 to c3, c4 or c5, else ValueError
+    amplitude: float = 0.0  # P
+    omega: float = 0.0  # ω
+    phase: float = 0.0  # φ (rad)
+    amplitude2: float = 0.0  # P₂, of the one law that has two sines
+    omega2: float = 0.0  # ω₂
+    phase2: float = 0.0  # φ₂ (rad)
 
     def __post_init__(self) -> None:
         if not 4 <= len(self.c) <= POWERS:

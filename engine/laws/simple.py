@@ -47,12 +47,12 @@ class StraightLine(Law):
 
 @dataclass(frozen=True)
 class HalvedLaw(PulseLaw):
-    """A pulse over λ of the time, the same backwards over the rest; ValueError unless the ``share`` λ is in (0, 1)."""
+    """A pulse over the share λ of the time, and the same backwards over the rest."""
 
     STAGES = (0, 2)
     HALF: ClassVar[Pulse]
 
-    share: float = 0.5
+    share: float = 0.5  # λ, between 0 and 1, else ValueError
 
     def __post_init__(self) -> None:
         require_share("share", self.share)
@@ -65,7 +65,6 @@ class HalvedLaw(PulseLaw):
 class ConstantAcceleration(HalvedLaw):
     """a = 2/λ over the share λ of the time, −2/(1 − λ) over the rest; with λ = ½, s = 2ξ², then 1 − 2(1 − ξ)².
 
-    ``share`` is λ, between 0 and 1, else ValueError.
     Source: S3, figure 1 and 'ACS'; S1 quotes its C_a = 4. With λ: LCamHdl, ProfileTypes, D_D_PARABOLA.
     """
 
@@ -83,8 +82,7 @@ class ConstantAcceleration(HalvedLaw):
 class Cycloidal(HalvedLaw):
     """a = (π/λ) sin(πξ/λ) over the share λ of the time, −(π/μ) sin(π(ξ − λ)/μ) over the rest, μ = 1 − λ.
 
-    With λ = ½, a = 2π sin 2πξ; v = 1 − cos 2πξ; s = ξ − sin(2πξ)/2π. ``share`` is λ, between 0 and 1, else
-    ValueError. Source: S3, 'CIC'. With λ: LCamHdl, ProfileTypes, D_D_INCLINED_SINE.
+    With λ = ½, a = 2π sin 2πξ; v = 1 − cos 2πξ; s = ξ − sin(2πξ)/2π. With λ: LCamHdl, D_D_INCLINED_SINE.
     """
 
     code = "CIC"
@@ -103,8 +101,7 @@ class Cycloidal(HalvedLaw):
 class SimpleHarmonic(HalvedLaw):
     """s = (1 − cos πξ)/2; with the share λ, a quarter of a cosine over λ and one of a sine over 1 − λ.
 
-    It begins and ends with an acceleration: a law from reversal to reversal. Raises ValueError unless λ, the
-    ``share``, is between 0 and 1.
+    It begins and ends with an acceleration: a law from reversal to reversal.
     """
 
     code = "SHM"

@@ -24,13 +24,7 @@ EXAMPLE: tuple[Point, ...] = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85)
 
 @dataclass(frozen=True)
 class Spline(EndedLaw):
-    """The cubic spline through points (ξ, s): v and a are continuous, a is linear between two points.
-
-    ``points`` are 2 to 100, of rising ξ, the first (0, 0) and the last (1, 1). ``slopes`` are the velocities at
-    begin and end where they are entered; what is None follows from the neighbouring phase, 0 beside a dwell.
-    ``natural`` says which ends are free, with a = 0 there instead of a prescribed velocity. Else ValueError.
-    Source: the cubic spline with clamped or natural ends, in moments; TwinCAT, MC_MotionFunctionType, CubicSpline.
-    """
+    """The cubic spline in moments: v and a are continuous, a is linear between two points. TwinCAT: CubicSpline."""
 
     code = "SPL"
     name = "Cubic spline"
@@ -38,9 +32,9 @@ class Spline(EndedLaw):
     source = "the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline"
     vendors = Vendors(twincat="CubicSpline (MC3: 11)")
 
-    points: tuple[Point, ...] = EXAMPLE
-    slopes: Slopes = (None, None)
-    natural: tuple[bool, bool] = (False, False)
+    points: tuple[Point, ...] = EXAMPLE  # 2 to 100 (ξ, s), of rising ξ, from (0, 0) to (1, 1), else ValueError
+    slopes: Slopes = (None, None)  # entered velocities at the ends; None: the neighbouring phase's, 0 beside a dwell
+    natural: tuple[bool, bool] = (False, False)  # which ends are free: a = 0 there, and no velocity
     ends: Ends = REST
 
     def __post_init__(self) -> None:

@@ -37,21 +37,15 @@ def early_of(law: Law) -> int:
 
 @dataclass(frozen=True)
 class Handover:
-    """A phase as it is carried out, what is asked for at ``begin`` and ``end``, and why it cannot have that, if so.
-
-    ``entered`` is what is entered for its begin; ``contrary`` where a straight line or a dwell there has other rates.
-
-    A law of two pulses is, while it speeds up, v0 and ``halves[0]`` times the law, and from then on v1 and
-    ``halves[1]`` times it: the heights of both pulses against those of the law between rests, as a lift.
-    """
+    """A phase as it is carried out, and what its neighbours ask of it."""
 
     phase: Phase
-    begin: Side
-    end: Side
+    begin: Side  # what is asked for there
+    end: Side  # and at its end
     kinds: tuple[str, str]
-    fault: str
-    entered: Rates | None = None
-    contrary: bool = False
+    fault: str  # why it cannot have that, if so
+    entered: Rates | None = None  # for its begin
+    contrary: bool = False  # whether a straight line or a dwell at its begin has other rates
 
     @property
     def end_mode(self) -> int:
@@ -77,7 +71,7 @@ class Handover:
 
     @cached_property
     def halves(self) -> tuple[float, float]:
-        """What the law that is named is multiplied by in its first half and in its second; 0 of a polynomial."""
+        """What the law that is named is multiplied by in its first half, beside v0, and its second, beside v1, if by it."""
         made, law = self.phase.law, self.phase.named
         if not self.ended:
             return self.phase.lift, self.phase.lift

@@ -27,15 +27,11 @@ class TimeValues(NamedTuple, Generic[Real]):
 
 @dataclass(frozen=True)
 class Phase:
-    """A law, from rise 0 to rise 1, carried out over a ``lift`` in a ``duration``, each in any unit.
-
-    The lift is negative for a return, 0 in a dwell; the duration is above 0. Raises ValueError where they are not, or
-    not finite.
-    """
+    """A law, from rise 0 to rise 1, over a lift in a duration, in any units. Raises ValueError for what cannot be."""
 
     law: Law
-    lift: float
-    duration: float
+    lift: float  # h, negative for a return, 0 in a dwell
+    duration: float  # δ, above 0
 
     def __post_init__(self) -> None:
         require_finite(lift=self.lift, duration=self.duration)

@@ -15,10 +15,7 @@ NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)  # of
 
 @dataclass(eq=False)
 class Motors:
-    """A catalogue of motors, an array for each figure; a number counts for all, NaN says that it is not given.
-
-    Raises ValueError for lengths that differ or a figure that cannot be (that names the motor).
-    """
+    """A catalogue of motors: arrays, or numbers for all; NaN is not given. Raises ValueError that names one."""
 
     names: tuple[str, ...]
     inertia: Array  # J_M (kg m²)
@@ -58,10 +55,7 @@ class Motors:
 
 @dataclass(eq=False)
 class Reducers:
-    """A catalogue of reducers, an array for each figure; a number counts for all, NaN says that it is not given.
-
-    Raises ValueError for lengths that differ or a figure that cannot be (that names the reducer).
-    """
+    """A catalogue of reducers: arrays, or numbers for all; NaN is not given. Raises ValueError that names one."""
 
     names: tuple[str, ...]
     reduction: Array  # i = ω_M/ω_L

@@ -22,10 +22,7 @@ NOTHING = 1e-9  # rad/s², Nm, rad/s: an acceleration, a torque, a speed no larg
 
 @dataclass(frozen=True)
 class Task:
-    """What the load asks for, at its own shaft, over a cycle. Source: S5, eqs. (14), (15).
-
-    Raises ValueError unless the acceleration, the torque and the speed are 0 or more, and |mean| ≤ ω̇_rms T*_rms.
-    """
+    """What the load asks for at its shaft over a cycle: S5, eqs. (14), (15). Raises ValueError for what cannot be."""
 
     acceleration_rms: float  # ω̇_L,rms (rad/s²)
     torque_rms: float  # T*_L,rms (Nm), of the generalized load torque T*_L = T_L + J_L ω̇_L

@@ -9,17 +9,12 @@ from engine.drive.chain import Load, Mechanism, Part, Stage, require_not_negativ
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of mechanism: its last element, how fast that turns by its size, whether a belt moves with the load.
-
-    ``turns`` gives the speed of the element over that of the load (rad/m) from its size: turns a metre, a diameter or
-    a radius in m; None says that the load turns with the element, or that the ratio depends on the position
-    (:class:`engine.drive.mechanisms.variable_ratio.Linkage`).
-    """
+    """A kind of mechanism."""
 
     name: str
-    element: str
-    turns: Callable[[float], float] | None = None
-    belt: bool = False
+    element: str  # its last
+    turns: Callable[[float], float] | None = None  # its speed over the load's (rad/m) by turns a metre or a size (m)
+    belt: bool = False  # whether one moves with the load
 
     def of(
         self, load: Load, size: float = 1.0, efficiency: float = 1.0, gears: Sequence[Stage] = (),

@@ -14,22 +14,16 @@ from engine.laws.base import Array, require_finite
 
 @dataclass(frozen=True)
 class SlideLinkage(Linkage):
-    """The shaft in the origin, a lever r, a link l, and a slide on the line at the distance e from the shaft (m).
-
-    The slide is at x = r cos ψ ± √(l² − (r sin ψ − e)²), ψ the lever's angle from the line's direction; its position is
-    y = ``direction`` (x − ``zero``). ``side`` is 1 where the lever is ahead of the line from the shaft to the slide in
-    the sense of ψ, else −1. φ is the lever's way from y = 0, where it
-    stands at ``start``, counted so that it rises with y.
-    """
+    """A lever on a shaft in the origin, a link, and a slide on a line, at x = r cos ψ ± √(l² − (r sin ψ − e)²)."""
 
     name: str
-    lever: float
-    link: float
-    offset: float
-    side: int
-    direction: int
-    zero: float
-    start: float
+    lever: float  # r (m), at the angle ψ from the direction of the line
+    link: float  # l (m)
+    offset: float  # e, distance of the line from the shaft (m)
+    side: int  # 1 where the lever is ahead of the line from shaft to slide in the sense of ψ, else −1
+    direction: int  # 1 or −1, of y = ``direction`` (x − ``zero``)
+    zero: float  # m
+    start: float  # ψ at y = 0 (rad), from where φ counts, rising with y
     bounds: Reach
 
     @property
@@ -212,16 +206,12 @@ class Arm(ByAngle):
 
 @dataclass(frozen=True)
 class PressCrank(ByAngle):
-    """A crank r that drives a slide by a rod l through its dead centres, full circles or not; offset e (all m).
+    """A crank that drives a slide by a rod through its dead centres. Source: VDI 2727, crank-slider."""
 
-    The slide is at x = r cos ψ + √(l² − (r sin ψ − e)²) from the shaft, ψ = φ + φ_0 the crank's angle from the line of
-    the slide. Raises ValueError unless l > r + |e|. Source: VDI 2727, crank-slider.
-    """
-
-    crank: float
-    rod: float
-    offset: float = 0.0
-    start: float = 0.0
+    crank: float  # r (m)
+    rod: float  # l (m), longer than r + |e|, else ValueError
+    offset: float = 0.0  # e (m)
+    start: float = 0.0  # φ_0 (rad), of the crank's angle ψ = φ + φ_0 from the line of the slide
     steps = 24
     slides = True
 
@@ -233,7 +223,7 @@ class PressCrank(ByAngle):
             raise ValueError(f"press crank: rod is {self.rod:g} m; expected more than crank and offset, {least:g} m")
 
     def position(self, angle: Array) -> Array:
-        """Return x (m) at angles of the axis."""
+        """Return x = r cos ψ + √(l² − (r sin ψ − e)²) (m), from the shaft, at angles of the axis."""
         psi = angle + self.start
         height = self.crank * np.sin(psi) - self.offset
         return np.asarray(self.crank * np.cos(psi) + np.sqrt(self.rod**2 - height**2))

@@ -42,14 +42,10 @@ class OutOfReachError(ValueError):
 
 
 class Linkage(ABC):
-    """A mechanism between a shaft and its load whose ratio φ' changes with the load's position; φ rises with y.
-
-    ``steady`` says whether the shaft may stand in the ends of its reach; in a dead centre it may not: the load's motion
-    does not say how the shaft goes through it, and φ' is infinite.
-    """
+    """A mechanism between a shaft and its load whose ratio φ' changes with the load's position; φ rises with y."""
 
     name: str
-    steady: bool = False
+    steady: bool = False  # whether the shaft may stand in the ends of its reach: not in a dead centre, φ' is infinite
 
     @property
     @abstractmethod
