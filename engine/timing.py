@@ -105,11 +105,7 @@ class Differing(NamedTuple):
 
 
 def differing(meant: Switch, found: Switch) -> Differing:
-    """Return how a switch differs from the one that is meant, of the same cycle.
-
-    A time that goes on where another ends has no edge there, nor one that is always on. Raises ValueError for cycles
-    that differ.
-    """
+    """Return how a switch differs from the one meant; always on has no edge. Raises ValueError for other cycles."""
     if not math.isclose(meant.cycle, found.cycle):
         raise ValueError(f"the cycles are {meant.cycle:g} and {found.cycle:g}; expected the same")
     cycle = meant.cycle

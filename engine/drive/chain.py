@@ -16,10 +16,7 @@ NEAR = 1e-9
 
 
 def gives_back(torque: ArrayLike, direction: ArrayLike, near: float = NEAR) -> NDArray[np.bool_]:
-    """Return whether what is behind a stage drives it: a torque (Nm, or N) against the direction of motion.
-
-    ``torque`` is what it must be driven with, ``direction`` 1, −1, or 0 at rest, where nothing flows back.
-    """
+    """Return whether a load drives: its torque (Nm, or N) is against its ``direction``, 1, −1 or 0 at rest."""
     return np.asarray(np.asarray(torque) * np.asarray(direction) < -near)
 
 
@@ -227,11 +224,7 @@ class Slide:
 
 
 def resisting(force: float, resists: Resists) -> Load:
-    """Return a load without mass of a force F_r (N), or a torque (Nm).
-
-    ``always``: it acts in one direction, also at rest, like a weight. ``moving``: it opposes the motion, and is
-    zero at standstill, like friction. Raises ValueError for another word. Source: S1, 'Feeding group'.
-    """
+    """Return a massless load of a force (N, Nm): ``always``, like a weight, or ``moving``, like friction. S1, F_r."""
     if resists not in ("always", "moving"):
         raise ValueError(f"resists is {resists!r}; expected 'always' or 'moving'")
     return Load(0.0, force) if resists == "always" else Load(0.0, friction=force)

@@ -89,8 +89,7 @@ def crossed(function: Function, low: float, high: float, nodes: int) -> list[flo
 def rule(n: int) -> tuple[Array, Array]:
     """Return the n + 1 nodes of the rule of Clenshaw and Curtis on [0, 1], and its weights.
 
-    Source: C. W. Clenshaw, A. R. Curtis, A method for numerical integration on an automatic computer, Numer. Math. 2
-    (1960) 197–205.
+    Source: C. W. Clenshaw, A. R. Curtis, Numer. Math. 2 (1960) 197–205.
     """
     angle = np.pi * np.arange(n + 1) / n
     k = np.arange(0, n + 1, 2)

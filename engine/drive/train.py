@@ -75,10 +75,7 @@ class Drive:
 
 
 def dwell_times(durations: Array, direction: Array) -> Array:
-    """Return how long the dwell lasts (s) that each part of a cycle belongs to, by its duration and direction.
-
-    Of parts at rest that follow each other, also across the end of the cycle, the sum; 0 of a part that moves.
-    """
+    """Return how long the dwell lasts (s) that each part is in, also across the cycle's end; 0 of one that moves."""
     moves = direction != 0.0
     before = np.cumsum(moves) % max(1, int(moves.sum()))
     return np.where(moves, 0.0, np.bincount(before, weights=np.where(moves, 0.0, durations))[before])

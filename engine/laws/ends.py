@@ -55,10 +55,7 @@ REST = Ends()
 
 
 class EndedLaw(Law):
-    """A law whose ends may be prescribed: ``ends`` is a field of every class made of this one.
-
-    With ``ends`` as they are by default it is the law of unit stroke between two rests; else s(1) is the stroke.
-    """
+    """A law whose ends may be prescribed, a field of each: by default of unit stroke between rests, else s(1) is it."""
 
     TAKES: ClassVar[str] = "v"
 
@@ -91,12 +88,7 @@ class EndedLaw(Law):
 
 
 def between(law: Law, ends: Ends) -> tuple[Law, float]:
-    """Return any law between two ends, and what its s, v, a and j are to be multiplied by.
-
-    Between rests it is the law itself, to be multiplied by the stroke.
-
-    Raises EndError, with the reason, for an end that the law cannot have.
-    """
+    """Return any law between two ends, and what its s, v, a, j are to be multiplied by; raise EndError if it cannot."""
     if ends.at_rest:
         return law, ends.stroke
     if isinstance(law, EndedLaw):

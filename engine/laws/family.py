@@ -29,10 +29,7 @@ class Vendors(NamedTuple):
 
 
 class Law(ABC):
-    """A motion law: position s(ξ) of the abscissa ξ = t/t_a in [0, 1], from s = 0, with derivatives by ξ.
-
-    A law states its names, its source and its pieces; all else follows from these in closed form.
-    """
+    """A motion law s(ξ) of ξ = t/t_a in [0, 1], from s = 0: it states names, source and pieces; all else follows."""
 
     code: ClassVar[str]  # three letters
     name: ClassVar[str]

@@ -31,10 +31,7 @@ class Ends(NamedTuple):
 
 
 def ends(pieces: Sequence[Piece]) -> list[Ends]:
-    """Return the accelerations at the ends of pieces that follow rest; a piece of no duration neither jumps nor counts.
-
-    The jump is |a| from what was reached to the begin of the piece, 0 before the first.
-    """
+    """Return accelerations at the ends of pieces that follow rest; one of no duration neither jumps nor counts."""
     found, reached = [], 0.0
     for piece in pieces:
         begin, end = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])[2].tolist()
@@ -54,27 +51,22 @@ SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}  # what has extreme
 
 
 class Points:
-    """The points of a law on its pieces, spare ones and all, in arrays.
-
-    Of each point ``piece`` is its piece (from 0), ``share`` the share of it, ``weight`` its weight in it, ``part`` the
-    share of the rise that it stands for, ``u`` its place in the piece and ``xi`` in the law; ``angles`` are ωu + φ of
-    either sine (rad). ``rates`` are s, v, a, j, the slope b of j, v·a and its slope g.
-    """
+    """The points of a law on its pieces, spare ones and all, in arrays."""
 
     def __init__(self, pieces: Sequence[Piece]) -> None:
         self.pieces = tuple(pieces)
-        self.piece: NDArray[np.intp] = np.repeat(np.arange(len(pieces)), POINTS)
-        self.share, self.weight = np.tile(SHARES, len(pieces)), np.tile(WEIGHTS, len(pieces))
+        self.piece: NDArray[np.intp] = np.repeat(np.arange(len(pieces)), POINTS)  # of each point, from 0
+        self.share, self.weight = np.tile(SHARES, len(pieces)), np.tile(WEIGHTS, len(pieces))  # in its piece
         figures = np.array([(p.duration, p.omega, p.phase, p.omega2, p.phase2) for p in pieces]).T
         duration, omega, phi, omega2, phi2 = figures[:, self.piece]
-        self.part, self.u = self.weight * duration, self.share * duration
+        self.part, self.u = self.weight * duration, self.share * duration  # share of the rise, place in its piece
         self.xi = np.array(begins(pieces))[self.piece] + self.u
-        self.angles = [omega * self.u + phi, omega2 * self.u + phi2]
+        self.angles = [omega * self.u + phi, omega2 * self.u + phi2]  # ωu + φ of either sine (rad)
         row = np.array([one.row for one in pieces]).T[:, self.piece]
         s0, v0 = np.array([(place.s, place.v) for place in carried(pieces)]).T[:, self.piece]
         s, gained, a, j = gains(self.u, row)
         v = v0 + gained
-        b = bends(self.u, row)
+        b = bends(self.u, row)  # the slope of j; g is that of v·a
         self.rates = {"s": s0 + v0 * self.u + s, "v": v, "a": a, "j": j, "b": b, "va": v * a, "g": a * a + v * j}
 
     def crosses(self, what: str) -> NDArray[np.bool_]:

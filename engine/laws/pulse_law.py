@@ -91,11 +91,7 @@ def require_share(name: str, value: float, ends: bool = False) -> None:
 
 
 def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
-    """Return seven durations as floats.
-
-    Raises ValueError unless they are seven, none negative, of sum 1 (within 1e-9), neither the first three nor
-    the last three all zero.
-    """
+    """Return seven shares of sum 1 as floats; raise ValueError for a negative one, or a pulse of no time."""
     durations = tuple(float(d) for d in given)
     if len(durations) != 7:
         raise ValueError(f"{len(durations)} durations are given; expected seven")

@@ -71,7 +71,7 @@ class Handover:
 
     @cached_property
     def halves(self) -> tuple[float, float]:
-        """What the law that is named is multiplied by in its first half, beside v0, and its second, beside v1, if by it."""
+        """What the law that is named is multiplied by in either half, beside v0 and v1; 0 of a polynomial."""
         made, law = self.phase.law, self.phase.named
         if not self.ended:
             return self.phase.lift, self.phase.lift

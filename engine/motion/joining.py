@@ -221,10 +221,6 @@ def scales_of(motion: Motion) -> Rates:
 
 
 def shortfalls(motion: Motion, smooth: Smoothness, periodic: bool = True) -> tuple[Joint, ...]:
-    """Return where a motion is less smooth than asked, between its phases and within their laws, in order of x.
-
-    "velocity" asks for a continuous y', "acceleration" for y'' too and "jerk" for y''' too; of a periodic motion
-    also from its end to its begin.
-    """
+    """Return where a motion is less smooth than asked, within its laws too; periodic, from end to begin."""
     found = joints(motion_pieces(motion), scales_of(motion), smooth, periodic)
     return tuple(joint for joint in found if joint.order)

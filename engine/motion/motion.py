@@ -53,10 +53,7 @@ class Motion:
 
     @classmethod
     def from_edges(cls, edges: ArrayLike, lifts: Sequence[float], laws: Sequence[Law], position: float = 0.0) -> Self:
-        """Return the motion whose phases run between ``edges``, one more than lifts and laws, kept exactly.
-
-        Raises ValueError where the numbers do not go together or the edges do not rise.
-        """
+        """Return the motion of phases between ``edges``, kept exactly; raise ValueError where these do not rise."""
         bounds = np.array(edges, dtype=np.float64)
         if not len(bounds) - 1 == len(lifts) == len(laws):
             raise ValueError(

@@ -29,10 +29,7 @@ class Unshifted(NamedTuple):
 
 @dataclass(frozen=True)
 class Shifted:
-    """y(x) = y0(x − shift), over the cycle of the motion y0, which goes on cycle by cycle.
-
-    A motion that does not come back goes on from where a cycle ends: y0(x + cycle) = y0(x) + Σh.
-    """
+    """y(x) = y0(x − shift), cycle by cycle; one that does not come back goes on, y0(x + cycle) = y0(x) + Σh."""
 
     motion: Motion
     shift: float = 0.0

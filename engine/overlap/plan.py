@@ -45,10 +45,7 @@ def room(transfer: Transfer, tool: Tool, passage: Passage) -> Room:
 
 
 def rests(tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array]:
-    """Return for margins (m) the shares 1 − ξ of the ways in and out over which the transfer has to be in place.
-
-    Source: S2, 'Cycloid Cam Profile Analysis', 1 − 44 % = 56 %; the way out is the same in reverse.
-    """
+    """Return the shares 1 − ξ of both ways while the transfer is in place, for margins (m): S2, 1 − 44 % = 56 %."""
     gone = passage.travelled_share(tool.stroke, margin)
     return 1.0 - tool.inverted(tool.law, gone), tool.inverted(tool.out, 1.0 - gone)
 
@@ -98,10 +95,7 @@ class MarginSweep(NamedTuple):
 
 
 def sweep_margin(transfer: Transfer, tool: Tool, passage: Passage, margins: ArrayLike, rate: float) -> MarginSweep:
-    """Return the tool's angles, peak acceleration and gain for each margin (m), at ``rate`` cycles per second.
-
-    Raises ValueError where a margin is not from 0 to the clearance, or no angle is left.
-    """
+    """Return what each margin (m), from 0 to the clearance, costs at a rate (1/s). Raises ValueError for others."""
     margin = np.asarray(margins, dtype=np.float64)
     for extreme in (margin.min(), margin.max()):
         replace(passage, margin=float(extreme))
@@ -118,10 +112,7 @@ NOUGHT = HEIGHT
 
 
 class Corners(NamedTuple):
-    """Where the clearance can be least, for between them the tool moves one way only: arrays of six.
-
-    The transfer gets in the way, is in place; the tool sets off, arrives, leaves, is back.
-    """
+    """Where it can be least: the transfer gets in the way, is in place; the tool sets off, arrives, leaves, is back."""
 
     raw: Array  # rad, not reduced to one turn
     angle: Array  # rad, within one turn

@@ -96,10 +96,7 @@ class Passage:
         return self.remaining, 1.0 - self.remaining
 
     def travelled_share(self, stroke: float, margin: ArrayLike) -> Array:
-        """Return the share of its stroke (m) that a tool may have gone when the transfer is in its way.
-
-        (clearance − margin)/stroke for margins (m), at most 1. Source: S2, s = (20 − 1)/50 = 0.38.
-        """
+        """Return the share of its stroke (m) a tool may have gone, at most 1: S2, s = (20 − 1)/50 = 0.38."""
         return np.minimum((self.clearance - np.asarray(margin, dtype=np.float64)) / stroke, 1.0)
 
 
