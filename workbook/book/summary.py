@@ -219,22 +219,18 @@ def to_mend(book: Book, sheet: Sheet) -> None:
     sheet.heading("To mend")
     sheet.rows(calc("mend_count", "Checks that fail", "", "", "=checks_all-checks_ok", summary(book).failing,
                     format="0", source=f"the first {TO_MEND} of them; all stand on the sheet Checks"))  # fmt: skip
-    rows, where = mended(book, TO_MEND), of_failing("where")
+    rows = mended(book, TO_MEND)
+    where, what, says = (f"INDEX([checks.{column}],MATCH([k],[checks.nth],0))" for column in ("where", "what", "says"))
     sheet.table(
         "mend", "The checks that fail", TO_MEND,
         calc("where", "sheet", "", "", f'=IF([k]>mend_count,IF([k]=1,"{NONE}",""),{where})', rows["mend.where"],
              align="left"),
         constant("k", "number", "", "", list(range(1, TO_MEND + 1))),
         Quantity("says", "check: where, and by how much", "", "", "sentence",
-                 f'=IF([k]>mend_count,"",{of_failing("what")}&": "&{of_failing("says")})', rows["mend.says"],
+                 f'=IF([k]>mend_count,"",{what}&": "&{says})', rows["mend.says"],
                  align="left"),
         blank="[k]>MAX(1,mend_count)",
     )  # fmt: skip
-
-
-def of_failing(column: str) -> str:
-    """Return the formula that looks up a column of the check that fails as the k-th."""
-    return f"INDEX([checks.{column}],MATCH([k],[checks.nth],0))"
 
 
 def entry(sheet: Sheet, first: Text, note: str) -> None:

@@ -6,9 +6,9 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import Field
+from pydantic import Field, create_model
 
 from engine.laws import Law, Piece
 from engine.laws.base import BREAK_TOLERANCE
@@ -223,8 +223,16 @@ class Shared(LawSheet):
     share: Between = EVEN
 
 
+def parameters_of(law: type[Law], base: type[LawSheet] = LawSheet, **kinds: Any) -> type[LawSheet]:
+    """Return the entries of a law's parameters, of these kinds, which are by default as the engine's law has them."""
+    usual = ((name, getattr(law, name)) for name in kinds)
+    fields: dict[str, Any] = {name: (kinds[name], [*of] if isinstance(of, tuple) else of) for name, of in usual}
+    return create_model(f"{law.code}Parameters", __base__=base, **fields)
+
+
 SHARE = Parameter("@share", "Share of the time that accelerates", "λ", "share", "share λ", source="½: symmetric")
 REVERSAL = Parameter("@reversal", "It turns round at", "", "reversal", "reversal", source="start or end")
+Reversal = Literal["start", "end"]
 SHARED: dict[str, Any] = {  # what the page of a law states that has no parameter but the share
     "entries": Shared,
     "parameters": (SHARE,),
@@ -248,10 +256,13 @@ def too_brief(durations: Sequence[float], entry: str, fits: Any) -> Iterator[Des
         yield DesignError(entry, said, "brief", fits)
 
 
+Seven = Annotated[list[Share], Field(min_length=7, max_length=7)]
+
+
 class SevenDurations(LawSheet):
     """Seven stage durations as shares of the rise; they sum to 1."""
 
-    durations: Annotated[list[Share], Field(min_length=7, max_length=7)] = Field(default=list(CLASSIC))
+    durations: Seven = Field(default=list(CLASSIC))
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield durations that do not fill the rise, and a law that cannot start or stop."""
@@ -269,6 +280,13 @@ DURATIONS = tuple(
               source="shares of the rise that sum to 1; 0 is allowed" if k == 1 else "")
     for k, kind in enumerate(KINDS, 1)
 )  # fmt: skip
+
+
+def lasting(*rows: list[float]) -> tuple[dict[str, list[float]], ...]:
+    """Return variations by the durations of the seven stages."""
+    return tuple({"durations": row} for row in rows)
+
+
 SUM_SAYS = '"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'
 LASTING = (
     LawCheck("@sum", "the seven durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", SUM_SAYS),

@@ -80,25 +80,21 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     )  # fmt: skip
     found_by = [f"({sampled(rows, order)}){axis.turned}{per[order]}" for order in range(len(told_as))]
     found_by[0] += f"+[n]*{later.travel}" if later and later.travel else ""
+    at_phases: list[Quantity] = []  # where each sample is as phases tell it, if elsewhere
+    if later:
+        here = axis.over.in_degrees("[at]")
+        turns = f"=INT((MIN({here},360-2*{later.near})-{later.by}+{later.near})/360)"
+        at_phases = [
+            calc("n", "cycles", "n", "", turns, told.cycles, format="0"),
+            calc("p", "angle of its phases", "", "°", f"={here}-{later.by}-360*[n]",
+                 axis.over.degrees(told.x * axis.unit[0]), scale=360.0, format="0.0##"),
+        ]  # fmt: skip
     return [
         calc("at", "abscissa", "x", axis.units[0], f"=[k]*{end}/[export.k.last]", x * axis.unit[0],
              scale=rows.end * axis.unit[0], format="0.0##"),
         *(result(name, label, symbol, axis.units[order + 1], f"={found_by[order]}", shown[order], scale=sizes[order],
                  source=source) for order, (name, label, symbol, source) in enumerate(told_as)),
         constant("k", "sample", "k", "", list(range(n + 1))),
-        *place(axis, told),
+        *at_phases,
         *finding(rows, "p" if later else "at", told.x),
-    ]  # fmt: skip
-
-
-def place(axis: Exportable, told: Unshifted) -> list[Quantity]:
-    """Return the place of each sample in the motion as its phases tell it, where that is another."""
-    later = axis.later
-    if later is None:
-        return []
-    until, at = f"MIN({axis.over.in_degrees('[at]')},360-2*{later.near})", axis.over.in_degrees("[at]")
-    return [
-        calc("n", "cycles", "n", "", f"=INT(({until}-{later.by}+{later.near})/360)", told.cycles, format="0"),
-        calc("p", "angle of its phases", "", "°", f"={at}-{later.by}-360*[n]", axis.over.degrees(told.x * axis.unit[0]),
-             scale=360.0, format="0.0##"),
     ]  # fmt: skip

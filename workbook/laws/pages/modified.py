@@ -10,29 +10,19 @@ from workbook.book.sentence import figure
 from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws import family
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
-from workbook.laws.family import LawCheck, LawSheet, Parameter
+from workbook.laws.family import LawCheck, Parameter
 
 MODIFIED_TRAPEZOIDAL = edged(
     dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),
     titled="Modified trapezoidal acceleration", source="S1, seven parameters; S3, figure 2",
     entries=family.SevenDurations, law=engine.ModifiedTrapezoidal, parameters=family.DURATIONS,
-    variations=(
-        {"durations": [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13]},
-        {"durations": [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0]},
-        {"durations": [0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2]},
-        {"durations": [0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0]},
-        {"durations": [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1]},
-        {"durations": [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25]},
+    variations=family.lasting(
+        [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13], [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0],
+        [0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2], [0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0],
+        [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1], [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25],
     ),
     checks=family.LASTING,
 )  # fmt: skip
-
-
-class Cut(family.Shared):
-    """The share of the time that accelerates, and the end at which the motion turns round."""
-
-    reversal: Literal["none", "start", "end"] = "none"
-    edge: Share = engine.TrapezoidByShare.edge
 
 
 TRAPEZOID_BY_SHARE = edged(
@@ -44,7 +34,10 @@ TRAPEZOID_BY_SHARE = edged(
         6: Stage(FLAT, '=(1-@share)*IF(@reversal="end",1-@edge,1/2)'),
         7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
     },
-    source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D", entries=Cut, law=engine.TrapezoidByShare,
+    source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D", law=engine.TrapezoidByShare,
+    entries=family.parameters_of(
+        engine.TrapezoidByShare, share=family.Between, reversal=Literal["none", "start", "end"], edge=Share
+    ),
     parameters=(
         family.SHARE,
         Parameter("@reversal", "It turns round at", "", "reversal", "reversal",
@@ -61,14 +54,6 @@ TRAPEZOID_BY_SHARE = edged(
 )  # fmt: skip
 
 
-class Edges(LawSheet):
-    """The share of the time that accelerates, and the edges' shares of either half."""
-
-    share: family.Between = engine.ModifiedSine.share
-    rise_edge: Share = engine.ModifiedSine.rise_edge
-    fall_edge: Share = engine.ModifiedSine.fall_edge
-
-
 MODIFIED_SINE = edged(
     {
         1: Stage(SINE_OUT, "=@rise_edge*@share"),
@@ -76,7 +61,8 @@ MODIFIED_SINE = edged(
         5: Stage(SINE_IN, "=(1-@fall_edge)*(1-@share)"),
         7: Stage(SINE_OUT, "=@fall_edge*(1-@share)"),
     },
-    source="LCamHdl, D_D_MOD_SINE", entries=Edges, law=engine.ModifiedSine,
+    source="LCamHdl, D_D_MOD_SINE", law=engine.ModifiedSine,
+    entries=family.parameters_of(engine.ModifiedSine, share=family.Between, rise_edge=Share, fall_edge=Share),
     parameters=(
         family.SHARE,
         Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",
@@ -151,12 +137,6 @@ SINE_CONSTANT_COSINE = edged(
 )  # fmt: skip
 
 
-class Turning(family.Shared):
-    """The share of the time that accelerates, and the end at which the motion turns round."""
-
-    reversal: Literal["start", "end"] = "end"
-
-
 HARMONIC_COMBINATION = edged(
     {
         1: Stage(SINE_OUT, '=IF(@reversal="start",0,@share/4)'),
@@ -164,13 +144,10 @@ HARMONIC_COMBINATION = edged(
         5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",1,3/4)'),
         7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
     },
-    source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI", entries=Turning, law=engine.HarmonicCombination,
+    source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI", law=engine.HarmonicCombination,
+    entries=family.parameters_of(engine.HarmonicCombination, share=family.Between, reversal=family.Reversal),
     parameters=(family.SHARE, family.REVERSAL),
-    variations=(
-        {"share": 0.4, "reversal": "start"},
-        {"share": 0.6, "reversal": "end"},
-        {"share": 0.3, "reversal": "start"},
-    ),
+    variations=tuple({"share": s, "reversal": end} for s, end in ((0.4, "start"), (0.6, "end"), (0.3, "start"))),
 )  # fmt: skip
 
 

@@ -1,36 +1,35 @@
 """Pages of laws whose velocity rises on a ramp, stays, and falls on a ramp."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import Field
 
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from workbook.book.sentence import figure
-from workbook.entries.types import DesignError, Share
+from workbook.entries.types import DesignError
 from workbook.laws import family
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, LINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow
+
+RiseEnd, FallStart = Annotated[float, Field(gt=0, le=1)], Annotated[float, Field(ge=0, lt=1)]
 
 
 class BreakPoints(LawSheet):
     """Break points of the trapezoidal velocity profile as shares of the rise: S1's α_v/α_s and α_w/α_s."""
 
-    rise_end: Annotated[float, Field(gt=0, le=1)] = TrapezoidalVelocity.rise_end
-    fall_start: Annotated[float, Field(ge=0, lt=1)] = TrapezoidalVelocity.fall_start
+    rise_end: RiseEnd = TrapezoidalVelocity.rise_end
+    fall_start: FallStart = TrapezoidalVelocity.fall_start
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield break points that do not follow each other."""
+        whole = TrapezoidalVelocity()
+        fits = self.model_dump() | {"rise_end": whole.rise_end, "fall_start": whole.fall_start}
         if self.fall_start < self.rise_end:
             said = f"brakes from {figure(self.fall_start)}, before {figure(self.rise_end)}"
-            yield DesignError("", said, "order", self._fits)
+            yield DesignError("", said, "order", fits)
         stages = (self.rise_end, self.fall_start - self.rise_end, 1 - self.fall_start)
-        yield from family.too_brief(stages, "", self._fits)
-
-    @property
-    def _fits(self) -> dict[str, Any]:
-        whole = TrapezoidalVelocity()
-        return self.model_dump() | {"rise_end": whole.rise_end, "fall_start": whole.fall_start}
+        yield from family.too_brief(stages, "", fits)
 
 
 BEFORE = '"brakes from "&ROUND(@aw,9)&", before "&ROUND(@av,9)'
@@ -65,35 +64,22 @@ TRAPEZOIDAL_VELOCITY = Page(
 )  # fmt: skip
 
 
-class SmoothRamps(BreakPoints):
-    """Where the first ramp ends and the second begins, as shares of the rise."""
-
-    rise_end: Annotated[float, Field(gt=0, le=1)] = SineRamps.rise_end
-    fall_start: Annotated[float, Field(ge=0, lt=1)] = SineRamps.fall_start
-
-
 SINE_RAMPS = edged(
     {2: Stage(HALF_SINE, "=@av"), 4: Stage(None, "=@aw-@av"), 6: Stage(HALF_SINE, "=1-@aw")},
-    source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'", entries=SmoothRamps,
-    law=SineRamps, parameters=TRAPEZOIDAL_VELOCITY.parameters, variations=TRAPEZOIDAL_VELOCITY.variations,
+    source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'", law=SineRamps,
+    entries=family.parameters_of(SineRamps, BreakPoints, rise_end=RiseEnd, fall_start=FallStart),
+    parameters=TRAPEZOIDAL_VELOCITY.parameters, variations=TRAPEZOIDAL_VELOCITY.variations,
     checks=(ORDER,),
 )  # fmt: skip
 
 
-class Ramps(family.SevenDurations):
-    """Seven stage durations as shares of the rise; they sum to 1."""
-
-    durations: Annotated[list[Share], Field(min_length=7, max_length=7)] = Field(default=list(SCurve.durations))
-
-
 S_CURVE = edged(
     dict(enumerate(map(Stage, (LINE_OUT, FLAT, LINE_IN, None, LINE_IN, FLAT, LINE_OUT)), 1)),
-    source="TwinCAT NC, set-point generator with seven phases", entries=Ramps, law=SCurve, parameters=family.DURATIONS,
-    variations=(
-        {"durations": [0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2]},
-        {"durations": [0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25]},
-        {"durations": [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0]},
-        {"durations": [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2]},
+    source="TwinCAT NC, set-point generator with seven phases", law=SCurve, parameters=family.DURATIONS,
+    entries=family.parameters_of(SCurve, family.SevenDurations, durations=family.Seven),
+    variations=family.lasting(
+        [0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2], [0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25],
+        [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0], [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2],
     ),
     checks=family.LASTING,
 )  # fmt: skip

@@ -1,12 +1,10 @@
 """Pages of laws of rest, one straight line, one pulse and the same backwards, a polynomial, two sines."""
 
-from typing import Literal
-
 from engine.laws import Dwell
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, SINE_IN, Stage, edged
-from workbook.laws.family import COEFFICIENTS, POLYNOMIAL, REVERSAL, SHARED, LawSheet, Page, PieceRow
+from workbook.laws.family import COEFFICIENTS, POLYNOMIAL, REVERSAL, SHARED, Page, PieceRow, Reversal, parameters_of
 
 DWELL = Page(
     source="S3, function motionlaw", entries=None, law=Dwell, has_sheet=False,
@@ -80,18 +78,13 @@ POLYNOMIAL_4567 = Page(
 )  # fmt: skip
 
 
-class Reversed(LawSheet):
-    """The end at which the motion turns round."""
-
-    reversal: Literal["start", "end"] = "end"
-
-
 ENDS = 'IF(@reversal="end",{0},{1})'
 PEAK = "ATAN2(1,SQRT(15))/PI()"  # where the acceleration at the end at rest is largest: cos πξ = ¼
 POWER = "675*SQRT(15)*PI()^3/8192"
 
 DOUBLE_HARMONIC = Page(
-    source="LCamHdl, D_R_DOUBLE_HARMONIC; saltire.com, cam functions", entries=Reversed, law=DoubleHarmonic,
+    source="LCamHdl, D_R_DOUBLE_HARMONIC; saltire.com, cam functions", law=DoubleHarmonic,
+    entries=parameters_of(DoubleHarmonic, reversal=Reversal),
     parameters=(REVERSAL,), variations=({"reversal": "start"}, {"reversal": "end"}),
     pieces=(
         PieceRow(

@@ -34,10 +34,9 @@ OF_TOOL = {"b": cells("@b"), "a": cells("@a")}
 
 
 class AtAngles:
-    """The tool of one schedule at angles of the master shaft: from its arrival dwell, way out, rest, way in."""
+    """The tool of a schedule at angles (degrees) of the master shaft: from its arrival dwell, way out, rest, way in."""
 
     def __init__(self, station: Station, schedule: str, theta: Array, pieces: Pieces) -> None:
-        """Take angles in degrees; ``schedule`` is a key of :data:`SCHEDULES`."""
         self.row, self.words = SCHEDULES[schedule]
         self.plan, self.angle = station.schedules[self.row - 1], si(theta, DEGREE)
         self.travel, self.rates = self.plan.travel(self.angle), self.plan.rates(self.angle, station.machine.rate)
