@@ -113,10 +113,9 @@ Resolve = Callable[[str, str], Area]  # a defined name used on a sheet, or ``tit
 
 
 def read(text: str, sheet: str, area: Resolve, known: dict[str, Area | str] | None = None) -> Formula:
-    """Split a formula into its shape and arguments; ``area`` resolves a name, or a sheet's title.
+    """Split a formula into shape and arguments, by ``area``; raise FormulaError for what cannot be evaluated.
 
-    ``known`` keeps the arguments met on the same sheet, for the formulas that follow. Raises FormulaError for
-    text that is no formula of the kinds that can be evaluated.
+    ``known`` keeps the arguments met on the same sheet, for the formulas that follow.
     """
     if len(text) > LONGEST:
         raise FormulaError("#NAME?", f"the formula is longer than {LONGEST:,} characters")

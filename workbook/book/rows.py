@@ -31,10 +31,7 @@ def as_rows(value: Any, size: int, where: str) -> list[Any]:
 
 
 def total(column: str) -> str:
-    """Return the formula of a column's sum, not by SUM: LibreOffice 7.4 works out columns without values in threads.
-
-    SUM then misses the first cell of one that is begun for it.
-    """
+    """Return the formula of a column's sum; SUM misses a cell where LibreOffice 7.4 works out columns in threads."""
     return f"SUMPRODUCT([{column}])"
 
 
@@ -49,10 +46,7 @@ WEIGHTS = (0.0138888888888889, 0.0827476807804028, 0.137269356250081, 0.17321425
 
 
 def polynomial(coefficients: str, x: str, count: int, order: int = 0) -> str:
-    """Return the formula, without its =, of a derivative of a polynomial of ``count`` coefficients in a row.
-
-    ``coefficients`` are those from that of x^``order`` on; x is never 0: see :data:`NOT_ZERO`.
-    """
+    """Return the formula, without =, of a polynomial's derivative; of ``count`` coefficients those from x^order on."""
     powers = constants(range(count - order))
     factors = f"{constants(perm(k, order) for k in range(order, count))}," if order else ""
     return f"SUMPRODUCT({coefficients},{factors}{x}^{powers})"

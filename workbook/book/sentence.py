@@ -66,10 +66,8 @@ def amount(cell: str, value: float, before: str, after: str) -> Said:
 
 
 def bound(cell: str, value: float, before: str, after: str) -> Said:
-    """Return a sentence on an amount of at least 0 up to which something holds: to one decimal, rounded down.
-
-    Less than 0.05 is taken off, so that a whole amount such as 200 lies at no edge of the rounding.
-    """
+    """Return a sentence on an amount of at least 0 up to which something holds: to one decimal, rounded down."""
+    # less than 0.05 is taken off, so that a whole amount such as 200 lies at no edge of the rounding
     said = f"{round(max(0.0, value - 0.0499), 1):.15g}"
     return around(f"ROUND(MAX(0,{cell}-0.0499),1)", said, before, after)
 

@@ -102,8 +102,7 @@ def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[st
                suited: Callable[[dict[str, Any]], Iterable[str]] = list) -> list[dict[str, Any]]:  # fmt: skip
     """Return six variations of a machine's description, and of further turns those by which a law has its first turn.
 
-    ``varied(description, turn)`` makes the one of a turn, counted from 0, with laws by :func:`law_for`; ``suited``
-    tells which laws of a description the machine can have. Raises LookupError, with those that never come.
+    ``varied`` makes that of a turn, from 0; ``suited`` tells which laws can come; LookupError has those that never do.
     """
     made: list[dict[str, Any]] = []
     names = set(suited(machine.laws.model_dump()))

@@ -124,5 +124,5 @@ def samples(sheet: Sheet, rise: Phase, lift: float, n: int, stack: sampling.Piec
         result("y", "position", "y", "mm", "=@h*[s]", shown(h * at.s, MM), scale=abs(lift), source="h s"),
         result("yv", "velocity", "ẏ", "m/s", "=@h_m/@t*[v]", h / t * at.v, source="h v / t_a"),
         result("ya", "acceleration", "ÿ", "m/s²", "=@h_m/@t^2*[a]", h / t**2 * at.a, source="h a / t_a²"),
-        *stack.finding("@no", "xi", stack.locate(stack.number(rise.law), xi), entries),
+        *stack.finding("@no", stack.number(rise.law), "xi", xi, entries),
     )  # fmt: skip

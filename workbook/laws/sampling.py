@@ -10,8 +10,6 @@ from itertools import accumulate
 from math import perm
 from typing import Any
 
-import numpy as np
-
 from engine.laws import Law, Piece
 from engine.laws.base import Array
 from engine.laws.piece import located
@@ -65,21 +63,16 @@ class Pieces:
         """Return the number of one of the book's laws."""
         return self._numbers[id(law)]
 
-    def locate(self, number: int, xi: Array) -> Array:
-        """Return of samples of one law, in rows: row of the piece (from 1), u from its begin, ωu + φ of each sine."""
-        place = located(self.pieces[number], xi)
+    def finding(self, law: str, number: int, name: str, xi: Array,
+                entries: Container[str] = ENTRIES) -> list[Quantity]:  # fmt: skip
+        """Return the workings of samples of a law by its cell and number: piece, u in it, arguments of its sines."""
+        place, find = located(self.pieces[number], xi), FIND.format(law=law, xi=name)
         row = (self.first[number] + place.piece).astype(float)
-        angles = (place.angle, place.angle2) if self.second_sine else (place.angle,)
-        return np.array([row, place.u, *angles])
-
-    def finding(self, law: str, xi: str, at: Array, entries: Container[str] = ENTRIES) -> list[Quantity]:
-        """Return the workings of each sample: row of its piece, u in it, arguments of sines that ``entries`` have."""
-        row, *local = at
-        find = FIND.format(law=law, xi=xi)
         return [
             calc("q", "piece row", "q", "", find, row, format="0", source="last key not above the sample's"),
-            *self.within(f"=[{xi}]-INDEX(piece_xi,[q])", "ξ − ξ_k", *local, entries=entries),
-        ]
+            *self.within(f"=[{name}]-INDEX(piece_xi,[q])", "ξ − ξ_k", place.u,
+                         *(place.angle, place.angle2)[: 1 + self.second_sine], entries=entries),
+        ]  # fmt: skip
 
     def within(self, formula: str, words: str, u: Array, *angles: Any,
                entries: Container[str] = ENTRIES) -> list[Quantity]:  # fmt: skip

@@ -30,10 +30,7 @@ def of_law(column: str) -> str:
 
 @dataclass(frozen=True)
 class Cells:
-    """Where a motion stands in a book.
-
-    In units of its own a motion may be of any length: a sample finds its piece by the share of the whole.
-    """
+    """Where a motion stands in a book; in units of its own, a sample finds its piece by the share of the whole."""
 
     phases: str  # the table of its phases: ``k``, ``no``, ``h``, ``span``, ``begin``, ``y0``, in units of the motion
     pieces: str  # the table of its pieces

@@ -118,10 +118,8 @@ def same_part(one: bytes, other: bytes) -> bool:
 
 def near(one: bytes, other: bytes) -> bool:
     """Whether two cached results agree but for rounding."""
-    if one == other:
-        return True
     try:
-        return math.isclose(float(one), float(other), rel_tol=LAST_PLACES, abs_tol=LAST_PLACES)
+        return one == other or math.isclose(float(one), float(other), rel_tol=LAST_PLACES, abs_tol=LAST_PLACES)
     except ValueError:
         return False
 

@@ -138,10 +138,7 @@ CLOSE = 3  # rows of a section, and of a table, that its heading keeps to
 
 
 def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], high: Mapping[int, float]) -> list[int]:
-    """Return the rows after which a page ends, of a sheet that prints so many rows and columns: the cheapest cuts.
-
-    ``wide`` are widths of its columns (digits), ``high`` heights of its rows (points), where they are not the usual.
-    """
+    """Return the rows after which a page ends, by the cheapest cuts; widths are in digits, heights in points."""
     tall = {1: TALL["title"]} | {text.row: TALL[text.style] for text in sheet.texts if text.style in TALL}
     ends = list(accumulate((high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)), initial=0.0))
     scale = min(1.0, WIDTH / sum(WIDE * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))

@@ -1,7 +1,4 @@
-"""Write a declared book to a file: cells, styles, names, charts, cached values, the same bytes each time.
-
-And what an engineer has added to an older book: sheets, cells, notes and names.
-"""
+"""Write a declared book to a file, the same bytes each time, with what an engineer has added to an older one."""
 
 import io
 import zipfile
@@ -57,10 +54,7 @@ NOTHING = Own()
 
 def save(book: Book, model: type[BaseModel], path: Path, overwrite: bool = False,
          check: Callable[[Path], None] | None = None, own: Own = NOTHING) -> None:  # fmt: skip
-    """Save a book, each formula with its value, and what an engineer had added to an older one, by :func:`replace`.
-
-    ``check`` may refuse the file that stands beside the target.
-    """
+    """Save a book, and what an engineer had added to an older one; ``check`` may refuse the draft of the file."""
     refuse_existing(path, overwrite)
     pack(parts(book, model, own=own), path, overwrite, check)
 

@@ -46,10 +46,8 @@ TRAPEZOID_BY_SHARE = edged(
                   source="share of the pulse; without a reversal of no account"),
     ),
     variations=(
-        {"share": 0.4, "reversal": "end", "edge": 0.3},
-        {"share": 0.6, "reversal": "start", "edge": 0.7},
-        {"share": 0.3, "reversal": "none", "edge": 0.4},
-        {"share": 0.55, "reversal": "end", "edge": 1.0},
+        {"share": 0.4, "reversal": "end", "edge": 0.3}, {"share": 0.6, "reversal": "start", "edge": 0.7},
+        {"share": 0.3, "reversal": "none", "edge": 0.4}, {"share": 0.55, "reversal": "end", "edge": 1.0},
     ),
 )  # fmt: skip
 
@@ -70,8 +68,7 @@ MODIFIED_SINE = edged(
         Parameter("@fall_edge", "Last edge, as a share of the deceleration", "β_2", "fall_edge", "last edge"),
     ),
     variations=(
-        {"share": 0.4, "rise_edge": 0.25, "fall_edge": 0.4},
-        {"share": 0.6, "rise_edge": 0.0, "fall_edge": 1.0},
+        {"share": 0.4, "rise_edge": 0.25, "fall_edge": 0.4}, {"share": 0.6, "rise_edge": 0.0, "fall_edge": 1.0},
         {"share": 0.3, "rise_edge": 0.5, "fall_edge": 0.1},
     ),
 )  # fmt: skip

@@ -12,7 +12,8 @@ from workbook.laws import family
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, LINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow
 
-RiseEnd, FallStart = Annotated[float, Field(gt=0, le=1)], Annotated[float, Field(ge=0, lt=1)]
+RiseEnd = Annotated[float, Field(gt=0, le=1)]
+FallStart = Annotated[float, Field(ge=0, lt=1)]
 
 
 class BreakPoints(LawSheet):

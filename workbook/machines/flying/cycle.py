@@ -75,7 +75,7 @@ def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces)
     sheet.table(
         "standing", "The law where it is fastest", 1,
         calc("xi", "abscissa", "ξ_v", "", "=fly_peak", at),
-        *stack.finding("fly_no", "xi", stack.locate(machine.number, at)),
+        *stack.finding("fly_no", machine.number, "xi", at),
         *stack.columns({"s": law.s(at)}, "s"),
     )  # fmt: skip
     parts = cut_parts(machine.cut)

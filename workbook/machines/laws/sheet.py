@@ -149,7 +149,7 @@ def samples(sheet: Sheet, view: Compared) -> None:
             constant("k", "sample", "k", "", list(range(n + 1))),
             calc("xi", "abscissa", "ξ", "", f"=[k]/[samples{i}.k.last]", view.xi, "k / N", format="0.0000"),
             *stack.columns(values, "svaj", result),
-            *stack.finding(f"curve{i}_no", "xi", stack.locate(one.number, view.xi)),
+            *stack.finding(f"curve{i}_no", one.number, "xi", view.xi),
         )  # fmt: skip
         sheet.row += 1
 

@@ -154,7 +154,7 @@ def points(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         calc("m", "row on Laws", "", "", f"=[used.first.{i}]+[p]-1", rows, format="0"),
         calc("xi", "share of time", "ξ", "", "=INDEX(piece_xi,[m])+[share]*INDEX(piece_d,[m])", at.xi,
              "begin of the piece and its share"),
-        *pieces.finding(f"[used.no.{i}]", "xi", pieces.locate(number, at.xi)),
+        *pieces.finding(f"[used.no.{i}]", number, "xi", at.xi),
         *pieces.columns({"s": at.s, "v": at.v}, "sv"),
     )  # fmt: skip
     sheet.row += 1
@@ -186,7 +186,7 @@ def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         calc("acc", "acceleration between", "a", "", "=2*([s1]-[s0]-[v0]*([x1]-[x0]))/([x1]-[x0])^2",
              found.acceleration, "as if constant: 2(Δs − vΔξ)/Δξ²"),
         calc("near", "share of time by it", "ξ", "", NEAR, found.near, "2Δs/(v + √(v² + 2aΔs)) after the point"),
-        *pieces.finding(f"[used.no.{i}]", "near", pieces.locate(number, found.near)),
+        *pieces.finding(f"[used.no.{i}]", number, "near", found.near),
         *pieces.columns({"s": found.s, "v": found.v}, "sv"),
         calc("more", "correction", "Δξ", "", "=IF(MIN([v0],[v1])>inverse_slow,([wanted]-[s])/[v],0)",
              found.correction, "what is missing of s, over the velocity"),
@@ -196,7 +196,7 @@ def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
         f"{wanted.name}_met", f"{wanted.title}: the law at these shares of time", len(wanted.s),
         wanted.head[0],
         calc("xi", "share of time", "ξ", "", f"=INDEX([{wanted.name}.xi],[k]+1)", found.xi),
-        *pieces.finding(f"[used.no.{i}]", "xi", pieces.locate(number, found.xi)),
+        *pieces.finding(f"[used.no.{i}]", number, "xi", found.xi),
         *pieces.columns({"s": law.s(found.xi)}, "s"),
         calc("residual", "residual", "s(ξ) − s", "", f"=[s]-INDEX([{wanted.name}.wanted],[k]+1)", wanted.residual,
              "how far the law is from the height wanted", format="0.0E+00"),

@@ -1,7 +1,4 @@
-"""The Overlap sheet: the transfer and its timing diagrams; with one tool all of it, with several the sum of them.
-
-Several tools have a sheet each, of the same parts (:mod:`workbook.machines.overlap.tool`).
-"""
+"""The Overlap sheet: transfer and timing diagrams; with one tool all of it, with several, a sheet each, their sum."""
 
 from engine.overlap.schedule import ANGLE_TOLERANCE, movement_time
 from engine.timing import FULL_TURN, shaft_speed
@@ -82,8 +79,13 @@ def sums(sheet: Sheet, machine: Overlapping) -> None:
         Quantity("ok", "its checks", role="check", formula=machine.each(f'=IF(AND({conditions}),"OK","FAIL")'),
                  value=verdicts),
     )  # fmt: skip
-    timing_diagrams(sheet, machine, RIGHT + 1)
-    accelerations(sheet, machine, RIGHT + 1)
+    left = RIGHT + 1
+    timing_diagrams(sheet, machine, left)
+    for column, title, values in ((left, "one after the other", "accb"), (left + WIDE, "with overlap", "acca")):
+        chart = Chart(f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]",
+                      lines_of(machine, values),
+                      f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30))  # fmt: skip
+        sheet.chart(chart, column, SECOND, WIDE, 18)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     sheet.not_printed_below()
     sheet.heading("Workings")
@@ -119,17 +121,6 @@ def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
                   f"Timing diagram of transfer and tools over one turn of the master shaft: {title}", (0, 360, 30),
                   (0, top, 1), lanes=True),
             column=left, row=5, width=WIDE, height=18,
-        )  # fmt: skip
-
-
-def accelerations(sheet: Sheet, machine: Overlapping, column: int) -> None:
-    """Place the accelerations of all tools side by side, in both schedules."""
-    for left, title, values in ((column, "one after the other", "accb"), (column + WIDE, "with overlap", "acca")):
-        lines = lines_of(machine, values)
-        sheet.chart(
-            Chart(f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]", lines,
-                  f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30)),
-            column=left, row=SECOND, width=WIDE, height=18,
         )  # fmt: skip
 
 

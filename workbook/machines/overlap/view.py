@@ -26,10 +26,7 @@ BACKWARDS = "a law moves backwards: see its sheet, or Laws"
 
 
 class Overlapping:
-    """The engine's view: the transfer, and a station for each tool.
-
-    Laws are inverted by their points, as the sheet Inverse does it; the truth is the same with the exact ``inverse``.
-    """
+    """The engine's view: transfer, a station for each tool; laws ``inverted`` by points, as on the sheet Inverse."""
 
     def __init__(self, machine: IndexingOverlap, library: dict[str, Law],
                  inverted: Inverse = inverse_by_points) -> None:  # fmt: skip
