@@ -82,9 +82,9 @@ def sums(sheet: Sheet, machine: Overlapping) -> None:
     left = RIGHT + 1
     timing_diagrams(sheet, machine, left)
     for column, title, values in ((left, "one after the other", "accb"), (left + WIDE, "with overlap", "acca")):
+        about = f"Acceleration of the tools over one turn of the master shaft: {title}"
         chart = Chart(f"Acceleration of the tools: {title}", "master angle θ [°]", "acceleration [m/s²]",
-                      lines_of(machine, values),
-                      f"Acceleration of the tools over one turn of the master shaft: {title}", (0, 360, 30))  # fmt: skip
+                      lines_of(machine, values), about, (0, 360, 30))  # fmt: skip
         sheet.chart(chart, column, SECOND, WIDE, 18)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     sheet.not_printed_below()
