@@ -15,7 +15,7 @@ from workbook.book.quantity import HOLDS, SAYS, number_format, sample
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
 from workbook.book.summary import settled
-from workbook.entries.machine import Design, Fault, Machine
+from workbook.entries.machine import Fault, Machine
 from workbook.laws.entries import key_of
 from workbook.laws.library import named
 
@@ -25,17 +25,15 @@ MOST_TURNS = 1000
 
 def with_entries(book: Book, machine: Machine) -> Book:
     """Return the book of a machine, with what was entered of its unfinished design."""
-    if not machine.design.replaced:
-        return book
-    laws = {one.key: f"laws.{key_of(one.name)}" for one in named(machine.laws)}
-    return Unfinished(book, machine.design, laws).book
+    return Unfinished(book, machine).book if machine.design.replaced else book
 
 
 class Unfinished:
     """A book that is being changed: entries first, then what is known of the checks, then what hangs on entries."""
 
-    def __init__(self, book: Book, design: Design, laws: dict[str, str]) -> None:
-        self.book, self.design, self.laws = book, design, laws
+    def __init__(self, book: Book, machine: Machine) -> None:
+        self.book, self.design = book, machine.design
+        self.laws = {one.key: f"laws.{key_of(one.name)}" for one in named(machine.laws)}
         self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
         self.dependence = Dependence(book)
         self.hanging: dict[frozenset[Address], set[Address]] = {}
@@ -103,14 +101,12 @@ class Unfinished:
                        for q in self._inputs(guard.table)]  # fmt: skip
             columns[USED] = in_use(guard.rows, entered)
         said = next((Sentence(f"row {i}, {message}") for i, message in enumerate(columns[MESSAGE], 1) if message), "")
-        known = {
-            at: value
-            for name, values in columns.items()
-            for at, value in zip(self._column(f"{block.name}.{name}", guard.rows), values, strict=True)
-        }
+        known: dict[Address, Any] = {}
+        for name, values in columns.items():
+            known |= zip(self._column(f"{block.name}.{name}", guard.rows), values, strict=True)
         if USED in columns:
-            name = f"{guard.table}{FULL}"
-            known |= dict.fromkeys(self._column(f"{name}.{name}", 1), is_full(columns[USED]))
+            full = f"{guard.table}{FULL}"
+            known |= dict.fromkeys(self._column(f"{full}.{full}", 1), is_full(columns[USED]))
         above = self._key(guard.entries[0][0].key.partition(".*")[0])
         return known, EMPTY if any(self._faults(above, "")) else said
 

@@ -85,14 +85,14 @@ def compare(
         lanes_of(file, target)  # what cannot be read is told before the book is verified
     held = dict(map(tolerated, tolerance)) or dict(target.tolerance)
     table = None if switches else read_table(file, target)
-    read = opened(book)
-    template = TEMPLATES[read.machine.template]
-    meant = None if table is None else chosen(template.axes(read.machine), axis, template.name)[0]
+    machine, before = opened(book)
+    template = TEMPLATES[machine.template]
+    meant = None if table is None else chosen(template.axes(machine), axis, template.name)[0]
     if meant and of == SHAFT:
         (meant,) = shafts([meant], everything=False)
-    vouched(book, read, unverified, fresh)
+    vouched(book, before, unverified, fresh)
     if table is None or meant is None:
-        return compared(book, template.switches(read.machine), file, target, as_json)
+        return compared(book, template.switches(machine), file, target, as_json)
     profile = meant.profile
     for given, own in zip(table.x[[0, -1]], profile.edges[[0, -1]], strict=True):
         if abs(float(given) - float(own)) > max(NEAR, SAME) * profile.total:
@@ -123,7 +123,8 @@ def lanes_of(file: Path, target: Target) -> list[Track]:
 def compared(book: Path, lanes: Sequence[CamSwitch], file: Path, target: Target, as_json: bool) -> int:
     """Compare the switches of a file with those of a book; return the exit code."""
     tappets = takes(target, lanes)
-    found = Switched(lanes, "", differences(lanes, lanes_of(file, target)), tappets, file)
+    pairs = list(zip(lanes, differences(lanes, lanes_of(file, target)), strict=True))
+    found = Switched(pairs, "", tappets, file)
     if as_json:
         say_json(found.told(target))
     else:

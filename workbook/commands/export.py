@@ -32,16 +32,10 @@ DECIMALS = {"point": ".", "comma": ","}
 class Switched(NamedTuple):
     """The switches of a machine with their file's text, and how each differs when that is read back."""
 
-    switches: Sequence[CamSwitch]
+    pairs: Sequence[tuple[CamSwitch, Differing]]
     text: str
-    found: Sequence[Differing]
     tappets: Tappets
     path: Path
-
-    @property
-    def pairs(self) -> list[tuple[CamSwitch, Differing]]:
-        """Each switch with how it differs."""
-        return list(zip(self.switches, self.found, strict=True))
 
     @property
     def beyond(self) -> list[str]:
@@ -89,7 +83,8 @@ def switched(
               *(f"untested: {claim.what} ({claim.source})" for claim in tappets.untested))  # fmt: skip
     cycle, held = switches[0].switch.cycle, tracks(switches, tappets)
     text = tappets.write(HandedTracks(held, "Switches", tuple(map(visible, header)), cycle, *signs))
-    return Switched(switches, text, differences(switches, tappets.read(text)), tappets, path)
+    found = differences(switches, tappets.read(text))
+    return Switched(list(zip(switches, found, strict=True)), text, tappets, path)
 
 
 class Asked(NamedTuple):
@@ -156,8 +151,7 @@ def export(
         refuse_itself(output, book)
         refuse_existing(output, force)
         refuse_one_for_two(output, report)
-    read = opened(book)
-    machine = read.machine
+    machine, before = opened(book)
     axes, lanes, names = planned(machine, axis, asked, everything, switches)
     beside = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
     paths = beside if output is None or everything else [output]  # with --all, -o names the folder in which they lie
@@ -169,7 +163,7 @@ def export(
     for path in paths:
         refuse_existing(path, force)
     refuse_one_for_two(*paths, report)
-    mark = vouched(book, read, asked.unverified, fresh)
+    mark = vouched(book, before, asked.unverified, fresh)
     with ERR.status("Exporting …"):
         state = [f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name))]
         told = ", ".join([machine.title, *state])

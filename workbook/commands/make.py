@@ -1,7 +1,6 @@
 """Descriptions and books: a new description, its schema, the book, what is entered in it, the committed templates."""
 
 import re
-from contextlib import suppress
 from keyword import iskeyword
 from pathlib import Path
 
@@ -10,8 +9,7 @@ from workbook import build as making
 from workbook.commands.verify import digest_of
 from workbook.described import schema as schemas
 from workbook.described.commented import commented
-from workbook.errors import AGREES, DISAGREES, InputError, ReadError, WriteError
-from workbook.intake import read_text
+from workbook.errors import AGREES, DISAGREES, InputError, WriteError
 from workbook.reading.descriptions import template_named, write_machine
 from workbook.remembered import recall, remember
 from workbook.reports.terminal import ERR, OUT, give, say, shown
@@ -96,10 +94,7 @@ def new(template: str, output: Path | None, force: bool) -> None:
     beside = target.parent / f"{chosen.name}.schema.json"
     refuse_one_for_two(target, beside)
     made = schemas.text(schemas.schema(chosen))
-    kept = False
-    with suppress(ReadError):
-        kept = read_text(beside, "a schema") == made
-    if not kept:
+    if not (beside.is_file() and beside.read_bytes() == made.encode()):
         write_text(beside, made, force)
     write_text(target, commented(chosen, f"./{beside.name}"), force)
     say(OUT, f"Wrote {target.absolute()}, and {beside.name} beside it, from which an editor completes its keys")

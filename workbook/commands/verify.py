@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from contextlib import suppress
 from datetime import datetime
 from pathlib import Path
-from typing import NamedTuple
 
 import typer
 
@@ -60,24 +59,20 @@ def verify(
     return many.exit_code(outcomes)
 
 
-class Opened(NamedTuple):
-    """The machine entered in a book, and the file's state before it was read."""
-
-    machine: Machine
-    state: tuple[int, int] | None
+State = tuple[int, int] | None
 
 
-def opened(book: Path) -> Opened:
-    """Return what is entered in a book; end the command, after it was said, for an unfinished design."""
+def opened(book: Path) -> tuple[Machine, State]:
+    """Return what is entered in a book, and the file's state before; end the command for an unfinished design."""
     before = state(book)
     machine, _ = making.inputs(book)
     if machine.design.replaced:
         say(ERR, f"{book}: the design is unfinished ({machine.design.faults[0].said}); nothing is exported", "red")
         raise typer.Exit(DISAGREES)
-    return Opened(machine, before)
+    return machine, before
 
 
-def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) -> tuple[str, ...]:
+def vouched(book: Path, before: State, unverified: bool, fresh: bool = False) -> tuple[str, ...]:
     """Return the header's lines on a book that is right or not to be asked; end the command, told why, if wrong."""
     lines = ["NOT VERIFIED: nobody compared the book with the engine"] if unverified else []
     if not unverified:  # these bytes are verified once, unless ``fresh``
@@ -97,7 +92,7 @@ def vouched(book: Path, found: Opened, unverified: bool, fresh: bool = False) ->
     for line in lines:
         say(ERR, f"Warning: {line}", "yellow")
     mark = f"made by motionbook {__version__} from {book.name}, SHA-256 {digest(book)}"
-    if found.state != state(book):
+    if before != state(book):
         raise TargetError(f"{book}: it changed while it was read; try again")
     return (mark, *lines)
 

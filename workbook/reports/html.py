@@ -30,12 +30,11 @@ ROOM = 24  # beside the front, to the right
 Box = tuple[float, float, float, float]  # left, top, right and bottom of what is taken
 
 
-def document(title: str, body: Sequence[Element] | str) -> str:
+def document(title: str, body: str) -> str:
     """Return a page of HTML."""
-    inside = body if isinstance(body, str) else markup(*body)
     return f"""<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>{shown(title)}</title><style>{STYLE}</style>\
-<meta name="viewport" content="width=device-width, initial-scale=1"></head><body>{inside}</body></html>
+<meta name="viewport" content="width=device-width, initial-scale=1"></head><body>{body}</body></html>
 """
 
 

@@ -78,27 +78,13 @@ class Evaluator:
 
     def __init__(self, plan: Plan, thorough: bool = False) -> None:
         self.plan, self.names, self.thorough = plan, plan.study.names, thorough
+        self.usual = of_no_book(plan.base)  # the results of the base that come without a book
+        self.asked = list(dict.fromkeys([*self.names, *plan.bounds]))
+        self.from_books = [name for name in self.asked if name not in self.usual.named]
+        self.swift = plan.template.scaling is not None and not self.from_books
+        self._outer = [k for k, one in enumerate(plan.space.dimensions) if not (self.swift and one.part)]
+        """the dimensions in which a design is worked out by itself"""
         self._last: tuple[tuple[Any, ...], Machine | str] | None = None
-
-    @cached_property
-    def usual(self) -> Results:
-        """The results of the base that come without a book."""
-        return of_no_book(self.plan.base)
-
-    @cached_property
-    def asked(self) -> list[str]:
-        """The names of results and of what is bounded."""
-        return list(dict.fromkeys([*self.names, *self.plan.bounds]))
-
-    @property
-    def from_books(self) -> list[str]:
-        """The results that need a book of each design."""
-        return [name for name in self.asked if name not in self.usual.named]
-
-    @cached_property
-    def swift(self) -> bool:
-        """Whether all results come without a book."""
-        return self.plan.template.scaling is not None and not self.from_books
 
     def table(self, begin: int, columns: Sequence[Column]) -> Table:
         """Return the results of designs that are numbered from ``begin``."""
@@ -115,11 +101,6 @@ class Evaluator:
                  for name in constraints}  # fmt: skip
         reasons = np.concatenate([np.full(n, one.reason, dtype=object) for one, n in found])
         return Table(begin, tuple(columns), results, fails, reasons)
-
-    @cached_property
-    def _outer(self) -> list[int]:
-        """The dimensions in which a design is worked out by itself."""
-        return [k for k, one in enumerate(self.plan.space.dimensions) if not (self.swift and one.part)]
 
     def _group(self, columns: Sequence[Column], count: int) -> Found:
         """Return what is found of designs that are worked out together."""
@@ -183,8 +164,7 @@ def together(parts: Sequence[Values]) -> Values:
     """Return values one behind the other: numbers, or texts with an empty one where there is none."""
     if all(part.dtype.kind in "fiub" for part in parts):
         return np.concatenate([part.astype(np.float64) for part in parts])
-    texts = [np.full(len(p), "", dtype=object) if p.dtype.kind == "f" else p.astype(object) for p in parts]
-    return np.concatenate(texts)
+    return np.concatenate([np.full(len(p), "", object) if p.dtype.kind == "f" else p.astype(object) for p in parts])
 
 
 def of_no_book(machine: Machine) -> Results:

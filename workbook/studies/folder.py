@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import asdict
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -182,11 +183,8 @@ def require_format(path: Path) -> None:
     """Raise WriteError for a suffix that is none, or one whose package is missing."""
     if path.suffix.lower() not in FORMATS:
         raise WriteError(f"{path}: results are written as {' or '.join(FORMATS)}; expected one of these endings")
-    if path.suffix.lower() == ".parquet":
-        try:
-            import pyarrow.parquet  # noqa: F401
-        except ImportError as error:
-            raise WriteError(f"{path}: {EXTRA}") from error
+    if path.suffix.lower() == ".parquet" and find_spec("pyarrow") is None:
+        raise WriteError(f"{path}: {EXTRA}")
 
 
 def part(labels: list[str], table: Table, suffix: str) -> bytes:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 import workbook
 from workbook.book.declare import Book
@@ -29,6 +29,7 @@ from workbook.visible import found
 
 MOST_IN_FULL = 100_000_000
 MOST_TRIED = 1000  # values of a list, each by itself before the study begins
+ENDS = 1e-9  # of the rise: ends of laws that differ by less are the same
 PRODUCTS = {"motor": "motors", "reducer": "reducers"}
 
 
@@ -75,7 +76,7 @@ class Plan:
 
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
-        data: dict[str, Any] = self.data
+        data = self.data
         for one, value in chosen.items():
             if one.takes:  # room from its neighbour
                 entry, way = EDGES[one.paths[0][-1]]
@@ -142,10 +143,9 @@ def line_of(fault: Any, place: list[str], where: str) -> str:
     if isinstance(cause, EntryError):
         return f"{where}: {'.'.join([*place, *filter(None, [cause.field])])}: {cause}"
     if fault["type"] == "extra_forbidden":
-        models: dict[int, type[BaseModel]] = {1: Study, 3: Vary}
-        known = models.get(len(place))
-        keys = [field.alias or name for name, field in known.model_fields.items()] if known else []
-        expected = f"; expected one of {nearest(place[-1], keys)}" if known else ""
+        fields = {1: Study.model_fields, 3: Vary.model_fields}.get(len(place), {})
+        keys = [field.alias or name for name, field in fields.items()]
+        expected = f"; expected one of {nearest(place[-1], keys)}" if keys else ""
         return f"{where}: {'.'.join(place)}: unknown entry{expected}"
     what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
     return f"{where}: {'.'.join(place)}: {what}; {fault['msg'][:1].lower()}{fault['msg'][1:]}"
@@ -191,8 +191,7 @@ def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
         products = next((PRODUCTS[part] for part in reversed(paths[0]) if part in PRODUCTS), "")
         values = [row.name for row in getattr(getattr(plan.base, "selection", None), products, None) or []]
         if not values:
-            expected = "expected the name of a motor or reducer"
-            raise InputError([f"{where}: {name!r} is none of a catalogue; {expected}"])
+            raise InputError([f"{where}: {name!r} is none of a catalogue; expected the name of a motor or reducer"])
     scaling = plan.template.scaling
     part = scaling.part(".".join(paths[0])) if scaling else ""
     made = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
@@ -205,21 +204,17 @@ def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
 
 def alike(plan: Plan, path: tuple[str, ...], given: str) -> list[str]:
     """Return the laws with the ends of the one that is entered, of the book and all families, as far as they fit."""
-    now, kept = ends_of(plan.base, given), []
+
+    def ends(machine: Machine, name: str) -> tuple[float, float, float, float]:
+        law = laws(machine.laws)[name]
+        return law.start.s, law.start.v, law.end.s, law.end.v
+
+    now, kept = ends(plan.base, given), []
     for name in dict.fromkeys([*plan.base.laws.names, *ENTRIES]):
         machine = plan.machine({Dimension("", (path,)): name})
-        if not isinstance(machine, str) and np.allclose(ends_of(machine, name), now, rtol=0.0, atol=ENDS):
+        if not isinstance(machine, str) and np.allclose(ends(machine, name), now, rtol=0.0, atol=ENDS):
             kept.append(name)
     return kept
-
-
-def ends_of(machine: Machine, name: str) -> tuple[float, float, float, float]:
-    """Return s and v at both ends of a law of a machine."""
-    law = laws(machine.laws)[name]
-    return law.start.s, law.start.v, law.end.s, law.end.v
-
-
-ENDS = 1e-9  # of the rise: ends of laws that differ by less are the same
 
 
 def book_names(book: Book) -> Iterator[str]:

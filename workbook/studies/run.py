@@ -106,6 +106,8 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
     ``told`` is called with the number of designs as they are done, and whether they were there before.
     """
     sent, there = pickle.dumps(plan), parts.complete()
+    for number in there:
+        told(parts.summary(number).designs, True)
 
     def kept(wanted: Iterable[Piece]) -> list[Piece]:
         """Work out and keep pieces; return those whose worker died."""
@@ -118,16 +120,9 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
             told(piece.end - piece.begin, False)
         return died
 
-    def missing(wanted: Iterable[Piece]) -> Iterator[Piece]:
-        for piece in wanted:
-            if piece.number in there:
-                told(piece.end - piece.begin, True)
-            else:
-                yield piece
-
     def do(wanted: Iterable[Piece]) -> None:
         """Work out and keep what is not there yet; what a worker died of is tried again, a piece at a time."""
-        for piece in kept(missing(wanted)):
+        for piece in kept(piece for piece in wanted if piece.number not in there):
             if kept([piece]):
                 raise MotionbookError(f"designs {piece.begin + 1:,} to {piece.end:,}: {DIED}")
 
@@ -135,7 +130,7 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
         evolve(plan.space, parts, do)
     else:
         do(pieces(range(0, plan.space.size, parts.step)))
-    return merged(plan.study, (parts.summary(number) for number in sorted(parts.complete())))
+    return merged(plan.study, map(parts.summary, sorted(parts.complete())))
 
 
 def evolve(space: Space, parts: Parts, do: Callable[[Iterable[Piece]], None]) -> None:
@@ -183,8 +178,7 @@ class Judged(NamedTuple):
 
 def machine_of(plan: Plan, design: Design) -> Any:
     """Return the machine of a design."""
-    chosen = {one: design.entries[one.label] for one in plan.space.dimensions}
-    machine = plan.machine(chosen)
+    machine = plan.machine({one: design.entries[one.label] for one in plan.space.dimensions})
     if isinstance(machine, str):
         raise InputError([f"design {design.number + 1}: {machine}"])
     return machine
@@ -192,8 +186,7 @@ def machine_of(plan: Plan, design: Design) -> Any:
 
 def picked(plan: Plan, design: Design, path: Path, overwrite: bool) -> Judged:
     """Build the book of a design, verify it, and compare it with the study's results."""
-    machine = machine_of(plan, design)
-    build(machine, path, overwrite)
+    build(machine := machine_of(plan, design), path, overwrite)
     book = plan.template.declare(machine)
     # mass and cost of a motor stand in no book
     apart = {name: deviation(value, of_book(book, name)) for name, value in design.results.items()
@@ -207,8 +200,6 @@ def picked(plan: Plan, design: Design, path: Path, overwrite: bool) -> Judged:
 
 def deviation(one: Any, other: Any) -> float:
     """Return by which share two results differ; texts by all or nothing."""
-    if isinstance(one, str) or isinstance(other, str):
+    if isinstance(one, str) or isinstance(other, str) or one == other:
         return float(one != other)
-    if one == other:
-        return 0.0
     return float(abs(one - other) / max(abs(one), abs(other), 1e-12))

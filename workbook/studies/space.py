@@ -51,10 +51,9 @@ class Vary(Model):
             raise EntryError("to", f"{said}; expected more than its begin")
         if self.steps is not None and not ranged:
             raise EntryError("steps", "only a range has steps; expected none")
-        values = self.values or []
-        twice = next((n for n, value in enumerate(values) if value in values[:n]), None)
-        if twice is not None:
-            raise EntryError(f"values.{twice + 1}", f"{values[twice]!r} stands there twice; expected each value once")
+        for n, value in enumerate(values := self.values or []):
+            if value in values[:n]:
+                raise EntryError(f"values.{n + 1}", f"{value!r} stands there twice; expected each value once")
         return self
 
     @property
@@ -115,8 +114,7 @@ class Study(Model):
     @model_validator(mode="after")
     def _asks(self) -> Self:
         goals = [*self.minimise, *self.maximise]
-        twice = next((name for name in goals if goals.count(name) > 1), None)
-        if twice is not None:
+        for twice in (name for name in goals if goals.count(name) > 1):
             raise EntryError("maximise", f"{twice!r} is asked for twice")
         if not self.names:
             raise EntryError("results", "empty; expected the name of a result, or an objective")
