@@ -23,10 +23,10 @@ from engine.cams.interpolation import lines, quintics, segmented, spline
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 from engine.motion.pieces import CamProfile, profile_of_motion
-from workbook.axes import CamAxis
 from workbook.controllers.handing import automatic, certified, reread, tabulated
 from workbook.controllers.registry import target, targets
 from workbook.controllers.target import Handed
+from workbook.offered import CamAxis
 from workbook.reports.html import Line, plot
 
 PICTURE = Path(__file__).parents[1] / "docs" / "cam-tables.svg"

@@ -6,11 +6,10 @@ from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar
 
 import workbook
-from workbook.axes import CamAxis, CamSwitch
 from workbook.book.declare import FIRST, Book, Text
 from workbook.book.summary import TITLE, checks_sheet, close, head, repeat_verdict
 from workbook.entries.machine import Machine
-from workbook.scaling import Scaling
+from workbook.offered import CamAxis, CamSwitch, Scaling
 from workbook.unfinished import with_entries
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"

@@ -8,7 +8,6 @@ import numpy as np
 
 from engine.cams.identify import THINNED
 from engine.motion.pieces import SAME
-from workbook.axes import CamSwitch
 from workbook.commands.export import LOAD, SHAFT, Switched, chosen, shafts, takes, tolerated
 from workbook.commands.verify import opened, vouched
 from workbook.controllers import described
@@ -16,12 +15,12 @@ from workbook.controllers.handing import certified
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.table import equidistant
 from workbook.controllers.target import Target, Track, differences, read_table, text_of
-from workbook.errors import AGREES, DISAGREES, ReadError, TargetError
+from workbook.errors import AGREES, DISAGREES, ReadError, TargetError, visible
+from workbook.offered import CamSwitch
 from workbook.reading.descriptions import checked, template_named, write_machine
 from workbook.reports.cams import excess, show, told
 from workbook.reports.terminal import ERR, give, say, say_data, say_json
 from workbook.templates import TEMPLATES
-from workbook.visible import visible
 from workbook.writing.place import refuse_existing, refuse_itself
 
 TURN = described.TURN

@@ -9,18 +9,17 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from engine.timing import Differing
-from workbook.axes import CamAxis, CamSwitch
 from workbook.commands.verify import opened, vouched
 from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.registry import targets
 from workbook.controllers.target import MOST_OFF, Handed, HandedTracks, Tappets, Target, differences, header, tracks
 from workbook.entries.machine import Machine
-from workbook.errors import AGREES, DISAGREES, TargetError, WriteError
+from workbook.errors import AGREES, DISAGREES, TargetError, WriteError, visible
+from workbook.offered import CamAxis, CamSwitch
 from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_json, show_table, shown
 from workbook.templates import TEMPLATES
-from workbook.visible import visible
 from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, write_text
 
 AUTO = "auto"

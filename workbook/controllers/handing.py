@@ -12,11 +12,11 @@ from engine.cams.certificate import Certificate, certify, equal, jumps, spread
 from engine.cams.interpolation import straight
 from engine.laws.base import Array
 from engine.motion.pieces import SAME, CamProfile
-from workbook.axes import CamAxis
 from workbook.controllers.table import RULES, Rule, Table
 from workbook.controllers.target import Target, parsed
 from workbook.controllers.texts import step_of
 from workbook.errors import TargetError
+from workbook.offered import CamAxis
 
 GROWTH = (1.25, 2.0)
 BETTER = 0.95  # times the best so far: more points are worth it

@@ -13,13 +13,12 @@ from tornado.template import Loader
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 from engine.timing import Differing, Switch, differing
-from workbook.axes import CamSwitch
 from workbook.controllers.registry import CLAIMS
 from workbook.controllers.table import Table
 from workbook.controllers.texts import LREAL, Number, literal
-from workbook.errors import ReadError, TargetError
+from workbook.errors import ReadError, TargetError, visible
 from workbook.intake import read_text
-from workbook.visible import visible
+from workbook.offered import CamSwitch
 
 CALLED = re.compile(r"^(?:// |# )?track (\d{1,4}): ([^\r\n]{1,80})", re.MULTILINE)
 MOST_OFF = 1e-2  # of an edge, in degrees: numbers of 32 bits hold it to 1e-5

@@ -13,13 +13,12 @@ from fnmatch import fnmatch
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError
+from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError, visible
 from workbook.intake import odd
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.pool import HERE, Died, Pool, collector_paused, swept_between
 from workbook.reading.files import SUFFIXES
-from workbook.visible import visible
 from workbook.witnesses.beside import Beside, digest
 
 MOST_READ = 2**24  # bytes of a workbook's list of names

@@ -10,8 +10,8 @@ from pydantic import BeforeValidator, Field, PrivateAttr, RootModel, create_mode
 
 from workbook.entries.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
 from workbook.entries.types import EntryError, Model
+from workbook.errors import found
 from workbook.laws.registry import CODES, FAMILY
-from workbook.visible import found
 
 LONGEST = 40  # characters of a law's name
 NUMBERED = re.compile(r"([A-Z][A-Z0-9]{2})(\d*)")

@@ -13,13 +13,12 @@ from workbook.entries import rules
 from workbook.entries.design import RefusedError, as_entered, designed, keys_of
 from workbook.entries.machine import Fault, Machine
 from workbook.entries.types import LARGEST, SMALLEST, EntryError
-from workbook.errors import InputError, ReadError
+from workbook.errors import LONGEST, InputError, ReadError, found
 from workbook.intake import read_text
 from workbook.laws.entries import key_of
 from workbook.selection.entries import referred
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
-from workbook.visible import LONGEST, found
 
 LINE = re.compile(r"at line (\d+)")
 COMMA = re.compile(r"=\s*([-+]?\d+,\d+)(?![\w.])")

@@ -11,14 +11,13 @@ from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
 from workbook.entries.design import set_at
 from workbook.entries.machine import ExportEntry, Machine, named
-from workbook.errors import DisputedError, InputError, ReadError
+from workbook.errors import DisputedError, InputError, ReadError, found
 from workbook.laws.library import numbered, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
 from workbook.reading.files import BookFile, is_formula, require_narrow
 from workbook.reading.fitting import ends_lost, fitted
 from workbook.template import MOST
 from workbook.templates import AnyTemplate
-from workbook.visible import found
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
 """gives what gives the value of a formula cell, told which of them it will be asked"""

@@ -8,9 +8,9 @@ import numpy as np
 
 import workbook
 from engine.cams.certificate import Certificate
-from workbook.axes import CamAxis
 from workbook.controllers.handing import ORDERS, Made, automatic, curve, rules_of
 from workbook.controllers.target import Target
+from workbook.offered import CamAxis
 from workbook.reports.html import Line, document, markup, plot, rendered
 from workbook.reports.terminal import OUT, show_table, shown
 

@@ -15,11 +15,11 @@ from rich.table import Column, Table
 
 from engine.laws import CATALOGUE
 from engine.laws.inverse import WORDS, continuity
+from workbook.errors import visible
 from workbook.judging.many import Outcome
 from workbook.judging.report import FOLLOWS, Finding, Report
 from workbook.reports.page import VERDICTS, figure, line, own_verdict, where
 from workbook.reports.terminal import say, say_json, show_table, shown
-from workbook.visible import visible
 
 WORST = 3  # findings of each of several workbooks that the terminal shows
 MOST = 40  # findings that the terminal shows; --json has them all

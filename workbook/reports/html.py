@@ -13,7 +13,7 @@ from tornado.template import Loader
 
 from engine.laws.base import Array
 from workbook.book.chart import COLOURS
-from workbook.visible import visible
+from workbook.errors import visible
 
 STYLE = "\n" + Path(__file__).with_name("page.css").read_text(encoding="utf-8")
 Content = Element | str

@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from workbook.visible import visible
+from workbook.errors import visible
 from workbook.writing.place import write_text
 
 OUT = Console()

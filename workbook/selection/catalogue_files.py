@@ -13,10 +13,9 @@ import workbook
 from workbook.entries import rules
 from workbook.entries.design import numbers_of
 from workbook.entries.types import EntryError
-from workbook.errors import InputError, ReadError
+from workbook.errors import InputError, ReadError, found
 from workbook.intake import read_text
 from workbook.selection.catalogue import MotorRow, ReducerRow
-from workbook.visible import found
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
 Product = dict[str, Any]  # what a line of a catalogue says of a product, by entry

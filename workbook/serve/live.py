@@ -15,12 +15,11 @@ from workbook.book.declare import Book
 from workbook.book.summary import TITLE
 from workbook.differences.design import Design, Figure, Key
 from workbook.entries.machine import Machine
-from workbook.errors import MotionbookError
+from workbook.errors import MotionbookError, visible
 from workbook.reading.descriptions import checked, counted, parsed, template_named
 from workbook.reports.differences import figure
 from workbook.reports.html import Content, Line, Scales, document, e, markup, plot, rendered, scales
 from workbook.template import FOLDER
-from workbook.visible import visible
 
 AXIS = re.compile(r"(?m)^\[\[axes\]\]")
 HEADER = re.compile(r"(?m)^\s*\[")

@@ -17,7 +17,7 @@ from workbook.build import described
 from workbook.entries.design import RefusedError, attempted
 from workbook.entries.machine import Fault, Machine
 from workbook.entries.types import EntryError
-from workbook.errors import InputError
+from workbook.errors import InputError, found
 from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.laws.library import laws
@@ -25,7 +25,6 @@ from workbook.reading.descriptions import counted, parsed, write_machine
 from workbook.studies.paths import below, changed, held, nearest, path_of, written
 from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arranged
 from workbook.templates import TEMPLATES, AnyTemplate
-from workbook.visible import found
 
 MOST_IN_FULL = 100_000_000
 MOST_TRIED = 1000  # values of a list, each by itself before the study begins

@@ -14,7 +14,7 @@ from pydantic import ConfigDict, Field, model_validator
 
 from workbook.entries.texts import Text
 from workbook.entries.types import EntryError, Model, Number
-from workbook.scaling import Column
+from workbook.offered import Column
 
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 MOST_KEYS = 20

@@ -6,10 +6,9 @@ from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.formula import words
-from workbook.errors import DisputedError, WitnessError
+from workbook.errors import DisputedError, WitnessError, found
 from workbook.reading.contents import Cells, Contents
 from workbook.reading.files import BookFile, require_little_work
-from workbook.visible import found
 from workbook.witnesses.registry import WITNESSES
 from workbook.witnesses.witness import CYCLE, Witness, without
 

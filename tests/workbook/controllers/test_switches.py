@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 
 from engine.timing import Switch, differing
 from tests.workbook.controllers.examples import TEXT
-from workbook.axes import CamSwitch
 from workbook.build import build
 from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.target import MOST_OFF, HandedTracks, differences, tracks
 from workbook.errors import TargetError
+from workbook.offered import CamSwitch
 from workbook.reading.descriptions import read_machine
 
 GOLDEN = Path(__file__).parent / "golden"

@@ -10,12 +10,11 @@ from rich.console import Console
 
 from workbook import cli
 from workbook.commands import make, verify
-from workbook.errors import InputError, MotionbookError
+from workbook.errors import InputError, MotionbookError, visible
 from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Report
 from workbook.reports import console
 from workbook.reports.terminal import say, say_data, shown
-from workbook.visible import visible
 
 NASTY = "a\x1b[31mb\x9bc\nd\r\u2028e\u202ef[/red]g[bold]h:warning:i\x85\x00"
 PLAIN = r"a\x1b[31mb\x9bc\nd\r\u2028e\u202ef[/red]g[bold]h:warning:i\x85\x00"

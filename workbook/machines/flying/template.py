@@ -5,7 +5,6 @@ from typing import Any
 
 from engine.flying.pieces import cut_pieces
 from engine.motion.pieces import profile_of
-from workbook.axes import CamAxis
 from workbook.book.declare import Book, result
 from workbook.book.sentence import rounded
 from workbook.book.summary import summary_sheet
@@ -22,6 +21,7 @@ from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.view import Flying, ToolDrive, check
 from workbook.motion.asked import smoothness_for
 from workbook.motion.exported import Exportable, export_sheet
+from workbook.offered import CamAxis
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import vary_selection
 from workbook.template import Template, finish

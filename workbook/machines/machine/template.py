@@ -7,7 +7,6 @@ from functools import partial
 from engine.cams.interpolation import Seen, composed
 from engine.motion.pieces import CamProfile, profile_of_motion, turned
 from engine.timing import Switch, turn_time
-from workbook.axes import CamAxis, CamSwitch
 from workbook.book.declare import Book, Quantity, again, result
 from workbook.book.summary import summary_sheet, summed_up
 from workbook.entries.abscissa import Abscissa
@@ -38,6 +37,7 @@ from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timi
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import export_sheet
+from workbook.offered import CamAxis, CamSwitch
 from workbook.selection.choosing import Choosing
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.template import Other, Template, finish

@@ -6,7 +6,6 @@ from engine.motion.pieces import profile_of, turned
 from engine.motion.shifted import Shifted
 from engine.overlap.schedule import pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
-from workbook.axes import CamAxis
 from workbook.book.declare import Book, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.phase import TURN
@@ -23,6 +22,7 @@ from workbook.machines.overlap.sheet import overlap_sheet
 from workbook.machines.overlap.view import Overlapping, check, laid_out
 from workbook.motion.asked import smoothness_for
 from workbook.motion.exported import Exportable, Later, export_sheet
+from workbook.offered import CamAxis
 from workbook.template import Template, finish
 
 PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s²", "S2: 5.17")  # what S2 prints beside the first sheet's results

@@ -22,7 +22,7 @@ from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion.tables import AxisRows
 from workbook.machines.machine.view import MovingAxis
-from workbook.scaling import Column, Worked
+from workbook.offered import Column, Worked
 from workbook.selection.catalogue import FULL_CYCLES
 
 WEIGHED = ("mass", "cost")

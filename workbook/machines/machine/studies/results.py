@@ -21,7 +21,7 @@ from workbook.machines.machine.power import KWH, Mains
 from workbook.machines.machine.studies import drives as each_drive
 from workbook.machines.machine.studies.drives import ONE, Studied, cycles, in_words
 from workbook.machines.machine.view import MovingAxis, Whole
-from workbook.scaling import Column, Results, Scaling, Worked
+from workbook.offered import Column, Results, Scaling, Worked
 from workbook.selection.choosing import Choosing
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")

@@ -1,17 +1,48 @@
-"""What of a machine only scales: designs that differ in nothing else are worked out together, without a book.
+"""What a template offers besides its book: axes, as a controller sees them, and what of a machine only scales.
 
-A template says which entries of its description do so (a motor, a reducer), and gives the results of many designs at
-once, by the names that its book gives them.
+Designs that differ in nothing else are worked out together, without a book: a template says which entries of its
+description do so (a motor, a reducer), and gives the results of many designs at once, by the names in its book.
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from typing import Any, Generic, NamedTuple, TypeVar
+from dataclasses import dataclass
+from typing import Any, Generic, NamedTuple, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.motion.pieces import CamProfile
+from engine.timing import Switch
+
 M = TypeVar("M")
 Values = NDArray[Any]  # a result of designs: one for all, or one for each
+
+
+@dataclass(frozen=True)
+class CamAxis:
+    """An axis over a cycle of its master: its profile and the units of both."""
+
+    name: str
+    profile: CamProfile
+    x_unit: str
+    y_unit: str
+    repeats: bool = True  # whether the cycle follows upon itself: it comes back, or a feed goes on from where it is
+    shaft: Callable[[], Self] | None = None
+    """gives the angle of its motor's shaft, if it has a drive; raises ValueError for what the mechanism cannot do"""
+
+    @property
+    def units(self) -> tuple[str, str, str, str]:
+        """Units of y, y', y'' and y'''."""
+        x, y = self.x_unit, self.y_unit
+        return y, f"{y}/{x}", f"{y}/{x}²", f"{y}/{x}³"
+
+
+class CamSwitch(NamedTuple):
+    """A switch over a cycle of the master, in the unit of its angles."""
+
+    name: str
+    switch: Switch
+    x_unit: str
 
 
 class Column(NamedTuple):
