@@ -136,12 +136,11 @@ class ModifiedSine(PulseLaw):
 
 @dataclass(frozen=True)
 class SineConstantCosine(PulseLaw):
-    """Sine edges at the dwells, constants, cosine edges inside, and a part at constant velocity.
+    """Norton's family: sine edges at the dwells, constants, cosine edges inside, and a part at constant velocity.
 
     The shares b, c, d and e sum to 1 (within 1e-9), else ValueError. With λ = ½ and e = 0,
     C_a = 4π²/[(π² − 8)(b² − d²) − 2π(π − 2)b + π²]. It contains constant acceleration (0, 1, 0), the modified trapezoid
     (¼, ½, ¼), simple harmonic (0, 0, 1), modified sine (¼, 0, ¾) and cycloidal motion (½, 0, ½).
-    Source: Norton's SCCA family, as in PTC Creo, 'SCCA', and mechdesigner.support, 'Sine-Constant-Cosine'.
     """
 
     code = "SCC"
@@ -212,7 +211,6 @@ class SineStraightSine(PulseLaw):
     """A quarter of a cosine over cλ, a straight line over 1 − c, a quarter of a sine over c(1 − λ).
 
     V = π/(π − (π − 2)c). It begins and ends with an acceleration: it is meant for reversals.
-    Source: LCamHdl, ProfileTypes, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286 (C, 0.5 by default).
     """
 
     code = "SGS"

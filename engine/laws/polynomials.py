@@ -114,8 +114,7 @@ class HalvedPolynomial(HalvedLaw):
 class Cubic(HalvedPolynomial):
     """The cubic that starts and ends at rest: s = ξ²(3 − 2ξ); v = 6ξ(1 − ξ); a = 6 − 12ξ; j = −12.
 
-    Source: S1, 'Cubic curve'; S3, 'CUB'. With the share λ, a falls from 3/λ to 0 and on to −3/(1 − λ): LCamHdl,
-    ProfileTypes, POLY_3.
+    With the share λ, a falls from 3/λ to 0 and on to −3/(1 − λ).
     """
 
     code = "CUB"

@@ -45,9 +45,7 @@ class RampedLaw(PulseLaw):
 class TrapezoidalVelocity(RampedLaw):
     """Constant acceleration A up to ξ = α_v, uniform velocity A α_v, constant deceleration B from ξ = α_w on.
 
-    A = 2/(α_v (1 − α_v + α_w)), B = 2/((1 − α_w)(1 − α_v + α_w)). ``rise_end`` is α_v and ``fall_start`` α_w, both as
-    shares of the rise (α_s = 1): 0 < α_v ≤ α_w < 1, else ValueError. Source: S1, 'Asymmetric trapezoidal speed
-    profile', equations of A and B; S3, function TVP (e_v = 1/3).
+    A = 2/(α_v (1 − α_v + α_w)), B = 2/((1 − α_w)(1 − α_v + α_w)), as shares of the rise (α_s = 1); e_v = 1/3 in S3.
     """
 
     code = "TVP"
@@ -56,8 +54,8 @@ class TrapezoidalVelocity(RampedLaw):
     source = "S1, 'Asymmetric trapezoidal speed profile'; S3, function TVP"
     HALF = CONSTANT
 
-    rise_end: float = 1 / 3
-    fall_start: float = 2 / 3
+    rise_end: float = 1 / 3  # α_v, above 0, at most α_w, else ValueError
+    fall_start: float = 2 / 3  # α_w, below 1
     ends: Ends = REST
 
 
@@ -97,9 +95,8 @@ class Limits(NamedTuple):
 class SCurve(PulseLaw):
     """Seven stages: j = A/t1, 0, −A/t3, 0, −B/t5, 0, B/t7: each ramp of velocity with a jerk of its own.
 
-    ``durations`` are the seven shares of the time: not negative, of sum 1 (within 1e-9), neither the first three
-    nor the last three all zero; else ValueError.
-    Source: the seven phases of TwinCAT NC's set-point generator; without limits of jerk it is the trapezoid of S1.
+    Without limits of jerk it is the trapezoid of S1. ``durations`` are shares of the time, of sum 1 (within 1e-9), none
+    negative, neither the first three nor the last three all zero; else ValueError.
     """
 
     code = "SCV"

@@ -63,10 +63,7 @@ class HalvedLaw(PulseLaw):
 
 @dataclass(frozen=True)
 class ConstantAcceleration(HalvedLaw):
-    """a = 2/λ over the share λ of the time, −2/(1 − λ) over the rest; with λ = ½, s = 2ξ², then 1 − 2(1 − ξ)².
-
-    Source: S3, figure 1 and 'ACS'; S1 quotes its C_a = 4. With λ: LCamHdl, ProfileTypes, D_D_PARABOLA.
-    """
+    """a = 2/λ over the share λ of the time, −2/(1 − λ) over the rest; with λ = ½, s = 2ξ², then 1 − 2(1 − ξ)²."""
 
     code = "ACS"
     name = "Constant acceleration"
@@ -99,10 +96,7 @@ class Cycloidal(HalvedLaw):
 
 @dataclass(frozen=True)
 class SimpleHarmonic(HalvedLaw):
-    """s = (1 − cos πξ)/2; with the share λ, a quarter of a cosine over λ and one of a sine over 1 − λ.
-
-    It begins and ends with an acceleration: a law from reversal to reversal.
-    """
+    """s = (1 − cos πξ)/2, between reversals; with λ, a quarter of a cosine over λ and of a sine over 1 − λ."""
 
     code = "SHM"
     name = "Simple harmonic"
@@ -123,9 +117,8 @@ FROM_REST = Piece(1.0, amplitude=PEAK, omega=math.pi, phase=COSINE, amplitude2=-
 class DoubleHarmonic(Law):
     """s = sin⁴(πξ/2), from rest to a reversal: a = (π²/2)(cos πξ − cos 2πξ).
 
-    At its end v = 0 and a = −π²: its mirror image has to follow, never a dwell. ``reversal`` says which end turns
-    round, "end" or "start" (s = 1 − cos⁴(πξ/2)); else ValueError. Its beginning is as smooth as that of the polynomial
-    4-5-6-7. Source: LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC and R_D_DOUBLE_HARMONIC; saltire.com, cam functions.
+    At its end v = 0 and a = −π²: its mirror image has to follow, never a dwell. Its begin is as smooth as that of the
+    polynomial 4-5-6-7.
     """
 
     code = "DHM"
@@ -133,7 +126,7 @@ class DoubleHarmonic(Law):
     source = "LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC; saltire.com, cam functions"
     vendors = Vendors(siemens="D_R_DOUBLE_HARMONIC (60)")
 
-    reversal: Literal["start", "end"] = "end"
+    reversal: Literal["start", "end"] = "end"  # which end turns round; at the start, s = 1 − cos⁴(πξ/2)
 
     def __post_init__(self) -> None:
         if self.reversal not in ("start", "end"):

@@ -124,10 +124,7 @@ def _require(points: Sequence[Point]) -> None:
 
 
 def eliminated(below: Array, diagonal: Array, above: Array, right: Array) -> tuple[list[float], ...]:
-    """Return what forward elimination leaves of a tridiagonal system: shares of the row before, pivots, right sides.
-
-    The diagonal dominates; ``below`` and ``above`` have one number less than the others.
-    """
+    """Return forward elimination of a tridiagonal system of dominant diagonal: shares, pivots, right sides."""
     d, x, shares = diagonal.tolist(), right.tolist(), [0.0]
     for k, (low, high) in enumerate(zip(below.tolist(), above.tolist(), strict=True)):
         share = low / d[k]

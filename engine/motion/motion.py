@@ -13,7 +13,6 @@ from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_fin
 from engine.laws.points import reach
 from engine.motion.phase import Ends, MotionValues, Phase, TimeValues, numbered_phase, scaled
 
-EDGE_TOLERANCE = BREAK_TOLERANCE  # A sample this near to an edge, in units of the whole abscissa, counts as on it.
 ZERO_TOLERANCE = 1e-9  # of the largest lift: a smaller jump is none
 
 
@@ -72,7 +71,7 @@ class Motion:
     @property
     def tolerance(self) -> float:
         """How near to an edge counts as on it, in units of the abscissa."""
-        return EDGE_TOLERANCE * self.total
+        return BREAK_TOLERANCE * self.total
 
     @cached_property
     def lifts_sum(self) -> float:

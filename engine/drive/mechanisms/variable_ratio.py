@@ -202,11 +202,7 @@ class PositionTable(Linkage):
 
 def _through_three(x: Array, y: Array) -> tuple[Array, Array]:
     """Return slope and curvature at each point, of the parabola through it and its neighbours."""
-    h = np.diff(x)
-    chord = np.diff(y) / h
+    chord = np.diff(y) / np.diff(x)
     if chord.size == 1:
         return np.repeat(chord, 2), np.zeros(2)
-    slope = (h[1:] * chord[:-1] + h[:-1] * chord[1:]) / (h[1:] + h[:-1])
-    bend = 2.0 * np.diff(chord) / (h[1:] + h[:-1])
-    first, last = chord[0] - h[0] * bend[0] / 2.0, chord[-1] + h[-1] * bend[-1] / 2.0
-    return np.array([first, *slope, last]), np.array([bend[0], *bend, bend[-1]])
+    return np.gradient(y, x, edge_order=2), np.pad(2.0 * np.diff(chord) / (x[2:] - x[:-2]), 1, mode="edge")
