@@ -227,8 +227,7 @@ def to_mend(book: Book, sheet: Sheet) -> None:
              align="left"),
         constant("k", "number", "", "", list(range(1, TO_MEND + 1))),
         Quantity("says", "check: where, and by how much", "", "", "sentence",
-                 f'=IF([k]>mend_count,"",{what}&": "&{says})', rows["mend.says"],
-                 align="left"),
+                 f'=IF([k]>mend_count,"",{what}&": "&{says})', rows["mend.says"], align="left"),
         blank="[k]>MAX(1,mend_count)",
     )  # fmt: skip
 

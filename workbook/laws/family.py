@@ -120,11 +120,6 @@ class Page:
     of_pieces: Sequence[str] = ()  # the entries that its pieces may have, where it has no table of them
 
     @property
-    def code(self) -> str:
-        """The code of three letters of its law."""
-        return self.law.code
-
-    @property
     def title(self) -> str:
         """What its sheet is headed by."""
         return self.titled or self.law.name

@@ -45,7 +45,7 @@ class NamedLaw:
     @property
     def slug(self) -> str:
         """What the names of its cells begin with: valid whatever the law is called."""
-        return self.page.code if self.basic else f"{self.page.code}{self.number}"
+        return self.page.law.code if self.basic else f"{self.page.law.code}{self.number}"
 
     @property
     def key(self) -> str:

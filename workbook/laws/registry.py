@@ -45,7 +45,7 @@ def require_complete(page: Page) -> None:
     if page.parameters and len(page.variations) < 2:
         wrong.append("two variations or more")
     if wrong:
-        raise IncompleteError(f"the page of {page.code} lacks {', '.join(wrong)}")
+        raise IncompleteError(f"the page of {page.law.code} lacks {', '.join(wrong)}")
 
 
 FAMILY: dict[str, Page] = {law.code: page_of(law, PAGES) for law in CATALOGUE}

@@ -100,9 +100,8 @@ def laws_sheet(book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Ro
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.heading("Results: the laws and their coefficients")
     summary(sheet, laws, sizes, hands_over)
-    sheet.heading(
-        "Workings: the stacked pieces", "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k."
-    )
+    sheet.heading("Workings: the stacked pieces",
+                  "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k.")  # fmt: skip
     sheet.rows(
         constant("break_eps", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
                  source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "

@@ -147,6 +147,9 @@ class Joints:
         met = [
             (k if joint.lasting > 1 else wrapped) * (piece.duration > 0.0) for k, (joint, piece) in enumerate(joined)
         ]
+        cell = self.asked.order
+        jerk = f"IF(({cell}>2)*(ABS([dj])>{cell}_j),3,0)"
+        order = f"=IF(ABS([dv])>{cell}_v,1,IF(({cell}>1)*(ABS([da])>{cell}_a),2,{jerk}))"
         return [
             calc("met", "row of the piece before", "", "", f"=IF([d]>0,IF([n]=1,{last},[r]-1),0)",
                  filled(met, room, 0), format="0", source="0: none"),
@@ -154,17 +157,11 @@ class Joints:
                    f"=IF([met]>0,[{name}0]-INDEX([{self.name}.{name}1],[met]),0)",
                    self._each("jump", n, 0.0, room), scale=self._scales[n - 1], source="at its begin")
               for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, marks, strict=True), 1)),
-            calc("order", "what jumps", "", "", self._order(), self._of(lambda joint: joint.order, 0, room),
+            calc("order", "what jumps", "", "", order, self._of(lambda joint: joint.order, 0, room),
                  format="0", source="1 y', 2 y'', 3 y" "'''"),
             calc("size", "by how much", "", "", "=CHOOSE([order]+1,0,[dv],[da],[dj])",
                  self._of(lambda joint: joint.size, 0.0, room), scale=max(self._scales)),
         ]  # fmt: skip
-
-    def _order(self) -> str:
-        asked = self.asked.order
-        v, a, j = (f"{asked}_{name}" for name in RATES)
-        jerk = f"IF(({asked}>2)*(ABS([dj])>{j}),3,0)"
-        return f"=IF(ABS([dv])>{v},1,IF(({asked}>1)*(ABS([da])>{a}),2,{jerk}))"
 
     @property
     def _worst(self) -> tuple[MotionPiece, Joint] | None:

@@ -45,10 +45,7 @@ class Kind(NamedTuple):
 
     def style(self) -> NamedStyle:
         """Return it as a cell style of a file."""
-        look = NamedStyle(self.name, font=self.font)
-        look.alignment, look.fill = self.alignment or look.alignment, self.fill or look.fill
-        look.border = self.border or look.border
-        return look
+        return NamedStyle(self.name, self.font, self.fill, self.border, self.alignment)
 
 
 ROLES = {

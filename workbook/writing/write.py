@@ -147,9 +147,8 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
         if text.style in LINE_HEIGHTS and text.text:
             room = wide.get(text.column, COLUMN_WIDTH)
             lines = lines_of(text.text, style.TEXTS[text.style].font.sz or FULL, room)
-            cells.heights[text.row] = max(
-                lines * LINE_HEIGHTS[text.style] + BESIDE[text.style], cells.heights.get(text.row, 0)
-            )
+            cells.heights[text.row] = max(lines * LINE_HEIGHTS[text.style] + BESIDE[text.style],
+                                          cells.heights.get(text.row, 0))  # fmt: skip
 
 
 def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel],

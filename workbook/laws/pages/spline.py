@@ -17,6 +17,7 @@ from workbook.entries.types import DesignError, Model, Number, Share
 from workbook.laws.family import BEHIND, ENTRIES, REACHES, LawCheck, LawSheet, Page
 
 ENDS = ("begin", "end")
+SLOPE = "The velocity that it {} with, per unit rise and time; without it 0"
 
 
 class Point(Model):
@@ -33,12 +34,8 @@ class Points(LawSheet):
     """Points that a cubic spline passes through, and what it does at its ends."""
 
     points: list[Point] = Field(default=ORIGINAL, description="The points, from (0, 0) to (1, 1), in order")
-    first_slope: Number | None = Field(
-        default=None, description="The velocity that it begins with, per unit rise and time; without it 0"
-    )
-    last_slope: Number | None = Field(
-        default=None, description="The velocity that it ends with, per unit rise and time; without it 0"
-    )
+    first_slope: Number | None = Field(default=None, description=SLOPE.format("begins"))
+    last_slope: Number | None = Field(default=None, description=SLOPE.format("ends"))
     natural: Literal["none", "begin", "end", "both"] = Field(
         default="none", description="The ends that are natural, without acceleration, where no slope is entered"
     )

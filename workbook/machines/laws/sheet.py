@@ -119,9 +119,8 @@ def names_sheet(book: Book, view: Compared) -> None:
     """Declare the sheet that says what the laws are called by those who make controllers."""
     sheet = book.sheet("Names", "What the laws are called in the libraries of controllers, as far as it is sure.")
     sheet.widths |= dict.fromkeys(range(FIRST + 1, FIRST + 1 + len(VENDORS)), 34.0)
-    sheet.heading(
-        "Names, with the number there", f"{NONE} where there is none, or none is sure; with parameters as delivered."
-    )
+    sheet.heading("Names, with the number there",
+                  f"{NONE} where there is none, or none is sure; with parameters as delivered.")  # fmt: skip
     sheet.table(
         "elsewhere", "Laws", len(view.moving),
         calc("law", "law", "", "",

@@ -24,9 +24,8 @@ WAYS = ("dwell", "way out", "rest", "way in")
 
 def cells(name: str) -> Cells:
     """Return where a motion over the master angle stands."""
-    return Cells(
-        f"{name}_phases", f"{name}_pieces", f"{name}_count", "360", "m", "rad", degrees=True, near="overlap_eps"
-    )
+    return Cells(f"{name}_phases", f"{name}_pieces", f"{name}_count", "360", "m", "rad", degrees=True,
+                 near="overlap_eps")  # fmt: skip
 
 
 TRANSFER = cells("transfer")

@@ -116,12 +116,10 @@ def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
     for left, title, lane in ((column, "one after the other", "lane_b"), (column + WIDE, "with overlap", "lane_a")):
         moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")
         line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
-        sheet.chart(
-            Chart(f"Timing diagram: {title}", "master angle θ [°]", "", (moved, *lines_of(machine, lane), line),
-                  f"Timing diagram of transfer and tools over one turn of the master shaft: {title}", (0, 360, 30),
-                  (0, top, 1), lanes=True),
-            column=left, row=5, width=WIDE, height=18,
-        )  # fmt: skip
+        about = f"Timing diagram of transfer and tools over one turn of the master shaft: {title}"
+        chart = Chart(f"Timing diagram: {title}", "master angle θ [°]", "", (moved, *lines_of(machine, lane), line),
+                      about, (0, 360, 30), (0, top, 1), lanes=True)  # fmt: skip
+        sheet.chart(chart, left, 5, WIDE, 18)
 
 
 def lines_of(machine: Overlapping, column: str) -> tuple[Series, ...]:

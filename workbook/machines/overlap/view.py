@@ -67,9 +67,8 @@ class Station:
         self.law_rows, self.blocked_rows = (row, row + 1), (row - 1, row)
         self.transfer = machine.transfer
         dwell, allowance = si(tool.dwell, DEGREE), si(p.allowance, DEGREE)
-        self.tool = Tool(
-            library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out], machine.transfer.inverted
-        )
+        self.tool = Tool(library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out],
+                         machine.transfer.inverted)  # fmt: skip
         self.passage = Passage(si(p.remaining, PERCENT), si(p.clearance, MM), si(p.margin, MM), allowance, p.split)
         found = overlap(self.transfer, self.tool, self.passage)
         way_in = found.angle_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
