@@ -141,10 +141,7 @@ def require_names(names: list[Any]) -> None:
             raise EntryError(key_of(name), f"look-ups take this for the law {as_listed(name)}; expected another name")
     if "DWL" in names:
         raise EntryError("DWL", "a dwell has nothing to enter; expected no entries")
-    try:
-        require_distinct([*CODES, *(name for name in names if name not in CODES)], "law", "{}")
-    except EntryError as error:
-        raise EntryError("", str(error)) from None
+    require_distinct([*CODES, *(name for name in names if name not in CODES)], "law", "")
 
 
 def in_family(name: str, entry: Any) -> Any:

@@ -1,5 +1,7 @@
 """The Cycle sheet, one for each tool: both parts over the master angle, one after the other and with overlap."""
 
+from collections.abc import Sequence
+
 from engine.laws.base import Array
 from engine.motion import Motion
 from engine.motion.pieces import Scaled
@@ -39,7 +41,7 @@ class AtAngles:
         self.row, self.words = SCHEDULES[schedule]
         self.plan, self.angle = station.schedules[self.row - 1], si(theta, DEGREE)
         self.travel, self.rates = self.plan.travel(self.angle), self.plan.rates(self.angle, station.machine.rate)
-        self.rows = tool_rows(station, schedule, pieces)
+        self.rows = rows_of(OF_TOOL[schedule], self.plan.parts, pieces)
 
     def columns(self, suffix: str) -> list[Quantity]:
         """Return the travel and the workings."""
@@ -70,21 +72,14 @@ def joints_of(rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry,
     return Joints.of(rows, motion, asked)
 
 
-def tool_rows(station: Station, schedule: str, pieces: Pieces) -> PieceRows:
-    """Return the pieces of a tool in a schedule, from its arrival."""
-    plan = station.schedules[SCHEDULES[schedule][0] - 1]
-    return rows_of_parts(OF_TOOL[schedule], plan.parts, pieces_of_parts(plan.parts), pieces, FULL_TURN)
-
-
-def transfer_rows(machine: Overlapping, pieces: Pieces) -> PieceRows:
-    """Return the pieces of the transfer."""
-    parts = machine.transfer.parts
-    return rows_of_parts(TRANSFER, parts, pieces_of_parts(parts), pieces, FULL_TURN)
+def rows_of(at: Cells, parts: Sequence[Scaled], pieces: Pieces) -> PieceRows:
+    """Return the pieces of the transfer, or of a tool in a schedule, from its arrival."""
+    return rows_of_parts(at, parts, pieces_of_parts(parts), pieces, FULL_TURN)
 
 
 def transfer_columns(machine: Overlapping, theta: Array, pieces: Pieces) -> list[Quantity]:
     """Return the travel of the transfer and its workings."""
-    angle, rows = si(theta, DEGREE), transfer_rows(machine, pieces)
+    angle, rows = si(theta, DEGREE), rows_of(TRANSFER, machine.transfer.parts, pieces)
     return [
         result("yt", "travel of the transfer", "y_t", "mm", f"=({sampled(rows, 0, 't')})*1000",
                shown(machine.transfer.travel(angle), MM), POSITION),
@@ -164,7 +159,8 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
 
 def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> Joints:
     """Declare the phases of the transfer and their pieces."""
-    rows, parts, moves = transfer_rows(machine, pieces), machine.transfer.parts, ("movement", "dwell")
+    parts, moves = machine.transfer.parts, ("movement", "dwell")
+    rows = rows_of(TRANSFER, parts, pieces)
     phases(sheet, "The transfer, from the start of the cycle", moves, parts, rows, no=["=[used.no.1]", "=1"],
            h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
            begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"])  # fmt: skip
@@ -182,7 +178,8 @@ def tool_pieces(sheet: Sheet, station: Station, pieces: Pieces) -> Joints:
     """Declare the phases of a tool in both schedules, and their pieces; return the joints of it as it is set."""
     (row_in, row_out), room = station.law_rows, station.machine.room
     for schedule, (row, words) in SCHEDULES.items():
-        plan, rows = station.schedules[row - 1], tool_rows(station, schedule, pieces)
+        plan = station.schedules[row - 1]
+        rows = rows_of(OF_TOOL[schedule], plan.parts, pieces)
         into, out, h = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]", "@stroke/1000"
         rest = f"360-@dwell-{out}-{into}"
         phases(

@@ -14,7 +14,7 @@ from workbook.entries.units import DEGREE, MM, shown
 from workbook.laws.library import RISING, SIX, factors, law_for, laws, own_in, vary_laws, varying
 from workbook.laws.sampling import Pieces
 from workbook.laws.shelf import LAW_SIZES, LawShelf
-from workbook.machines.overlap.cycle import cycle_sheets, tool_rows, transfer_rows
+from workbook.machines.overlap.cycle import OF_TOOL, TRANSFER, cycle_sheets, rows_of
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet
 from workbook.machines.overlap.picture import picture_sheet
@@ -59,11 +59,11 @@ def declare(given: IndexingOverlap) -> Book:
 def exportables(view: Overlapping, pieces: Pieces) -> list[Exportable]:
     """Return the transfer and each tool as it is set, as the sheet Export may have them."""
     unit = shown(1.0, DEGREE), shown(1.0, MM)  # one of the pieces' x and y in these
-    transfer = Exportable("transfer", '="transfer"', transfer_rows(view, pieces), UNITS, unit, "*1000",
-                          size_of_parts(view.transfer.parts))  # fmt: skip
-    found = [transfer]
+    parts = view.transfer.parts
+    found = [Exportable("transfer", '="transfer"', rows_of(TRANSFER, parts, pieces), UNITS, unit, "*1000",
+                        size_of_parts(parts))]  # fmt: skip
     for station in view.stations:
-        plan, rows = station.as_set, tool_rows(station, "a", pieces)
+        plan, rows = station.as_set, rows_of(OF_TOOL["a"], station.as_set.parts, pieces)
         later = Later("[@schedules.there.3]", "overlap_eps", "", Shifted(plan.motion, plan.arrival).unshifted, 0.0)
         found.append(Exportable(station.given.name, "=@name", rows, UNITS, unit, "*1000", size_of_parts(plan.parts),
                                 later, station.scope))  # fmt: skip
