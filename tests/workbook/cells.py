@@ -8,8 +8,7 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.book.address import Address
 from workbook.judging.carried import not_carried
-from workbook.judging.compare import TOLERANCE, difference
-from workbook.judging.comparing import Right
+from workbook.judging.comparing import TOLERANCE, Right, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places

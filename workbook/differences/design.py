@@ -14,7 +14,7 @@ from workbook.book.quantity import SAYS
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
 from workbook.judging.carried import own_things
-from workbook.judging.compare import is_number
+from workbook.judging.comparing import is_number
 from workbook.judging.layout import laid_out, layout
 from workbook.judging.order import in_order
 from workbook.judging.report import FAIL, OK, Report

@@ -1,6 +1,6 @@
 """What ``inputs`` and ``regenerate`` leave behind: all but what was entered, and what of one's own keeps its place."""
 
-from collections.abc import Iterator
+from collections import defaultdict
 from typing import Any
 
 from openpyxl.cell.cell import Cell
@@ -32,16 +32,13 @@ def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
     lines = [f"the sheet {title!r} is not carried over: it is none of the generated ones" for title in foreign]
     report = Report(file.path, template)
     structure(match, report)
-    edited: dict[str, list[str]] = {}
-    for found in report.findings:
-        if found.kind != "missing":
-            edited.setdefault(found.sheet, []).append(found.cell)
-    added: dict[str, list[str]] = {}
+    edited, added = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
+    for found in (found for found in report.findings if found.kind != "missing"):
+        edited[found.sheet].append(found.cell)
     taken = {(cell.parent.title, cell.coordinate) for cell, _ in own.cells}
-    for address in file.contents.formula_cells:
-        there = address.sheet in ours | kept and address not in match.numbers
-        if there and (address.sheet, address.a1) not in taken:
-            added.setdefault(address.sheet, []).append(address.a1)
+    for at in file.contents.formula_cells:
+        if at.sheet in ours | kept and at not in match.numbers and (at.sheet, at.a1) not in taken:
+            added[at.sheet].append(at.a1)
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
     lines += [f"formulas added on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in added.items()]
     return lines + own_things(match, ours, own)
@@ -56,10 +53,9 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
     for sheet in match.file.workbook.worksheets:
         if sheet.title in ours:
             for what, cells in on_sheet(match, sheet, rules.known).items():
-                where = [a1 for a1 in cells if (sheet.title, a1) not in taken]
-                if where:
+                if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:
                     lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
-    if left := [name for name, defined in names(match) if defined not in own.names]:
+    if left := [one.name for one in names(match) if one not in own.names]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
     lines += [f"charts and pictures of the sheet {sheet.title!r} are not carried over" for sheet in own.sheets
               if match.file.inspected and match.file.inspected.drawings.get(sheet.title)]  # fmt: skip
@@ -72,9 +68,8 @@ def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[
     """Return what stands on a sheet that is none of the generated book's, by kind: the cells, or what it is called."""
     declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))
     words = {text.text for text in declared.texts}
-    contents = match.file.contents.constants.items()
+    contents, cells = match.file.contents.constants.items(), sheet._cells.values()
     kept = [a.a1 for a, held in contents if a.sheet == sheet.title and a not in match.numbers and held not in words]
-    cells = sheet._cells.values()
     notes = [cell.coordinate for cell in cells if isinstance(cell, Cell) and cell.comment is not None]
     held = list(drawn(match, sheet.title))
     paired_charts = {id(found) for *_, found in paired(match, declared, held)}
@@ -106,7 +101,7 @@ def carried_over(match: Match, fresh: Book) -> Own:
     free = [cell for cell in cells if (cell.parent.title, cell.row, cell.column) not in taken]
     held = [(cell, content) for cell in free if (content := content_of(file.contents, cell, known)) is not None]
     notes = [cell for cell in cells if cell.comment is not None]
-    led = [(defined, {title for title, _ in defined.destinations}) for _, defined in names(match)]
+    led = [(defined, {title for title, _ in defined.destinations}) for defined in names(match)]
     within = tuple(defined for defined, sheets in led if sheets and sheets <= known)  # leads to cells of known sheets
     return Own(tuple(own), tuple(held), tuple(notes), within)
 
@@ -123,9 +118,7 @@ def content_of(contents: Contents, cell: Cell, known: set[str]) -> Any:
     return cell.value if sheets <= known else None
 
 
-def names(match: Match) -> Iterator[tuple[str, DefinedName]]:
-    """Yield the names that are someone's own."""
-    declared = {name.casefold() for name, _ in match.declared.names()}
-    for name, defined in match.file.workbook.defined_names.items():
-        if name.casefold() not in declared and not name.startswith("_xl"):
-            yield name, defined
+def names(match: Match) -> list[DefinedName]:
+    """Return the names that are someone's own."""
+    declared, held = {name.casefold() for name, _ in match.declared.names()}, match.file.workbook.defined_names.items()
+    return [one for name, one in held if name.casefold() not in declared and not name.startswith("_xl")]

@@ -8,15 +8,37 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.book.declare import Book
 from workbook.book.rows import as_rows
+from workbook.book.sentence import Sentence
 from workbook.entries.machine import Machine
 from workbook.errors import TooLargeError, WitnessError
-from workbook.judging.compare import TOLERANCE, difference, is_error
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import CAUSES, Finding, Ran, Report
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.templates import AnyTemplate
 from workbook.witnesses.witness import CellWitness, Model, Witness
+
+TOLERANCE = 1e-9  # relative to the greatest value of the cell's column
+
+
+def difference(computed: Any, expected: Any, peak: float) -> float:
+    """Return the deviation relative to ``peak``: 0 for equal texts, or sentences but for rounding; else infinite."""
+    if isinstance(expected, Sentence):
+        return 0.0 if expected.says(computed) else math.inf
+    if not (is_number(computed) and is_number(expected)):
+        return 0.0 if type(computed) is type(expected) and computed == expected else math.inf
+    gap = abs(computed - expected)
+    return gap / peak if peak else (0.0 if gap == 0 else math.inf)
+
+
+def is_number(value: Any) -> bool:
+    """Whether a value is a number; TRUE and an empty cell are none."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def is_error(value: Any) -> bool:
+    """Whether a value is one of a spreadsheet's errors."""
+    return isinstance(value, str) and value.startswith("#")
 
 
 class Right:
@@ -27,17 +49,16 @@ class Right:
         self.values: list[Any] = []  # the engine's, what was entered in inputs, what is declared in constants
         self.peaks: list[float] = []  # the greatest sizes of columns, or declared scales where these are greater
         for name, number, rows in match.columns:
-            block = declared.blocks[name]
-            q = block.quantities[number]
-            column = as_rows(q.value, block.size, q.name)
+            q = declared.blocks[name].quantities[number]
+            column = as_rows(q.value, declared.blocks[name].size, q.name)
             self.values += column[:rows]
             sizes = (abs(v) for v in column if isinstance(v, int | float) and abs(v) < math.inf)
             self.peaks += [max(q.floor, *sizes, 0.0)] * rows
 
-    def get(self, address: Address, default: Any = None) -> Any:
-        """Return what should stand in a cell; ``default`` for one that is not declared."""
+    def get(self, address: Address) -> Any:
+        """Return what should stand in a cell; None for one that is not declared."""
         number = self._match.numbers.get(address)
-        return default if number is None else self.values[number]
+        return None if number is None else self.values[number]
 
     def peak(self, address: Address) -> float:
         """Return what deviations of a declared cell are measured against."""
@@ -59,8 +80,8 @@ class Comparison:
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
         self.values: Cells = {}  # of the first witness that computed any
         self._first_wrong: set[Address] = set()  # by that one
+        # of each of the other inputs, the cells that are looked at, what should stand in them, and what does
         self._turns: list[tuple[list[Address], Right, Callable[[], Sequence[Any]]]] = []
-        """of each of the other inputs, the cells that are looked at, what should stand in them, and what does"""
         report.cells |= Counter(pair.address.sheet for pair in match.pairs if pair.declared_formula)
 
     def ask(self, witness: Witness) -> None:
@@ -93,11 +114,10 @@ class Comparison:
         problems: Mapping[Address, str] = self.model.problems if ran.name == self.single.name else {}
         for pair, deviation in wrong:
             value = values.get(pair.address)
-            kind = "error" if is_error(value) else "value"
             own = pair.address in at_fault or not explained or pair.address not in self._first_wrong
+            kind = "follows" if not own else "error" if is_error(value) else "value"
             why = problems.get(pair.address, "") or ("" if value is not None else "it could not be evaluated")
-            expected = pair.cell.expected
-            self.report.add(pair, kind if own else "follows", value, expected, deviation, ran.name, why)
+            self.report.add(pair, kind, value, pair.cell.expected, deviation, ran.name, why)
         self.values = self.values or values
 
     def _kept(self, ran: Ran, values: Cells) -> None:
@@ -167,14 +187,10 @@ def turns(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -
     """Return the cells that are looked at in each variation."""
     found: list[list[Address]] = [[] for _ in range(variations)]
     for n, (address, pair) in enumerate(pairs.items()):
-        cell = pair.cell
-        if address in suspects:
-            every, first = 1, 0
-        elif cell.block.size < LONG:
-            every, first = SHARE, n % SHARE
-        else:
-            every, first = variations, cell.i // SPREAD % variations + (variations if cell.i % SPREAD else 0)
-        for turn in found[first::every]:
+        i, every = pair.cell.i, SHARE if pair.cell.block.size < LONG else variations
+        spread = i // SPREAD % variations + (variations if i % SPREAD else 0)
+        first = n % SHARE if pair.cell.block.size < LONG else spread
+        for turn in found if address in suspects else found[first::every]:
             turn.append(address)
     return found
 

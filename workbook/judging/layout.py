@@ -1,7 +1,9 @@
 """Rows and columns put into a table, or taken out of it: one finding each, and none for what follows from it."""
 
+from collections import defaultdict
 from collections.abc import Iterator
 from itertools import groupby, product
+from typing import Any
 
 from openpyxl.utils import get_column_letter
 
@@ -48,20 +50,18 @@ def amiss(match: Match) -> int:
 
 def layout(match: Match) -> Iterator[Finding]:
     """Yield a finding for each row or column of a sheet that was put into tables, or is gone from them."""
-    known = [(block, fit_of(match, block)) for block in match.declared.blocks.values() if block.is_table]
-    there = [(block, fit) for block, fit in known if fit is not None]
+    tables = (block for block in match.declared.blocks.values() if block.is_table)
+    there = [(block, fit) for block in tables if (fit := fit_of(match, block)) is not None]
     yield from inserted(there)
-    gone: dict[tuple[str, int, int], list[Block]] = {}
+    gone, columns = defaultdict[Any, list[Block]](list), defaultdict[Any, list[tuple[Block, str]]](list)
     for block, fit in there:
         for row, count in fit.lost:
-            gone.setdefault((fit.place.sheet, row, count), []).append(block)
+            gone[fit.place.sheet, row, count].append(block)
+        for j in fit.gone:
+            columns[fit.place.sheet, fit.before(j)].append((block, block.quantities[j].label))
     for (sheet, row, count), blocks in gone.items():
         found = f"{'a row is' if count == 1 else f'{count} rows are'} gone above row {row}"
         yield Finding(sheet, f"{row}:{row}", LAYOUT, found, UNDO, titled(blocks))
-    columns: dict[tuple[str, int], list[tuple[Block, str]]] = {}
-    for block, fit in there:
-        for j in fit.gone:
-            columns.setdefault((fit.place.sheet, fit.before(j)), []).append((block, block.quantities[j].label))
     for (sheet, number), torn in columns.items():
         letter, labels = get_column_letter(number), dict.fromkeys(repr(label) for _, label in torn)
         found = f"a column is gone before column {letter}: {', '.join(labels)}"
@@ -70,10 +70,10 @@ def layout(match: Match) -> Iterator[Finding]:
 
 def inserted(there: list[tuple[Block, Fit]]) -> Iterator[Finding]:
     """Yield a finding for each run of rows that was put into tables."""
-    tables: dict[tuple[str, int], list[Block]] = {}
+    tables = defaultdict[tuple[str, int], list[Block]](list)
     for block, fit in there:
         for row in fit.inserted:
-            tables.setdefault((fit.place.sheet, row), []).append(block)
+            tables[fit.place.sheet, row].append(block)
     for _, run in groupby(enumerate(sorted(tables)), key=lambda one: (one[1][0], one[1][1] - one[0])):
         rows = [row for _, row in run]
         (sheet, first), (_, last) = rows[0], rows[-1]
@@ -97,19 +97,14 @@ def fit_of(match: Match, block: Block) -> Fit | None:
 
 def titled(blocks: list[Block]) -> str:
     """Return which tables they are: the heading of the first, and the names of all."""
-    block = blocks[0]
+    block, names = blocks[0], [b.name for b in blocks]
     above = [text for text in block.sheet.texts if text.style == "heading" and text.row < block.row]
     heading = max(above, key=lambda text: text.row).text if above else block.title
-    names = [b.name for b in blocks]
     return f"{heading}: the table {names[0]}" if len(names) == 1 else f"{heading}: the tables {', '.join(names)}"
 
 
 def follow(match: Match, report: Report, suspects: set[Address]) -> None:
-    """Set aside the findings that follow from rows and columns inserted or gone, and from names of cells that are gone.
-
-    A cell with its own formula that computes something else does so for these; and so does a formula that they have
-    left without a cell to refer to.
-    """
+    """Set aside what follows from rows, columns and names inserted or gone: wrong values, #REF!."""
     fits = match.file.fits
     unfit = {*fits, *(block.name for block, _ in match.misfits)}
     less = any(fit.lost or fit.gone for fit in fits.values())

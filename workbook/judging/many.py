@@ -65,10 +65,8 @@ def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None =
     """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
     try:
-        if not target.named and (kind := odd(path)):
+        if not target.named and (kind := odd(path) or (foreign(path) and "holds no machine of motionbook")):
             return without(path, kind, "no machine")
-        if not target.named and foreign(path):
-            return without(path, "holds no machine of motionbook", "no machine")
         before = state(path)
         with collector_paused():
             report = verify(path, witnesses, beside)
@@ -82,8 +80,8 @@ def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None =
     except OSError as error:
         return without(path, f"cannot be read: {error.strerror or error}")
     except Exception as error:  # one strange file must not take the others' verdicts with it
-        said = f"verifying it failed inside motionbook ({type(error).__name__}: {error}); please report this"
-        return without(path, said)
+        failed = f"({type(error).__name__}: {error})"
+        return without(path, f"verifying it failed inside motionbook {failed}; please report this")
     if report.findings and all(one.kind == "witness" for one in report.findings):  # no cell is known to be wrong
         found = report.findings[0]
         return without(path, f"{found.cell} gave no values to compare: {found.computed}")
@@ -93,11 +91,9 @@ def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None =
 
 def state(path: Path) -> tuple[int, int] | None:
     """Return size and time of change of a file, None where there is none."""
-    try:
-        known = path.stat()
-    except OSError:  # opening it says why
-        return None
-    return known.st_size, known.st_mtime_ns
+    with suppress(OSError):  # opening it says why
+        return (known := path.stat()).st_size, known.st_mtime_ns
+    return None
 
 
 LARGEST = 200_000_000  # bytes of a file that is sent
@@ -145,15 +141,13 @@ def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
     failed: list[Outcome] = []
     for path in paths:
         if os.path.isdir(path):  # not where the system cannot tell, as of a name longer than any
-            found = list(within(path, failed))
-            if not found:
+            if not (found := list(within(path, failed))):
                 failed.append(without(path, "there is no workbook in this folder"))
         else:
             found = [Target(path, named=True)]
         for target in found:
-            key = target.path.absolute()
-            if target.named or key not in targets:
-                targets[key] = target
+            if target.named or target.path.absolute() not in targets:
+                targets[target.path.absolute()] = target
     return list(targets.values()), failed
 
 
@@ -173,11 +167,10 @@ def within(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
 
 def hidden(path: Path) -> bool:
     """Whether a file or folder is hidden, in the way of Unix or of Windows."""
-    try:
-        attributes = getattr(path.stat(), "st_file_attributes", 0)  # Windows only
-    except OSError:
-        attributes = 0
-    return path.name.startswith(".") or bool(attributes & stat.FILE_ATTRIBUTE_HIDDEN)
+    with suppress(OSError):
+        if getattr(path.stat(), "st_file_attributes", 0) & stat.FILE_ATTRIBUTE_HIDDEN:  # Windows only
+            return True
+    return path.name.startswith(".")
 
 
 def verify_many(
@@ -187,11 +180,7 @@ def verify_many(
     done: Callable[[Outcome], object] = lambda outcome: None,
     beside: Beside | None = None,
 ) -> list[Outcome]:
-    """Verify workbooks by a pool; call ``done`` as each is finished.
-
-    The outcomes come in the order of ``targets``. One whose worker dies is tried once more, alone on a fresh worker.
-    ``beside`` may be a process that evaluates meanwhile the book that this process verifies.
-    """
+    """Verify workbooks by a pool, one whose worker dies once more by a fresh one; call ``done`` as each is finished."""
     outcomes: dict[Target, Outcome] = {}
 
     def keep(target: Target, outcome: Outcome) -> None:

@@ -22,8 +22,7 @@ class Pair(NamedTuple):
     cell: Cell
     address: Address
     held: Any
-    declared_formula: bool
-    """whether a formula belongs here"""
+    declared_formula: bool  # whether a formula belongs here
 
     @property
     def what(self) -> str:
@@ -47,11 +46,9 @@ class Match:
     file: BookFile
     declared: Book
     pairs: list[Pair] = field(default_factory=list)
-    misfits: list[tuple[Block, Place | None]] = field(default_factory=list)
-    """the blocks that the file lacks, or has in another size, there"""
+    misfits: list[tuple[Block, Place | None]] = field(default_factory=list)  # blocks gone, or of another size there
     columns: list[Column] = field(default_factory=list)
-    strips: list[Strip] = field(default_factory=list)
-    """where the cells of ``pairs`` are, one of ``columns`` after the other"""
+    strips: list[Strip] = field(default_factory=list)  # where the cells of ``pairs`` are, by ``columns``
 
     def __post_init__(self) -> None:
         for block in self.declared.blocks.values():
@@ -177,11 +174,8 @@ class Match:
 
     @cached_property
     def _held_index(self) -> dict[Address, Index]:
-        return cell_index(self._places, self._header_above)
-
-    @cached_property
-    def _places(self) -> dict[str, Place]:
-        return {name: self.file.places[name] for name in self.declared.blocks if name in self.file.places}
+        places = {name: self.file.places[name] for name in self.declared.blocks if name in self.file.places}
+        return cell_index(places, self._header_above)
 
     def _header_above(self, name: str) -> int:
         """Return how many rows above a block its header stands: a line with one of its texts, else the next text."""

@@ -9,15 +9,13 @@ from workbook.book.address import Address
 from workbook.judging.matching import Pair
 
 LAYOUT = "layout"  # the kind of rows and columns that were put into tables, or are gone
-ORDER = (
+ORDER = (  # the kinds of findings, causes before what follows from them
     LAYOUT, "entry", "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error",
     "value", "follows", "saved", "shown", "witness",
 )  # fmt: skip
-"""The kinds of findings, causes before what follows from them."""
 CAUSES = ORDER[:8]  # the kinds from which wrong values follow elsewhere
 FOLLOWS = "follows"  # the kind of what is wrong only because of other cells
-SHOWN, NOTICE = "shown", "notice"
-"""The kinds of what may be read otherwise, and of what is reworded or gone and misleads nobody."""
+SHOWN, NOTICE = "shown", "notice"  # what may be read otherwise; what is reworded or gone and misleads nobody
 OK, FAIL = "OK", "FAIL"
 
 

@@ -11,8 +11,7 @@ from workbook.book.address import Address
 from workbook.book.quantity import SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
-from workbook.judging.compare import is_error
-from workbook.judging.comparing import Comparison, count
+from workbook.judging.comparing import Comparison, count, is_error
 from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match, Pair
 from workbook.judging.order import in_order, is_empty_row, put_back, unlike
@@ -58,13 +57,11 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | N
 
 def present(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
     """Return the witnesses to ask, and those of ``all`` that are absent; raise as :func:`verify` does."""
-    unknown = [name for name in witnesses if name not in (*WITNESSES, ALL)]
-    if unknown:
+    if unknown := [name for name in witnesses if name not in (*WITNESSES, ALL)]:
         raise ReadError(f"no witness is named {unknown[0]!r}; expected {', '.join((*WITNESSES, ALL))}")
     names = list(WITNESSES) if ALL in witnesses else list(dict.fromkeys(witnesses))
     absent = [name for name in names if WITNESSES[name]().version() is None]
-    named = [name for name in absent if name in witnesses]
-    if named:
+    if named := [name for name in absent if name in witnesses]:
         raise WitnessError(f"the witness {named[0]} is not on this machine; --with all asks those that are")
     return [name for name in names if name not in absent], absent
 
@@ -90,7 +87,9 @@ def judge(
     own = own_cells(match, report, given)
     with without(file, own, given) as bare:
         require_little_work(bare, file.path)
-        asked = witnesses_named(witnesses)
+        asked: list[Witness] = [WITNESSES[name]() for name in witnesses]
+        asked += [made for name, make in WITNESSES.items() if name not in witnesses and (made := make()).kept]
+        asked.sort(key=lambda w: w.kept)
         every = (*asked, *(make() for make in WITNESSES.values()))
         single = next(w for w in every if isinstance(w, CellWitness))
         model = single.model(bare) if beside is None else beside.model(single, bare)
@@ -116,11 +115,9 @@ def judge(
 
 
 def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
-    """Enter into a report what a reader is told otherwise than by a fresh build of the same inputs, or what is gone.
+    """Enter what a reader is told otherwise than by a fresh build of the same inputs (see :mod:`.shown.taste`).
 
-    What differs is taste by a short list of permissions (:mod:`workbook.judging.shown.taste`), a finding where a
-    verdict, a figure, its unit or its label may be read otherwise, and else a notice. ``model`` is that of its
-    entries; ``computed`` are the values of the formula cells; where there are none, the engine's are taken.
+    ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
     """
     told = Told()
     cells = list(seen(match, words(match, report)))
@@ -140,21 +137,13 @@ def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Rep
 def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:
     """Count formula cells that belong to nothing declared; return those that nothing declared, but an input, needs."""
     contents = match.file.contents
-    own = {a for a in contents.formula_cells if a not in match.numbers}
-    if not own:
+    if not (own := {a for a in contents.formula_cells if a not in match.numbers}):
         return own
     declared = [p.address for p in match.pairs if p.declared_formula and p.address in contents.formulas]
     aside = own - contents.needed(own, declared)
     report.own = sorted(map(str, own))
     report.not_evaluated = len(aside - contents.needed(aside, given) if given else aside)
     return aside
-
-
-def witnesses_named(names: Sequence[str]) -> list[Witness]:
-    """Return the witnesses of these names, and then those that keep values, whether they were named or not."""
-    asked: list[Witness] = [WITNESSES[name]() for name in names]
-    asked += [w for w in (make() for name, make in WITNESSES.items() if name not in names) if w.kept]
-    return sorted(asked, key=lambda w: w.kept)
 
 
 def checks(match: Match, computed: Cells) -> list[Check]:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import workbook
 from workbook.errors import WriteError
-from workbook.judging.compare import TOLERANCE
+from workbook.judging.comparing import TOLERANCE
 from workbook.judging.many import Outcome
 from workbook.judging.report import Finding, Ran, Report
 from workbook.reports.html import document, rendered
