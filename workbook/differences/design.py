@@ -27,12 +27,9 @@ from workbook.witnesses.agreed import agreed
 
 LONG = 40  # rows of a table of samples or points: those are compared by the results made of them
 NAMES = ("name", "axis", "sheet")  # the columns by which the rows of a table are called
-NUMBERED = re.compile(r"(axis|cycle|drive)(\d+)(?=_|$)")
-"""what the name of a block begins with where each axis has its own"""
-
-
+NUMBERED = re.compile(r"(axis|cycle|drive)(\d+)(?=_|$)")  # with what names of blocks begin where each axis has its own
+# what identifies a figure in another book: its axis, its block without the axis' number, column and row
 Key = tuple[str, str, str, str]
-"""what identifies a figure in another book: its axis, its block without the axis' number, column and row"""
 
 
 class Figure(NamedTuple):
@@ -106,10 +103,8 @@ def rows_of(block: Block, axis: str) -> list[str]:
     named = next((q for q in block.quantities if q.name in NAMES), None)
     names = as_rows(named.value, block.size, block.name) if named else [None] * block.size
     counts = Counter(names)
-    return [
-        name if isinstance(name, str) and name and counts[name] == 1 else f"{axis} row {number}".lstrip()
-        for number, name in enumerate(names, 1)
-    ]
+    return [name if isinstance(name, str) and name and counts[name] == 1 else f"{axis} row {number}".lstrip()
+            for number, name in enumerate(names, 1)]  # fmt: skip
 
 
 def read(path: Path) -> Design:
@@ -203,8 +198,7 @@ def changed(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[C
         if not same(old, new):
             less = is_number(old) and is_number(new) and new < old
             worse = new == FAIL if old == OK else less and shown.label.startswith("Reserve")
-            says = now.says if now else ""
-            found.append(Change(shown.place, shown.label, shown.unit, old, new, worse, says))
+            found.append(Change(*shown[:3], old, new, worse, now.says if now else ""))
     return found
 
 

@@ -6,6 +6,7 @@ were cut. Of entries, blanks around names go, names that look-ups misread are ex
 """
 
 import re
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -58,8 +59,7 @@ def named(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterator[Find
 
 def looked_up(file: BookFile, block: Block, model: type[BaseModel]) -> Iterator[Address]:
     """Yield the cells of a block in which a name is entered that formulas look up."""
-    place = file.places.get(block.name)
-    if place is None:
+    if (place := file.places.get(block.name)) is None:
         return
     for j, q in enumerate(block.quantities):
         if q.role != "input" or not place.cell(0, j).column:
@@ -149,9 +149,9 @@ def put_back(file: BookFile, layout: Book) -> list[Finding]:
     match = Match(file, layout)
     small = {name for name, b in layout.blocks.items() if name in file.places and match.size_of(b) > b.size}
     empty = {p.address: p for p in match.pairs if p.held is None and p.cell.block.name not in small}
-    gone: dict[tuple[str, Way], set[Address]] = {}
+    gone = defaultdict[tuple[str, Way], set[Address]](set)
     for home, way in [*referred(match, empty), *reshaped(match, empty)]:
-        gone.setdefault((empty[home].cell.block.name, way), set()).add(home)
+        gone[empty[home].cell.block.name, way].add(home)
     back: dict[Address, Address] = {}
     findings = []
     for (name, way), homes in gone.items():
@@ -179,16 +179,16 @@ def referred(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Addr
 def reshaped(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
     """Yield the formulas missing in a table of which most are found elsewhere by their shape, one way from there."""
     missing = {home: pair for home, pair in empty.items() if pair.declared_formula}
-    shapes: dict[str, list[Address]] = {}
+    shapes = defaultdict[str, list[Address]](list)
     for address, formula in match.file.contents.formulas.items() if missing else ():
         if address not in match.numbers:
-            shapes.setdefault(formula.shape, []).append(address)
-    counted: dict[str, dict[Way, list[Address]]] = {}
+            shapes[formula.shape].append(address)
+    counted: dict[str, dict[Way, list[Address]]] = defaultdict(lambda: defaultdict(list))
     for home, pair in missing.items() if shapes else ():
         declared = read(pair.cell.content, pair.cell.block.sheet.title, match.declared_area)
         for there in shapes.get(declared.shape, ()):
             way = Way(there.sheet, there.row - home.row, there.column - home.column)
-            counted.setdefault(pair.cell.block.name, {}).setdefault(way, []).append(home)
+            counted[pair.cell.block.name][way].append(home)
     for name, ways in counted.items():
         way, homes = max(ways.items(), key=lambda one: len(one[1]))
         if 2 * len(homes) > sum(p.cell.block.name == name for p in missing.values()):
@@ -204,20 +204,18 @@ def filled(match: Match, address: Address) -> bool:
 def told(pairs: list[Pair], way: Way) -> Finding:
     """Return the finding on cells of a table that were moved one way."""
     rows, columns = [p.address.row for p in pairs], [p.address.column for p in pairs]
-    first = Address(pairs[0].address.sheet, min(rows), min(columns))
-    last = Address(first.sheet, max(rows), max(columns))
-    there = f"{way.end(first)}:{way.end(last).a1}"
+    sheet, what = pairs[0].address.sheet, titled([pairs[0].cell.block])
+    first, last = Address(sheet, min(rows), min(columns)), Address(sheet, max(rows), max(columns))
+    found = f"cut, and pasted to {way.end(first)}:{way.end(last).a1}"
     expected = "all cells of the table in their places: cut and paste them back"
-    what = titled([pairs[0].cell.block])
-    return Finding(first.sheet, f"{first.a1}:{last.a1}", LAYOUT, f"cut, and pasted to {there}", expected, what)
+    return Finding(sheet, f"{first.a1}:{last.a1}", LAYOUT, found, expected, what)
 
 
 def move(file: BookFile, back: Mapping[Address, Address]) -> None:
     """Move cells of a file, and let all formulas and names follow."""
     pages = {page.title: page._cells for page in file.workbook.worksheets}
     for now, home in back.items():
-        cell = pages[now.sheet].pop((now.row, now.column), None)
-        if cell is None:
+        if (cell := pages[now.sheet].pop((now.row, now.column), None)) is None:
             continue
         cell.parent, cell.row, cell.column = file.workbook[home.sheet], home.row, home.column
         pages[home.sheet][home.row, home.column] = cell
@@ -233,8 +231,7 @@ def move(file: BookFile, back: Mapping[Address, Address]) -> None:
             source.text = followed(source.text or "", title, back)
     moved = set()
     for name, one in file.workbook.defined_names.items():
-        text = followed(one.attr_text or "", "", back)
-        if text != one.attr_text:
+        if (text := followed(one.attr_text or "", "", back)) != one.attr_text:
             one.attr_text = text
             moved.add(name)
     file.places |= {name: place for name, place in find_places(file.workbook).items() if name in moved}
@@ -249,8 +246,7 @@ def followed(text: str, sheet: str, back: Mapping[Address, Address]) -> str:
 
 def led(word: str, sheet: str, back: Mapping[Address, Address]) -> str:
     """Return a reference led to where its cells go; as it is where not both of its corners are among them."""
-    parts = REFERENCE.fullmatch(word)
-    if parts is None:
+    if (parts := REFERENCE.fullmatch(word)) is None:
         return word
     before, first, _, second = parts.groups()
     title = unquoted(before[:-1]) if before else sheet

@@ -1,7 +1,7 @@
 """What the cells of a matched file hold, against what they should: without evaluating anything."""
 
 import math
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
@@ -82,8 +82,17 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     """Yield what is wrong with formulas, names, inputs and settings of a matched workbook."""
     yield from functions(match)
     yield from own_names(match)
-    yield from misled(match)
-    yield from unread_inputs(match, template)
+    for name, fit in match.file.fits.items():
+        if fit.named is not None:  # of a single cell, that leads to more than one
+            yield finding(fit.place, name, said(fit.named), said(fit.place))
+    for misled in (columns, strays, mislabelled, wordy, disordered):
+        yield from misled(match)
+    inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
+    read = match.file.contents.read([pair.address for pair in inputs])
+    for pair in inputs:  # that no formula reads; texts that only describe are left out
+        q, at = pair.cell.quantity, pair.address
+        if at not in read and (field_at(template, q.key)[0] is not str or q.choices):
+            yield Finding(at.sheet, at.a1, "unread", str(pair.held), "an input that a formula reads")
     yield from settings(match.file.workbook)
 
 
@@ -107,16 +116,6 @@ def own_names(match: Match) -> Iterator[Finding]:
                 yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
 
 
-def unread_inputs(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
-    """Yield inputs that no formula reads; texts that only describe are left out."""
-    inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
-    read = match.file.contents.read([pair.address for pair in inputs])
-    for pair in inputs:
-        q, at = pair.cell.quantity, pair.address
-        if at not in read and (field_at(template, q.key)[0] is not str or q.choices):
-            yield Finding(at.sheet, at.a1, "unread", str(pair.held), "an input that a formula reads")
-
-
 def settings(workbook: Workbook) -> Iterator[Finding]:
     """Yield the settings of a file that let formulas go stale, round them, or read them by other rules."""
     held = workbook.calculation
@@ -128,8 +127,7 @@ def settings(workbook: Workbook) -> Iterator[Finding]:
         if wrong:
             yield Finding("", "calculation", "setting", found, expected, COMPUTED)
     for sheet in workbook.worksheets:
-        own = sheet.sheet_properties
-        if own.transitionEvaluation or own.transitionEntry:
+        if sheet.sheet_properties.transitionEvaluation or sheet.sheet_properties.transitionEntry:
             rules = "by the rules of Lotus 1-2-3", "by those of Excel"
             yield Finding(sheet.title, "calculation", "setting", *rules, COMPUTED)
 
@@ -150,15 +148,6 @@ def finding(place: Place, name: str, found: str, expected: str) -> Finding:
     return Finding(place.sheet, place.cell(0, 0).a1, "name", f"{name}: {found}", expected)
 
 
-def misled(match: Match) -> Iterator[Finding]:
-    """Yield names that lead elsewhere than when the book was generated, rows and columns inserted or not."""
-    for name, fit in match.file.fits.items():
-        if fit.named is not None:  # of a single cell, that leads to more than one
-            yield finding(fit.place, name, said(fit.named), said(fit.place))
-    for found in (columns, strays, mislabelled, wordy, disordered):
-        yield from found(match)
-
-
 def columns(match: Match) -> Iterator[Finding]:
     """Yield names of a table's column, or of several side by side, that are not those."""
     places = match.file.places
@@ -169,9 +158,8 @@ def columns(match: Match) -> Iterator[Finding]:
         first, last = (place.part(one - block.column) for one in block.ends(column))
         right, found = (first.corners[0], last.corners[1]), places.get(name)
         if first.column and last.column and (found is None or found.corners != right):
-            yield finding(
-                found or first, name, said(found), said(first._replace(columns=last.column - first.column + 1))
-            )
+            expected = said(first._replace(columns=last.column - first.column + 1))
+            yield finding(found or first, name, said(found), expected)
 
 
 def strays(match: Match) -> Iterator[Finding]:
@@ -179,10 +167,10 @@ def strays(match: Match) -> Iterator[Finding]:
     for sheet in match.declared.sheets:
         placed = match.placed(sheet)
         counted = Counter(place.sheet for _, place in placed).most_common(1)
-        away: dict[str, list[tuple[Block, Place]]] = {}
+        away = defaultdict[str, list[tuple[Block, Place]]](list)
         for block, place in placed:
-            if place.sheet != counted[0][0]:
-                away.setdefault(place.sheet, []).append((block, place))
+            away[place.sheet].append((block, place))
+        away.pop(counted[0][0] if counted else "", None)
         for title, ((first, place), *more) in away.items():
             found = f"the sheet {title}" + (f", and so do {len(more)} more" if more else "")
             yield finding(place, first.name, found, f"the sheet {counted[0][0]}, with the others: move it back")
@@ -230,12 +218,12 @@ def texts_beside(match: Match, place: Place) -> set[str]:
 
 def disordered(match: Match) -> Iterator[Finding]:
     """Yield tables of the same columns, and cells of the same label, that have changed places with one another."""
-    alike: dict[tuple[str, ...], list[tuple[Block, Place]]] = {}
+    alike = defaultdict[tuple[str, ...], list[tuple[Block, Place]]](list)
     for sheet in match.declared.sheets:
         for block, place in match.placed(sheet):
             if block.name not in match.headless:
                 what = [q.name for q in block.quantities] if block.is_table else [block.quantities[0].label]
-                alike.setdefault((sheet.title, *what), []).append((block, place))
+                alike[sheet.title, *what].append((block, place))
     for blocks in alike.values():
         for (before, first), (after, second) in pairwise(blocks):
             in_order = first.sheet != second.sheet or first[:3] < second[:3]  # another sheet is what strays() tells
@@ -246,12 +234,10 @@ def disordered(match: Match) -> Iterator[Finding]:
 def headed(match: Match, block: Block, place: Place) -> bool:
     """Whether the heading that is declared for a block is the one that is nearest above it in the file."""
     headings = {text.text: text.row for text in block.sheet.texts if text.style == "heading"}
-    above = [text for text, row in headings.items() if row < block.row]
-    if not above:
-        return False
+    above = [(row, text) for text, row in headings.items() if row < block.row]
     found = ((r, cell.value) for (r, _), cell in match.file.workbook[place.sheet]._cells.items()
              if r < place.row and isinstance(cell.value, str) and cell.value in headings)  # fmt: skip
-    return max(found, default=(0, ""))[1] == max(above, key=lambda text: headings[text])
+    return bool(above) and max(found, default=(0, ""))[1] == max(above)[1]
 
 
 def said(place: Place | None) -> str:

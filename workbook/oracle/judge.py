@@ -8,11 +8,12 @@ from typing import Any, Literal
 import numpy as np
 
 from workbook.book.address import Address
-from workbook.dimensions.rules import Dimensions
+from workbook.book.formula import Area
+from workbook.dimensions.rules import Dimensions, Walk
+from workbook.dimensions.units import POWERS
 from workbook.errors import ReadError, WitnessError
-from workbook.oracle.cells import cells_of, find, label_of
+from workbook.oracle.cells import cells_of, find, label_of, unit_of
 from workbook.oracle.declared import Case, Oracle, Output, Table, cases, close, is_number, same, size
-from workbook.oracle.findings import Looks, Wrong
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreed import UNKNOWN
@@ -22,7 +23,20 @@ from workbook.witnesses.registry import WITNESSES
 Coverage = Literal["compared", "step", "unaccounted"]
 PROBES = 8  # cases at which a step is changed, to see whether an output follows
 CHANGES: tuple[Callable[[float], float], ...] = (lambda value: value * 1.01 + 1e-3, lambda value: -value - 1.0)
+SPELLINGS = POWERS | str.maketrans("µ", "μ", "·*^. -()[]")  # of units: powers and products as people write them
+BLANK = frozenset(["ISBLANK", "COUNTA", "COUNT", "COUNTIF", "COUNTBLANK", "SUM", "SUMIF"])  # they take empty cells
 FIRST = "pycel"  # the evaluator whose values everything else is asked of
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """What is wrong in a cell: the kind of fault, what was found and expected, and at which inputs."""
+
+    cell: Address
+    kind: str
+    found: Any
+    expected: Any
+    at: str = ""
 
 
 @dataclass
@@ -58,6 +72,9 @@ class Judge:
         self.tables = [(cells_of(file, one.cells), one) for one in oracle.tables]
         formulas = file.contents.formula_cells
         self.formulas = [cell for cell in formulas if not oracle.sheets or cell.sheet in oracle.sheets]
+        self.counted, self.sheets = set(self.formulas), {cell.sheet for cell in self.formulas}
+        units = {self.cells[one]: one.unit for one in oracle.inputs}
+        self.units = units | {cell: one.unit for cell, one in self.outputs}
         asked = {*self.formulas, *self.targets}
         self.model = PycelModel(file.contents, file.contents.needed(set(formulas) - asked, asked) | asked)
 
@@ -66,23 +83,54 @@ class Judge:
         tried = cases(self.oracle.inputs, self.entered, number, seed)
         found = Judged(len(tried))
         found.wrong += self.deviating(tried, witnesses, found.notes)
-        found.dimensions = self.looks.dimensions(self.model.order)
+        found.dimensions = self.by_units()
         found.wrong += self.looked()
         wrong = found.dimensions.wrong.items()
         found.wrong += [Wrong(cell, "dimension", text, "one dimension") for cell, text in wrong]
         found.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
         return found
 
-    @cached_property
-    def looks(self) -> Looks:
-        """What is looked at besides values."""
-        units = {self.cells[one]: one.unit for one in self.oracle.inputs}
-        return Looks(self.file, self.formulas, units | {cell: one.unit for cell, one in self.outputs})
-
     def looked(self) -> Iterator[Wrong]:
-        """Yield what is wrong whatever the formulas should compute."""
-        saved = {one: self.file.saved.get(cell) for one, cell in self.cells.items() if one.macro}
-        return self.looks.wrong(self.values(self.entered | saved), list(self.cells.values()))
+        """Yield stale saved values, unread inputs, other units beside cells, numbers in place of formulas, gaps."""
+        inputs = list(self.cells.values())
+        macros = {one: self.file.saved.get(cell) for one, cell in self.cells.items() if one.macro}
+        values = self.values(self.entered | macros)
+        for cell, saved in self.file.saved.items():
+            found = values.get(cell)
+            if cell in self.counted and saved is not None and found not in UNKNOWN and not same(saved, found):
+                yield Wrong(cell, "saved", saved, found)
+        read = self.file.contents.read(inputs)
+        yield from (Wrong(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
+        for cell, unit in self.units.items():
+            beside = unit_of(self.file, cell)
+            if unit and beside and spelled(beside) != spelled(unit):
+                yield Wrong(cell, "unit", beside, unit)
+        formulas = self.file.contents.formulas
+        for cell, value in self.file.contents.constants.items():  # numbers between two formulas that are alike
+            above, below = (formulas.get(cell._replace(row=cell.row + step)) for step in (-1, 1))
+            alike = above is not None and below is not None and above.shape == below.shape
+            if alike and is_number(value) and cell.sheet in self.sheets and cell not in inputs:
+                yield Wrong(cell, "replaced", value, "a formula, as above and below it")
+        yield from self.empty()
+
+    def empty(self) -> Iterator[Wrong]:
+        """Yield the empty cells that a formula reads by themselves, each with the first such formula."""
+        contents, found = self.file.contents, dict[Address, Address]()
+        filled = {*contents.formula_cells, *(cell for cell, value in contents.constants.items() if value is not None)}
+        for cell in self.counted & contents.formulas.keys():
+            formula = contents.formulas[cell]
+            for one in formula.arguments if BLANK.isdisjoint(formula.functions) and "" not in formula.arguments else ():
+                if isinstance(one, Area) and one.single and one.first not in filled:
+                    found[one.first] = min(cell, found.get(one.first, cell))
+        yield from (Wrong(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(found.items()))
+
+    def by_units(self) -> Dimensions:
+        """Return what cannot be by the units: those declared, and those beside the cells of the same sheets."""
+        contents = self.file.contents
+        cells = (cell for cell in [*contents.formulas, *contents.constants] if cell.sheet in self.sheets)
+        beside = {cell: unit for cell in cells if (unit := unit_of(self.file, cell))}
+        declared = {cell: unit for cell, unit in self.units.items() if unit}
+        return Walk(contents, beside | declared).walk(cell for cell in self.model.order if cell in self.counted)
 
     @property
     def entered(self) -> Case:
@@ -189,3 +237,9 @@ def describe(file: BookFile, cell: Address) -> str:
     """Return a cell with the label beside it."""
     label = label_of(file, cell)
     return f"{cell} ({label})" if label else str(cell)
+
+
+def spelled(unit: str) -> str:
+    """Return a unit without what is written in different ways: blanks, brackets, powers, products."""
+    text = unit.translate(SPELLINGS)
+    return text.casefold() if len(text) > 2 and text.isalpha() else text

@@ -107,8 +107,7 @@ def of_lines(match: Match, fresh: list[Line], held: list[Line]) -> Iterator[Told
             yield NOTICE, said, "as built", f", its line {text_of(match, line.name)!r}"
     for line in missing:
         what, named = f", its line {text_of(match, line.name)!r}", [one for one in free if one.name == line.name]
-        other = next(iter(named or free), None)
-        if other is not None:
+        if (other := next(iter(named or free), None)) is not None:
             free.remove(other)
         yield SHOWN if other else NOTICE, str(other) if other else None, str(line), what
     for one in free:
@@ -120,12 +119,8 @@ def of_axis(axis: Axis, ours: Axis, values: list[float], what: str) -> Iterator[
     """Yield what of an axis is read otherwise; along one without figures as built, how they would look is not."""
     bare = ours.code == NOTHING
     for said in (axis.said ^ ours.said) - ({"not shown"} if bare or "not shown" not in axis.said else set()):
-        yield (
-            SHOWN if said in taste.ALTERING else NOTICE,
-            said if said in axis.said else f"not {said}",
-            "as built",
-            what,
-        )
+        kind, found = SHOWN if said in taste.ALTERING else NOTICE, said if said in axis.said else f"not {said}"
+        yield kind, found, "as built", what
     span = max(values, default=0.0) - min(values, default=0.0)
     for end, limit in axis.ends.items():
         least = ours.ends.get(end)

@@ -17,8 +17,7 @@ OFFICE = dict(zip(THEME, ("FFFFFF", "000000", "EEECE1", "1F497D", "4F81BD", "C05
                           "F79646", "0000FF"), strict=True))  # fmt: skip
 
 Colour = tuple[float, float, float]
-Look = tuple[Colour | None, Colour | None]
-"""ink and ground of a cell; None for what cannot be told, such as a gradient"""
+Look = tuple[Colour | None, Colour | None]  # ink and ground of a cell; None for what cannot be told, as a gradient
 
 
 class Palette:

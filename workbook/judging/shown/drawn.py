@@ -176,9 +176,8 @@ def clear(paint: Element | None) -> bool:
     if themed is not None:
         return themed.get("val") in ("bg1", "lt1") and not len(themed)
     faint = int(value(paint, "solidFill", "srgbClr", "alpha") or 100_000) < 10_000
-    return (
-        child(paint, "noFill") is not None or faint or (colour is not None and contrast(colour, WHITE) < taste.UNSEEN)
-    )
+    unseen = colour is not None and contrast(colour, WHITE) < taste.UNSEEN
+    return child(paint, "noFill") is not None or faint or unseen
 
 
 def unreadable(font: Element) -> bool:

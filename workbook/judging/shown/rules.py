@@ -20,7 +20,6 @@ from workbook.judging.shown.looks import PASSED, Looks, Seen, Told, of_colours, 
 from workbook.writing.style import Marked, marks
 
 SAID = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTitle", "error", "errorTitle")
-"""what a validation does, and says to whom enters something"""
 
 
 class Placed(NamedTuple):
@@ -42,9 +41,8 @@ class Placed(NamedTuple):
         if rule.type in ("containsText", "beginsWith", "endsWith") and rule.text:
             return str(rule.text).upper() in FAIL
         row, column = min(top for top, *_ in self.ranges), min(left for _, left, *_ in self.ranges)
-        return not (
-            rule.type == "expression" and re.fullmatch(rf'\(?\$?{get_column_letter(column)}{row}="OK"\)?', first)
-        )
+        says_ok = re.fullmatch(rf'\(?\$?{get_column_letter(column)}{row}="OK"\)?', first)
+        return rule.type != "expression" or not says_ok
 
 
 def code_of(rule: Rule) -> str:
@@ -59,8 +57,7 @@ class Rules:
         self._match, self._looks, self._told, self._torn = match, looks, told, torn
         self._fresh = {name: list(marks(block)) for name, block in match.declared.blocks.items()}
         self._met: set[tuple[str, int]] = set()
-        self._before_fail: set[str] = set()
-        """blocks of verdicts with rules of someone's own, after which those of a fresh build may not apply"""
+        self._before_fail: set[str] = set()  # verdicts with rules of one's own, after which ours may not apply
         self.known: set[int] = set()  # the rules of the file that are those of a fresh build, by their identity
 
     def judge(self, cells: list[Seen]) -> None:

@@ -11,19 +11,18 @@ YES, NO = ("1", "true"), ("0", "false")
 
 # Fonts, sizes and colours
 
-FONTS = frozenset([
+FONTS = frozenset([  # those in which people write, by their first words; in others it is a notice
     "aptos", "arial", "arialmt", "bahnschrift", "calibri", "cambria", "candara", "carlito", "caladea", "consolas",
     "constantia", "corbel", "courier", "dejavu", "franklin", "garamond", "georgia", "gill", "helvetica", "inter",
     "liberation", "lucida", "meiryo", "microsoft", "ms", "noto", "open", "palatino", "roboto", "segoe", "simsun",
     "source", "tahoma", "times", "trebuchet", "ubuntu", "verdana", "yu", "century", "book", "cantarell", "lato",
 ])  # fmt: skip
-"""those in which people write, by their first words; in others it is a notice"""
+# fonts that show other signs for letters: a finding
 SIGNS = ("wingdings", "webdings", "symbol", "marlett", "opensymbol", "zapfdingbats", "bookshelf symbol")
-"""fonts that show other signs for letters: a finding"""
 LEAST_SIZE, SMALL, LARGE = 4.0, 6.0, 72.0  # points of a font that cannot be read, and that can hardly
 UNSEEN, FAINT = 1.3, 2.0  # contrasts below which a text is hidden, or hard to see; ours have 2.5 and more
 PLAIN = (None, False, "baseline")
-LOOKS = (
+LOOKS = (  # attributes of a cell's look, what they may be, and what is told of all else
     ("font", "strike", PLAIN, SHOWN, "struck out"),
     ("font", "charset", (*range(2), *range(3, 256), None), SHOWN, "in the signs of a symbol font"),
     *(("font", name, PLAIN, NOTICE, f"written with the effect {name}")
@@ -40,7 +39,6 @@ LOOKS = (
     ("alignment", "readingOrder", (0, 1, None), NOTICE, "from right to left"),
     ("alignment", "shrinkToFit", PLAIN, NOTICE, "shrunk to its cell"),
 )  # fmt: skip
-"""attributes of a cell's look, what they may be, and what is told of all else"""
 
 # Number formats: decimals, separators, exponents, a sign for negative numbers, colours, the symbol, the unit
 
@@ -58,7 +56,7 @@ GAP = re.compile(r"\s{9}")  # blanks and lines that push a text out of its cell
 LEAST_WIDTH, LEAST_HEIGHT = 1.0, 3.0  # of columns in characters, of rows in points
 ALIKE = 0.5  # of the texts of a sheet, from which on another looks like it
 ZOOMS = ("zoomScale", "zoomScaleNormal", "zoomScaleSheetLayoutView", "zoomScalePageLayoutView")
-SETTINGS = (
+SETTINGS = (  # elements and attributes of settings, what they may be, and what is told of all else
     ("workbookPr", "date1904", NO, SHOWN, "dates counted from 1904"),
     ("workbookPr", "showObjects", ("all",), SHOWN, "charts not shown"),
     ("workbookView", "visibility", ("visible",), NOTICE, "a hidden window"),
@@ -71,14 +69,12 @@ SETTINGS = (
     ("pane", "xSplit", range(13), NOTICE, "frozen beyond a window"),
     ("pane", "ySplit", range(46), NOTICE, "frozen beyond a window"),
 )
-"""elements and attributes of settings, what they may be, and what is told of all else"""
-PAGE = frozenset([
+PAGE = frozenset([  # the elements of a worksheet that are judged elsewhere, or change nothing of what is read
     "AlternateContent", "autoFilter", "cellWatches", "colBreaks", "cols", "conditionalFormatting", "dataValidations",
     "dimension", "drawing", "extLst", "headerFooter", "hyperlinks", "ignoredErrors", "legacyDrawing", "mergeCells",
     "pageMargins", "pageSetup", "phoneticPr", "printOptions", "protectedRanges", "rowBreaks", "sheetData",
     "sheetFormatPr", "sheetPr", "sheetProtection", "sheetViews", "sortState",
 ])  # fmt: skip
-"""the elements of a worksheet that are judged elsewhere, or change nothing of what is read"""
 NEWER = frozenset(["dataValidations", "ignoredErrors"])  # such elements for newer programs, in an ``extLst``
 CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|.)')  # of headers and footers
 
@@ -87,7 +83,7 @@ CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|.)')  # of headers and footers
 LEAST_CHART, SMALL_CHART = 0.12, 0.4  # of the width or the height of a fresh build: hardly to be seen, small
 BEHIND, OVER = 0.5, 0.25  # of a chart that another drawing may cover, and that its title or legend may have
 ALTERING = ("backwards", "log", "scaled")  # of what is said of an axis, that which is a finding
-CHART = frozenset([
+CHART = frozenset([  # the elements by which programs write an XY chart, besides those of a fresh build
     "AlternateContent", "Choice", "Fallback", "alpha", "auto", "autoTitleDeleted", "avLst", "axId", "axPos", "bevel",
     "bodyPr", "bubble3D", "c", "c14:style", "cap", "chart", "chartSpace", "clrMapOvr", "crossAx", "crossBetween",
     "crosses", "crossesAt", "cs", "dLbl", "dLblPos", "dLbls", "dPt", "date1904", "defRPr", "delete", "dispBlanksAs",
@@ -102,4 +98,3 @@ CHART = frozenset([
     "srgbClr", "strCache", "strRef", "style", "symbol", "sysClr", "t", "tailEnd", "tickLblPos", "tint", "title", "tx",
     "txPr", "uniqueId", "v", "valAx", "varyColors", "w", "wMode", "x", "xMode", "xVal", "xfrm", "y", "yMode", "yVal",
 ])  # fmt: skip
-"""the elements by which programs write an XY chart, besides those of a fresh build"""

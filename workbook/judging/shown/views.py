@@ -81,8 +81,7 @@ class Page:
             width = 0.0 if column.hidden else pixels(or_else(column.width, usual))
             widths |= dict.fromkeys(range(first, (column.max or first) + 1), width)
         self._columns = Lengths(widths, pixels(usual), pixels(taste.LEAST_WIDTH))
-        self._first = (1, 1)
-        """the first row and column that can be scrolled to: nothing leads before those that are frozen"""
+        self._first = (1, 1)  # row and column that can be scrolled to: nothing leads before those that are frozen
         if pane is not None and str(pane.state).startswith("frozen") and view.topLeftCell:
             found = CELL.fullmatch(str(view.topLeftCell))
             row, letters = (int(found[2]), found[1]) if found else (LAST_ROW, "XFD")
@@ -145,10 +144,8 @@ def in_view(
     overall = {"overall", *(f"status{n}" for n, _ in enumerate(match.declared.sheets, 1))}
     for one in (one for one in cells if not one.folded):
         page = seen[one.at.sheet]
-        cells_held: list[tuple[Address, str, Any]] = [
-            (pair.address, pair.what, computed.get(pair.address, pair.cell.expected)) for pair in one.pairs
-        ]
-        for at, what, value in cells_held or [(one.at, one.what, None)]:
+        held: list[Any] = [(p.address, p.what, computed.get(p.address, p.cell.expected)) for p in one.pairs]
+        for at, what, value in held or [(one.at, one.what, None)]:
             said = page.out_of_sight(at)
             if not said and one.verdict and page.hidden and value != OK:
                 said = "on a hidden sheet"
@@ -164,9 +161,8 @@ def printed(match: Match, title: str, sheet: Sheet, told: Told) -> None:
     within = [cells.bounds for cells in area.ranges] if area else []
     for block, place in match.placed(sheet) if area and not sheet.unprinted else ():
         due = block.quantities[0].role == "check" and block.row <= (sheet.print_rows or sheet.row)
-        if due and place.sheet == title and not any(
-            left <= place.column <= right and top <= place.row <= bottom for left, top, right, bottom in within
-        ):  # fmt: skip
+        kept = any(left <= place.column <= right and top <= place.row <= bottom for left, top, right, bottom in within)
+        if due and place.sheet == title and not kept:
             told.add(place.cell(0, 0), [(NOTICE, "not printed")], "within the print area", block.name)
 
 

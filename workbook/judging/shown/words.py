@@ -149,8 +149,8 @@ def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
         if block.is_table or q.role in ("check", "sentence") or (block.row, block.column + 1) in named:
             continue
         at = held.cell(0, 1)
-        text = match.file.value(at)
-        if isinstance(text, str) and at not in match.numbers and is_unit(text):
+        text = match.file.value(at)  # a finding where it reads as a unit, and as nothing else
+        if isinstance(text, str) and at not in match.numbers and text.strip() and not unit(text).words:
             report.say(at, SHOWN, text, None, f"unit of {q.label}")
 
 
@@ -161,19 +161,17 @@ def same(held: object, expected: str) -> bool:
 
 # Units as people write them: the same one in another spelling, in other words, or another
 
-PREFIXED = frozenset(["m", "g", "s", "N", "W", "J", "Pa", "Hz", "V", "A", "bar", "l", "rad", "K", "sec"])
-"""symbols that may have a prefix before them"""
+PREFIXED = frozenset(["m", "g", "s", "N", "W", "J", "Pa", "Hz", "V", "A", "bar", "l", "rad", "K", "sec"])  # or prefixed
 PREFIXES = frozenset(["", "k", "M", "G", "d", "c", "m", "µ", "μ", "n"])
 OTHERS = frozenset([
     "min", "h", "rev", "°", "deg", "rpm", "%", "‰", "°C", "°F", "t", "in", "inch", "inches", "ft", "mil", "lb",
     "lbf", "oz", "hp", "kp", "kgf", "PS",
 ])  # fmt: skip
-TURNS = dict.fromkeys((
+TURNS = dict.fromkeys((  # turns and cycles a minute in all spellings: which of them is meant, the label says
     "1/min", "min⁻¹", "min-1", "min^-1", "/min", "u/min", "upm", "umdr./min", "r/min", "rev/min", "rpm", "r.p.m.",
     "giri/min", "tr/min", "tr/mn", "cpm", "c/min", "cycles/min", "cycles per minute", "revolutions per minute",
     "takte/min", "hübe/min", "cicli/min", "coups/min",
 ), "rpm")  # fmt: skip
-"""turns and cycles a minute in all spellings: which of them is meant, the label says"""
 SPELT = {"sec": "s", "deg": "°", "μm": "µm", "Pa": "N/m²", "MPa": "N/mm²", "Hz": "1/s", "W": "J/s", "l": "dm³"}
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 FACTOR = re.compile(r"([^\W\d_]+|°[CF]?|%|‰|1(?![0-9]))\^?(-?[0-9])?")
@@ -203,9 +201,8 @@ def unit(text: str) -> Unit:
                 words += [] if last else [name.casefold()]
                 powers.update(dict.fromkeys(first, sign))
                 powers[SPELT.get(last, last)] += sign * int(power or 1)
-    return Unit(
-        {name: power for name, power in powers.items() if power and name not in ("", "1")}, tuple(sorted(words))
-    )
+    known = {name: power for name, power in powers.items() if power and name not in ("", "1")}
+    return Unit(known, tuple(sorted(words)))
 
 
 def symbols(text: str) -> tuple[str, ...]:
@@ -217,11 +214,6 @@ def symbols(text: str) -> tuple[str, ...]:
 
     joined: Iterator[tuple[str, ...]] = ((text[:cut], text[cut:]) for cut in range(1, len(text)))
     return next((found for found in ((text,), *joined) if all(map(known, found))), ())
-
-
-def is_unit(text: str) -> bool:
-    """Whether a text reads as a unit, and as nothing else."""
-    return bool(text.strip()) and not unit(text).words
 
 
 def compared(held: str, declared: str) -> str:
