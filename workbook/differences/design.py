@@ -89,8 +89,7 @@ class Design:
 
     def _axis(self, name: str) -> tuple[str, str]:
         """Return the name of the axis that a block belongs to, and the rest of the block's name."""
-        found = NUMBERED.match(name)
-        if found is None:
+        if (found := NUMBERED.match(name)) is None:
             return "", name
         number, rest = int(found[2]), f"{found[1]}{name[found.end() :]}"
         if found[1] == "drive" and (held := self.book.blocks.get(f"drive{number}_axis")):

@@ -28,8 +28,7 @@ def dimension_of(unit: str) -> Dimension | None:
     found = NONE
     for k, part in enumerate(unit.strip(" []()").split("/")):
         for word, power in factors(part):
-            one = of_word(word)
-            if one is None:
+            if (one := of_word(word)) is None:
                 return None
             found *= one ** (-power if k else power)
     return found if unit.strip(" []()") else None
@@ -44,8 +43,7 @@ def factors(part: str) -> Iterator[tuple[str, int]]:
     """Yield the words of a product of units with their powers; an empty word for what is none."""
     text, at = part.translate(POWERS).strip(), 0
     while at < len(text):
-        match = FACTOR.match(text, at)
-        if match is None:
+        if (match := FACTOR.match(text, at)) is None:
             yield "", 1
             return
         yield match["word"], int(match["power"] or 1)

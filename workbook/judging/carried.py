@@ -14,8 +14,7 @@ from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.shown.charts import paired
 from workbook.judging.shown.drawn import drawn
-from workbook.judging.shown.looks import Looks, Told, seen
-from workbook.judging.shown.rules import Rules
+from workbook.judging.shown.looks import Looks, Rules, Told, seen
 from workbook.judging.structure import structure
 from workbook.reading.contents import Contents
 from workbook.writing.write import NOTHING, Own
@@ -111,8 +110,7 @@ def content_of(contents: Contents, cell: Cell, known: set[str]) -> Any:
     address = Address(cell.parent.title, cell.row, cell.column)
     if cell.data_type != "f":
         return contents.constants.get(address)
-    formula = contents.formulas.get(address)
-    if formula is None or address in contents.arrays:
+    if (formula := contents.formulas.get(address)) is None or address in contents.arrays:
         return None
     sheets = {area.sheet for area in formula.arguments if not isinstance(area, str)}
     return cell.value if sheets <= known else None

@@ -133,8 +133,7 @@ class Comparison:
         """Return the cells that are not what they should be, with their deviations."""
         wrong = []
         for address, pair in self.pairs.items():
-            expected = pair.cell.expected
-            if expected is None:  # unfinished
+            if (expected := pair.cell.expected) is None:  # unfinished
                 continue
             value = values.get(address)
             alike = value == expected and type(value) is type(expected)
@@ -155,8 +154,7 @@ class Comparison:
         """Begin to ask at variations of the inputs: cells in turn, formulas that are not the declared ones always."""
         if any(place is None for _, place in self.match.misfits):
             return
-        readable = self.match.file.contents.formulas
-        pairs = {a: pair for a, pair in self.pairs.items() if a in readable}
+        pairs = {a: pair for a, pair in self.pairs.items() if a in self.match.file.contents.formulas}
         for turn, machine in zip(turns(pairs, suspects, len(machines)), machines, strict=True):
             right = Right(self.match, template.declare(machine))
             answer = self.model.each([self.match.numbers[a] for a in turn], self.match.strips, right.values)
@@ -171,9 +169,8 @@ class Comparison:
             for a, value in zip(turn, answer(), strict=True):
                 if differs(right, a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))
-                    expected = right.get(a)
-                    deviation = difference(value, expected, right.peak(a))
-                    found.add(self.pairs[a], "value", value, expected, deviation, by)
+                    deviation = difference(value, right.get(a), right.peak(a))
+                    found.add(self.pairs[a], "value", value, right.get(a), deviation, by)
         self.report.findings[before:before] = found.findings
 
 

@@ -52,13 +52,20 @@ def layout(match: Match) -> Iterator[Finding]:
     """Yield a finding for each row or column of a sheet that was put into tables, or is gone from them."""
     tables = (block for block in match.declared.blocks.values() if block.is_table)
     there = [(block, fit) for block in tables if (fit := fit_of(match, block)) is not None]
-    yield from inserted(there)
+    inserted = defaultdict[tuple[str, int], list[Block]](list)
     gone, columns = defaultdict[Any, list[Block]](list), defaultdict[Any, list[tuple[Block, str]]](list)
     for block, fit in there:
+        for row in fit.inserted:
+            inserted[fit.place.sheet, row].append(block)
         for row, count in fit.lost:
             gone[fit.place.sheet, row, count].append(block)
         for j in fit.gone:
             columns[fit.place.sheet, fit.before(j)].append((block, block.quantities[j].label))
+    for _, run in groupby(enumerate(sorted(inserted)), key=lambda one: (one[1][0], one[1][1] - one[0])):
+        rows = [row for _, row in run]
+        (sheet, first), (_, last) = rows[0], rows[-1]
+        found = f"row {first} was inserted" if first == last else f"rows {first} to {last} were inserted"
+        yield Finding(sheet, f"{first}:{last}", LAYOUT, found, SPARE, titled(inserted[rows[0]]))
     for (sheet, row, count), blocks in gone.items():
         found = f"{'a row is' if count == 1 else f'{count} rows are'} gone above row {row}"
         yield Finding(sheet, f"{row}:{row}", LAYOUT, found, UNDO, titled(blocks))
@@ -68,23 +75,9 @@ def layout(match: Match) -> Iterator[Finding]:
         yield Finding(sheet, f"{letter}:{letter}", LAYOUT, found, UNDO, titled([block for block, _ in torn]))
 
 
-def inserted(there: list[tuple[Block, Fit]]) -> Iterator[Finding]:
-    """Yield a finding for each run of rows that was put into tables."""
-    tables = defaultdict[tuple[str, int], list[Block]](list)
-    for block, fit in there:
-        for row in fit.inserted:
-            tables[fit.place.sheet, row].append(block)
-    for _, run in groupby(enumerate(sorted(tables)), key=lambda one: (one[1][0], one[1][1] - one[0])):
-        rows = [row for _, row in run]
-        (sheet, first), (_, last) = rows[0], rows[-1]
-        found = f"row {first} was inserted" if first == last else f"rows {first} to {last} were inserted"
-        yield Finding(sheet, f"{first}:{last}", LAYOUT, found, SPARE, titled(tables[rows[0]]))
-
-
 def fit_of(match: Match, block: Block) -> Fit | None:
     """Return how a table lies that is not as declared; rows that are gone from its end are among those it has lost."""
-    place = match.file.places.get(block.name)
-    if place is None:
+    if (place := match.file.places.get(block.name)) is None:
         return None
     fit = match.file.fits.get(block.name, Fit(place))
     behind = fit.place.cell(fit.place.rows, 0).row

@@ -193,8 +193,8 @@ def verify_many(
         return [outcomes[target] for target in targets]
     for target in by_pool(targets, witnesses, pool, keep):
         with pool.alone() as fresh:
-            died = by_pool([target], witnesses, fresh, keep)
-        if died:
+            again = by_pool([target], witnesses, fresh, keep)
+        if again:
             keep(target, without(target.path, "verifying it ended the process (out of memory?)"))
     return [outcomes[target] for target in targets]
 

@@ -75,8 +75,7 @@ class Match:
     def _pair(self, block: Block, place: Place) -> None:
         for j, cells in enumerate(block.by_column()):
             if j < place.columns and place.cell(0, j).column:
-                addresses = place.down(j)
-                found = zip(cells, addresses, strict=False)  # either may have more rows
+                found = zip(cells, place.down(j), strict=False)  # either may have more rows
                 pairs = [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
                 self.pairs += pairs
                 self.columns.append(Column(block.name, j, len(pairs)))

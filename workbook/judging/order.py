@@ -33,8 +33,7 @@ EMPTY = ", but below it"  # how the line on a row that was left empty ends
 
 def in_order(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Finding]:
     """Put back what was cut from tables, and put entries in order; return findings, and notices, on what was not."""
-    said = [*put_back(file, layout), *named(file, layout, model), *moved_up(file, layout)]
-    if said:
+    if said := [*put_back(file, layout), *named(file, layout, model), *moved_up(file, layout)]:
         file.mended = True
         file.__dict__.pop("contents", None)  # they are of the cells as they were
     return said
@@ -45,8 +44,7 @@ def named(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterator[Find
     cells = {at: block for block in layout.blocks.values() for at in looked_up(file, block, model)}
     texts = {at: as_text(file.value(at)) for at in cells}
     for text in dict.fromkeys(texts.values()):
-        name = usable(text, set(texts.values()))
-        if name == text:
+        if (name := usable(text, set(texts.values()))) == text:
             continue
         trimmed = name == text.strip()
         kind = NOTICE if trimmed and name not in texts.values() else "entry"
@@ -251,8 +249,7 @@ def led(word: str, sheet: str, back: Mapping[Address, Address]) -> str:
     before, first, _, second = parts.groups()
     title = unquoted(before[:-1]) if before else sheet
     corners = [Address(title, *corner(end)) for end in (first, second) if end]
-    ends = [back[one] for one in corners if one in back]
-    if len(ends) < len(corners):
+    if len(ends := [back[one] for one in corners if one in back]) < len(corners):
         return word
     there = ends[0].sheet
     prefix = "" if there == sheet and not before else before if there == title else f"{quote_sheetname(there)}!"

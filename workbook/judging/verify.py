@@ -17,11 +17,10 @@ from workbook.judging.matching import Match, Pair
 from workbook.judging.order import in_order, is_empty_row, put_back, unlike
 from workbook.judging.report import FAIL, LAYOUT, NOTICE, ORDER, Check, Ran, Report
 from workbook.judging.shown.charts import charts
-from workbook.judging.shown.looks import Looks, Told, seen
-from workbook.judging.shown.rules import Rules, validations
+from workbook.judging.shown.looks import Looks, Rules, Told, seen
 from workbook.judging.shown.views import in_view, links, pages
 from workbook.judging.shown.words import words
-from workbook.judging.structure import audit, stale_functions, structure
+from workbook.judging.structure import audit, stale_functions, structure, validations
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book, require_little_work

@@ -21,7 +21,9 @@ def find(file: BookFile, text: str) -> Address:
         return on_sheet(file, text)
     if text in file.places:
         return file.places[text].cell(0, 0)
-    found = [cell for label in labels(file, text) if (cell := beside(file, label)) is not None]
+    held = file.contents.constants.items()
+    labels = (at for at, value in held if isinstance(value, str) and plain(value) == plain(text))
+    found = [cell for label in labels if (cell := beside(file, label)) is not None]
     if len(found) == 1:
         return found[0]
     what = f"{len(found)} cells stand beside this label: {', '.join(map(str, found))}" if found else "no such cell"
@@ -31,20 +33,13 @@ def find(file: BookFile, text: str) -> Address:
 def on_sheet(file: BookFile, text: str) -> Address:
     """Return the cell of an address, by default on the first sheet; raise ReadError for a sheet that is missing."""
     titles = file.workbook.sheetnames
-    address = Address.parse(text, titles[0])
-    if address.sheet not in titles:
+    if (address := Address.parse(text, titles[0])).sheet not in titles:
         raise ReadError(f"{file.path.name}: {text!r}: no sheet is called {address.sheet!r}; found {', '.join(titles)}")
     return address
 
 
-def labels(file: BookFile, text: str) -> list[Address]:
-    """Return the cells that hold this text, whatever its case, blanks and a colon behind it."""
-    held = file.contents.constants.items()
-    return [address for address, value in held if isinstance(value, str) and plain(value) == plain(text)]
-
-
 def plain(text: str) -> str:
-    """Return a label without what people write in different ways."""
+    """Return a label without what people write in different ways: case, blanks, a colon behind it."""
     return " ".join(text.split()).rstrip(" :=").casefold()
 
 
@@ -76,10 +71,9 @@ def unit_of(file: BookFile, cell: Address) -> str:
 
 def cells_of(file: BookFile, text: str) -> list[list[Address]]:
     """Return the rows of a range such as ``Sheet!A20:D60``."""
-    first, _, last = text.rpartition("!")[2].partition(":")
-    sheet = text.rpartition("!")[0]
-    top = on_sheet(file, f"{sheet}!{first}" if sheet else first)
-    bottom = on_sheet(file, f"{sheet}!{last or first}" if sheet else last or first)
+    sheet, mark, cells = text.rpartition("!")
+    first, _, last = cells.partition(":")
+    top, bottom = (on_sheet(file, f"{sheet}{mark}{end}") for end in (first, last or first))
     rows, columns = range(top.row, bottom.row + 1), range(top.column, bottom.column + 1)
     return [[Address(top.sheet, row, column) for column in columns] for row in rows]
 

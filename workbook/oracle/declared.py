@@ -3,7 +3,7 @@
 import inspect
 import math
 import runpy
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import combinations
@@ -113,8 +113,7 @@ def load(path: Path) -> Oracle:
         found = runpy.run_path(str(path))
     except Exception as error:
         raise ReadError(f"{path}: {type(error).__name__}: {error}") from error
-    oracles = [value for value in found.values() if isinstance(value, Oracle)]
-    if len(oracles) != 1:
+    if len(oracles := [value for value in found.values() if isinstance(value, Oracle)]) != 1:
         raise ReadError(f"{path}: {len(oracles)} oracles; expected one, such as pump = Oracle('Pump sizing')")
     oracle = oracles[0]
     oracle.names = {name: value for name, value in found.items() if isinstance(value, Input)}
@@ -165,13 +164,13 @@ def cases(inputs: Sequence[Input], entered: Case, number: int, seed: int = 0) ->
     Source: A. B. Owen, Scrambled Sobol' and Niederreiter–Xing points, J. Complexity 14 (1998), in scipy.stats.qmc.
     """
     varied = [one for one in inputs if options(one)]
-    found = [entered]
-    for one in varied:
-        found += [entered | {one: value} for value in options(one)]
+    found = [entered, *(entered | {one: value} for one in varied for value in options(one))]
     for one, other in combinations([one for one in varied if one.choices], 2):
         found += [entered | {one: a, other: b} for a in one.choices for b in other.choices]
     if varied and len(found) < number:
-        found += [entered | case for case in between(varied, number - len(found), seed)]
+        points = qmc.Sobol(len(varied), scramble=True, seed=seed).random_base2((number - len(found) - 1).bit_length())
+        found += [entered | {one: at(one, float(share)) for one, share in zip(varied, point, strict=True)}
+                  for point in points]  # fmt: skip
     return found[:number]
 
 
@@ -180,13 +179,6 @@ def options(one: Input) -> Sequence[Any]:
     if one.choices:
         return one.choices
     return [] if one.low is None or one.high is None else [one.low, one.high]
-
-
-def between(varied: Sequence[Input], number: int, seed: int) -> Iterator[Case]:
-    """Yield points of Sobol's sequence in the ranges and choices of inputs."""
-    sequence = qmc.Sobol(len(varied), scramble=True, seed=seed)
-    for point in sequence.random_base2((number - 1).bit_length())[:number]:
-        yield {one: at(one, float(share)) for one, share in zip(varied, point, strict=True)}
 
 
 def at(one: Input, share: float) -> Any:

@@ -94,8 +94,7 @@ def of_lines(match: Match, fresh: list[Line], held: list[Line]) -> Iterator[Told
         return
     free, missing = list(held), []
     for line in fresh:
-        same = next((one for one in free if same_columns(match, line, one)), None)
-        if same is None:
+        if (same := next((one for one in free if same_columns(match, line, one)), None)) is None:
             missing.append(line)
             continue
         free.remove(same)
@@ -173,8 +172,7 @@ def in_sight(
     share = min(room * end / (whole * CM) for room, end, whole in zip(rooms, ends, cm, strict=True))
     if share < taste.SMALL_CHART:
         yield SHOWN if share < taste.LEAST_CHART else NOTICE, f"{share:.0%} of its size", "as built", ", its size"
-    above = [k for k in range(found.number + 1, len(areas)) if own.shared(areas[k]) > taste.BEHIND]
-    if above:
+    if above := [k for k in range(found.number + 1, len(areas)) if own.shared(areas[k]) > taste.BEHIND]:
         titles = {one.number: one.title for one in drawn(match, found.at.sheet)}
         alike = any(titles.get(k, found.title) == found.title for k in above)
         yield SHOWN if alike else NOTICE, "behind another drawing", "in sight", ""

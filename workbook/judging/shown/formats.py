@@ -92,8 +92,7 @@ def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str
     if n == 2 and re.fullmatch(rf"(?:\0 |\?)*\0[{taste.DASHES}](?:\0 |\?)*", part.form):
         return ""
     form = re.sub(r"(?<=[#?0])\0 (?=[#?0])", "", part.form)
-    found = NUMBER.fullmatch(form)
-    if found is None or not found["number"]:
+    if (found := NUMBER.fullmatch(form)) is None or not found["number"]:
         return NOTICE if FRACTION.fullmatch(form) else SHOWN
     before, behind = (found[i].replace("\0", "").strip() for i in (1, 4))
     signed = before[:1] in [*taste.DASHES, "("]
@@ -108,10 +107,8 @@ def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str
 
 def is_ink(bracket: str) -> bool:
     """Whether what stands in brackets is a colour that can be read on white."""
-    found = COLOUR.fullmatch(bracket)
-    if found is None:
+    if (found := COLOUR.fullmatch(bracket)) is None:
         return False
     number = int(found[2] or 0) + 7
     code = COLOR_INDEX[number][-6:] if found[2] and number < len(COLOR_INDEX) else BRIGHT.get(bracket.lower(), "0" * 6)
-    ink = parsed(code)
-    return ink is None or contrast(ink, WHITE) >= taste.UNSEEN
+    return (ink := parsed(code)) is None or contrast(ink, WHITE) >= taste.UNSEEN

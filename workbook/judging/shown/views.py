@@ -70,15 +70,16 @@ class Page:
     def __init__(self, sheet: Worksheet, anchors: list[Anchor]) -> None:
         form, view, pane = sheet.sheet_format, sheet.sheet_view, sheet.sheet_view.pane
         self.hidden = sheet.sheet_state != "visible"
-        height: float = 0.0 if form.zeroHeight else POINT * or_else(form.defaultRowHeight, HEIGHT)
+        row_height = HEIGHT if form.defaultRowHeight is None else form.defaultRowHeight
+        height: float = 0.0 if form.zeroHeight else POINT * row_height
         heights = {number: 0.0 if row.hidden else height if row.height is None else POINT * row.height
                    for number, row in sheet.row_dimensions.items()}  # fmt: skip
         self.rows = Lengths(heights, height, POINT * taste.LEAST_HEIGHT)
-        usual: float = or_else(form.defaultColWidth, WIDTH)
+        usual: float = WIDTH if form.defaultColWidth is None else form.defaultColWidth
         widths: dict[int, float] = {}
         for letter, column in sheet.column_dimensions.items():
             first = column.min or column_index_from_string(letter)
-            width = 0.0 if column.hidden else pixels(or_else(column.width, usual))
+            width = 0.0 if column.hidden else pixels(usual if column.width is None else column.width)
             widths |= dict.fromkeys(range(first, (column.max or first) + 1), width)
         self._columns = Lengths(widths, pixels(usual), pixels(taste.LEAST_WIDTH))
         self._first = (1, 1)  # row and column that can be scrolled to: nothing leads before those that are frozen
@@ -110,11 +111,6 @@ class Page:
 def pixels(width: float) -> float:
     """Return the size of a column of so many characters."""
     return PIXEL * int(width * DIGIT + MARGIN) if width else 0.0
-
-
-def or_else(given: float | None, usual: float) -> float:
-    """Return a size, the usual one where none is given."""
-    return usual if given is None else given
 
 
 def pages(match: Match) -> dict[str, Page]:

@@ -61,12 +61,11 @@ def declared(sheet: Sheet) -> Iterator[Word]:
     for text in (text for text in sheet.texts if text.text):
         style = text.style
         if style in HEADINGS:
-            below = next((b for b in ordered if b.row > text.row and b.column >= text.column), None)
-            if below is not None:
+            if below := next((b for b in ordered if b.row > text.row and b.column >= text.column), None):
                 yield Word(text, below, f"{style} over {below.title or below.quantities[0].label}")
         elif style in ABOVE:
-            block = next((b for b in tables if 0 < b.row - text.row <= 4 and text.column in b.columns.values()), None)
-            if block is not None:
+            above = (b for b in tables if 0 < b.row - text.row <= 4 and text.column in b.columns.values())
+            if block := next(above, None):
                 yield Word(text, block, f"{block.title}, {style}")
         elif style in BESIDE and text.row in rows and not text.link:
             block = rows[text.row]
@@ -150,7 +149,7 @@ def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
             continue
         at = held.cell(0, 1)
         text = match.file.value(at)  # a finding where it reads as a unit, and as nothing else
-        if isinstance(text, str) and at not in match.numbers and text.strip() and not unit(text).words:
+        if isinstance(text, str) and at not in match.numbers and text.strip() and not unit(text)[1]:
             report.say(at, SHOWN, text, None, f"unit of {q.label}")
 
 
@@ -177,16 +176,9 @@ RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 FACTOR = re.compile(r"([^\W\d_]+|°[CF]?|%|‰|1(?![0-9]))\^?(-?[0-9])?")
 
 
-class Unit(NamedTuple):
-    """A unit taken apart: its symbols with their powers, and the words in it that are none of these."""
-
-    powers: dict[str, int]
-    words: tuple[str, ...]
-
-
 @lru_cache(maxsize=4_000)
-def unit(text: str) -> Unit:
-    """Take a unit apart; what is no symbol of one counts as a word, such as ``pieces``."""
+def unit(text: str) -> tuple[dict[str, int], tuple[str, ...]]:
+    """Return the symbols of a unit with their powers, and the words in it that are no symbols, such as ``pieces``."""
     plain = text.strip()
     plain = TURNS.get(plain.lower(), SPELT.get(plain, plain)).translate(RAISED)
     powers, words, sign = Counter[str](), list[str](), 1
@@ -202,7 +194,7 @@ def unit(text: str) -> Unit:
                 powers.update(dict.fromkeys(first, sign))
                 powers[SPELT.get(last, last)] += sign * int(power or 1)
     known = {name: power for name, power in powers.items() if power and name not in ("", "1")}
-    return Unit(known, tuple(sorted(words)))
+    return known, tuple(sorted(words))
 
 
 def symbols(text: str) -> tuple[str, ...]:
@@ -220,7 +212,7 @@ def compared(held: str, declared: str) -> str:
     """Return how a unit stands to the declared one: ``same``, ``reworded``, or ``other``."""
     if held.split() == declared.split():
         return "same"
-    one, two = unit(held), unit(declared)
-    if not held.strip() or (one.powers == two.powers and one.words and two.words and one.words != two.words):
+    (powers, words), (ours, declared_words) = unit(held), unit(declared)
+    if not held.strip() or (powers == ours and words and declared_words and words != declared_words):
         return "reworded"
-    return "same" if one == two else "other"
+    return "same" if (powers, words) == (ours, declared_words) else "other"
