@@ -13,19 +13,14 @@ from workbook.book.formula import Area, Formula, FormulaError
 from workbook.dimensions.units import NONE, Dimension, dimension_of, is_either, powers, written
 from workbook.reading.contents import Contents
 
-LIKE = frozenset([  # functions whose arguments, and result, have one dimension
-    "ABS", "AVERAGE", "CEILING", "FLOOR", "IFERROR", "IFNA", "INT", "LARGE", "MAX", "MEDIAN", "MIN", "MOD", "MROUND",
-    "N", "SMALL", "STDEV", "SUM", "TRUNC",
-])  # fmt: skip
+# functions whose arguments, and result, have one dimension
+LIKE = frozenset(["ABS", "AVERAGE", "CEILING", "FLOOR", "IFERROR", "IFNA", "INT", "LARGE", "MAX", "MEDIAN", "MIN",
+    "MOD", "MROUND", "N", "SMALL", "STDEV", "SUM", "TRUNC"])  # fmt: skip
 FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])  # those whose result has that of the first
-NUMBERS = frozenset([  # functions of numbers and angles
-    "ACOS", "ACOSH", "ASIN", "ASINH", "ATAN", "ATANH", "COS", "COSH", "DEGREES", "EXP", "LN", "LOG", "LOG10", "RADIANS",
-    "SIN", "SINH", "TAN", "TANH",
-])  # fmt: skip
-COUNTS = frozenset([
-    "AND", "COUNT", "COUNTA", "COUNTIF", "COLUMN", "COLUMNS", "FALSE", "ISBLANK", "ISERROR", "ISNUMBER", "MATCH", "NOT",
-    "OR", "ROW", "ROWS", "SIGN", "TRUE",
-])  # fmt: skip
+NUMBERS = frozenset(["ACOS", "ACOSH", "ASIN", "ASINH", "ATAN", "ATANH", "COS", "COSH", "DEGREES", "EXP", "LN", "LOG",
+    "LOG10", "RADIANS", "SIN", "SINH", "TAN", "TANH"])  # functions of numbers and angles  # fmt: skip
+COUNTS = frozenset(["AND", "COUNT", "COUNTA", "COUNTIF", "COLUMN", "COLUMNS", "FALSE", "ISBLANK", "ISERROR", "ISNUMBER",
+    "MATCH", "NOT", "OR", "ROW", "ROWS", "SIGN", "TRUE"])  # fmt: skip
 COMPUTED = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow}
 
 

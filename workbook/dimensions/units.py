@@ -13,11 +13,10 @@ NONE = Dimension({})  # of numbers, angles, shares and counts
 POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 FACTOR = re.compile(r"(?P<word>1|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
 BETWEEN = re.compile(r"(?! - )[ ·*.×-]*")
-WORDS = {  # what pint does not know, or reads as something else
-    "1": "", "%": "", "‰": "", "°": "", "cycles": "", "pieces": "", "rpm": "1/min", "C": "K", "°C": "K", "°F": "K",
+# what pint does not know, or reads as something else
+WORDS = {"1": "", "%": "", "‰": "", "°": "", "cycles": "", "pieces": "", "rpm": "1/min", "C": "K", "°C": "K", "°F": "K",
     "Ω": "ohm", "µm": "m", "μm": "m", "Nm": "N m", "kNm": "N m", "mNm": "N m", "Ncm": "N m", "Nmm": "N m",
-    "Nms": "N m s", "Ws": "J", "Vs": "V s", "As": "A s",
-}  # fmt: skip
+    "Nms": "N m s", "Ws": "J", "Vs": "V s", "As": "A s"}  # fmt: skip
 BASE = {"[mass]": "kg", "[length]": "m", "[time]": "s", "[current]": "A", "[temperature]": "K", "[substance]": "mol",
         "[luminosity]": "cd"}  # fmt: skip
 

@@ -108,8 +108,12 @@ class Comparison:
     def _computed(self, ran: Ran, values: Cells) -> None:
         """Tell the cells at fault from those that only follow them, or follow what is known to be at fault."""
         wrong = self._wrong(values, first=not self.values)
-        self._first_wrong = self._first_wrong if self.values else {pair.address for pair, _ in wrong}
-        at_fault = self._faults([pair.address for pair, _ in wrong])
+        places = [pair.address for pair, _ in wrong]
+        self._first_wrong = self._first_wrong if self.values else set(places)
+        numbers = [self.match.numbers[a] for a in places]
+        alone = self.model.each(numbers, self.match.strips, self.right.values)() if wrong else []
+        # at fault are the cells that are wrong even when all that they refer to is right
+        at_fault = {a for a, value in zip(places, alone, strict=True) if differs(self.right, a, value)}
         explained = bool(at_fault) or any(finding.kind in CAUSES for finding in self.report.findings)
         problems: Mapping[Address, str] = self.model.problems if ran.name == self.single.name else {}
         for pair, deviation in wrong:
@@ -143,12 +147,6 @@ class Comparison:
             if not deviation <= TOLERANCE:
                 wrong.append((pair, deviation))
         return wrong
-
-    def _faults(self, wrong: list[Address]) -> set[Address]:
-        """Return the cells that are wrong even when all that they refer to is right."""
-        numbers = [self.match.numbers[a] for a in wrong]
-        values = self.model.each(numbers, self.match.strips, self.right.values)() if wrong else []
-        return {a for a, value in zip(wrong, values, strict=True) if differs(self.right, a, value)}
 
     def ask_elsewhere(self, template: AnyTemplate, machines: Sequence[Machine], suspects: set[Address]) -> None:
         """Begin to ask at variations of the inputs: cells in turn, formulas that are not the declared ones always."""

@@ -1,8 +1,7 @@
 """Cells and entries put in order before a book is judged; the file stays as it is, and each change is told.
 
-Cells of a table that were cut and pasted elsewhere are put back: a program lets formulas follow what is cut, so that
-they say where it is now; formulas that were cut are known by their shape; names follow only where all of their cells
-were cut. Of entries, blanks around names go, names that look-ups misread are exchanged, and rows left empty are filled.
+Cells cut from a table are put back: formulas that follow them say where they are now, formulas that were cut are known
+by their shape. Of entries, blanks around names go, names that look-ups misread are exchanged, empty rows are filled.
 """
 
 import re

@@ -9,10 +9,9 @@ from workbook.book.address import Address
 from workbook.judging.matching import Pair
 
 LAYOUT = "layout"  # the kind of rows and columns that were put into tables, or are gone
-ORDER = (  # the kinds of findings, causes before what follows from them
-    LAYOUT, "entry", "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error",
-    "value", "follows", "saved", "shown", "witness",
-)  # fmt: skip
+# the kinds of findings, causes before what follows from them
+ORDER = (LAYOUT, "entry", "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error",
+    "value", "follows", "saved", "shown", "witness")  # fmt: skip
 CAUSES = ORDER[:8]  # the kinds from which wrong values follow elsewhere
 FOLLOWS = "follows"  # the kind of what is wrong only because of other cells
 SHOWN, NOTICE = "shown", "notice"  # what may be read otherwise; what is reworded or gone and misleads nobody

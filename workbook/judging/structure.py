@@ -69,11 +69,9 @@ def shown(held: Any) -> Any:
     return f'"{held}"' if isinstance(held, Words) else held
 
 
-ALLOWED = frozenset([
-    "IF", "AND", "OR", "NOT", "MIN", "MAX", "ABS", "SIGN", "SQRT", "SIN", "COS",
-    "TAN", "ATAN2", "PI", "EXP", "LN", "LOG10", "POWER", "INT", "ROUND", "SUM", "SUMPRODUCT",
-    "AVERAGE", "COUNT", "COUNTIF", "INDEX", "MATCH", "CHOOSE", "LARGE", "SMALL", "ISNUMBER", "RADIANS", "DEGREES",
-])  # fmt: skip
+ALLOWED = frozenset(["IF", "AND", "OR", "NOT", "MIN", "MAX", "ABS", "SIGN", "SQRT", "SIN", "COS", "TAN", "ATAN2", "PI",
+    "EXP", "LN", "LOG10", "POWER", "INT", "ROUND", "SUM", "SUMPRODUCT", "AVERAGE", "COUNT", "COUNTIF", "INDEX", "MATCH",
+    "CHOOSE", "LARGE", "SMALL", "ISNUMBER", "RADIANS", "DEGREES"])  # fmt: skip
 VOLATILE = frozenset(["NOW", "TODAY", "RAND", "RANDBETWEEN", "OFFSET", "INDIRECT", "CELL", "INFO", "RANDARRAY"])
 MOST = 5  # names that a note lists
 COMPUTED = "how the program computes"
@@ -82,7 +80,11 @@ COMPUTED = "how the program computes"
 def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     """Yield what is wrong with formulas, names, inputs and settings of a matched workbook."""
     yield from functions(match)
-    yield from own_names(match)
+    declared, ours = {name.casefold() for name, _ in match.declared.names()}, {p.address.sheet for p in match.pairs}
+    for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
+        for name, defined in sheet.defined_names.items():
+            if name.casefold() in declared:  # formulas of the sheet take it for the book's of the same name
+                yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
     for name, fit in match.file.fits.items():
         if fit.named is not None:  # of a single cell, that leads to more than one
             yield finding(fit.place, name, said(fit.named), said(fit.place))
@@ -105,16 +107,6 @@ def functions(match: Match) -> Iterator[Finding]:
         for name in sorted(formula.functions - ALLOWED) if formula else ():
             why = "a function that is not volatile" if name in VOLATILE else "a function that every program has"
             yield Finding(pair.address.sheet, pair.address.a1, "function", name, why)
-
-
-def own_names(match: Match) -> Iterator[Finding]:
-    """Yield names that a generated sheet has for itself: its formulas take them for the book's of the same name."""
-    declared = {name.casefold() for name, _ in match.declared.names()}
-    ours = {pair.address.sheet for pair in match.pairs}
-    for sheet in match.file.workbook.worksheets:
-        for name, defined in sheet.defined_names.items() if sheet.title in ours else ():
-            if name.casefold() in declared:
-                yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
 
 
 def settings(workbook: Workbook) -> Iterator[Finding]:

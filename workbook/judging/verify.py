@@ -34,8 +34,8 @@ from workbook.witnesses.witness import CellWitness, Witness, without
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | None = None) -> Report:
     """Verify one workbook by the witnesses of these names, or by ``all`` that are on this machine.
 
-    ``beside`` is a second process that evaluates this book meanwhile. Raises ReadError and InputError where the book
-    cannot be read, or a witness is unknown, and WitnessError for one that is asked by name and is not on this machine.
+    ``beside`` is a process that evaluates this book meanwhile. Raises ReadError or InputError for a book that cannot be
+    read or a witness that is unknown, WitnessError for one that is asked by name and is not on this machine.
     """
     names, absent = present(witnesses)
     file = open_book(path)

@@ -9,7 +9,7 @@ from workbook.book.address import Address
 from workbook.book.formula import Area, FormulaError, reference
 from workbook.judging.matching import Match
 from workbook.judging.shown import taste
-from workbook.judging.shown.colours import WHITE, Colour, contrast, parsed
+from workbook.judging.shown.formats import WHITE, Colour, contrast, parsed
 from workbook.reading.rows import tag
 
 Name = Area | str  # a text, or the cell that has it

@@ -15,8 +15,7 @@ from workbook.book.address import Address
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import FAIL, NOTICE, SHOWN, Report
 from workbook.judging.shown import taste
-from workbook.judging.shown.colours import BLACK, WHITE, Look, Palette, contrast, looks_passed
-from workbook.judging.shown.formats import Judged, judged, sections
+from workbook.judging.shown.formats import BLACK, WHITE, Judged, Look, Palette, contrast, judged, looks_passed, sections
 from workbook.judging.shown.words import HEADINGS, Found
 from workbook.writing.style import Marked, marks
 from workbook.writing.write import format_of

@@ -11,12 +11,11 @@ YES, NO = ("1", "true"), ("0", "false")
 
 # Fonts, sizes and colours
 
-FONTS = frozenset([  # those in which people write, by their first words; in others it is a notice
-    "aptos", "arial", "arialmt", "bahnschrift", "calibri", "cambria", "candara", "carlito", "caladea", "consolas",
-    "constantia", "corbel", "courier", "dejavu", "franklin", "garamond", "georgia", "gill", "helvetica", "inter",
-    "liberation", "lucida", "meiryo", "microsoft", "ms", "noto", "open", "palatino", "roboto", "segoe", "simsun",
-    "source", "tahoma", "times", "trebuchet", "ubuntu", "verdana", "yu", "century", "book", "cantarell", "lato",
-])  # fmt: skip
+FONTS = frozenset(["aptos", "arial", "arialmt", "bahnschrift", "calibri", "cambria", "candara", "carlito", "caladea",
+    "consolas", "constantia", "corbel", "courier", "dejavu", "franklin", "garamond", "georgia", "gill", "helvetica",
+    "inter", "liberation", "lucida", "meiryo", "microsoft", "ms", "noto", "open", "palatino", "roboto", "segoe",
+    "simsun", "source", "tahoma", "times", "trebuchet", "ubuntu", "verdana", "yu", "century", "book", "cantarell",
+    "lato"])  # those in which people write, by their first words; in others it is a notice  # fmt: skip
 # fonts that show other signs for letters: a finding
 SIGNS = ("wingdings", "webdings", "symbol", "marlett", "opensymbol", "zapfdingbats", "bookshelf symbol")
 LEAST_SIZE, SMALL, LARGE = 4.0, 6.0, 72.0  # points of a font that cannot be read, and that can hardly
@@ -69,12 +68,11 @@ SETTINGS = (  # elements and attributes of settings, what they may be, and what 
     ("pane", "xSplit", range(13), NOTICE, "frozen beyond a window"),
     ("pane", "ySplit", range(46), NOTICE, "frozen beyond a window"),
 )
-PAGE = frozenset([  # the elements of a worksheet that are judged elsewhere, or change nothing of what is read
-    "AlternateContent", "autoFilter", "cellWatches", "colBreaks", "cols", "conditionalFormatting", "dataValidations",
-    "dimension", "drawing", "extLst", "headerFooter", "hyperlinks", "ignoredErrors", "legacyDrawing", "mergeCells",
-    "pageMargins", "pageSetup", "phoneticPr", "printOptions", "protectedRanges", "rowBreaks", "sheetData",
-    "sheetFormatPr", "sheetPr", "sheetProtection", "sheetViews", "sortState",
-])  # fmt: skip
+# the elements of a worksheet that are judged elsewhere, or change nothing of what is read
+PAGE = frozenset(["AlternateContent", "autoFilter", "cellWatches", "colBreaks", "cols", "conditionalFormatting",
+    "dataValidations", "dimension", "drawing", "extLst", "headerFooter", "hyperlinks", "ignoredErrors", "legacyDrawing",
+    "mergeCells", "pageMargins", "pageSetup", "phoneticPr", "printOptions", "protectedRanges", "rowBreaks", "sheetData",
+    "sheetFormatPr", "sheetPr", "sheetProtection", "sheetViews", "sortState"])  # fmt: skip
 NEWER = frozenset(["dataValidations", "ignoredErrors"])  # such elements for newer programs, in an ``extLst``
 CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|.)')  # of headers and footers
 

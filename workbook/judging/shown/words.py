@@ -160,17 +160,14 @@ def same(held: object, expected: str) -> bool:
 
 # Units as people write them: the same one in another spelling, in other words, or another
 
-PREFIXED = frozenset(["m", "g", "s", "N", "W", "J", "Pa", "Hz", "V", "A", "bar", "l", "rad", "K", "sec"])  # or prefixed
+PREFIXED = frozenset(["m", "g", "s", "N", "W", "J", "Pa", "Hz", "V", "A", "bar", "l", "rad", "K", "sec"])
 PREFIXES = frozenset(["", "k", "M", "G", "d", "c", "m", "µ", "μ", "n"])
-OTHERS = frozenset([
-    "min", "h", "rev", "°", "deg", "rpm", "%", "‰", "°C", "°F", "t", "in", "inch", "inches", "ft", "mil", "lb",
-    "lbf", "oz", "hp", "kp", "kgf", "PS",
-])  # fmt: skip
-TURNS = dict.fromkeys((  # turns and cycles a minute in all spellings: which of them is meant, the label says
-    "1/min", "min⁻¹", "min-1", "min^-1", "/min", "u/min", "upm", "umdr./min", "r/min", "rev/min", "rpm", "r.p.m.",
-    "giri/min", "tr/min", "tr/mn", "cpm", "c/min", "cycles/min", "cycles per minute", "revolutions per minute",
-    "takte/min", "hübe/min", "cicli/min", "coups/min",
-), "rpm")  # fmt: skip
+OTHERS = frozenset(["min", "h", "rev", "°", "deg", "rpm", "%", "‰", "°C", "°F", "t", "in", "inch", "inches", "ft",
+    "mil", "lb", "lbf", "oz", "hp", "kp", "kgf", "PS"])  # fmt: skip
+# turns and cycles a minute in all spellings: which of them is meant, the label says
+TURNS = dict.fromkeys(("1/min", "min⁻¹", "min-1", "min^-1", "/min", "u/min", "upm", "umdr./min", "r/min", "rev/min",
+    "rpm", "r.p.m.", "giri/min", "tr/min", "tr/mn", "cpm", "c/min", "cycles/min", "cycles per minute",
+    "revolutions per minute", "takte/min", "hübe/min", "cicli/min", "coups/min"), "rpm")  # fmt: skip
 SPELT = {"sec": "s", "deg": "°", "μm": "µm", "Pa": "N/m²", "MPa": "N/mm²", "Hz": "1/s", "W": "J/s", "l": "dm³"}
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 FACTOR = re.compile(r"([^\W\d_]+|°[CF]?|%|‰|1(?![0-9]))\^?(-?[0-9])?")
