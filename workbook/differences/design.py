@@ -21,7 +21,7 @@ from workbook.judging.report import FAIL, OK, Report
 from workbook.judging.structure import structure
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
-from workbook.reading.files import BookFile, open_book
+from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreed import agreed
 
@@ -114,13 +114,7 @@ def read(path: Path) -> Design:
     file = open_book(path)
     entries = Entries(file, agreed, in_order)
     machine = entries.machine()
-    edited, own = changes(file, entries, machine)
-    return Design(path, machine, TEMPLATES[machine.template].declare(machine), edited, own)
-
-
-def changes(file: BookFile, entries: Entries, machine: Machine) -> tuple[list[str], list[str]]:
-    """Return in lines what differs from the generated formulas and texts, and what was added to them."""
-    match, machine = laid_out(file, entries.template, machine)
+    match, _ = laid_out(file, entries.template, machine)
     report = Report(file.path, entries.template.name, findings=[*entries.moved, *layout(match)])
     structure(match, report)
     edited = [f"{one.sheet}!{one.cell} ({one.what}): {one.computed}" for one in report.findings]
@@ -128,7 +122,8 @@ def changes(file: BookFile, entries: Entries, machine: Machine) -> tuple[list[st
     own = [f"the sheet {title!r}" for title in file.workbook.sheetnames if title not in ours]
     formulas = file.contents.formulas
     own += [f"{a}: {formulas[a]}" for a in file.contents.formula_cells if a not in match.numbers and a in formulas]
-    return edited, own + [line.replace(" are not carried over", "") for line in own_things(match, ours)]
+    own += [line.replace(" are not carried over", "") for line in own_things(match, ours)]
+    return Design(path, machine, TEMPLATES[machine.template].declare(machine), edited, own)
 
 
 CLOSE = 1e-9  # relative difference of two numbers that are the same: rounding in a file changes the last digits

@@ -1,7 +1,6 @@
 """Units as engineers write them, as dimensions: ``kg cm²``, ``W/m²K⁴``, ``Nm``, ``1/min``, ``°``."""
 
 import re
-from collections.abc import Iterator
 from functools import cache
 from typing import Any, TypeAlias
 
@@ -19,6 +18,7 @@ WORDS = {"1": "", "%": "", "‰": "", "°": "", "cycles": "", "pieces": "", "rpm
     "Nms": "N m s", "Ws": "J", "Vs": "V s", "As": "A s"}  # fmt: skip
 BASE = {"[mass]": "kg", "[length]": "m", "[time]": "s", "[current]": "A", "[temperature]": "K", "[substance]": "mol",
         "[luminosity]": "cd"}  # fmt: skip
+registry = cache(UnitRegistry[Any])  # what gives the units that pint knows
 
 
 @cache
@@ -26,28 +26,20 @@ def dimension_of(unit: str) -> Dimension | None:
     """Return the dimension of a unit, the first ``/`` before all that divides; None where it is not known."""
     found = NONE
     for k, part in enumerate(unit.strip(" []()").split("/")):
-        for word, power in factors(part):
-            if (one := of_word(word)) is None:
+        text, at = part.translate(POWERS).strip(), 0
+        while at < len(text):
+            match = FACTOR.match(text, at)
+            if match is None or (one := of_word(match["word"])) is None:
                 return None
-            found *= one ** (-power if k else power)
+            found *= one ** (int(match["power"] or 1) * (-1 if k else 1))
+            between = BETWEEN.match(text, match.end())
+            at = between.end() if between else match.end()
     return found if unit.strip(" []()") else None
 
 
 def is_either(unit: str) -> bool:
     """Whether a unit is one or another, such as ``mm, °`` or ``kg or price``."""
     return ", " in unit or " or " in unit
-
-
-def factors(part: str) -> Iterator[tuple[str, int]]:
-    """Yield the words of a product of units with their powers; an empty word for what is none."""
-    text, at = part.translate(POWERS).strip(), 0
-    while at < len(text):
-        if (match := FACTOR.match(text, at)) is None:
-            yield "", 1
-            return
-        yield match["word"], int(match["power"] or 1)
-        between = BETWEEN.match(text, match.end())
-        at = between.end() if between else match.end()
 
 
 @cache
@@ -57,16 +49,10 @@ def of_word(word: str) -> Dimension | None:
         return dimension_of(WORDS[word]) if WORDS[word] else NONE
     for name in (word, word.lower()) if len(word) > 2 else (word,):
         try:
-            return registry().Unit(name).dimensionality if word else None
+            return registry().Unit(name).dimensionality
         except (UndefinedUnitError, ValueError, AttributeError):
             continue
     return None
-
-
-@cache
-def registry() -> UnitRegistry[Any]:
-    """Return the units that pint knows."""
-    return UnitRegistry()
 
 
 def powers(dimension: Dimension) -> dict[str, float]:

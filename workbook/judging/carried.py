@@ -49,11 +49,10 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
     rules = Rules(match, Looks(match, BaseModel, told), told)
     rules.judge(list(seen(match, [])))
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
-    for sheet in match.file.workbook.worksheets:
-        if sheet.title in ours:
-            for what, cells in on_sheet(match, sheet, rules.known).items():
-                if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:
-                    lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
+    for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
+        for what, cells in on_sheet(match, sheet, rules.known).items():
+            if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:
+                lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
     if left := [one.name for one in names(match) if one not in own.names]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
     lines += [f"charts and pictures of the sheet {sheet.title!r} are not carried over" for sheet in own.sheets

@@ -153,16 +153,14 @@ def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
 
 def within(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
     """Yield the workbooks in a folder and its folders, in the order of their names."""
-
-    def fail(error: OSError) -> None:
-        failed.append(without(Path(error.filename or folder), f"cannot be listed: {error.strerror or error}"))
-
-    for place, folders, files in os.walk(folder, onerror=fail):
+    errors = list[OSError]()
+    for place, folders, files in os.walk(folder, onerror=errors.append):
         folders[:] = sorted(name for name in folders if not hidden(Path(place, name)))
         for name in sorted(files):
             path = Path(place, name)
             if path.suffix.lower() in SUFFIXES and not name.startswith("~$") and not hidden(path):
                 yield Target(path, named=False)
+    failed += [without(Path(e.filename or folder), f"cannot be listed: {e.strerror or e}") for e in errors]
 
 
 def hidden(path: Path) -> bool:
@@ -174,12 +172,9 @@ def hidden(path: Path) -> bool:
 
 
 def verify_many(
-    targets: Sequence[Target],
-    witnesses: Sequence[str] = ("pycel",),
-    pool: Pool = HERE,
-    done: Callable[[Outcome], object] = lambda outcome: None,
-    beside: Beside | None = None,
-) -> list[Outcome]:
+    targets: Sequence[Target], witnesses: Sequence[str] = ("pycel",), pool: Pool = HERE,
+    done: Callable[[Outcome], object] = lambda outcome: None, beside: Beside | None = None,
+) -> list[Outcome]:  # fmt: skip
     """Verify workbooks by a pool, one whose worker dies once more by a fresh one; call ``done`` as each is finished."""
     outcomes: dict[Target, Outcome] = {}
 

@@ -55,8 +55,15 @@ class Match:
             place = self.file.places.get(block.name)
             if place is None or (self.size_of(block), place.columns) != (block.size, len(block.quantities)):
                 self.misfits.append((block, place))
-            if place is not None:
-                self._pair(block, place)
+            if place is None:
+                continue
+            for j, cells in enumerate(block.by_column()):
+                if j < place.columns and place.cell(0, j).column:
+                    found = zip(cells, place.down(j), strict=False)  # either may have more rows
+                    pairs = [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
+                    self.pairs += pairs
+                    self.columns.append(Column(block.name, j, len(pairs)))
+                    self.strips.append(place.strip(j, len(pairs)))
 
     def placed(self, sheet: Sheet) -> list[tuple[Block, Place]]:
         """Return the blocks of a declared sheet that the file has, with their places."""
@@ -71,15 +78,6 @@ class Match:
         """Return how many rows a block had in the file, those counted that are gone."""
         fit = self.file.fits.get(block.name)
         return fit.size if fit is not None else self.file.places[block.name].rows
-
-    def _pair(self, block: Block, place: Place) -> None:
-        for j, cells in enumerate(block.by_column()):
-            if j < place.columns and place.cell(0, j).column:
-                found = zip(cells, place.down(j), strict=False)  # either may have more rows
-                pairs = [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
-                self.pairs += pairs
-                self.columns.append(Column(block.name, j, len(pairs)))
-                self.strips.append(place.strip(j, len(pairs)))
 
     def by_column(self) -> Iterator[list[Pair]]:
         """Yield the pairs of each of ``columns`` that has any."""

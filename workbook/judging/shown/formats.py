@@ -26,18 +26,13 @@ OFFICE = dict(zip(THEME, ("FFFFFF", "000000", "EEECE1", "1F497D", "4F81BD", "C05
 
 Colour = tuple[float, float, float]
 Look = tuple[Colour | None, Colour | None]  # ink and ground of a cell; None for what cannot be told, as a gradient
-TOKEN = re.compile(
-    r"""
+TOKEN = re.compile(r"""(?xs)
     "(?P<quoted>[^"]*)"? | \\(?P<escaped>.) | (?P<room>_.|\*[ ]) | \*(?P<filled>.) | \[(?P<bracket>[^\]]*)\]?
     | (?P<end>;) | (?P<text>@|(?i:General|Standard)) | (?P<code>E[+-]|[0?\#.,%/])
     | (?P<date>AM/PM|A/P|[yYmMdDhHsSbBgGeE]) | (?P<plain>.)
-    """,
-    re.VERBOSE | re.DOTALL,
-)
+""")  # fmt: skip
 ADDED = r"((?:\0.)*)"
-NUMBER = re.compile(
-    rf"{ADDED}(?P<number>@|(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?)(?P<percent>%?){ADDED}", re.DOTALL
-)
+NUMBER = re.compile(rf"(?s){ADDED}(?P<number>@|(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?)(?P<percent>%?){ADDED}")
 FRACTION = re.compile(r"[#?0]*/(?:[#?0]|\0[0-9])+")
 CONDITION = re.compile(r"(<=|>=|<>|<|>|=)\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)")
 COLOUR = re.compile(r"(black|white|red|green|blue|yellow|magenta|cyan)|color ?([0-9]{1,2})", re.IGNORECASE)
