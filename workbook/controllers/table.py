@@ -88,7 +88,7 @@ def given(part: T | None, said: str) -> T:
 BOTH = "y' and y''; expected both, for polynomials of degree 5"
 LOCAL, CENTRAL = "cubics by neighbours", "cubics by the line between neighbours"
 
-RULES: dict[str, Rule] = {
+RULES: dict[str, Rule] = {  # what is between the points, by name
     "straight lines": Rule(lambda t: interpolation.lines(t.x, t.y), 2),
     "clamped cubic spline": Rule(_clamped, 4, 2),
     "natural cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "natural"), 4, 2),
@@ -99,5 +99,4 @@ RULES: dict[str, Rule] = {
     "quintics": Rule(lambda t: interpolation.quintics(t.x, t.y, given(t.v, BOTH), given(t.a, BOTH)), 6),
     "polynomials": Rule(lambda t: given(t.profile, "polynomials; expected them"), 6),
 }
-"""what is between the points, by name"""
 SPLINES = tuple(name for name in RULES if "spline" in name)

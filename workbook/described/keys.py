@@ -20,8 +20,6 @@ from workbook.templates import AnyTemplate
 
 ONE = re.compile(r"\.\d+(?=\.|$)")
 SHOWN = CODES[1]  # the law whose page says what is entered on all of them
-
-
 WORDS = {
     "template": "The kind of machine",
     "sizes.cycle": "Intervals of the table over the cycle",
@@ -43,8 +41,6 @@ WORDS = {
     "selection.reducers": 'The reducers to choose among; "committed": those that come with motionbook',
 }
 """what entries mean that no cell shows; an entry of another machine says it itself, as its field's description"""
-
-
 EXAMPLES: dict[str, Any] = {  # entries of a real machine that no committed description has
     "number": "4711-02", "revision": "B", "author": "A. Rossi", "date": "2026-03-02", "export.axis": 1,
     "axes.*.phases.*.velocity": 0.05, "axes.*.phases.*.acceleration": 0.2, "axes.*.rate": 150.0, "axes.*.printed": "S4",

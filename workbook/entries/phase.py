@@ -1,6 +1,7 @@
 """Phases as they are entered wherever they follow one another; those of an axis over one turn of the master shaft."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 from pydantic import Field
@@ -68,8 +69,5 @@ def forward(name: str, phases: Sequence[TurnPhase], unit: str = "°", length: fl
 def filling(phases: Sequence[TurnPhase], length: float = TURN) -> list[dict[str, Any]]:
     """Return the phases, evenly spread over the cycle."""
     step = length / len(phases)
-    edges = [*(i * step for i in range(len(phases))), length]
-    return [
-        phase.model_dump() | {"start": start, "stop": stop}
-        for phase, start, stop in zip(phases, edges, edges[1:], strict=False)
-    ]
+    ends = pairwise([*(i * step for i in range(len(phases))), length])
+    return [one.model_dump() | {"start": start, "stop": stop} for one, (start, stop) in zip(phases, ends, strict=True)]

@@ -35,8 +35,7 @@ class Argument(NamedTuple):
     kind: str
     name: Text
     help: Text
-    optional: bool
-    """whether it may be left out"""
+    optional: bool  # whether it may be left out
 
     @property
     def shown(self) -> str:
@@ -67,11 +66,7 @@ def told(texts: Sequence[str]) -> Text:
     return Text(*made)
 
 
-ARGUMENTS = {
-    name: Argument(one["kind"], Text(*one["name"]), told(one["help"]), one.get("optional", False))
-    for name, one in TEXTS["arguments"].items()
-}
-FUNCTIONS = [
-    Function(key, told(one["help"]), [ARGUMENTS[name] for name in one["arguments"]])
-    for key, one in TEXTS["functions"].items()
-]
+ARGUMENTS = {name: Argument(one["kind"], Text(*one["name"]), told(one["help"]), one.get("optional", False))
+             for name, one in TEXTS["arguments"].items()}  # fmt: skip
+FUNCTIONS = [Function(key, told(one["help"]), [ARGUMENTS[name] for name in one["arguments"]])
+             for key, one in TEXTS["functions"].items()]  # fmt: skip

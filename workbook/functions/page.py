@@ -37,12 +37,11 @@ else:
     RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]
     """a law of a phase, or what stands for it where a velocity is prescribed"""
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
-RANGES = {
+RANGES = {  # where the parameters of each law stand that takes any, a table a law
     code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]"
     for code, page in FAMILY.items()
     if code in TAKES and (names := [parameter.column for parameter in page.parameters])
 }
-"""where the parameters of each law stand that takes any, a table a law"""
 RANGES["OWN"] = "[OWN.duration.first]:[OWN.phase.last]"
 CHOSEN = "".join(f'IF({LAW}="{code}",{cells},' for code, cells in RANGES.items())
 P = f"{CHOSEN}0{''.join(')' for _ in RANGES)}"
@@ -206,11 +205,8 @@ def results(shown: Shown) -> list[Any]:
 
 
 LAW_CURVES = [(word.capitalize(), "xi", name, "ξ", name) for name, word in DERIVATIVES.items()]
-MOTION_CURVES = (
-    ("Position of the motion", "x", "y", "x", "y"),
-    ("Velocity of the motion", "x", "y1", "x", "y'"),
-    ("Acceleration of the motion", "x", "y2", "x", "y''"),
-)
+RATES = (("y", "position", "y", "POS"), ("y1", "velocity", "y'", "VEL"), ("y2", "acceleration", "y''", "ACC"))
+MOTION_CURVES = [(f"{word.capitalize()} of the motion", "x", name, "x", symbol) for name, word, symbol, _ in RATES]
 
 
 def curve(title: str, x: str, y: str, x_axis: str, y_axis: str, table: str) -> Chart:
@@ -273,7 +269,5 @@ def samples(sheet: Sheet, shown: Shown) -> None:
     sheet.table("motion", "The motion", MOTION_STEPS + 1,
         calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", x),
         *(result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
-          for name, words, symbol, key, values in zip(
-              ("y", "y1", "y2"), ("position", "velocity", "acceleration"), ("y", "y'", "y''"), ("POS", "VEL", "ACC"),
-              shown.motion.at(x)[:3], strict=True)),
+          for (name, words, symbol, key), values in zip(RATES, shown.motion.at(x)[:3], strict=True)),
         constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1)))).quiet = QUIET  # fmt: skip

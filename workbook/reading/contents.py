@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from datetime import date, datetime, time, timedelta
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
@@ -18,13 +18,7 @@ from workbook.book.columns import Formulas, Moved, Moving, Pattern
 from workbook.book.formula import REFERENCE, Area, Formula, FormulaError, anchored, reference
 
 Cells = dict[Address, Any]
-
-
-class Patterns(NamedTuple):
-    """Formulas by their patterns, each with the rows in which it stands, and those that have none."""
-
-    patterns: list[tuple[Pattern, list[int]]]
-    others: list[Formula]
+Patterns = tuple[list[tuple[Pattern, list[int]]], list[Formula]]  # formulas by patterns, in which rows; those with none
 
 
 class Contents:
@@ -124,13 +118,16 @@ def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) ->
                 areas.add(a)
             elif isinstance(a, Moving) and a.area.single and a.top is not None:
                 moved = {row + a.top for row in rows}
-                known = wanted.get((a.area.sheet, a.area.left), ())
+                known = wanted.get((a.area.sheet, a.area.left), [])
                 yield from (Address(a.area.sheet, row, a.area.left) for row in known if row in moved)
             elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
                 areas |= {a.at(row) for row in rows}
     for (sheet, left, right), spans in together(areas).items():
         for column in range(left, right + 1):
-            yield from within(sheet, column, spans, wanted)
+            known = wanted.get((sheet, column), [])
+            for top, bottom in spans if known else ():
+                rows = known[bisect_left(known, top) : bisect_right(known, bottom)]
+                yield from (Address(sheet, row, column) for row in rows)
 
 
 def together(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int, int]]]:
@@ -156,17 +153,7 @@ def by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:
             known[1].append(row)
         else:
             others.append(formula)
-    return Patterns(list(patterns.values()), others)
-
-
-def within(
-    sheet: str, column: int, rows: Iterable[tuple[int, int]], wanted: Mapping[tuple[str, int], list[int]]
-) -> Iterator[Address]:
-    """Yield the cells of a column in ``rows``, from and to, that are among ``wanted``, its sorted rows."""
-    known = wanted.get((sheet, column), [])
-    for top, bottom in rows if known else ():
-        for row in known[bisect_left(known, top) : bisect_right(known, bottom)]:
-            yield Address(sheet, row, column)
+    return list(patterns.values()), others
 
 
 def names_of(workbook: Workbook) -> dict[tuple[str | None, str], str]:

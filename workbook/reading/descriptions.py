@@ -81,15 +81,10 @@ def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
     try:
         return designed(model, template.check, data, lambda: read_machine(template.description))
     except RefusedError as error:
-        lines = [refused(fault, model, where) for fault in error.faults]
-        raise InputError(lines) from None
+        raise InputError([f"{where(fault.key)}: {fault.said}" if isinstance(fault, Fault) else told(fault, model, where)
+                          for fault in error.faults]) from None  # fmt: skip
     except EntryError as error:
         raise InputError([f"{where(error.field)}: {error}"]) from None
-
-
-def refused(fault: Any, model: type[BaseModel], where: Where) -> str:
-    """Return the line of a fault of pydantic's, or of a design that nothing can be made of."""
-    return f"{where(fault.key)}: {fault.said}" if isinstance(fault, Fault) else told(fault, model, where)
 
 
 def require_possible(template: Template[M], machine: M, where: Where) -> None:

@@ -65,9 +65,8 @@ class Entries:
     def machine(self) -> Machine:
         """Return what was entered; raise InputError whose lines name the sheet, the cell and what is expected."""
         if self.missing:
-            raise InputError(
-                [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
-            )
+            raise InputError([f"{self.file.path}: the name {name} is missing; its inputs cannot be found"
+                              for name in self.missing])  # fmt: skip
         if self.gone:
             raise InputError([f"{self.file.path.name}: {sheet}: a column is gone before column {get_column_letter(n)}, "
                               f"and what was entered in {', '.join(what)}; undo that, or take it from a copy"
@@ -83,7 +82,8 @@ class Entries:
             moved = [f"{self.file.path.name}: {one.sheet}!{one.cell}: {one.computed}; {one.expected}"
                      for one in self.moved if one.kind == "notice"]  # fmt: skip
             raise InputError(self._lost() or moved[:1] or refused.lines) from None
-        built = self._built()
+        built = {name: text for name, place in self.file.places.items()  # what laws and axes were called
+                 if name.endswith("_built") and isinstance(text := self.file.value(place.cell(0, 0)), str)}  # fmt: skip
         machine.laws.built_as({name: built[f"{key}_built"] for name, key in named.items() if f"{key}_built" in built})
         machine.built_as(built)
         return machine
@@ -95,11 +95,9 @@ class Entries:
         for table, fit in self.file.fits.items():
             for row, _ in fit.lost:
                 tables.setdefault((fit.place.sheet, row), []).append(table)
-        return [
-            f"{self.file.path.name}: {sheet}: above row {row}, a row is gone from the "
-            f"table{'s' if len(torn) > 1 else ''} {', '.join(torn)}, {what}"
-            for (sheet, row), torn in tables.items()
-        ]
+        return [f"{self.file.path.name}: {sheet}: above row {row}, a row is gone from the "
+                f"table{'s' if len(torn) > 1 else ''} {', '.join(torn)}, {what}"
+                for (sheet, row), torn in tables.items()]  # fmt: skip
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
         """Return what is entered with the book's own laws by their names, and for each of these names its key."""
@@ -113,12 +111,6 @@ class Entries:
                 raise InputError([f"{cell}: {fault}; expected a name that no other law has"])
             laws[name], named[name] = {**entry, "family": family}, key
         return self.data | {"laws": laws}, named
-
-    def _built(self) -> dict[str, str]:
-        """Return by defined name what laws and axes were called when the book was built."""
-        places = {name: place for name, place in self.file.places.items() if name.endswith("_built")}
-        held = {name: self.file.value(place.cell(0, 0)) for name, place in places.items()}
-        return {name: text for name, text in held.items() if isinstance(text, str)}
 
     def _template(self) -> AnyTemplate:
         place = self.file.places.get("book_template")
@@ -164,15 +156,17 @@ class Entries:
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
             for (j, q), value in zip(inputs, rows[i], strict=True):
-                self._store(q, i, str(place.cell(i, j)), value)
+                key = q.key.replace("*", str(i))
+                self.cells[key] = f"{place.cell(i, j)} ({q.label})"
+                if value is not None or "*" in q.key or key[-1].isdigit():
+                    put(self.data, key.split("."), value)
             if any(value is not None for value in rows[i]) or "*" not in inputs[0][1].key:
                 self._emptied += [q.key.replace("*", str(i)) for (_, q), value in zip(inputs, rows[i], strict=True)
                                   if value is None and self._must_be_there(q.key)]  # fmt: skip
             else:
-                self._between.append(
-                    f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1} of the "
-                    f"table {block.name}, but below it; fill it, or move up what is below"
-                )
+                where = f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1}"
+                said = f"of the table {block.name}, but below it; fill it, or move up what is below"
+                self._between.append(f"{where} {said}")
 
     def _look_below(self, block: Block, last: list[Address]) -> None:
         """Note what stands in a table's columns directly under its last row: it looks like a row, and is none."""
@@ -180,10 +174,9 @@ class Entries:
         there = [(at.a1, self.file.value(at)) for at in below] if block.is_table else []
         held = [a1 for a1, value in there if value is not None and not is_formula(value)]
         if held:
-            self.beyond.append(
-                f"{last[0].sheet}: {', '.join(held)} stand under the last row of the table {block.name}, where nothing "
-                "reads them; enter them in a spare row of it, or build the book with more rows"
-            )
+            said = f"{last[0].sheet}: {', '.join(held)} stand under the last row of the table {block.name}, where "
+            mend = "enter them in a spare row of it, or build the book with more rows"
+            self.beyond.append(f"{said}nothing reads them; {mend}")
 
     def _must_be_there(self, key: str) -> bool:
         """Whether an empty cell of an entry is not what a description without it means."""
@@ -193,29 +186,18 @@ class Entries:
         model = self.template.model_for(self.data)
         return not rules.is_required(model, known) and rules.must_be_there(model, known)
 
-    def _store(self, q: Quantity, i: int, cell: str, value: Any) -> None:
-        key = q.key.replace("*", str(i))
-        self.cells[key] = f"{cell} ({q.label})"
-        if value is not None:
-            put(self.data, key.split("."), value)
-        elif "*" in q.key or key[-1].isdigit():
-            put(self.data, key.split("."), None)
-
     def _entered(self, cell: Address, q: Quantity) -> Any:
+        """Return what was entered, of a formula its value; note in a line where that is in doubt."""
         value = self.file.value(cell)
-        if is_formula(value):
-            self.computed[cell] = self._computed(cell, q, value)
-            return self.computed[cell]
-        return value
-
-    def _computed(self, cell: Address, q: Quantity, formula: str) -> Any:
-        """Return the value of a formula that was entered; note in a line where that is in doubt."""
+        if not is_formula(value):
+            return value
         try:
-            return self._value(cell)
+            self.computed[cell] = self._value(cell)
         except DisputedError as doubt:
+            self.computed[cell] = None
             where = f"{self.file.path.name}: {cell} ({q.label})"
-            self.disputed.append(f"{where}: the formula {found(formula)} is in doubt: {doubt}; enter the value itself")
-            return None
+            self.disputed.append(f"{where}: the formula {found(value)} is in doubt: {doubt}; enter the value itself")
+        return self.computed[cell]
 
     def _formulas(self, layout: Book) -> Iterator[Address]:
         """Yield the input cells that hold a formula."""

@@ -80,23 +80,18 @@ def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], 
     j, rows = counting(block), range(place.rows)
     formulas = [k for k, q in enumerate(block.quantities) if q.formula is not None and place.cell(0, k).column]
     if j is None or not place.cell(0, j).column:
-        spots = [(place, k) for k in formulas] or messages_beside(file, block, place)
-        own = [r for r in rows if not spots or any(held(file, where.cell(r, k), True) for where, k in spots)]
+        spots = [(place, k) for k in formulas]
+        beside = None if spots else file.places.get(f"{block.name}{MESSAGES}")  # messages of the same rows
+        if beside and (beside.sheet, beside.row, beside.rows) == (place.sheet, place.row, place.rows):
+            spots = [(beside, k) for k in range(beside.columns)]
+        own = [r for r in rows if not spots or any(held(file, where.cell(r, k)) for where, k in spots)]
         return (own if 2 * len(own) > place.rows else rows), []
     first = as_rows(block.quantities[j].value, block.size, block.name)[0]
     numbers = [number(file.value(place.cell(r, j))) for r in rows]
     if numbers == list(range(first, first + place.rows)):
         return rows, []
-    empty = [not any(held(file, place.cell(r, k), True) for k in formulas) for r in rows]
+    empty = [not any(held(file, place.cell(r, k)) for k in formulas) for r in rows]
     return by_numbers(numbers, empty, first, lambda r: leads_up(file, place, r)) or (rows, [])
-
-
-def messages_beside(file: BookFile, block: Block, place: Place) -> list[tuple[Place, int]]:
-    """Return the columns of the messages in the rows of a table, which has no formulas of its own; none elsewhere."""
-    beside = file.places.get(f"{block.name}{MESSAGES}")
-    if beside is None or (beside.sheet, beside.row, beside.rows) != (place.sheet, place.row, place.rows):
-        return []
-    return [(beside, k) for k in range(beside.columns)]
 
 
 def by_numbers(
@@ -153,10 +148,10 @@ def number(held: Any) -> int | None:
     return int(held) if whole else None
 
 
-def held(file: BookFile, address: Address, formula: bool) -> bool:
-    """Whether a cell holds anything, or a formula."""
+def held(file: BookFile, address: Address) -> bool:
+    """Whether a cell holds a formula."""
     cell = file.cell(address)
-    return cell is not None and (cell.data_type == "f" if formula else cell.value is not None)
+    return cell is not None and cell.data_type == "f"
 
 
 def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
@@ -166,7 +161,9 @@ def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
     ups = range(1, min(HEADER, place.row))
     cells = [[Address(place.sheet, place.row - up, place.column + c) for up in ups] for c in range(place.columns)]
     above = [{text for text in map(file.value, column) if isinstance(text, str)} for column in cells]
-    kinds = [kind(file, place, c) for c in range(place.columns)]
+    rows = range(place.row, place.row + min(place.rows, LOOKED_AT))
+    kinds = [sum(held(file, Address(place.sheet, row, place.column + c)) for row in rows) / len(rows)
+             for c in range(place.columns)]  # the share of formulas in each column  # fmt: skip
     likes = [
         [2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - kinds[c]) for c in range(place.columns)]
         for q, column in zip(block.quantities, block.columns.values(), strict=True)
@@ -181,9 +178,3 @@ def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
             ))  # fmt: skip
         best.append(line)
     return list(best[-1][-1][1])
-
-
-def kind(file: BookFile, place: Place, c: int) -> float:
-    """Return the share of formulas in a column of a place."""
-    rows = range(min(place.rows, LOOKED_AT))
-    return sum(held(file, Address(place.sheet, place.row + r, place.column + c), True) for r in rows) / len(rows)

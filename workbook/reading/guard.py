@@ -41,7 +41,7 @@ class Inspected(NamedTuple):
     pages: dict[str, Element]  # all of a sheet but its rows
     parts: dict[str, Element]  # the same by the names of their parts
     strings: Element  # the part with the texts that several cells share
-    fonts: dict[int, list[Element]]  # within those of these texts that have several, by their numbers
+    fonts: dict[int, list[Element]]  # of those of these texts that have any, by number (ISO/IEC 29500-1, 18.4.7)
     drawings: dict[str, list[Anchor]]  # of each sheet
     drawn: dict[str, int]  # how much drawings hold besides charts
     book: Element  # the workbook's own part
@@ -72,32 +72,26 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
         scans = scanned(archive, infos)
     names = [info.filename for info in infos]
     roots = {name: scan.root for name, scan in scans.items()}
-    found = package(roots, names)
+    main, titled, shared = package(roots, names)
     held = [one for name in names if DRAWING.fullmatch(name) and name in roots for one in roots[name].iter()]
-    strings = roots.get(found.strings, Element("sst"))
+    strings = roots.get(shared, Element("sst"))
+    fonts = [[font for font in text.iter() if tag(font) == "rPr"] for text in strings if tag(text) == "si"]
     sheets: dict[str, Rows] = {}
-    for title, part in found.sheets.items():
+    for title, part in titled.items():
         if part not in scans or (rows := scans[part].rows) is None:
             raise Refusal(f"its sheet {shown(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
         sheets[title] = rows
     return Inspected(
         [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)],
         sheets,
-        {title: roots[part] for title, part in found.sheets.items()},
-        {part: roots[part] for part in found.sheets.values()},
+        {title: roots[part] for title, part in titled.items()},
+        {part: roots[part] for part in titled.values()},
         strings,
-        fonts_within(strings),
-        {title: anchored(roots, part) for title, part in found.sheets.items()},
+        {n: fonts for n, fonts in enumerate(fonts) if fonts},
+        {title: anchored(roots, part) for title, part in titled.items()},
         {what: sum(tag(one) == name for one in held) for name, what in DRAWN.items()},
-        roots[found.workbook],
+        roots[main],
     )
-
-
-def fonts_within(strings: Element) -> dict[int, list[Element]]:
-    """Return the fonts within shared texts, of those that have any, by their numbers (ISO/IEC 29500-1, 18.4.7)."""
-    texts = (one for one in strings if tag(one) == "si")
-    found = {n: [font for font in text.iter() if tag(font) == "rPr"] for n, text in enumerate(texts)}
-    return {n: fonts for n, fonts in found.items() if fonts}
 
 
 def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> dict[str, Scan]:

@@ -38,16 +38,8 @@ class Link(NamedTuple):
     target: str
 
 
-class Package(NamedTuple):
-    """The parts that a book is read from: the workbook, its worksheets by their titles, and the shared strings."""
-
-    workbook: str
-    sheets: dict[str, str]
-    strings: str
-
-
-def package(parts: Mapping[str, Element], names: Iterable[str]) -> Package:
-    """Return what is what; ``parts`` are the roots of those that are XML, ``names`` of all. Raises Refusal."""
+def package(parts: Mapping[str, Element], names: Iterable[str]) -> tuple[str, dict[str, str], str]:
+    """Return the parts of workbook, worksheets by title, and shared strings; ``parts`` are roots of all XML ones."""
     there = set(names)
     types = content_types(parts[TYPES], there)
     roots = [link for link in links(parts, "") if link.kind == "officeDocument"]
@@ -59,7 +51,7 @@ def package(parts: Mapping[str, Element], names: Iterable[str]) -> Package:
     styles = linked("table of styles", relations, "styles", typed(types, (STYLES,)), there)
     if styles not in ("", STYLES_PART):
         raise Refusal(f"its styles are a part named {shown(styles)}; expected {STYLES_PART}; {SAVE_AS}")
-    return Package(main, sheets(parts[main], relations, types), strings)
+    return main, sheets(parts[main], relations, types), strings
 
 
 def content_types(root: Element, names: set[str]) -> dict[str, str]:
@@ -115,18 +107,15 @@ def sheets(root: Element, relations: list[Link], types: Mapping[str, str]) -> di
     names = [(e.get("localSheetId"), e.get("name", "").casefold()) for e in only(root, "definedNames")]
     refuse_twice("defines the name {} twice", (f"{name} (sheet {scope})" if scope else name for scope, name in names))
     by_id = {link.id: link for link in relations}
-    led = {e.get("name", ""): leads_to(e, by_id, types) for e in listed}
-    return {title: link.target for title, link in led.items() if link.kind == "worksheet"}
-
-
-def leads_to(element: Element, by_id: Mapping[str, Link], types: Mapping[str, str]) -> Link:
-    """Return the relationship by which a sheet of the workbook leads to its part."""
-    number = next((value for key, value in element.attrib.items() if key.endswith("}id")), "")
-    found = by_id.get(number)
-    if found is None or found.kind not in SHEETS or not types.get(found.target, "").endswith(SHEETS[found.kind]):
-        what = shown(element.get("name", ""))
-        raise Refusal(f"its sheet {what} leads to no part that is one by relationship and content type; {SAVE_AS}")
-    return found
+    led = {}
+    for title, e in ((e.get("name", ""), e) for e in listed):
+        link = by_id.get(next((value for key, value in e.attrib.items() if key.endswith("}id")), ""))
+        if link is None or link.kind not in SHEETS or not types.get(link.target, "").endswith(SHEETS[link.kind]):
+            said = "leads to no part that is one by relationship and content type"
+            raise Refusal(f"its sheet {shown(title)} {said}; {SAVE_AS}")
+        if link.kind == "worksheet":
+            led[title] = link.target
+    return led
 
 
 def only(root: Element, name: str) -> Element | list[Element]:

@@ -11,9 +11,6 @@ from xml.parsers import expat
 from workbook.reading.rows import (
     FREE,
     MAIN,
-    MOST_DEPTH,
-    MOST_IN_TAG,
-    MOST_LONG,
     SAVE_AS,
     Count,
     Refusal,
@@ -25,6 +22,8 @@ from workbook.reading.rows import (
     text_of,
 )
 
+MOST_IN_TAG = 100_000  # characters of all attributes of one element
+MOST_DEPTH = 100
 CHUNK = 65_536  # bytes that are parsed before what they make is looked at
 DATA, ROW, CELL = f"{MAIN}sheetData", f"{MAIN}row", f"{MAIN}c"
 PLACES = {DATA: [f"{MAIN}worksheet"], ROW: [f"{MAIN}worksheet", DATA], CELL: [f"{MAIN}worksheet", DATA, ROW]}
@@ -139,9 +138,9 @@ class Scan:
                 element.clear()
             return
         name = tag(element)
-        length = len(text_of(element, name, self.name)) if name in MOST_LONG else 0
+        text = text_of(element, name, self.name)
         if name == "definedName":
-            self.count.formula(length)
+            self.count.formula(len(text))
         elif name == "si":
             refuse_two_texts(element, self.name)
         elif element.tag == DATA:

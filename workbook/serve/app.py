@@ -230,7 +230,7 @@ GET: dict[str, Action] = {
 POST: dict[str, Action] = {
     "/new": new, "/save": save, "/build": writes("build", ".xlsx"), "/inputs": writes("inputs", ".toml"),
     "/regenerate": writes("regenerate", ".xlsx"), "/live": live_panel, "/fields": form, "/set": enter,
-    "/verify": verify, "/upload": upload, "/compare": compare, "/study": study.new, "/begin": study.go_on,
+    "/verify": verify, "/upload": upload, "/compare": compare, "/study": study.new, "/begin": study.begin,
     "/cancel": study.cancel, "/export": export, "/read": read,
 }  # fmt: skip
 

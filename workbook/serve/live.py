@@ -36,8 +36,7 @@ NEAR = 1e-9  # of a line's range: a smaller change is none
 KNOWN = ("number", "revision", "author", "date")  # what identifies a machine beside its title
 LINES = 6  # checks that fail, in sentences on the page to print; more are counted
 FIRST = 3  # results in a line
-DRAWN, FEWER, MANY = 4, 2, 12
-"""charts below the table of axes, and how many where it is longer than this"""
+DRAWN, FEWER, MANY = 4, 2, 12  # charts below the table of axes, and how many where it is longer than this
 
 
 class Edge(NamedTuple):

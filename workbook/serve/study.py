@@ -41,8 +41,7 @@ ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at 
 SENT = ("result", "what", "value", "key", "values", "takes")  # the fields of a form that stand in several rows
 RANGE = re.compile(r"(\S+) to (\S+?)(?: in (\d+))?")
 ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
-SHARE, STEPS = 0.1, 5
-"""of a number, to either side, and in so many values: what is proposed"""
+SHARE, STEPS = 0.1, 5  # of a number, to either side, and in so many values: what is proposed
 GOALS = ("minimise", "maximise", "results")
 BOUNDS = {"at least": "min", "at most": "max"}
 OFF = "off"
@@ -66,13 +65,9 @@ async def new(page: Page) -> None:
     await begin(page, path)
 
 
-async def go_on(page: Page) -> None:
-    """Begin a study that is there, or go on with it."""
-    await begin(page, page.file())
-
-
-async def begin(page: Page, path: Path) -> None:
-    """Begin a study, or go on with it, on all cores but one, and follow it."""
+async def begin(page: Page, path: Path | None = None) -> None:
+    """Begin a study, that of the form unless told, or go on with it, on all cores but one, and follow it."""
+    path = path or page.file()
     results = path.with_suffix(".csv")
     done, size = folder.progress(results)
     more = ["--resume"] if size else []

@@ -66,8 +66,7 @@ class Work:
         self._turns = asyncio.Semaphore(most or max(1, (os.cpu_count() or 2) - 1))
         self._running: set[asyncio.subprocess.Process] = set()
         self.waiting = 0
-        self.jobs: dict[str, Job] = {}
-        """the latest work at each study, by the name of its file"""
+        self.jobs: dict[str, Job] = {}  # the latest work at each study, by the name of its file
         self._editing: ProcessPoolExecutor | None = None
 
     async def beside(self, function: Callable[..., T], *arguments: Any) -> T:

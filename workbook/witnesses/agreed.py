@@ -17,11 +17,10 @@ DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
 MOST = 160  # characters of why a witness failed
 UNKNOWN = (None, "#NAME?")  # what a witness has for a function that it does not know
 UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}  # and what one has for more that it cannot take
-ELSEWHERE = frozenset([
+ELSEWHERE = frozenset([  # functions that read other cells than those they name, or more of these than their values
     "INDIRECT", "OFFSET", "CELL", "INFO", "SHEET", "SHEETS", "FORMULATEXT", "ISFORMULA", "SUBTOTAL", "AGGREGATE",
     "GETPIVOTDATA", "EVALUATE",
 ])  # fmt: skip
-"""functions that read other cells than those they name, or more of these than their values"""
 SIGNS = frozenset("+-*/^&=<>%")
 OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))
 """functions that take all cells of what is computed in them"""

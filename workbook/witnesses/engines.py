@@ -48,12 +48,9 @@ class Formualizer(Witness):
             for cell, value in given.items():
                 book.set_value(*cell, value)
             book.evaluate_all()
-            yield given, {cell: of_formualizer(book.get_value(*cell)) for cell in file.contents.formula_cells}
-
-
-def of_formualizer(value: Any) -> Any:
-    """Return a value as other witnesses have it: an error by its text, a date as a number."""
-    return ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else entered(value)
+            found = {cell: book.get_value(*cell) for cell in file.contents.formula_cells}
+            yield given, {cell: ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else entered(value)
+                          for cell, value in found.items()}  # fmt: skip
 
 
 class Formulon(Witness):
@@ -109,18 +106,14 @@ class IronCalc(Witness):
         import ironcalc  # optional
 
         try:
-            with without(
-                file, bare=True
-            ) as copy:  # an empty cell with a style, and t="n" as openpyxl writes it, would be 0
+            with without(file, bare=True) as copy:  # an empty cell with a style, and t="n", would be 0
                 model = ironcalc.load_from_xlsx(str(copy.path), "en", "UTC", "en")
             model.evaluate()
         except Exception as error:  # what it cannot read comes up as any exception
             raise WitnessError(f"IronCalc cannot evaluate the file: {error}") from error
         numbers = {sheet["name"]: i for i, sheet in enumerate(model.get_worksheets_properties())}
-        return {
-            address: model.get_cell_value(numbers[address.sheet], address.row, address.column)
-            for address in file.contents.formula_cells
-        }
+        return {cell: model.get_cell_value(numbers[cell.sheet], cell.row, cell.column)
+                for cell in file.contents.formula_cells}  # fmt: skip
 
 
 class Saved(Witness):

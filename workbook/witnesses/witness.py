@@ -20,8 +20,7 @@ from workbook.reading.files import BookFile, find_places
 from workbook.reading.guard import inspect
 from workbook.reading.rows import Refusal
 
-CYCLE = "#CYCLE!"
-"""what a witness has for a cell that computes from itself, or from cells that do: no program shows it"""
+CYCLE = "#CYCLE!"  # what a witness has for a cell that computes from itself, or from cells that do: no program shows it
 
 
 class Witness:
@@ -130,8 +129,5 @@ def copied(file: BookFile, own: Collection[Address], given: Mapping[Address, Any
 
 def led(names: Mapping[str, DefinedName], file: BookFile) -> DefinedNameDict:
     """Return those of the names that lead to cells in the book, or are called like one that does."""
-    kept = DefinedNameDict()
-    for name, defined in names.items():
-        if name in file.places:
-            kept[name] = DefinedName(name, attr_text=defined.attr_text)
-    return kept
+    kept = {name: DefinedName(name, attr_text=one.attr_text) for name, one in names.items() if name in file.places}
+    return DefinedNameDict(kept)

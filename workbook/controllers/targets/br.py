@@ -7,19 +7,9 @@ import numpy as np
 from engine.cams.interpolation import quintics_between
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
+from workbook.controllers import texts
 from workbook.controllers.table import Table, given
 from workbook.controllers.target import Target, layout
-from workbook.controllers.texts import (
-    DINT,
-    DINT_IN_REAL,
-    REAL,
-    counts,
-    indexed,
-    read_counts,
-    read_stand,
-    scalar,
-    stands,
-)
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")
@@ -33,9 +23,9 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     both = of.at(x[:-1]), of.at(x[1:], left=True)
     offset = float(both[0].y[0])
     begin, end = ([(one.y - offset) / dy, one.y1 * dx / dy, one.y2 * dx**2 / dy] for one in both)
-    coefficients = REAL.rounded(quintics_between(x / dx, begin, end))
+    coefficients = texts.REAL.rounded(quintics_between(x / dx, begin, end))
     coefficients[0, 0] = 0.0
-    return table(coefficients, DINT.rounded(x / dx), steps, offset)
+    return table(coefficients, texts.DINT.rounded(x / dx), steps, offset)
 
 
 def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -> Table:
@@ -65,17 +55,17 @@ def polynomials(table: Table) -> Iterator[list[float]]:
 
 def read(text: str) -> Table:
     """Return the polynomials that are assigned, in the units that the comment names."""
-    *powers, ends = indexed(text, FIELDS)
-    period = scalar(text, "MasterPeriod")
+    *powers, ends = texts.indexed(text, FIELDS)
+    period = texts.scalar(text, "MasterPeriod")
     if period is not None and period != ends[-1]:
         raise TargetError(f"the last X is {ends[-1]:g}, MasterPeriod {period:g}; expected the same")
     x = np.concatenate([[0.0], ends])
-    return table(REAL.rounded(np.array(powers).T), x, read_counts(text), read_stand(text))
+    return table(texts.REAL.rounded(np.array(powers).T), x, texts.read_counts(text), texts.read_stand(text))
 
 
-NAMED = {"offset": offset, "polynomials": polynomials, "fields": FIELDS, "stands": stands, "counts": counts,
-         "DINT": DINT, "REAL": REAL}  # fmt: skip
+NAMED = {"offset": offset, "polynomials": polynomials, "fields": FIELDS, "stands": texts.stands, "counts": texts.counts,
+         "DINT": texts.DINT, "REAL": texts.REAL}  # fmt: skip
 TARGETS = (
     Target("br", "B&R, polynomials of McCamDataType in Structured Text", ".st", ("polynomials",), ("quintics",),
-           layout("br.st", **NAMED), read, number=DINT_IN_REAL, points=(2, 129), built=built),
+           layout("br.st", **NAMED), read, number=texts.DINT_IN_REAL, points=(2, 129), built=built),
 )  # fmt: skip

@@ -136,11 +136,10 @@ def read_switches(text: str) -> list[Track]:
     return gathered(text, rows)
 
 
-CAM = layout(
-    "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda one: re.sub("-(?=-)", "- ", one)
-)
-SWITCHES = layout("rockwell-switches.xml", elements=parted, real=real)
-TAPPETS = Tappets("rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X", SWITCHES, read_switches,
+CAM = layout("rockwell.xml", elements=elements, real=real, slopes=SLOPES,
+             remark=lambda one: re.sub("-(?=-)", "- ", one))  # fmt: skip
+TAPPETS = Tappets("rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X",
+                  layout("rockwell-switches.xml", elements=parted, real=real), read_switches,
                   number=REAL, tracks=32)  # fmt: skip
 
 TARGETS = (

@@ -31,14 +31,9 @@ LONGEST_TEXT = 32_767  # characters that a cell can hold
 LARGEST_EXACT = 2**53  # whole numbers beyond are not exact in a cell
 arguments: dict[str, Any] = {}  # what the dummies of the shape under evaluation stand for
 _space: dict[str, Any] = {
-    "__builtins__": {},
-    "_C_": arguments.__getitem__,
-    "_R_": arguments.__getitem__,
-    "_REF_": arguments.__getitem__,
-    "pi": math.pi,
-    "excel_operator_operand_fixup": shortcuts.operators(),
-    "chosen": shortcuts.chosen,
-}
+    "__builtins__": {}, **dict.fromkeys(("_C_", "_R_", "_REF_"), arguments.__getitem__), "pi": math.pi,
+    "excel_operator_operand_fixup": shortcuts.operators(), "chosen": shortcuts.chosen,
+}  # fmt: skip
 
 
 class Compiled(NamedTuple):

@@ -58,7 +58,11 @@ def raised(number: float, exponent: float) -> Any:
     if number and exponent * math.log10(abs(number)) > MOST_DIGITS:
         return NUM_ERROR
     result = number**exponent
-    return odd_root(number, exponent) if isinstance(result, complex) else result
+    if not isinstance(result, complex):
+        return result
+    root = round(1 / exponent) if abs(exponent) >= 1 / LARGEST_ROOT else 0
+    odd = root % 2 == 1 and math.isclose(root * exponent, 1)  # 1/3, 1/5 and so on, as Excel's ^ takes these
+    return -(abs(number) ** exponent) if odd else NUM_ERROR
 
 
 def to_15_digits(compare: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
@@ -70,15 +74,6 @@ def to_15_digits(compare: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any
         return compare(left, left if one else right)
 
     return compared
-
-
-def odd_root(number: float, exponent: float) -> Any:
-    """Return a negative number to the power of 1/3, 1/5 and so on, as Excel's ``^`` takes these; else #NUM!."""
-    if abs(exponent) < 1 / LARGEST_ROOT:
-        return NUM_ERROR
-    root = round(1 / exponent)
-    odd = root % 2 == 1 and math.isclose(root * exponent, 1)
-    return -(abs(number) ** exponent) if odd else NUM_ERROR
 
 
 @excel_math_func  # type: ignore[untyped-decorator]

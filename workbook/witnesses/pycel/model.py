@@ -128,11 +128,8 @@ class PycelModel:
         """Return the numbers of the cells of strips; ranges that passed over one as empty now hold it."""
         if strips != self._strips:
             columns = [(sheet, c, self._numbers.column(sheet, c), rows) for sheet, c, rows in strips]
-            cells = [
-                known.get(row) or self._numbers.cell(Address(sheet, row, column))
-                for sheet, column, known, rows in columns
-                for row in rows
-            ]
+            cells = [known.get(row) or self._numbers.cell(Address(sheet, row, column))
+                     for sheet, column, known, rows in columns for row in rows]  # fmt: skip
             self._hold(cells)
             self._strips, self._strip_cells = strips, cells
         return self._strip_cells

@@ -172,18 +172,13 @@ def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_v
 ELEMENTARY = ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "sqrt", "log10", "degrees", "radians")
 WAYS: dict[str, Function] = {
     **{name: functools.partial(of_one, getattr(math, name), getattr(np, name)) for name in ELEMENTARY},
-    "ln": functools.partial(of_one, math.log, np.log),
-    "abs_": functools.partial(of_one, abs, np.abs),
-    "min_": functools.partial(of_many, min),
-    "max_": functools.partial(of_many, max),
-    "sum_": functools.partial(of_many, sum),
-    "sumproduct": product_sum,
-    "index": index,
-}
-"""the straight ways of pycel's functions, by their names there; each gives None for what it does not take"""
-COUNTED: dict[str, Function] = {
-    "if_": cross, **dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), count_searches),
+    "ln": functools.partial(of_one, math.log, np.log), "abs_": functools.partial(of_one, abs, np.abs),
+    **{f"{body.__name__}_": functools.partial(of_many, body) for body in (min, max, sum)},
+    "sumproduct": product_sum, "index": index,
 }  # fmt: skip
+"""the straight ways of pycel's functions, by their names there; each gives None for what it does not take"""
+COUNTED: dict[str, Function] = {"if_": cross}
+COUNTED |= dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), count_searches)
 """what counts the cells that functions pass through, before they begin"""
 
 

@@ -14,12 +14,10 @@ from .law import NUM, VALUE, Law, Piece, Refused, Stage
 
 SUM_TOLERANCE = 1e-9  # of the durations of a law
 OWN_WIDTH = 8
-OWN = ((1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0),)
-"""the pieces of the own law where none are given"""
+OWN = ((1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0),)  # the pieces of the own law where none are given
 Rows = Tuple[Tuple[float, ...], ...]
 End = Tuple[float, float, float]
-REST: End = (0.0, 0.0, 0.0)
-"""velocity, acceleration and jerk at an end of a law, per unit of ξ"""
+REST: End = (0.0, 0.0, 0.0)  # velocity, acceleration and jerk at an end of a law, per unit of ξ
 
 
 class Domain(NamedTuple):
