@@ -23,7 +23,7 @@ from workbook.judging.verify import verify
 from workbook.pool import cores
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES, Template
-from workbook.witnesses.libreoffice import LibreOffice, convert
+from workbook.witnesses.engines import LibreOffice, convert
 
 ROUNDS = 3
 COUNTS = (1, 4, 16, 64)

@@ -11,7 +11,7 @@ from html import escape
 from pathlib import Path
 
 from workbook.build import committed
-from workbook.witnesses.libreoffice import convert
+from workbook.witnesses.engines import convert
 
 FOLDER = Path(__file__).parent / "contact"
 """not committed"""

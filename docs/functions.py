@@ -22,8 +22,7 @@ from tests.functions.calc import Calc
 from workbook.book.address import Address
 from workbook.functions import publish
 from workbook.functions.names import definitions
-from workbook.witnesses.engines import Formulon, IronCalc, cells
-from workbook.witnesses.libreoffice import LibreOffice
+from workbook.witnesses.engines import Formulon, IronCalc, LibreOffice, cells
 
 PAGE = Path(__file__).with_suffix(".md")
 HEAD = """\

@@ -17,7 +17,7 @@ from docs.contact import contact
 from tests.functions.calc import Calc
 from workbook.functions import publish
 from workbook.template import FOLDER
-from workbook.witnesses.libreoffice import convert
+from workbook.witnesses.engines import convert
 
 HERE = Path(__file__).parent
 RESOLUTION = 100  # dots per inch

@@ -9,7 +9,7 @@ from tests.foreign.mutants import Trial, sample
 from workbook.oracle.declared import load
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
-from workbook.witnesses.libreoffice import convert, program
+from workbook.witnesses.engines import convert, program
 
 every_book = pytest.mark.parametrize("book", BOOKS, ids=lambda book: book.name)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from tests.workbook.office import MODULE, TIMEOUT
-from workbook.witnesses.libreoffice import PROFILE, program
+from workbook.witnesses.engines import PROFILE, program
 
 FILTERS = {"xlsx": "Calc MS Excel 2007 XML", "ods": "calc8"}
 MACRO = """

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from workbook.witnesses.libreoffice import program
+from workbook.witnesses.engines import program
 
 TIMEOUT = 180  # seconds
 MODULE = """<?xml version="1.0" encoding="UTF-8"?>

@@ -21,7 +21,7 @@ from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.libreoffice import program
+from workbook.witnesses.engines import program
 
 STATIONS = "indexing-overlap-stations"
 DAY, MACHINES = 7, 16  # random machines of each layout, the same every day

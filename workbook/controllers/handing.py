@@ -157,10 +157,7 @@ class Tries:
 
 
 def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
-    """Return the table of the fewest points that keeps to the tolerance, or the best there is.
-
-    Where none does, as where an acceleration jumps, the best keeps velocity and position to theirs.
-    """
+    """Return the table of the fewest points within the tolerance, else the best: of several one that keeps y and v."""
     tries = Tries(target, axis)
     best = nearest(tries, tolerance)
     if best.excess(tolerance) <= 1.0:

@@ -159,8 +159,8 @@ def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
         held = tappets.number.rounded(np.array(ends).reshape(-1, 2)).tolist()
         for (begin, end), (first, last) in zip(one.switch.on, held, strict=True):
             if first == last:
-                said = f"{one.name}: on from {begin:.9g} to {end:.9g} is no time in {tappets.number.name}"
-                raise TargetError(said)
+                told = f"{one.name}: on from {begin:.9g} to {end:.9g}"
+                raise TargetError(f"{told} is no time in {tappets.number.name}")
         found.append(Track(k, one.name, tuple((first, last) for first, last in held)))
     count = sum(len(one.on) for one in found)
     if not 1 <= count <= tappets.times:

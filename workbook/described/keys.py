@@ -161,18 +161,16 @@ class Walk:
         kind, constraints = unwrap(field.annotation, field.metadata)
         table = next(iter(tables(get_args(kind)[0])), None) if get_origin(kind) is list else None
         cell = self._cells.get(path) or self._of_law(path)
-        meaning = (
-            field.description or WORDS.get(path) or (cell.label if cell else said(table) if table else listed(path))
-        )
+        told = cell.label if cell else said(table) if table else listed(path)
+        meaning = field.description or WORDS.get(path) or told
         more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
         default = None if field.is_required() else field.get_default(call_default_factory=True)
         rows = [self._key(join(f"{path}.*", name), one, of, first(default, name))
                 for name, one in (table.model_fields.items() if table else ())]  # fmt: skip
         unit = cell.unit if cell else str(more.get("unit", ""))
         shown = listed_in if listed_in is not None else self._example(path, of)
-        required = field.is_required() or path == "template"
-        meaning = meaning[:1].upper() + meaning[1:]
-        return Key(path, meaning, unit, expectation(kind, constraints), required, default, shown, tuple(rows))
+        return Key(path, meaning[:1].upper() + meaning[1:], unit, expectation(kind, constraints),
+                   field.is_required() or path == "template", default, shown, tuple(rows))  # fmt: skip
 
     def _of_law(self, path: str) -> Quantity | None:
         """Return a cell for an entry of a family of laws that the committed description has no law of."""

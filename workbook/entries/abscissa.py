@@ -1,7 +1,4 @@
-"""What the cycle of a machine is over: degrees of its master shaft, seconds, or an angle or travel that tells no time.
-
-Within, every machine counts its cycle as one turn: what is entered in another unit becomes degrees at the edge, here.
-"""
+"""What a cycle is over (a shaft's degrees, time, an angle, a travel), and how that becomes degrees of one turn."""
 
 from dataclasses import dataclass, replace
 from math import tau
@@ -33,10 +30,7 @@ ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*DE
 
 @dataclass(frozen=True)
 class Abscissa:
-    """What a cycle is over: by default degrees of a master shaft, entered and shown as they are.
-
-    One that is ``measured`` has a ``length`` that is entered; one not ``paced`` does not tell how time passes.
-    """
+    """What a cycle is over: by default degrees of a master shaft, entered and shown as they are."""
 
     unit: str = "°"
     after: str = "°"  # the unit as it stands behind a figure in sentences
@@ -51,8 +45,8 @@ class Abscissa:
     column: str = "theta"  # of the tables over the cycle: what charts are drawn over
     format: str = "0.0##"
     length: float = TURN
-    measured: bool = False
-    paced: bool = True
+    measured: bool = False  # with a length that is entered, in its unit
+    paced: bool = True  # it tells how time passes
     symbols: tuple[str, str, str, str] = ("y", "ẏ", "ÿ", "j")  # of a position and its rates
     extremes: tuple[str, str, str, str] = ("ẏmax", "ÿmax", "j_max", "ÿrms")
     """symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration"""

@@ -1,7 +1,4 @@
-"""Unfinished designs: entries of the right type whose numbers do not do, or are not there yet.
-
-The book shows what was entered, with all that is wrong, and is worked out with other entries in those places.
-"""
+"""Unfinished designs: what was entered is shown with its faults, the engine works with other numbers in their place."""
 
 import re
 from collections.abc import Callable, Iterator, Sequence
@@ -31,10 +28,7 @@ class RefusedError(Exception):
 
 
 def designed(model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]) -> M:
-    """Return the machine of a description, with ``example``'s entries, or those that fit a rule, for what does not do.
-
-    ``check`` says what only the engine can see. Raises RefusedError for a wrong structure or type.
-    """
+    """Return a machine, with ``example``'s entries for numbers that do not do; raise RefusedError for other faults."""
     replaced: dict[str, int] = {}  # the turn in which each place was
     faults: list[Fault] = []
     tried = data = model.spelled(data)

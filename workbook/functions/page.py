@@ -32,16 +32,11 @@ if TYPE_CHECKING:
     LawCode = str
     RowCode = str
 else:
-    LawCode = Annotated[Literal[CODES], BeforeValidator(as_listed)]
-    """a law that the functions know"""
-    RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]
-    """a law of a phase, or what stands for it where a velocity is prescribed"""
+    LawCode = Annotated[Literal[CODES], BeforeValidator(as_listed)]  # a law that the functions know
+    RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]  # or what prescribes a velocity
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
-RANGES = {  # where the parameters of each law stand that takes any, a table a law
-    code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]"
-    for code, page in FAMILY.items()
-    if code in TAKES and (names := [parameter.column for parameter in page.parameters])
-}
+RANGES = {code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]" for code, page in FAMILY.items()  # of laws' parameters
+          if code in TAKES and (names := [parameter.column for parameter in page.parameters])}  # fmt: skip
 RANGES["OWN"] = "[OWN.duration.first]:[OWN.phase.last]"
 CHOSEN = "".join(f'IF({LAW}="{code}",{cells},' for code, cells in RANGES.items())
 P = f"{CHOSEN}0{''.join(')' for _ in RANGES)}"

@@ -25,10 +25,7 @@ Mend = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # puts entries in
 
 
 class Entries:
-    """The input cells of a workbook as a machine description.
-
-    Formulas among them are given to ``evaluate``; first ``mend`` may put cells in order, and ``moved`` is what it says.
-    """
+    """Input cells as a description: ``evaluate`` gives values of formulas, ``mend`` puts cells in order first."""
 
     def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend | None = None) -> None:
         require_narrow(file)

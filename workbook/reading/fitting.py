@@ -1,7 +1,4 @@
-"""Rows and columns that someone has put into a table of a file, or taken out of it: names follow what is inserted.
-
-A table's own rows are told by the number that most have in each, or by formulas; its columns by headings and formulas.
-"""
+"""Rows and columns put into a table or taken out of it, told by the numbers of its rows, by formulas and headings."""
 
 from collections.abc import Callable, Container, Sequence
 from typing import Any
@@ -164,10 +161,9 @@ def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
     rows = range(place.row, place.row + min(place.rows, LOOKED_AT))
     kinds = [sum(held(file, Address(place.sheet, row, place.column + c)) for row in rows) / len(rows)
              for c in range(place.columns)]  # the share of formulas in each column  # fmt: skip
-    likes = [
-        [2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - kinds[c]) for c in range(place.columns)]
-        for q, column in zip(block.quantities, block.columns.values(), strict=True)
-    ]
+    likes = [[2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - share)
+              for c, share in enumerate(kinds)]
+             for q, column in zip(block.quantities, block.columns.values(), strict=True)]  # fmt: skip
     best: list[list[tuple[float, tuple[int | None, ...]]]] = [[(0.0, ())] * (place.columns + 1)]
     for j, row in enumerate(likes):
         line = [(best[j][0][0], (*best[j][0][1], None))]

@@ -1,7 +1,4 @@
-"""What a workbook file must not hold: checked on its zip and its XML before a parser builds anything from them.
-
-Each part is unpacked under a limit and read once. A machine of 24 axes with a drive each passes, at 720 samples.
-"""
+"""What a workbook must not hold: each part is unpacked under a limit and read once, before anything is built of it."""
 
 import zipfile
 import zlib

@@ -1,7 +1,4 @@
-"""Which part of a package is what: openpyxl goes by content types and names, spreadsheet programs by relationships.
-
-A package in which the two disagree has two readings, and is refused. What lies over a sheet's cells is found here too.
-"""
+"""Which part of a package is what, by content types and by relationships: where these differ, readers would too."""
 
 import io
 import re

@@ -27,11 +27,8 @@ WITHIN = {f"{MAIN}{name}": {f"{MAIN}{one}" for one in held.split()} for name, he
 }.items()}  # fmt: skip
 """what the elements of a row may hold; all others hold a text"""
 IN = {"row": "in a row", "c": "in a cell"}
-WRITTEN = {
-    "n": re.compile(r"\s*+[+-]?(?:[0-9]++\.?[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?\s*+"),
-    "s": re.compile(r"[0-9]+"),
-    "b": re.compile(r"[01]"),
-}
+WRITTEN = {"n": re.compile(r"\s*+[+-]?(?:[0-9]++\.?[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?\s*+"),
+           "s": re.compile(r"[0-9]+"), "b": re.compile(r"[01]")}  # fmt: skip
 CORNER = re.compile(r"\$?([A-Za-z]{1,3})\$?([0-9]{1,7})")
 PLAIN = re.compile(r"([A-Z]{1,3})([1-9][0-9]{0,6})")
 

@@ -13,7 +13,7 @@ import numpy as np
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book
 from workbook.book.summary import TITLE
-from workbook.differences.design import Design, Figure, Key
+from workbook.differences.design import Design
 from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError, visible
 from workbook.reading.descriptions import checked, counted, parsed, template_named
@@ -40,16 +40,13 @@ DRAWN, FEWER, MANY = 4, 2, 12  # charts below the table of axes, and how many wh
 
 
 class Edge(NamedTuple):
-    """What is dragged in the diagram: where phases of an axis begin or end, or its whole lane; ``value`` as entered.
-
-    ``places`` are where its numbers stand in the text, or may stand, with ``before`` written before them.
-    """
+    """What is dragged in the diagram: where phases of an axis begin or end, or its whole lane."""
 
     axis: str
-    value: float
-    places: list[tuple[int, int]]
+    value: float  # as entered
+    places: list[tuple[int, int]]  # of its numbers in the text, or for one that is not there
     lane: bool = False
-    before: str = ""
+    before: str = ""  # what is to be written before its number
 
     @property
     def key(self) -> str:
@@ -122,7 +119,7 @@ def add_handles(svg: Element, scales: Scales, lines: list[Line], found: list[Edg
 
 
 class Shown(Design):
-    """A design with its charts."""
+    """A design with its charts and results."""
 
     @cached_property
     def charts(self) -> list[tuple[tuple[str, str], tuple[Chart, list[Line]]]]:
@@ -136,10 +133,7 @@ class Shown(Design):
                 seen.add(chart.series)
         return found
 
-    @cached_property
-    def figures(self) -> dict[Key, Figure]:
-        """Its results."""
-        return self.results()
+    figures = cached_property(Design.results)
 
 
 def fragment(name: str, text: str, saved: str) -> str:
@@ -216,11 +210,10 @@ def line(book: Book, chart: Chart, series: Series) -> Line:
 
 def differ(lines: list[Line], others: list[Line]) -> bool:
     """Return whether two charts show other lines."""
-    return [one.y.size for one in lines] != [one.y.size for one in others] or any(
-        not np.allclose(one.y, other.y, rtol=0.0, atol=max(float(np.ptp(other.y)), 1e-9) * NEAR)
-        or not np.allclose(one.x, other.x, rtol=NEAR)
-        for one, other in zip(lines, others, strict=True)
-    )
+    return [one.y.size for one in lines] != [one.y.size for one in others] or not all(
+        np.allclose(one.y, other.y, rtol=0.0, atol=max(float(np.ptp(other.y)), 1e-9) * NEAR)
+        and np.allclose(one.x, other.x, rtol=NEAR) for one, other in zip(lines, others, strict=True)
+    )  # fmt: skip
 
 
 def sheet(name: str, text: str) -> str:

@@ -29,10 +29,7 @@ OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))
 def agreed(
     file: BookFile, asked: Collection[Address] = (), names: Iterable[str] = WITNESSES
 ) -> Callable[[Address], Any]:
-    """Return what gives the value of a formula cell of ``file``, or its error; most likely it is asked of ``asked``.
-
-    The first two of ``names`` that can evaluate it must agree, and a saved value too: else it raises DisputedError.
-    """
+    """Return what gives a formula cell's value if two of ``names`` and a saved one agree, else raises DisputedError."""
     return Evaluation(file, asked, names).value
 
 
@@ -143,10 +140,7 @@ def same(value: Any, other: Any) -> bool:
 
 
 def spreads(formula: str) -> bool:
-    """Whether a range stands outside of every function, or is computed with where one cell of it is taken.
-
-    Source: support.microsoft.com, "Implicit intersection operator: @".
-    """
+    """Whether a range stands for one cell of it (support.microsoft.com, "Implicit intersection operator: @")."""
     found = list(words(formula.removeprefix("=")))
     begun: list[str] = []
     for k, (kind, word) in enumerate(found):

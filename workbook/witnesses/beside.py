@@ -1,7 +1,4 @@
-"""A second process that evaluates a book's formulas while the first reads and judges it: verifying takes both cores.
-
-It reads the same file under the same limits. What it does not answer, the first computes for itself, to the same end.
-"""
+"""A second process that evaluates a book while the first judges it, which works out itself what that does not say."""
 
 from __future__ import annotations
 

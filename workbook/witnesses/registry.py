@@ -24,6 +24,6 @@ WITNESSES: dict[str, Callable[[], Witness]] = {
     "formualizer": partial(made, "engines", "Formualizer"),
     "formulon": partial(made, "engines", "Formulon"),
     "ironcalc": partial(made, "engines", "IronCalc"),
-    "libreoffice": partial(made, "libreoffice", "LibreOffice"),  # the slowest
+    "libreoffice": partial(made, "engines", "LibreOffice"),  # the slowest
     "saved": partial(made, "engines", "Saved"),
 }

@@ -92,10 +92,7 @@ def without(
     file: BookFile, own: Collection[Address] = (), given: Mapping[Address, Any] = MappingProxyType({}),
     bare: bool = False,
 ) -> Iterator[BookFile]:  # fmt: skip
-    """Give ``file``, or a copy of one that was mended, without the cells ``own`` or with the values ``given``.
-
-    The copy holds contents and names that lead to cells; a ``bare`` one also where a program would follow links.
-    """
+    """Give ``file``, or a copy without the cells ``own``, with ``given`` values, or ``bare``: contents and names."""
     if not (own or given or file.mended or (bare and not file.bare)):
         yield file
         return

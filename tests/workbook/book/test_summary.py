@@ -14,7 +14,7 @@ from workbook.judging.verify import verify
 from workbook.reading.descriptions import checked, parsed, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.libreoffice import convert
+from workbook.witnesses.engines import convert
 from workbook.writing.style import BEYOND
 
 PAGES = {"cutting-machine": 18, "machine": 29, "motion-composer": 16}

@@ -16,7 +16,7 @@ from workbook.differences.design import compare, read
 from workbook.reading.descriptions import checked, read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.libreoffice import convert, program
+from workbook.witnesses.engines import convert, program
 from workbook.writing.place import write_text
 
 

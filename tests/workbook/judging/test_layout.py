@@ -21,7 +21,7 @@ from workbook.reports.console import report_data
 from workbook.reports.page import junit, page
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.libreoffice import program
+from workbook.witnesses.engines import program
 
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 NIGHT = pytest.mark.nightly

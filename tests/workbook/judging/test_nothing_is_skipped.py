@@ -14,7 +14,7 @@ from workbook.judging.verify import present, verify
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses import libreoffice
+from workbook.witnesses import engines
 from workbook.witnesses.agreed import agreed
 from workbook.witnesses.registry import ALL, WITNESSES
 
@@ -222,7 +222,7 @@ def test_the_rules_of_lotus_are_found(press, tmp_path):
 
 
 def test_all_asks_the_present_and_names_the_absent(press, monkeypatch):
-    monkeypatch.setattr(libreoffice, "program", lambda: None)
+    monkeypatch.setattr(engines, "program", lambda: None)
     report = sums(verify(press.path, ["all"]))
     assert report.findings == []
     assert [w.name for w in report.witnesses if w.absent] == ["libreoffice"]
@@ -230,7 +230,7 @@ def test_all_asks_the_present_and_names_the_absent(press, monkeypatch):
 
 
 def test_one_asked_by_name_and_absent_is_refused(press, monkeypatch):
-    monkeypatch.setattr(libreoffice, "program", lambda: None)
+    monkeypatch.setattr(engines, "program", lambda: None)
     with pytest.raises(WitnessError, match="libreoffice is not on this machine"):
         verify(press.path, ["pycel", "libreoffice"])
     with pytest.raises(WitnessError):
@@ -240,7 +240,7 @@ def test_one_asked_by_name_and_absent_is_refused(press, monkeypatch):
 
 
 def test_the_command_ends_with_2_where_a_named_witness_is_absent(press, motionbook, monkeypatch):
-    monkeypatch.setattr(libreoffice, "program", lambda: None)
+    monkeypatch.setattr(engines, "program", lambda: None)
     code, _, said = motionbook("verify", press.path, "--with", "libreoffice")
     assert (code, said.count("\n")) == (2, 1)
     code, said, _ = motionbook("verify", press.path, "--with", "all", "--json")

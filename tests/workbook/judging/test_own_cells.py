@@ -20,7 +20,7 @@ from workbook.reading import files
 from workbook.reading.descriptions import read_machine
 from workbook.reports.console import report_data
 from workbook.reports.page import junit, page
-from workbook.witnesses.libreoffice import convert, program
+from workbook.witnesses.engines import convert, program
 from workbook.witnesses.registry import WITNESSES
 
 QUICK_WITNESSES = ("pycel", "formualizer", "ironcalc")

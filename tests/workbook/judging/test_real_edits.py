@@ -12,7 +12,7 @@ from tests.workbook import office
 from workbook.build import build, inputs
 from workbook.judging.verify import verify
 from workbook.template import FOLDER
-from workbook.witnesses.libreoffice import convert, program
+from workbook.witnesses.engines import convert, program
 
 needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
 

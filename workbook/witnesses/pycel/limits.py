@@ -1,7 +1,4 @@
-"""pycel's functions within Excel's limits, which it looks for here first: no cell may fill the memory or take a day.
-
-Whole numbers are exact in Python, and ``9^9^9^9`` would fill a disk.
-"""
+"""pycel's functions within limits: it looks here first, so no cell fills a disk with 9^9^9^9 or takes a day."""
 
 import math
 from collections.abc import Callable

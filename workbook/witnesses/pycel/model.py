@@ -1,7 +1,4 @@
-"""pycel as a witness: each formula shape compiled once, cells evaluated in an order found without recursion.
-
-Every value is computed by pycel's functions and operators; pycel itself compiles every formula and walks a graph anew.
-"""
+"""pycel as a witness: its functions and operators, each shape compiled once, cells in an order without recursion."""
 
 import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
@@ -42,10 +39,7 @@ class Pycel(CellWitness):
 
 
 class PycelModel:
-    """A workbook's formulas, or those of ``cells``, joined once to be evaluated at many inputs; values have numbers.
-
-    ``problems`` says in a line why a cell could not be evaluated; its value is an Excel error, or ``#CYCLE!``.
-    """
+    """A workbook's formulas, or those of ``cells``, joined once; ``problems`` says why one is an error or #CYCLE!."""
 
     def __init__(self, held: Workbook | Contents, cells: Collection[Address] | None = None) -> None:
         contents = Contents(held) if isinstance(held, Workbook) else held

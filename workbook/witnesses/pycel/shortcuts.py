@@ -1,7 +1,4 @@
-"""Straight ways into pycel: numbers go past its checks, and a range of numbers stays an array as long as it can.
-
-What is not all numbers, or would not give what pycel gives of each element, takes pycel's own way.
-"""
+"""Straight ways into pycel: numbers past its checks, ranges of numbers as arrays; all else takes pycel's own way."""
 
 import functools
 import math

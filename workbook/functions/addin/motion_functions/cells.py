@@ -1,7 +1,4 @@
-"""What a spreadsheet hands over, read as codes, parameters and phases; motions of these, and sums over parts.
-
-An empty cell comes as an empty text, an argument that is left out as None: a law's parameters are then as delivered.
-"""
+"""Codes, parameters and phases in cells, empty ones as empty texts, arguments left out as None; motions, and sums."""
 
 from __future__ import annotations
 
