@@ -10,10 +10,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.laws import Law, Piece
+from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array, Real
+from engine.laws.inverse import LawPiece, law_pieces
 from engine.laws.ladder import Curve
-from engine.laws.piece import POWERS, Sine, begins
+from engine.laws.piece import POWERS, Sine
 from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 
@@ -67,20 +68,6 @@ class Scaled(NamedTuple):
     def rate(self) -> float:
         """1/δ; 0 of a phase that does not last."""
         return 1.0 / self.duration if self.duration else 0.0
-
-
-class LawPiece(NamedTuple):
-    """A piece of a law, and the ξ at which it begins."""
-
-    piece: Piece
-    begin: float
-
-
-def law_pieces(law: Law, whole: bool = False) -> list[LawPiece]:
-    """Return the pieces of a law that begin before its end: monotone ones, or ``whole``, not cut at peaks."""
-    pieces = law.as_pieces() if whole else law.monotone_pieces()
-    found = [LawPiece(*both) for both in zip(pieces, begins(pieces), strict=True)]
-    return [one for one in found if one.begin <= 1.0 - BREAK_TOLERANCE]
 
 
 def pieces_of(scaled: Scaled, phase: int = 0, whole: bool = False) -> list[MotionPiece]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from engine.laws.base import Array
-from engine.overlap.points import HEIGHT
+from engine.laws.inverse import HEIGHT
 from engine.overlap.schedule import ANGLE_TOLERANCE, Limit, Passage, Schedule, Tool, Transfer, turned
 from engine.timing import FULL_TURN
 

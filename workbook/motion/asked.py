@@ -6,8 +6,8 @@ from functools import lru_cache
 from typing import Any, Literal, get_args
 
 from engine.laws import Law
+from engine.laws.inverse import law_pieces
 from engine.motion.joining import Rates
-from engine.motion.pieces import law_pieces
 from workbook.book.declare import Quantity, given
 from workbook.entries.machine import Machine
 from workbook.entries.types import EntryError

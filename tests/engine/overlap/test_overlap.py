@@ -8,7 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
-from engine.laws.inverse import inverse
+from engine.laws.inverse import HEIGHT, inverse, inverse_by_points
 from engine.motion.pieces import evaluated, located
 from engine.overlap.plan import (
     blocked,
@@ -21,7 +21,6 @@ from engine.overlap.plan import (
     room,
     sweep_margin,
 )
-from engine.overlap.points import HEIGHT, inverse_by_points
 from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time, pieces_of_parts
 from tests.engine.motion.junctions import runs_smoothly
 

@@ -2,8 +2,7 @@
 
 import pytest
 
-from engine.laws.inverse import inverse
-from engine.overlap.points import HEIGHT
+from engine.laws.inverse import HEIGHT, inverse
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError

@@ -11,9 +11,8 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.base import Array
+from engine.laws.inverse import HEIGHT, INTERVALS, REST, between, law_pieces, points_of
 from engine.laws.points import slowest
-from engine.motion.pieces import law_pieces
-from engine.overlap.points import HEIGHT, INTERVALS, REST, between, points_of
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import amount
 from workbook.entries.units import MM, PERCENT, shown

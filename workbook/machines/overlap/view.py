@@ -7,10 +7,9 @@ from functools import cached_property
 import numpy as np
 
 from engine.laws import Law
-from engine.laws.inverse import is_monotone
+from engine.laws.inverse import inverse_by_points, is_monotone
 from engine.overlap.picture import Scene
 from engine.overlap.plan import Clearance, MarginSweep, clearance, one_after_the_other, overlap, sweep_margin
-from engine.overlap.points import inverse_by_points
 from engine.overlap.schedule import Inverse, Passage, Tool, Transfer
 from workbook.book.chart import in_scope
 from workbook.book.sentence import figure
