@@ -33,9 +33,8 @@ def hermite(x: Array, y: Array, v: Array) -> CamProfile:
 def parabolas(x: Array, y: Array) -> CamProfile:
     """Return cubics whose slope at a point is that of the parabola through it and its neighbours.
 
-    At an end it goes through three points. At equal steps that is the slope of the line between the neighbours. y'
-    is continuous and y'' is not. Of two points it is the line. Source: Bessel's slopes, C. de Boor, A Practical
-    Guide to Splines, IV.
+    At an end it goes through three points, of two it is the line; y' is continuous and y'' is not.
+    Source: Bessel's slopes, C. de Boor, A Practical Guide to Splines, IV.
     """
     return lines(x, y) if len(x) == 2 else hermite(x, y, np.gradient(y, x, edge_order=2))
 
@@ -86,8 +85,7 @@ def spline(x: Array, y: Array, ends: Ends | tuple[float, float]) -> CamProfile:
 def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArray[np.bool_]) -> CamProfile:
     """Return lines where ``straight`` says so, one for each interval, and clamped splines between them.
 
-    A spline beside a line takes the line's slope; at the ends of the table those of ``ends``.
-    Source: Rockwell, SegmentType of CAM.
+    A spline takes a line's slope beside it, those of ``ends`` at the table's. Source: Rockwell, SegmentType of CAM.
     """
     slope = np.diff(y) / np.diff(x)
     c = np.zeros((len(slope), 4))

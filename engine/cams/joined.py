@@ -35,10 +35,8 @@ class Side(NamedTuple):
 def joined(of: Points, rebuilt: CamProfile, near: float) -> tuple[list[Found], bool]:
     """Return the phases of a movement between rests, or from a table's begin or to its end, that meet at speed.
 
-    The other is whether each is a line or a law as it is meant.
-
-    Where a part between lines keeps to no law, it is parted into quintics with y' and y'' where they meet, or if a
-    few of these do not do, into splines. Empty where even so there would be too many.
+    The other is whether each is a line or a law as it is meant. Where a part between lines keeps to no law, it is
+    parted into quintics with y' and y'' where they meet, or into splines; empty where there would be too many.
     """
     found: list[Found] = []
     known = True

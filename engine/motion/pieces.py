@@ -71,7 +71,7 @@ class Scaled(NamedTuple):
 
 
 def pieces_of(scaled: Scaled, phase: int = 0, whole: bool = False) -> list[MotionPiece]:
-    """Return the pieces of one phase, as :func:`placed` has them.
+    """Return the pieces of one phase, ``whole`` as in :func:`law_pieces`.
 
     With s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
 
@@ -98,7 +98,7 @@ def _piece(of: Scaled, phase: int, number: int, one: LawPiece) -> MotionPiece:
 
 
 def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
-    """Return the pieces of a motion, phase by phase, in the order of the abscissa; ``whole`` as in :func:`placed`."""
+    """Return the pieces of a motion, phase by phase, in order of the abscissa; ``whole`` as in :func:`law_pieces`."""
     found: list[MotionPiece] = []
     for k, (phase, at) in enumerate(zip(motion.phases, motion.ends, strict=True)):
         scaled = Scaled(phase.law, phase.scale, phase.duration, float(motion.edges[k]), at.begin.y)

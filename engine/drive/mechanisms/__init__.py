@@ -13,7 +13,7 @@ class Kind:
 
     name: str
     element: str  # its last
-    turns: Callable[[float], float] | None = None  # its speed over the load's (rad/m) by turns a metre or a size (m)
+    turns: Callable[[float], float] | None = None  # its speed over the load's (rad/m) by a size; None: 1, or by place
     belt: bool = False  # whether one moves with the load
 
     def of(
