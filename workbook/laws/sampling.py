@@ -110,12 +110,12 @@ HIGH = "=IF([span]>0,[y0]+MAX([h]*INDEX(law_low,[no]),[h]*INDEX(law_high,[no])),
 RMS = "IF([span]>0,INDEX(law_ca_rms,[no])*ABS([h])/[span]^2,0)"
 
 
-def kind(given: str, ends: str = "") -> str:
-    """Return the formula that names a phase, spare where ``given`` is empty; with the table ``ends`` it may turn."""
+def kind(ends: str = "") -> str:
+    """Return the formula that names a phase, spare without an end; with the table ``ends`` it may turn."""
     still, other = "[lift]=0", '"return"'
     if ends:
         still, other = f"ABS([lift])+INDEX([{ends}.mode],[k])=0", 'IF([lift]<0,"return","turn")'
-    return f'=IF([{given}]="","spare",IF(OR([law]="DWL",{still}),"dwell",IF([lift]>0,"rise",{other})))'
+    return f'=IF([stop]="","spare",IF(OR([law]="DWL",{still}),"dwell",IF([lift]>0,"rise",{other})))'
 
 
 def kinds(phases: Sequence[Phase], rows: int) -> list[str]:

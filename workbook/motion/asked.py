@@ -74,6 +74,7 @@ def entries(velocities: list[Any], accelerations: list[Any], key: str, units: tu
 
 
 FEW = 8  # rows more than are used, where a description does not say how many
+ROOM_RULE = "room{}"  # the rule that the pieces of a motion find room, by its number from 1
 KNOWN = 256  # laws of which is kept how many pieces they have: a study asks for each many times
 AT_REST = {"law": "DWL", "lift": 0.0}  # the entries of a phase that does not move
 CROWDED = "{} pieces do not fit into {} rows; build it with larger sizes.motion_pieces"
@@ -103,11 +104,6 @@ def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
     if room < least:
         raise EntryError("sizes.motion_pieces", f"{room} pieces are too few; expected at least {least}")
     return room
-
-
-def rule_of(i: int) -> str:
-    """Return the name of the rule that the pieces of the i-th motion, from 1, find room."""
-    return f"room{i}"
 
 
 def within(phases: list[dict[str, Any]], given: dict[str, Any], room: int) -> list[dict[str, Any]]:

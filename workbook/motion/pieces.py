@@ -14,7 +14,7 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
 from workbook.book.sentence import spelled
 from workbook.entries.units import DEGREE, shown
-from workbook.motion.asked import CROWDED, rule_of
+from workbook.motion.asked import CROWDED, ROOM_RULE
 from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, last_before, of_law
 
 TITLE = "The motion as pieces"
@@ -65,7 +65,7 @@ def room_check(name: str, at: Cells, number: int = 1, of: str = "", cuts: str = 
     label = f"{of}: the table of pieces has room for all" if of else "The table of pieces has room for all"
     rows, count = f"[{at.pieces}.r.last]", f"{at.count}+{cuts}" if cuts else at.count
     says = spelled(CROWDED, count, rows)
-    return check(name, label, f"{count}<={rows}", True, ROOM, f":{rule_of(number)}", says)
+    return check(name, label, f"{count}<={rows}", True, ROOM, f":{ROOM_RULE.format(number)}", says)
 
 
 def pieces_table(sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity,

@@ -31,7 +31,7 @@ from workbook.machines.machine.entries_beside import (
     spelled,
 )
 from workbook.machines.machine.mechanism import Mechanism, Table
-from workbook.motion.asked import AT_REST, CROWDED, Smoothness, counts, rule_of, settle
+from workbook.motion.asked import AT_REST, CROWDED, ROOM_RULE, Smoothness, counts, settle
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
 
 MOST_AXES = 24
@@ -196,7 +196,8 @@ class AnyMachine(Exporting):
         for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
             if count > space:
                 still = [phase.model_dump() | AT_REST for phase in axis.phases]
-                found.append(DesignError(f"axes.{i}.phases", CROWDED.format(count, space), rule_of(i + 1), still))
+                said, rule = CROWDED.format(count, space), ROOM_RULE.format(i + 1)
+                found.append(DesignError(f"axes.{i}.phases", said, rule, still))
         if found:
             raise TogetherError(found)
         return self

@@ -82,7 +82,7 @@ def entered(one: AxisRows) -> list[Quantity]:
     reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
     ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
     return [
-        calc("kind", "phase", "", "", doubled(sampling.kind("stop", one.at.ends)),
+        calc("kind", "phase", "", "", doubled(sampling.kind(one.at.ends)),
              sampling.kinds(axis.phases, one.rows)),
         given("start", "from", "", over.unit, entry("start"), f"{key}.start", format=over.format),
         given("stop", "to", "", over.unit, entry("stop"), f"{key}.stop", format=over.format),
