@@ -8,8 +8,8 @@ from fractions import Fraction
 from itertools import chain
 
 from workbook.book.address import Address
-from workbook.book.columns import Moved, Node, tree
-from workbook.book.formula import Area, Formula, FormulaError
+from workbook.book.columns import Node, tree
+from workbook.book.formula import Area, FormulaError
 from workbook.dimensions.units import NONE, Dimension, dimension_of, is_either, powers, written
 from workbook.reading.contents import Contents
 
@@ -196,7 +196,12 @@ class Walk:
         """Return what came of all formulas, each behind those that it needs."""
         found = Dimensions()
         for cell in order:
-            made, wrong = self.formula(self.contents.formulas[cell])
+            formula = self.contents.formulas[cell]
+            reading = Reading([self.argument(one) for one in formula.arguments])
+            try:
+                made, wrong = reading.of(tree(formula.shape)), reading.wrong
+            except (FormulaError, RecursionError):
+                made, wrong = UNKNOWN, []
             label = self.terms.setdefault(cell, made).dimension
             if label is not None and made.dimension is not None and made.dimension != label:
                 wrong.append(f"{written(made.dimension)} where the unit says {written(label)}")
@@ -205,14 +210,6 @@ class Walk:
             found.formulas += 1
             found.known += made.dimension is not None or made.free
         return found
-
-    def formula(self, formula: Formula | Moved) -> tuple[Term, list[str]]:
-        """Return the term that a formula gives, and what in it cannot be."""
-        reading = Reading([self.argument(one) for one in formula.arguments])
-        try:
-            return reading.of(tree(formula.shape)), reading.wrong
-        except (FormulaError, RecursionError):
-            return UNKNOWN, []
 
     def argument(self, one: Area | str) -> Term:
         """Return the term of a text, a cell or a range."""

@@ -5,7 +5,6 @@ from typing import Any
 
 from openpyxl.cell.cell import Cell
 from openpyxl.workbook.defined_name import DefinedName
-from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
 from workbook.book.address import Address
@@ -50,7 +49,16 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
     rules.judge(list(seen(match, [])))
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
-        for what, cells in on_sheet(match, sheet, rules.known).items():
+        declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))
+        words, held = {text.text for text in declared.texts}, list(drawn(match, sheet.title))
+        texts = [a.a1 for a, content in match.file.contents.constants.items()
+                 if a.sheet == sheet.title and a not in match.numbers and content not in words]  # fmt: skip
+        notes = [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment]
+        ours_drawn = {id(found) for *_, found in paired(match, declared, held)}
+        charts = [chart.at.a1 for chart in held if id(chart) not in ours_drawn]
+        formats = [str(a.sqref) for a in sheet.conditional_formatting if {id(rule) for rule in a.rules} - rules.known]
+        for what, cells in (("texts and numbers", texts), ("notes", notes), ("charts", charts),
+                            ("conditional formats", formats)):  # fmt: skip
             if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:
                 lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
     if left := [one.name for one in names(match) if one not in own.names]:
@@ -60,20 +68,6 @@ def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
     counts = match.file.inspected.drawn if match.file.inspected else {}
     lines += [f"{what} are not carried over: {count} in all" for what, count in counts.items() if count]
     return lines
-
-
-def on_sheet(match: Match, sheet: Worksheet, known: set[int]) -> dict[str, list[str]]:
-    """Return what stands on a sheet that is none of the generated book's, by kind: the cells, or what it is called."""
-    declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))
-    words = {text.text for text in declared.texts}
-    contents, cells = match.file.contents.constants.items(), sheet._cells.values()
-    kept = [a.a1 for a, held in contents if a.sheet == sheet.title and a not in match.numbers and held not in words]
-    notes = [cell.coordinate for cell in cells if isinstance(cell, Cell) and cell.comment is not None]
-    held = list(drawn(match, sheet.title))
-    paired_charts = {id(found) for *_, found in paired(match, declared, held)}
-    charts = [chart.at.a1 for chart in held if id(chart) not in paired_charts]
-    rules = [str(a.sqref) for a in sheet.conditional_formatting if any(id(rule) not in known for rule in a.rules)]
-    return {"texts and numbers": kept, "notes": notes, "charts": charts, "conditional formats": rules}
 
 
 def listed(cells: list[str]) -> str:

@@ -195,9 +195,7 @@ def count(match: Match, report: Report) -> None:
     cells = {(p.address.sheet, p.address.a1): p for p in match.pairs if p.declared_formula}
     blocks = match.declared.blocks.values()
     report.declared = sum(block.size for block in blocks for q in block.quantities if q.formula is not None)
-    for ran in report.witnesses:
-        if not ran.answered:
-            continue
+    for ran in (ran for ran in report.witnesses if ran.answered):
         others = {w.name for w in report.witnesses} - {ran.name}
         own = [f for f in report.findings + report.following if f.witness.partition(",")[0] not in others]
         faulty = {(f.sheet, f.cell) for f in own} & cells.keys()

@@ -11,6 +11,7 @@ from workbook.book.formula import Area, FormulaError, area_of, read
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, is_formula
 
+Argument = Area | str
 Index = tuple[str, int, int]  # block, row and column of a cell
 MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
 HEAD = range(1, 4)  # how far above a table its headings are declared
@@ -31,14 +32,6 @@ class Pair(NamedTuple):
         return f"{q.label} ({block.name}, row {self.cell.i + 1})" if block.is_table else q.label
 
 
-class Column(NamedTuple):
-    """A column of a block, by the name of that and its number there, and how many of its rows the file has."""
-
-    block: str
-    number: int
-    rows: int
-
-
 @dataclass
 class Match:
     """A file held against a declaration."""
@@ -47,7 +40,7 @@ class Match:
     declared: Book
     pairs: list[Pair] = field(default_factory=list)
     misfits: list[tuple[Block, Place | None]] = field(default_factory=list)  # blocks gone, or of another size there
-    columns: list[Column] = field(default_factory=list)
+    columns: list[tuple[str, int, int]] = field(default_factory=list)  # block, number there, rows that the file has
     strips: list[Strip] = field(default_factory=list)  # where the cells of ``pairs`` are, by ``columns``
 
     def __post_init__(self) -> None:
@@ -62,7 +55,7 @@ class Match:
                     found = zip(cells, place.down(j), strict=False)  # either may have more rows
                     pairs = [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
                     self.pairs += pairs
-                    self.columns.append(Column(block.name, j, len(pairs)))
+                    self.columns.append((block.name, j, len(pairs)))
                     self.strips.append(place.strip(j, len(pairs)))
 
     def placed(self, sheet: Sheet) -> list[tuple[Block, Place]]:
@@ -82,10 +75,10 @@ class Match:
     def by_column(self) -> Iterator[list[Pair]]:
         """Yield the pairs of each of ``columns`` that has any."""
         begin = 0
-        for column in self.columns:
-            if column.rows:
-                yield self.pairs[begin : begin + column.rows]
-            begin += column.rows
+        for *_, rows in self.columns:
+            if rows:
+                yield self.pairs[begin : begin + rows]
+            begin += rows
 
     @cached_property
     def numbers(self) -> dict[Address, int]:
@@ -103,9 +96,7 @@ class Match:
         arguments = self._arguments(content, block, text, sheet)
         return arguments is not None and all(self.same(one, other) for one, other in arguments)
 
-    def _arguments(
-        self, content: str, block: Block, text: str, sheet: str
-    ) -> list[tuple[Area | str, Area | str]] | None:
+    def _arguments(self, content: str, block: Block, text: str, sheet: str) -> list[tuple[Argument, Argument]] | None:
         """Return the arguments of two formulas, declared and held, in pairs; None where these differ in shape."""
         try:
             declared = read(content, block.sheet.title, self.declared_area)

@@ -163,9 +163,8 @@ def put_back(file: BookFile, layout: Book) -> list[Finding]:
 
 def referred(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
     """Yield empty cells of a table of which formulas say that they are elsewhere, with how far."""
-    for pair in match.pairs if empty else ():
-        if not pair.declared_formula or pair.held == pair.cell.content or not match.leads_out(pair.address):
-            continue
+    changed = (p for p in match.pairs if p.declared_formula and p.held != p.cell.content) if empty else ()
+    for pair in (pair for pair in changed if match.leads_out(pair.address)):
         for (name, i, j), there in match.apart(pair):
             place = match.file.places.get(name)
             home = place.cell(i, j) if place is not None and i >= 0 else None

@@ -37,14 +37,15 @@ def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]
             continue
         if not pair.declared_formula:
             if not same(pair.held, pair.cell.content):
-                report.add(pair, "changed", shown(pair.held), pair.cell.content)
+                held = f'"{pair.held}"' if isinstance(pair.held, Words) else pair.held
+                report.add(pair, "changed", held, pair.cell.content)
         elif isinstance(pair.held, str) and pair.held.startswith("{="):  # part of a formula that fills several cells
             suspects.add(pair.address)
             report.add(pair, "formula", pair.held, pair.cell.content)
         elif pair.held is None:
             report.add(pair, "missing", None, pair.cell.expected)
         elif isinstance(pair.held, Words):
-            report.add(pair, "replaced", shown(pair.held), pair.cell.content, why="a text is never computed")
+            report.add(pair, "replaced", f'"{pair.held}"', pair.cell.content, why="a text is never computed")
         elif not is_formula(pair.held):
             report.add(pair, "replaced", pair.held, pair.cell.expected)
         elif not match.same_shape(pair):
@@ -62,11 +63,6 @@ def same(held: Any, content: Any) -> bool:
         number = isinstance(held, int | float) and not isinstance(held, bool)
         return number and math.isclose(held, content, rel_tol=LAST_DIGITS)
     return type(held) is type(content) and bool(held == content)
-
-
-def shown(held: Any) -> Any:
-    """Return what a cell holds, a text that looks like a formula in quotes."""
-    return f'"{held}"' if isinstance(held, Words) else held
 
 
 ALLOWED = frozenset(["IF", "AND", "OR", "NOT", "MIN", "MAX", "ABS", "SIGN", "SQRT", "SIN", "COS", "TAN", "ATAN2", "PI",

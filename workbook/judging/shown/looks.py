@@ -71,11 +71,10 @@ class Told:
         group: str | None = None,
     ) -> None:  # fmt: skip
         """Enter what is told of some cells, the first of them ``at``; once for all of a ``group``, or of ``what``."""
-        for kind, said in all_said:
-            if kind:
-                key = at.sheet, kind if counts else NOTICE, said, expected, what if group is None else group
-                first, name, count = self._told.get(key, (at, what, 0))
-                self._told[key] = first, name, count + cells
+        for kind, said in (one for one in all_said if one[0]):
+            key = at.sheet, kind if counts else NOTICE, said, expected, what if group is None else group
+            first, name, count = self._told.get(key, (at, what, 0))
+            self._told[key] = first, name, count + cells
 
     def enter(self, report: Report) -> None:
         """Enter all into a report."""
@@ -122,8 +121,7 @@ class Looks:
 
     def _of_style(self, cell: Any) -> list[Judged]:
         """Return what is to be told of a cell's font, border, fill and alignment."""
-        style = cell._style
-        key = style.fontId, style.fillId, style.alignmentId, style.borderId
+        key = cell._style.fontId, cell._style.fillId, cell._style.alignmentId, cell._style.borderId
         if key not in self._known:
             parts = {"font": cell.font, "border": cell.border, "alignment": cell.alignment}
             self._known[key] = list(of_style(self.palette, self.palette.look(cell), **parts))
