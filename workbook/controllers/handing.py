@@ -30,8 +30,7 @@ ORDERS = ("y", "v", "a", "j")  # position, velocity, acceleration and jerk, as t
 DIGITS = 13  # of the cycle: so many digits of x are kept, which the breaks of a motion have
 ROUNDED = 1e-14  # of the largest of a column: what is smaller is none
 BEFORE = 1e-5  # of the cycle: so far before a jump of y' or y'' stands a point of its own
-WITHIN = 1e-3
-"""of a way from point to point: so near to its ends a break may lie, which numbers of 32 bits have rounded"""
+WITHIN = 1e-3  # of a way from point to point: so near to its ends a break, rounded to 32 bits, may lie
 
 
 class Made(NamedTuple):

@@ -203,9 +203,8 @@ def differences(given: Sequence[CamSwitch], found: Sequence[Track]) -> list[Diff
 
 def read_table(path: Path, target: Target) -> Table:
     """Return the table of a target's file; raise ReadError, in one line, where it is none."""
-    text = text_of(path, target)
     try:
-        return parsed(text, target)
+        return parsed(text_of(path, target), target)
     except TargetError as error:
         raise ReadError(f"{path}: {error}") from None
 

@@ -18,8 +18,7 @@ LARGEST = 1e9  # of a step
 TOLD = re.compile(r"one step is (\S{1,30}) (?:\S{1,30}) of x and (\S{1,30}) (?:\S{1,30}) of y")
 FIELD = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
 STARTS = re.compile(r"[+-]?[.,]?[0-9]|[+-]?(?:nan|inf)", re.IGNORECASE)
-WORDS = re.compile(r"(?!nan|inf)[^\W\d_]{2}", re.IGNORECASE)
-"""what a line of titles has, also one that begins with a digit"""
+WORDS = re.compile(r"(?!nan|inf)[^\W\d_]{2}", re.IGNORECASE)  # what titles have, also one that begins with a digit
 ZEROS = re.compile(r"[+-]?0[0-9]+")
 SIGNS = str.maketrans({"\u2212": "-", '"': None})
 WHOLE = re.compile(r"[0-9]+")

@@ -9,8 +9,7 @@ from workbook.entries.phase import TURN
 from workbook.entries.units import DEGREE, MM, Real
 
 Range = tuple[float, float | None, float | None]
-TAKEN = "timing_taken"
-"""the cell of the cycle by which places become degrees: by it a file tells that they are not entered in them"""
+TAKEN = "timing_taken"  # the cell by which places become degrees: a file that has it does not hold degrees
 Unit = Literal["s", "°", "rad", "mm"]
 UNITS: tuple[Unit, ...] = get_args(Unit)  # what a cycle can be entered in that has a length
 

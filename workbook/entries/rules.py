@@ -116,7 +116,8 @@ def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
             return Limit(any(isinstance(c, MinLen) and c.min_length for c in constraints), (), "", number=False)
         required = must_be_there(model, key)
         if kind is float:
-            return Limit(required, bounds(constraints), expectation(kind, constraints))
+            bounds = tuple((SIGNS[type(c)], float(astuple(c)[0])) for c in known(constraints))
+            return Limit(required, bounds, expectation(kind, constraints))
         listed = get_origin(kind) is Literal or takes_law(constraints)
         return Limit(True, (), "one entry of the list", number=False) if listed and required else None
 
@@ -176,11 +177,6 @@ def within(kind: Any, constraints: list[Any]) -> Any:
 
 
 SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}
-
-
-def bounds(constraints: list[Any]) -> tuple[tuple[str, float], ...]:
-    """Return the bounds of a number that a person would know; beyond others it is refused (:func:`beyond_all`)."""
-    return tuple((SIGNS[type(c)], float(astuple(c)[0])) for c in known(constraints))
 
 
 def known(constraints: list[Any]) -> list[Any]:

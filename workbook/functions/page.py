@@ -48,8 +48,7 @@ ARGUMENTS = {
 PIECE = {"duration": "duration", **{f"c{i}": f"c{i}" for i in range(4)}, "amplitude": "P", "omega": "ω", "phase": "φ"}
 DERIVATIVES = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 PROBE = '=MOTION.S("CUB",0.5,0)'
-QUIET = "ISERROR([fn_probe.fn_probe])"
-"""where the functions do not compute, the examples show nothing in place of their errors"""
+QUIET = "ISERROR([fn_probe.fn_probe])"  # where the functions do not compute, examples show nothing in place of errors
 WORKS = '=IF(ISERROR([fn_probe.fn_probe]),"no: they need Excel 365 or 2024, or LibreOffice with motion.oxt","yes")'
 
 

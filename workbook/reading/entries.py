@@ -38,14 +38,16 @@ class Entries:
         for size, table, extra in self.template.sized(file.places):
             self.data["sizes"][size] = file.places[table].rows - extra
         self.missing: list[str] = []
-        self.beyond: list[str] = []
-        """of each table of entries the cells under its last row in which something stands, which nothing reads"""
+        self.beyond: list[str] = []  # of each table of entries the cells under its last row, which nothing reads
         self._between: list[str] = []
         self._emptied: list[str] = []
         self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = numbered(file.places)
         default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
-        default = self._with_export(default)
+        axis = next((i for i in range(1, MOST + 1) if named(i) in file.places), None)  # of the sheet Export, if any
+        if axis is not None:
+            self.data["export"] = {"axis": axis}
+            default = default.model_copy(update={"export": ExportEntry(axis=axis)})
         for key, value in self.template.fixed(default).items():
             put(self.data, key.split("."), value)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
@@ -117,14 +119,6 @@ class Entries:
             raise ReadError(f"{self.file.path}: not a workbook of motionbook: it has no cell named book_template")
         address = place.cell(0, 0)
         return template_named(self.file.value(address), f"{self.file.path}: {address}")
-
-    def _with_export(self, default: Any) -> Any:
-        """Return a machine with the sheet Export that the file has, if any; note which axis that shows."""
-        found = next((i for i in range(1, MOST + 1) if named(i) in self.file.places), None)
-        if found is None:
-            return default
-        self.data["export"] = {"axis": found}
-        return default.model_copy(update={"export": ExportEntry(axis=found)})
 
     def _fit(self, layout: Book, grown: set[int]) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""

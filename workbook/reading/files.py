@@ -162,9 +162,7 @@ def place_of(sheet: str, cells: str) -> Place | None:
     return place if on_sheet and place.rows * place.columns <= MOST_CELLS else None
 
 
-MOST_READ = 500_000_000
-"""cells that all formulas that are evaluated read together: up to 3,000,000 in the committed books; 160,000,000 in a
-book of 3,600 intervals with 60 rows in each table of entries"""
+MOST_READ = 500_000_000  # cells that all formulas read together: in committed books 3, in the largest 160 million
 MOST_COLUMNS = 50_000_000  # columns that all formulas of a file read together, an engineer's own among them
 
 

@@ -1,7 +1,6 @@
 """Rows and columns put into a table or taken out of it, told by the numbers of its rows, by formulas and headings."""
 
 from collections.abc import Callable, Container, Sequence
-from typing import Any
 
 from workbook.book.address import Address, Fit, Place
 from workbook.book.declare import Block, Book
@@ -84,7 +83,8 @@ def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], 
         own = [r for r in rows if not spots or any(held(file, where.cell(r, k)) for where, k in spots)]
         return (own if 2 * len(own) > place.rows else rows), []
     first = as_rows(block.quantities[j].value, block.size, block.name)[0]
-    numbers = [number(file.value(place.cell(r, j))) for r in rows]
+    held_there = (file.value(place.cell(r, j)) for r in rows)
+    numbers = [int(one) if type(one) in (int, float) and one % 1 == 0 else None for one in held_there]
     if numbers == list(range(first, first + place.rows)):
         return rows, []
     empty = [not any(held(file, place.cell(r, k)) for k in formulas) for r in rows]
@@ -137,12 +137,6 @@ def counting(block: Block) -> int | None:
             if isinstance(values[0], int) and values == list(range(values[0], values[0] + block.size)):
                 return j
     return None
-
-
-def number(held: Any) -> int | None:
-    """Return a whole number that a cell holds."""
-    whole = type(held) is int or (type(held) is float and held.is_integer())
-    return int(held) if whole else None
 
 
 def held(file: BookFile, address: Address) -> bool:

@@ -20,8 +20,7 @@ MOST_PARTS = 3_000
 MOST_RATIO = 200  # of a part above one megabyte; Excel's own stay below 50
 
 OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
-DRAWN = {"pic": "pictures", "sp": "shapes and text boxes"}
-"""elements of drawings besides charts (ISO/IEC 29500-1, 20.5.2)"""
+DRAWN = {"pic": "pictures", "sp": "shapes and text boxes"}  # of drawings besides charts (ISO/IEC 29500-1, 20.5.2)
 NOTES = {
     "xl/vbaProject.bin": "holds macros; they were neither read nor run",
     "xl/externalLinks/": "links to other workbooks; the links were not followed",

@@ -6,6 +6,7 @@ import secrets
 import tempfile
 import webbrowser
 from collections.abc import Callable
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -23,9 +24,8 @@ from workbook.serve.work import Work, WorkError
 from workbook.templates import TEMPLATES
 from workbook.writing.place import write_text
 
-STATIC = {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")} | {
-    "favicon.ico": "icon.svg"
-}
+STATIC = {"favicon.ico": "icon.svg"}
+STATIC |= {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")}
 SVG = "image/svg+xml"
 drawn: dict[str, str] = {}  # the pictures of the gallery, by templates
 ALL = "all"
@@ -53,8 +53,10 @@ def works_out(function: Callable[[str, str], str]) -> Action:
 
 
 async def home(page: Page) -> str:
-    """Show the folder."""
-    return pages.home(page.folder.path, page.folder.files(), page.verdicts, page.work.waiting)
+    """Show the folder's files with verdicts, a new machine, an upload, a comparison."""
+    times = {path: datetime.fromtimestamp(path.stat().st_mtime).astimezone() for path in page.folder.files()}
+    return pages.page("motionbook", "home", "home", folder=page.folder.path, times=times, verdicts=page.verdicts,
+                      waiting=page.work.waiting, templates=TEMPLATES)  # fmt: skip
 
 
 async def download(page: Page, name: str) -> bytes:

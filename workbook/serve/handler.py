@@ -18,8 +18,7 @@ from workbook.serve import pages
 from workbook.serve.work import Work
 
 KINDS = (".toml", ".xlsx", ".xlsm")  # descriptions and workbooks: what the first page lists
-MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")
-"""what is written and downloaded: also cam tables, and the results of studies"""
+MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")  # what is written and downloaded
 NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
 LARGEST = 60_000_000  # bytes of an upload: what verify takes of a file at most
 COOKIE = "motionbook"

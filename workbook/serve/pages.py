@@ -1,12 +1,10 @@
 """The pages, from the templates beside: what is in the folder, a description to edit, what a command printed."""
 
-from collections.abc import Mapping, Sequence
-from datetime import datetime
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from workbook.reports.html import document, rendered, shown
-from workbook.templates import TEMPLATES
 
 VERDICTS = {0: "agrees", 1: "disagrees", 2: "cannot be read", 3: "agrees; the design fails its checks"}
 
@@ -16,13 +14,6 @@ def page(title: str, template: str, *scripts: str, **values: Any) -> str:
     given = {"title": title, "link": link, "post": post, "choice": choice, "is_study": is_study} | values
     tags = (f'<script src="/{one}.js" type="module"></script>' for one in ("busy", *scripts))
     return document(title, rendered(f"serve/{template}.html", **given) + "".join(tags))
-
-
-def home(folder: Path, files: Sequence[Path], verdicts: Mapping[str, str], waiting: int) -> str:
-    """Return the first page: the folder's files with verdicts, a new machine, an upload, a comparison."""
-    times = {path: datetime.fromtimestamp(path.stat().st_mtime).astimezone() for path in files}
-    return page("motionbook", "home", "home", folder=folder, times=times, verdicts=verdicts, waiting=waiting,
-                templates=TEMPLATES)  # fmt: skip
 
 
 def is_study(path: Path) -> bool:

@@ -19,8 +19,7 @@ from workbook.templates import TEMPLATES
 Place = tuple[str, ...]  # the way to an entry: names, and numbers of rows from 0
 
 NOTHING = object()  # stands where a description has no entry
-COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")
-"""a line of entries, the blanks before its comment, and the comment"""
+COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")  # entries, blanks, and a comment
 
 
 class Table(NamedTuple):

@@ -22,8 +22,7 @@ ELSEWHERE = frozenset([  # functions that read other cells than those they name,
     "GETPIVOTDATA", "EVALUATE",
 ])  # fmt: skip
 SIGNS = frozenset("+-*/^&=<>%")
-OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))
-"""functions that take all cells of what is computed in them"""
+OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))  # functions that take all cells computed in them
 
 
 def agreed(

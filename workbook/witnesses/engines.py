@@ -17,13 +17,13 @@ from workbook.book.address import Address
 from workbook.errors import TooLargeError, WitnessError
 from workbook.reading.contents import Cells, entered
 from workbook.reading.files import BookFile
+from workbook.reading.rows import LAST_COLUMN, LAST_ROW
 from workbook.witnesses.witness import Witness, cached_values, without
 
 if TYPE_CHECKING:
     from formulon import Value, Workbook
 
 ERRORS = {"Div": "#DIV/0!", "Na": "#N/A", "Name": "#NAME?", "Null": "#NULL!", "Num": "#NUM!", "Ref": "#REF!"}
-EVERYWHERE = (0, 0, 2**20 - 1, 2**14 - 1)  # first row and column, last row and column
 TIMEOUT = 300  # seconds
 PLACES = (
     "/usr/bin/soffice",
@@ -106,7 +106,7 @@ def cells(book: Workbook) -> Cells:
         title, more = book.sheet_name(number), True
         cursor: int | None = None
         while more:
-            some, cursor = book.get_cells_in_range(number, MergeRange(*EVERYWHERE), cursor)
+            some, cursor = book.get_cells_in_range(number, MergeRange(0, 0, LAST_ROW - 1, LAST_COLUMN - 1), cursor)
             more = cursor is not None
             found.update({Address(title, cell.row + 1, cell.col + 1): of_formulon(cell.value) for cell in some})
     return found

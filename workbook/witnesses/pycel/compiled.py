@@ -68,18 +68,14 @@ def check(tokens: Sequence[Token]) -> None:
         elif token.type == Token.OP_IN and (token.value == ":" or token.subtype == Token.INTERSECT):
             raise FormulaError("#REF!", "references that are computed or intersected are not evaluated")
         elif token.type == Token.FUNC and token.subtype == Token.OPEN:
-            check_function(token.value[:-1].upper().removeprefix("_XLFN."))
-
-
-def check_function(name: str) -> None:
-    """Raise FormulaError unless the function is Excel's and pycel has it."""
-    if name not in all_excel_functions:
-        raise FormulaError("#NAME?", f"{name[:40]} is no function of Excel")
-    python = name.lower().replace(".", "_")
-    python = FunctionNode.func_map.get(python, python)
-    known = hasattr(FunctionNode, f"func_{python}") or any(callable(getattr(m, python, None)) for m in MODULES)
-    if not known or name in UNSUITED or keyword.iskeyword(python):
-        raise FormulaError("#NAME?", f"pycel has no function {name}")
+            name = token.value[:-1].upper().removeprefix("_XLFN.")
+            if name not in all_excel_functions:
+                raise FormulaError("#NAME?", f"{name[:40]} is no function of Excel")
+            python = name.lower().replace(".", "_")
+            python = FunctionNode.func_map.get(python, python)
+            known = hasattr(FunctionNode, f"func_{python}") or any(callable(getattr(m, python, None)) for m in MODULES)
+            if not known or name in UNSUITED or keyword.iskeyword(python):
+                raise FormulaError("#NAME?", f"pycel has no function {name}")
 
 
 def signed(shape: str, tokens: Sequence[Token]) -> str:

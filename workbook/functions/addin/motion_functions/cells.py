@@ -13,10 +13,9 @@ from .library import OWN, OWN_WIDTH, PARAMETERS, REST, End, Rows, law
 
 Cell = Union[float, str]
 Cells = Union[Cell, Tuple[Tuple[Cell, ...], ...], None]
-TURNS = {"start": -1.0, "none": 0.0, "end": 1.0}
+TURNS = {"start": -1.0, "none": 0.0, "end": 1.0}  # where a law turns round, as a number
 AGREES = 1e-9
-VIA = "VIA"
-"""where a law turns round, as a number; what stands for the code in a row of what is prescribed between phases"""
+VIA = "VIA"  # stands for the code in a row of what is prescribed between phases
 
 
 class Via(NamedTuple):

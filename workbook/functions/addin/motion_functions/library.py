@@ -48,8 +48,7 @@ class Declared(NamedTuple):
     half: tuple[float, ...] = ()
     pieces: Callable[..., Sequence[Mapping[str, Any]]] | None = None
     begin: float = 0.0
-    domains: Mapping[int, Domain] = {}
-    """of parameters by their place, where the durations that follow do not tell what is impossible"""
+    domains: Mapping[int, Domain] = {}  # of parameters by place, where the durations do not tell what is impossible
 
 
 def turning(turn: Any, end: float, then: Any, other: Any) -> Any:
@@ -84,8 +83,7 @@ def two_sines(turn: Any) -> Sequence[Mapping[str, Any]]:
              "amplitude2": -p, "omega2": 2.0 * math.pi, "phase2": second}]  # fmt: skip
 
 
-FLAT, HALVES, EDGE, QUARTERS = (0.0, 1.0, 0.0), (0.5, 0.0, 0.5), (0.0, 0.0, 1.0), (0.25, 0.5, 0.25)
-"""stages of a pulse, from the dwell on"""
+FLAT, HALVES, EDGE, QUARTERS = (0.0, 1.0, 0.0), (0.5, 0.0, 0.5), (0.0, 0.0, 1.0), (0.25, 0.5, 0.25)  # stages of a pulse
 ENDS, ANYWHERE, PART, SHARED = Domain((-1.0, 1.0)), Domain((-1.0, 0.0, 1.0)), Domain(), {0: Domain(open=True)}
 LAWS: dict[str, Declared] = {
     "DWL": Declared(pieces=lambda: [{"duration": 1.0}]),
