@@ -16,7 +16,7 @@ from functools import cache
 from inspect import Parameter, signature
 from math import lcm
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from workbook.functions.addin.motion_functions.library import LAWS, OWN, Declared, mirrored
 from workbook.functions.declared import FUNCTIONS
@@ -45,8 +45,7 @@ LARGEST = 1000  # denominator of a number of a law
 PI = ("", "PI()", "PI() ^ 2")
 
 
-@dataclass(frozen=True)
-class Definition:
+class Definition(NamedTuple):
     """A name of the workbook: what it is for, and its formula without ``=``, in Excel's own spelling."""
 
     name: str

@@ -26,7 +26,6 @@ from workbook.laws.registry import FAMILY
 LAW_STEPS, MOTION_STEPS = 100, 120
 EMPTY_PIECES, EMPTY_PHASES = 2, 2
 WIDTH = 8  # parameters of a phase's law, at most: an own law of one piece
-
 VIA = "VIA"
 if TYPE_CHECKING:
     LawCode = str

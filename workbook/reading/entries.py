@@ -191,7 +191,6 @@ class Entries:
         return self.computed[cell]
 
     def _formulas(self, layout: Book) -> Iterator[Address]:
-        """Yield the input cells that hold a formula."""
         for block in layout.blocks.values():
             place = self.file.places.get(block.name)
             columns = [j for j, q in enumerate(block.quantities) if q.role == "input"]

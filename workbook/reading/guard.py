@@ -18,7 +18,6 @@ MOST_PACKED = 60 * MEGABYTE  # of the file
 MOST_UNPACKED = 400 * MEGABYTE  # of all parts
 MOST_PARTS = 3_000
 MOST_RATIO = 200  # of a part above one megabyte; Excel's own stay below 50
-
 OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 DRAWN = {"pic": "pictures", "sp": "shapes and text boxes"}  # of drawings besides charts (ISO/IEC 29500-1, 20.5.2)
 NOTES = {

@@ -73,27 +73,19 @@ class Count:
         if self.in_rows > MOST_IN_ROWS:
             raise Refusal(f"holds more than {MOST_CELLS:,} cells")
 
-    def area(self, places: int) -> None:
-        """Count the rectangle around the cells of a sheet."""
-        self.places = within(self.places + places, MOST_PLACES)
-
-    def range(self, cells: int) -> None:
-        """Count cells that openpyxl makes: of rows, and all in a range that is merged, linked or annotated."""
-        self.filled = within(self.filled + cells, MOST_CELLS)
+    def range(self, cells: int, places: int = 0) -> None:
+        """Count cells that openpyxl makes, of rows and of whole ranges; the places of the rectangle around a sheet's."""
+        self.filled, self.places = self.filled + cells, self.places + places
+        for reached, most in ((self.places, MOST_PLACES), (self.filled, MOST_CELLS)):
+            if reached > most:
+                raise Refusal(f"its cells reach over {reached:,} places; at most {most:,} are expected, "
+                              "and one that lies far from the others counts all between")  # fmt: skip
 
     def formula(self, length: int) -> None:
         """Count the characters of a formula."""
         self.formulas += length
         if self.formulas > MOST_FORMULAS:
             raise Refusal(f"its formulas have more than {MOST_FORMULAS:,} characters together")
-
-
-def within(places: int, most: int) -> int:
-    """Return the places that cells reach over, where they are not too many."""
-    if places > most:
-        raise Refusal(f"its cells reach over {places:,} places; at most {most:,} are expected, "
-                      "and one that lies far from the others counts all between")  # fmt: skip
-    return places
 
 
 def tag(element: Element) -> str:

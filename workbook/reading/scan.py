@@ -82,8 +82,7 @@ class Scan:
         except (ParseError, LookupError, ValueError) as error:  # the last two: an unknown encoding
             raise Refusal(f"damaged: {self.name} is not well-formed XML ({error}); {SAVE_AS}") from None
         if self.rows:
-            self.count.area(self.rows.size)
-            self.count.range(len(self.rows.written))
+            self.count.range(len(self.rows.written), self.rows.size)
 
     def start(self, element: Element) -> None:
         """Begin an element: check and count it."""

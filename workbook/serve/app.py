@@ -7,6 +7,7 @@ import tempfile
 import webbrowser
 from collections.abc import Callable
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -33,23 +34,15 @@ ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 known: dict[str, list[str]] = {}  # the names of the axes of books that were read, by the SHA-256 of the file
 
 
-def writes(command: str, suffix: str) -> Action:
-    """Return what writes a file by a command from another one of the folder, under a name that is free."""
-
-    async def write(page: Page) -> str | None:
-        path = page.file()
-        return await page.made(command, path, page.folder.free(f"{path.stem}{suffix}"))
-
-    return write
+async def write(command: str, suffix: str, page: Page) -> str | None:
+    """Write a file by a command from another one of the folder, under a name that is free."""
+    path = page.file()
+    return await page.made(command, path, page.folder.free(f"{path.stem}{suffix}"))
 
 
-def works_out(function: Callable[[str, str], str]) -> Action:
+async def work_out(function: Callable[[str, str], str], page: Page, name: str) -> str:
     """Return what a function of a description's name and text gives of one of the folder."""
-
-    async def work_out(page: Page, name: str) -> str:
-        return await page.work.beside(function, name, read_text(page.folder.file(name), "a description"))
-
-    return work_out
+    return await page.work.beside(function, name, read_text(page.folder.file(name), "a description"))
 
 
 async def home(page: Page) -> str:
@@ -224,15 +217,15 @@ def axes(book: Path) -> list[str]:
 
 
 GET: dict[str, Action] = {
-    r"/": home, r"/file/([^/]+)": download, r"/edit/([^/]+)": edit, r"/short/([^/]+)": works_out(live.in_short),
-    r"/print/([^/]+)": works_out(live.sheet), r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary,
+    r"/": home, r"/file/([^/]+)": download, r"/edit/([^/]+)": edit, r"/short/([^/]+)": partial(work_out, live.in_short),
+    r"/print/([^/]+)": partial(work_out, live.sheet), r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary,
     r"/study/([^/]+)": study.show, r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
 POST: dict[str, Action] = {
-    "/new": new, "/save": save, "/build": writes("build", ".xlsx"), "/inputs": writes("inputs", ".toml"),
-    "/regenerate": writes("regenerate", ".xlsx"), "/live": live_panel, "/fields": form, "/set": enter,
-    "/verify": verify, "/upload": upload, "/compare": compare, "/study": study.new, "/begin": study.begin,
+    "/build": partial(write, "build", ".xlsx"), "/inputs": partial(write, "inputs", ".toml"),
+    "/regenerate": partial(write, "regenerate", ".xlsx"), "/live": live_panel, "/fields": form, "/set": enter,
+    "/new": new, "/save": save, "/verify": verify, "/upload": upload, "/compare": compare, "/study": study.new, "/begin": study.begin,
     "/cancel": study.cancel, "/export": export, "/read": read,
 }  # fmt: skip
 

@@ -75,7 +75,6 @@ class Evaluation:
                 raise DisputedError(f"{where} computes with a range where Excel takes one cell of it")
 
     def _told(self, address: Address, said: dict[str, Any]) -> list[str]:
-        """Return what each has, and the file as it was saved."""
         saved = self._file.saved.get(address)
         all_said = said if saved is None else said | {"the file as it was saved": saved}
         return [f"{name} has {found(value)}" for name, value in all_said.items()]

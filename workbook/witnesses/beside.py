@@ -17,7 +17,7 @@ if TYPE_CHECKING:  # what the first process begins with must load in no time
     from workbook.book.address import Address, Strip
     from workbook.reading.contents import Cells
     from workbook.reading.files import BookFile
-    from workbook.witnesses.witness import CellWitness, Model
+    from workbook.witnesses.witness import CellWitness, Given, Model
 
 NAME = "pycel"  # the witness that evaluates beside
 LARGEST = 20_000_000  # bytes of a file: both processes hold it
@@ -65,9 +65,7 @@ class Beside:
         values, self._problems = said
         return dict(zip(self._asked[1].contents.formula_cells, values, strict=True))
 
-    def each(
-        self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
-    ) -> Callable[[], Sequence[Any]]:
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Given:
         """Begin with the values of formula cells, each by itself; return what gives them."""
         asked = self._ask(each, wanted, strips, values)
 
@@ -117,9 +115,7 @@ def wanted(books: Sequence[Path], witnesses: Sequence[str] | None, jobs: int | N
     return alone and (not witnesses or NAME in witnesses) and min(cores(), jobs or 2) > 1
 
 
-# What the second process does
-
-held: dict[str, Any] = {}  # its file and its model
+held: dict[str, Any] = {}  # of the second process, which does what follows: its file and its model
 
 
 def begin() -> None:

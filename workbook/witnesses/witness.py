@@ -20,6 +20,7 @@ from workbook.reading.files import BookFile, find_places
 from workbook.reading.guard import inspect
 from workbook.reading.rows import Refusal
 
+Given = Callable[[], Sequence[Any]]  # gives the values of the cells that were asked for
 CYCLE = "#CYCLE!"  # what a witness has for a cell that computes from itself, or from cells that do: no program shows it
 
 
@@ -57,9 +58,7 @@ class Model(Protocol):
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
 
-    def each(
-        self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
-    ) -> Callable[[], Sequence[Any]]:
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Given:
         """Begin with the cells ``wanted``, each by itself with ``values`` in ``strips``; return what gives theirs."""
 
 
@@ -82,9 +81,6 @@ def cached_values(data: bytes, file: BookFile) -> Cells:
     except Refusal as refusal:
         raise WitnessError(f"what it wrote cannot be read: {refusal}") from None
     return {a: held.get(a) for a in file.contents.formula_cells}
-
-
-# Copies of a book
 
 
 @contextmanager

@@ -1,7 +1,7 @@
 """pycel as a witness: its functions and operators, each shape compiled once, cells in an order without recursion."""
 
 import sys
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import partial
 from importlib.metadata import version
 from typing import Any
@@ -17,7 +17,7 @@ from workbook.reading.contents import Cells, Contents, entered
 from workbook.reading.files import BookFile
 from workbook.witnesses.pycel.compiled import FormulaStep, Numbering, RangeStep, compiled, ordered
 from workbook.witnesses.pycel.limits import Crossed
-from workbook.witnesses.witness import CYCLE, CellWitness, Model
+from workbook.witnesses.witness import CYCLE, CellWitness, Given, Model
 
 PLAIN = frozenset((float, int, str, bool, type(None)))
 UNKNOWN = object()  # the value of a range that is not filled
@@ -86,9 +86,7 @@ class PycelModel:
                 values[number] = self._result(number, values)
         return self._failed | {address: values[number] for number, address in self._cells.items()}
 
-    def each(
-        self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]
-    ) -> Callable[[], Sequence[Any]]:
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Given:
         """Return what gives the values of formula cells, each by itself: with the right ones around it."""
         return partial(self._each, wanted, strips, values)
 
@@ -141,7 +139,6 @@ class PycelModel:
                 self._fill(number, area)
 
     def _join(self, number: int, address: Address, formula: Formula | Moved) -> None:
-        """Connect a formula with what it refers to."""
         call = compiled(formula.shape)
         try:
             if isinstance(call, FormulaError):
@@ -173,7 +170,6 @@ class PycelModel:
         return number
 
     def _fill(self, number: int, area: Area) -> None:
-        """Give a range the numbers of its cells."""
         columns = [self._numbers.column(area.sheet, c) for c in range(area.left, area.right + 1)]
         cells = [rows.get(row, 0) for row in range(area.top, area.bottom + 1) for rows in columns]
         self._steps[number] = RangeStep(cells, len(columns))
