@@ -225,8 +225,8 @@ GET: dict[str, Action] = {
 POST: dict[str, Action] = {
     "/build": partial(write, "build", ".xlsx"), "/inputs": partial(write, "inputs", ".toml"),
     "/regenerate": partial(write, "regenerate", ".xlsx"), "/live": live_panel, "/fields": form, "/set": enter,
-    "/new": new, "/save": save, "/verify": verify, "/upload": upload, "/compare": compare, "/study": study.new, "/begin": study.begin,
-    "/cancel": study.cancel, "/export": export, "/read": read,
+    "/new": new, "/save": save, "/verify": verify, "/upload": upload, "/compare": compare,
+    "/study": study.new, "/begin": study.begin, "/cancel": study.cancel, "/export": export, "/read": read,
 }  # fmt: skip
 
 
