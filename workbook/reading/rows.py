@@ -74,7 +74,7 @@ class Count:
             raise Refusal(f"holds more than {MOST_CELLS:,} cells")
 
     def range(self, cells: int, places: int = 0) -> None:
-        """Count cells that openpyxl makes, of rows and of ranges, and the places of the rectangle around a sheet's."""
+        """Count cells that openpyxl makes, of rows and ranges, and the places of the rectangle around a sheet's."""
         self.filled, self.places = self.filled + cells, self.places + places
         for reached, most in ((self.places, MOST_PLACES), (self.filled, MOST_CELLS)):
             if reached > most:
