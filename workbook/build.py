@@ -51,12 +51,10 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
 
 def require_readable(draft: Path) -> None:
     """Raise InputError for a workbook that is larger than what verify would read; a small one needs no look."""
-    size = draft.stat().st_size
-    if size <= LARGE:
-        return
     try:
-        with draft.open("rb") as file:
-            inspect(file, size)
+        if (size := draft.stat().st_size) > LARGE:
+            with draft.open("rb") as file:
+                inspect(file, size)
     except Refusal as refusal:
         raise InputError([f"sizes: too large a workbook to be verified: {refusal}; expected fewer samples"]) from None
 
@@ -86,10 +84,10 @@ def described(path: Path, motors: Path | None = None, reducers: Path | None = No
     files = {entry: file for entry, file in (("motors", motors), ("reducers", reducers)) if file is not None}
     choice = getattr(machine, "selection", None)
     if not isinstance(choice, Products):
-        if files:
-            unused = " and ".join(f"--{entry}" for entry in files)
-            raise InputError([f"{path}: {machine.template} chooses no motor; {unused} cannot be used"])
-        return machine
+        if not files:
+            return machine
+        unused = " and ".join(f"--{entry}" for entry in files)
+        raise InputError([f"{path}: {machine.template} chooses no motor; {unused} cannot be used"])
     besides = {entry: path.parent / f"{entry}.csv" for entry in READERS if entry not in choice.model_fields_set}
     files = {entry: beside for entry, beside in besides.items() if beside.exists()} | files
     if not files:
@@ -144,8 +142,8 @@ def write_templates() -> list[Path]:
     from workbook.functions import publish  # slow to import, and no other command needs it
 
     books = [description.with_suffix(".xlsx") for description in committed()]
-    for description, book in swept_between(zip(committed(), books, strict=True)):
-        build(read_machine(description), book, overwrite=True)
+    for book in swept_between(books):
+        build(read_machine(book.with_suffix(".toml")), book, overwrite=True)
     return [*books, *publish.write_files()]
 
 

@@ -3,6 +3,7 @@
 import codecs
 import re
 import stat
+from contextlib import suppress
 from pathlib import Path
 
 from workbook.errors import ReadError
@@ -45,13 +46,10 @@ def read_text(path: Path, expected: str, most: int = MOST, foreign: bool = False
         raise unread(path, error, expected) from error
     if len(data) > most:
         raise ReadError(f"{path}: {path.stat().st_size:,} bytes; expected {expected}, of at most {most:,}")
-    plain = foreign and not CONTROL.search(data)
-    known = ["utf-8-sig", *(["cp1252"] if plain else [])]
+    known = ["utf-8-sig", *(["cp1252"] if foreign and not CONTROL.search(data) else [])]
     for encoding in ["utf-16"] if foreign and data.startswith(MARKS) else known:
-        try:
+        with suppress(UnicodeDecodeError):
             return data.decode(encoding)
-        except UnicodeDecodeError:
-            continue
     raise ReadError(f"{path}: this is not a text; expected {expected} in UTF-8")
 
 

@@ -5,6 +5,7 @@ on them have no engine value (None), but for the checks of the rules themselves,
 """
 
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
 from workbook.book.address import Address
@@ -36,7 +37,7 @@ class Unfinished:
         self.laws = {one.key: f"laws.{key_of(one.name)}" for one in named(machine.laws)}
         self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
         self.dependence = Dependence(book)
-        self.hanging: dict[frozenset[Address], set[Address]] = {}
+        self.hanging = cache(self.dependence.on)
         self.values: dict[tuple[str, int], list[Any]] = {}
         turns = dict(self._entered())
         known = self._known(turns)
@@ -132,11 +133,8 @@ class Unfinished:
         if where and not any(f.turn == 0 and f.where != where and f.key.startswith(below) for f in self.design.faults):
             return next((fault.said for fault in faults if fault.turn == 0), "")  # asked of what was entered
         last = faults[0].turn if faults else MOST_TURNS
-        before = frozenset(at for at, turn in turns.items() if turn < last)
         (at,) = self._column(f"{q.name}.{q.name}", 1)
-        if before not in self.hanging:
-            self.hanging[before] = self.dependence.on(before)
-        if at in self.hanging[before]:
+        if at in self.hanging(frozenset(at for at, turn in turns.items() if turn < last)):
             return None
         return faults[0].said if faults else ""
 

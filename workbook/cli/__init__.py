@@ -4,7 +4,6 @@ A command's module is loaded when it is called, so that help and a wrong option 
 """
 
 import sys
-from contextlib import suppress
 from pathlib import Path
 
 from typer.exceptions import TyperException
@@ -51,10 +50,9 @@ def ran() -> int:
 def fault_of(error: Exception) -> str:
     """Return a line about what nobody has foreseen, or about a folder that was removed while one is in it."""
     if isinstance(error, FileNotFoundError):
-        gone = True
-        with suppress(OSError):
-            gone = not Path.cwd().is_dir()
-        if gone:
+        try:
+            Path.cwd().stat()
+        except OSError:
             return "the folder in which this runs is no longer there; go to another one"
     said = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
     return f"motionbook failed inside ({said[:200]}); please report this"

@@ -164,7 +164,7 @@ def export(
     refuse_one_for_two(*paths, report)
     mark = vouched(book, before, asked.unverified, fresh)
     with ERR.status("Exporting …"):
-        state = [f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name))]
+        state = (f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name)))
         told = ", ".join([machine.title, *state])
         found = [exported(told, one, name, asked, mark, path)
                  for one, name, path in zip(axes, names, paths, strict=False)]  # fmt: skip
@@ -270,17 +270,11 @@ def slugs(names: Sequence[str]) -> list[str]:
 def exported(machine: str, axis: CamAxis, name: str, asked: Asked, mark: Sequence[str], path: Path) -> Exported:
     """Return the text of the file of a machine's axis, and the certificate of what a reader of its own finds in it."""
     target = asked.target
-    if asked.points is None:
-        made = automatic(target, axis, asked.tolerance)
-    else:
-        made = certified(target, tabulated(target, axis, asked.points), axis.profile)
+    made = (automatic(target, axis, asked.tolerance) if asked.points is None
+            else certified(target, tabulated(target, axis, asked.points), axis.profile))  # fmt: skip
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
-    lines = (
-        f"{machine}, axis {axis.name}: {target.title}",
-        header(made.points, " or ".join(made.certificates), equal, units),
-        *mark,
-        *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),
-    )
-    handed = Handed(made.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs)
-    text = target.write(handed)
+    lines = (f"{machine}, axis {axis.name}: {target.title}",
+             header(made.points, " or ".join(made.certificates), equal, units), *mark,
+             *(f"untested: {claim.what} ({claim.source})" for claim in target.untested))  # fmt: skip
+    text = target.write(Handed(made.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs))
     return Exported(axis, text, certified(target, reread(target, text, made.table), axis.profile), path)

@@ -95,8 +95,7 @@ def ran(
     if found.best and not unverified:  # the best one's book, where nobody looks
         with TemporaryDirectory() as folder, ERR.status("Verifying the best …"):
             judged = picked(plan, found.best[0], Path(folder) / "best.xlsx", False)
-    when = datetime.now().astimezone()
-    write_text(others[1], page.page(plan, found, named, judged, when), over)
+    write_text(others[1], page.page(plan, found, named, judged, datetime.now().astimezone()), over)
     parts.remove()
     show(plan, found, results, seconds)
     if judged:
@@ -110,8 +109,8 @@ def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
         return []
     evaluator = Evaluator(plan)
     slow = [name for name in plan.study.names if name in evaluator.usual.slow]
-    why = f"{', '.join(evaluator.from_books)}: from a book of each design" if evaluator.from_books else ""
-    why = why or (f"{', '.join(slow)}: of each design by itself" if slow else "")
+    whys = ((evaluator.from_books, "from a book of each design"), (slow, "of each design by itself"))
+    why = next((f"{', '.join(names)}: {words}" for names, words in whys if names), "")
     took = f"{at_once} cores" if at_once and at_once > 1 else "one core"
     lasts = seconds / (at_once or 1)
     size, unit = next((one for one in UNITS if lasts >= 2.0 * one[0]), (1.0, "seconds"))
@@ -132,8 +131,7 @@ def at_hand(plan: Plan, results: Path) -> Summary | None:
     """Return what is known of a study that was run, also under another name; None if it was not; raise ReadError."""
     own = results.with_suffix(".json")
     for path in (own, *sorted(results.parent.glob("*.json"))):
-        found = known(plan, path, path == own)
-        if found is not None:
+        if found := known(plan, path, path == own):
             return found
     if own.exists():
         said = "results of this study before it or its machine was changed"
@@ -145,9 +143,7 @@ def known(plan: Plan, path: Path, own: bool) -> Summary | None:
     """Return what a file tells of a study; None where it is another one's, or none."""
     try:
         data = json.loads(read(path) or "{}")
-        if data.pop("digest", "") != plan.digest:
-            return None
-        return Summary.of_data(data)
+        return Summary.of_data(data) if data.pop("digest", "") == plan.digest else None
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         if not own:
             return None

@@ -17,7 +17,7 @@ from engine.laws import CATALOGUE
 from engine.laws.inverse import WORDS, continuity
 from workbook.errors import visible
 from workbook.judging.many import Outcome
-from workbook.judging.report import FOLLOWS, Finding, Report
+from workbook.judging.report import FOLLOWS, Report
 from workbook.reports.page import VERDICTS, figure, line, own_verdict, where
 from workbook.reports.terminal import say, say_json, show_table, shown
 
@@ -53,17 +53,12 @@ def report_data(report: Report) -> dict[str, Any]:
                    "unfinished": report.unfinished},
         "witnesses": [{name: getattr(ran, name) for name in WITNESS} for ran in report.witnesses],
         "deviations": report.deviations,
-        "findings": finding_data(report.findings),
-        "notices": finding_data(report.notices),
+        **{name: [{field: plain(getattr(one, field)) for field in FINDING} for one in getattr(report, name)]
+           for name in ("findings", "notices")},
         "following": len({(f.sheet, f.cell) for f in report.following}),
         "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
         "notes": report.notes,
     }  # fmt: skip
-
-
-def finding_data(findings: list[Finding]) -> list[dict[str, Any]]:
-    """Return findings as JSON's objects."""
-    return [{name: plain(getattr(finding, name)) for name in FINDING} for finding in findings]
 
 
 def show_report(report: Report, console: Console, everything: bool = False) -> None:
@@ -132,17 +127,14 @@ def differing(found: Any, expected: Any) -> tuple[Any, Any]:
     begin = max(0, same - AROUND)
     while begin and WORD.match(found[begin - 1]) and WORD.match(found[begin]):  # not within a name
         begin -= 1
-    return (part(found, begin, len(found) - end + AROUND), part(expected, begin, len(expected) - end + AROUND))
+    before, after = "…" if begin else "", "…" if end > AROUND else ""
+    return (f"{before}{found[begin : len(found) - end + AROUND]}{after}",
+            f"{before}{expected[begin : len(expected) - end + AROUND]}{after}")  # fmt: skip
 
 
 def alike(one: str, other: str) -> int:
     """Return with how many of the same characters two texts begin."""
     return next((k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
-
-
-def part(text: str, begin: int, end: int) -> str:
-    """Return a part of a text, with marks where more is before or after it."""
-    return f"{'…' if begin else ''}{text[begin:end]}{'…' if end < len(text) else ''}"
 
 
 @contextmanager

@@ -161,8 +161,7 @@ def plot(
         draw(svg, line, across.at(line.x), up.at(line.y), BEFORE)
     names: list[float] = []
     for k, line in enumerate(lines):
-        colour = COLOURS[k % len(COLOURS)]
-        colour = colour if colour.startswith("#") else f"#{colour}"
+        colour = f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}"
         x, y = across.at(line.x), up.at(line.y)
         draw(svg, line, x, y, colour)
         place = float(y[-1])
@@ -222,8 +221,8 @@ def text(
     svg: Element, words: str, x: float, y: float, anchor: str = "start", colour: str = INK, weight: str = "400"
 ) -> Element:  # fmt: skip
     """Write a text."""
-    look = {"text-anchor": anchor, "fill": colour, "font-weight": weight}
-    one = SubElement(svg, "text", {"x": f"{x:.1f}", "y": f"{y:.1f}"} | look)
+    one = SubElement(svg, "text", {"x": f"{x:.1f}", "y": f"{y:.1f}", "text-anchor": anchor, "fill": colour,
+                                   "font-weight": weight})  # fmt: skip
     one.text = visible(words)
     return one
 

@@ -217,10 +217,10 @@ def listed(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
     template = TEMPLATES[machine.template]
     book, usual = template.declare(machine), of_no_book(machine)
     inputs = {name for name, block in book.blocks.items() for q in block.quantities if q.role == "input"}
-    named = dict.fromkeys(name for name in book_names(book) if name.partition(".")[0] not in inputs)
+    named = (name for name in dict.fromkeys(book_names(book)) if name not in usual.named)
     fast = [name for name in usual.named if name not in usual.slow]
     slow = [name for name in usual.named if name in usual.slow]
-    others = [name for name in named if name not in usual.named]
+    others = [name for name in named if name.partition(".")[0] not in inputs]
     for heading, names in (("Fast", fast), ("Each design by itself", slow), ("From a book of each design", others)):
         yield heading, [(name, label(book, name.partition("…")[0])) for name in gathered(names)]
 

@@ -22,7 +22,7 @@ from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.laws.library import laws
 from workbook.reading.descriptions import counted, parsed, write_machine
-from workbook.studies.paths import below, changed, held, nearest, path_of, written
+from workbook.studies.paths import below, changed, held, nearest, opened, path_of, written
 from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arranged
 from workbook.templates import TEMPLATES, AnyTemplate
 
@@ -68,10 +68,8 @@ class Plan:
     @cached_property
     def data(self) -> dict[str, Any]:
         """The base as a description, all below its first level as it is."""
-        fields = {name: getattr(self.base, name) for name in type(self.base).model_fields}
-        if not self.roomy:
-            fields["sizes"] = self.base.sizes.model_dump(exclude={"motion_pieces"})
-        return {name: value for name, value in fields.items() if value is not None}
+        sizes = {} if self.roomy else {"sizes": self.base.sizes.model_dump(exclude={"motion_pieces"})}
+        return opened(self.base) | sizes
 
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
@@ -153,20 +151,18 @@ def line_of(fault: Any, place: list[str], where: str) -> str:
 def planned(study: Study, base: Path, where: str) -> Plan:
     """Make a study of the machine that a file describes ready; raise InputError, ReadError."""
     machine = described(base)
-    if machine.design.faults:
-        fault = machine.design.faults[0]
+    for fault in machine.design.faults:
         raise InputError([f"{base}: {fault.key}: {fault.said}; a study expects a finished design"])
     roomy = "motion_pieces" in parsed(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
     draft = Plan(study, machine, Space((), study.way), roomy)
     dimensions = [dimension(draft, one, f"{where}: vary {i}") for i, one in enumerate(study.vary, 1)]
     space = arranged(dimensions, study.way)
     varied = [path for one in space.dimensions for path in one.paths]
-    twice = next((path for path in varied if varied.count(path) > 1), None)
-    if twice is not None:
+    for twice in (path for path in varied if varied.count(path) > 1):
         raise InputError([f"{where}: {written(twice)} varies twice"])
     if study.way.kind == "full" and space.size > MOST_IN_FULL:
-        said = f"{space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
-        raise InputError([f'{where}: {said}: take fewer steps, or way.kind = "sobol" with way.designs'])
+        said = f"{where}: {space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
+        raise InputError([f'{said}: take fewer steps, or way.kind = "sobol" with way.designs'])
     return Plan(study, machine, space, roomy)
 
 
