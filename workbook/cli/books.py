@@ -2,7 +2,6 @@
 
 Each command loads what it does when it is called.
 """
-# ruff: noqa: B008 - Typer reads options from defaults
 
 from pathlib import Path
 from typing import Annotated, Any, Literal

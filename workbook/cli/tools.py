@@ -1,5 +1,4 @@
 """Commands on controllers' cam tables; for studies, the browser, other workbooks and the functions of spreadsheets."""
-# ruff: noqa: B008 - Typer reads options from defaults
 
 import asyncio
 from pathlib import Path

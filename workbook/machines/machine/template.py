@@ -174,7 +174,8 @@ def axes(machine: AnyMachine) -> list[CamAxis]:
 
 def profile(one: MovingAxis, y: float) -> CamProfile:
     """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
-    return turned(profile_of_motion(one.motion, one.over.shown(shown(1.0, DEGREE)), y), one.typed.shift)
+    unshifted = profile_of_motion(one.motion, one.over.shown(shown(1.0, DEGREE)), y)
+    return turned(unshifted, one.typed.shift, one.motion.lifts_sum * y)
 
 
 def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
