@@ -1,5 +1,6 @@
 """A difference that little is left of is measured against what it is of: its rounding is no disagreement."""
 
+import math
 import re
 from types import SimpleNamespace
 
@@ -8,11 +9,16 @@ import pytest
 from tests.tiers import by_day
 from tests.workbook.composed import DESCRIBED, committed_as
 from workbook.book.quantity import calc
-from workbook.judging.comparing import as_rows, greatest
+from workbook.judging.comparing import as_rows
 
 NAME = re.compile(r"[a-z][a-z_0-9]*_\w+")
 SUM = re.compile(rf"=-?{NAME.pattern}(?:[+-]{NAME.pattern})*-{NAME.pattern}(?:[+-]{NAME.pattern})*")
 ROUNDING, TOLERANCE = 2.0**-52, 1e-9
+
+
+def greatest(values):
+    """The greatest size of the finite numbers among the values, or 0."""
+    return max((abs(v) for v in values if isinstance(v, int | float) and abs(v) < math.inf), default=0.0)
 
 
 def unsure(book):

@@ -5,14 +5,14 @@ import pytest
 from benchmarks.scale import of_axes
 from workbook import build as building
 from workbook.build import InputError, build
-from workbook.reading import count, guard
+from workbook.reading import guard, rows
 
 LIMITS = {
     (guard, "MOST_PACKED"): "a workbook of at most",
     (guard, "MOST_UNPACKED"): "unpacks to more than",
-    (count, "MOST_PLACES"): "its cells reach over",
-    (count, "MOST_CELLS"): "its cells reach over",
-    (count, "MOST_FORMULAS"): "its formulas have more than",
+    (rows, "MOST_PLACES"): "its cells reach over",
+    (rows, "MOST_CELLS"): "its cells reach over",
+    (rows, "MOST_FORMULAS"): "its formulas have more than",
 }
 
 
