@@ -112,6 +112,9 @@ class Parabolas(NamedTuple):
         return cls(slope, bend, second, widths, np.minimum(before, after), calm)
 
 
+ON_A_POINT = 1e-9  # m or rad: a position of a table this near before a point counts as on it
+
+
 @dataclass(frozen=True)
 class PositionTable(Linkage):
     """Points (φ in rad, y in m or rad), both strictly rising; between them φ(y) is a polynomial of fifth degree.
@@ -186,9 +189,12 @@ class PositionTable(Linkage):
         return tuple(y for _, y in self.points[1:-1])
 
     def part(self, y: Array) -> NDArray[np.intp]:
-        """Return the number, from 0, of the part between two points in which positions lie, on a point of the next."""
+        """Return the number, from 0, of the part between two points in which positions lie, on a point of the next.
+
+        Up to 1 nm or 1e-9 rad before a point a position counts as on it, so that rounding does not choose the part.
+        """
         position = self.columns[1]
-        return np.clip(np.searchsorted(position, y, side="right") - 1, 0, position.size - 2)
+        return np.clip(np.searchsorted(position, y + ON_A_POINT, side="right") - 1, 0, position.size - 2)
 
     def _shaft(self, y: Array, within: Array) -> ShaftAngles:
         k = self.part(within)

@@ -165,8 +165,9 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     share = (position - one.columns[1][part]) / one.widths[part]
     turned, first, second = one.shaft(position)
     width = "INDEX([@curve.w],[part])"
+    passed = "SUMPRODUCT([@curve.on]*([@curve.y]<=[y]+check_zero))"
     return [
-        calc("part", "part of the table", "", "", "=MAX(1,MIN(@count-1,SUMPRODUCT([@curve.on]*([@curve.y]<=[y]))))",
+        calc("part", "part of the table", "", "", f"=MAX(1,MIN(@count-1,{passed}))",
              of(np.asarray(part, dtype=np.float64) + 1.0), format="0"),
         calc("t", "share of the part", "t", "", f"=([y]-INDEX([@curve.y],[part]))/{width}{NOT_ZERO}", of(share),
              scale=1.0),
