@@ -42,7 +42,7 @@ class Motion:
 
     def __init__(
         self, phases: Sequence[Phase], start: float = 0.0, position: float = 0.0, edges: Array | None = None
-    ) -> None:  # fmt: skip
+    ) -> None:
         if not phases:
             raise ValueError("a motion has no phases; expected at least one")
         self.phases, self.position = tuple(phases), position

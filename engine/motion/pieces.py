@@ -194,8 +194,9 @@ def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: flo
     """Return the pieces that last, up to ``end``, as a profile in units of which one of theirs is ``x`` and ``y``."""
     lasting = [one for one in pieces if one.duration > 0.0]
     ends = [*(one.begin for one in lasting[1:]), np.inf]
-    kept = [one for one, after in zip(lasting, ends, strict=True)
-            if after - one.begin > SAME * abs(end - lasting[0].begin)]  # fmt: skip
+    kept = [
+        one for one, after in zip(lasting, ends, strict=True) if after - one.begin > SAME * abs(end - lasting[0].begin)
+    ]
     c = np.array([one.c for one in kept])
     c = c * y / x ** np.arange(c.shape[1])
     sines = np.array([one.sines for one in kept])

@@ -153,8 +153,9 @@ def full(guard: Guard, rows: Sequence[int]) -> Quantity:
     """Return the cell under the last row of a table, which says that it is full; by whether each row is in use."""
     used = f"[{guard.table}{MESSAGES}.{USED}]"
     formula = f'=IF(SUM({used})=COUNT({used}),{quoted(IS_FULL)},"")'
-    return Quantity(f"{guard.table}{FULL}", "Room in the table", "", "", "sentence", formula, is_full(rows),
-                    align="left")  # fmt: skip
+    return Quantity(
+        f"{guard.table}{FULL}", "Room in the table", "", "", "sentence", formula, is_full(rows), align="left"
+    )
 
 
 def is_full(rows: Sequence[int]) -> str:

@@ -105,14 +105,16 @@ def columns_of(models: Sequence[Any], place: str, rows: int) -> Callable[..., Qu
     return column
 
 
-def calc(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "",
-         **more: Any) -> Quantity:  # fmt: skip
+def calc(
+    name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "", **more: Any
+) -> Quantity:
     """Return a working: a formula cell on the way to a result; its value comes by other means than the formula."""
     return Quantity(name, label, symbol, unit, "calculation", formula, value, source, **more)
 
 
-def result(name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "",
-           **more: Any) -> Quantity:  # fmt: skip
+def result(
+    name: str, label: str, symbol: str, unit: str, formula: Any, value: Any, source: str = "", **more: Any
+) -> Quantity:
     """Return a result: a formula cell that the engineer came for."""
     return Quantity(name, label, symbol, unit, "result", formula, value, source, **more)
 
@@ -122,8 +124,9 @@ def constant(name: str, label: str, symbol: str, unit: str, value: Any, source: 
     return Quantity(name, label, symbol, unit, "constant", None, value, source, **more)
 
 
-def check(name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "",
-          says: str | Said = "") -> Quantity:  # fmt: skip
+def check(
+    name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str | Said = ""
+) -> Quantity:
     """Return a check: a cell that says OK where ``condition``, a formula without =, is TRUE, and FAIL where it is not.
 
     Whether it is ``ok`` comes by other means. Where it fails, the cell beside it ``says`` why: a formula without =,
@@ -139,8 +142,7 @@ def sentence(q: Quantity) -> Quantity:
     holds = q.source or HOLDS
     formula = f'=IF({q.name}="OK",{quoted(holds)},{q.says or quoted(FAILS)})'
     value = holds if q.value == "OK" else Sentence(q.said or FAILS)
-    return Quantity(f"{q.name}{SAYS}", f"{q.label}{WHERE}", "", "", "sentence", formula, value,
-                    align="left")  # fmt: skip
+    return Quantity(f"{q.name}{SAYS}", f"{q.label}{WHERE}", "", "", "sentence", formula, value, align="left")
 
 
 def sample(q: Quantity) -> Any:

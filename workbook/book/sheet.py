@@ -114,8 +114,9 @@ class Sheet:
     def _row(self, q: Quantity, message: Quantity | None = None) -> None:
         """Place a quantity below the others, perhaps with a message in place of its source."""
         texts = {"label": q.label, "symbol": q.symbol, "": "", "unit": q.unit, "note": "" if message else q.source}
-        self.texts += [Text(self.row, column, text, style)
-                       for column, (style, text) in enumerate(texts.items(), FIRST) if text]  # fmt: skip
+        self.texts += [
+            Text(self.row, column, text, style) for column, (style, text) in enumerate(texts.items(), FIRST) if text
+        ]
         self.put(q, self.row, FIRST + 2)
         if message:
             self.put(message, self.row, FIRST + 4)
@@ -136,8 +137,9 @@ class Sheet:
             self._row(here._replace(source=""))
             self.book.checks.append((self, q))
 
-    def table(self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (),
-              blank: str = "") -> Block:  # fmt: skip
+    def table(
+        self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (), blank: str = ""
+    ) -> Block:
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
 
         A table of inputs gets messages to its right on entries beyond their limits or against ``rules``, and a check
@@ -180,8 +182,9 @@ class Sheet:
         """Return the first column right of a table with ``wide`` free behind ``runs`` for texts, not printed if any."""
         top, end = block.row - 4, block.row + block.size
         blocks = (one for one in self.blocks if one.row - 4 < end and top < one.row + one.size)
-        charts = (range(left, left + width) for _, row, left, width, height in self.charts
-                  if row < end and top < row + height)  # fmt: skip
+        charts = (
+            range(left, left + width) for _, row, left, width, height in self.charts if row < end and top < row + height
+        )
         taken = {column for columns in (*(one.columns.values() for one in blocks), *charts) for column in columns}
         behind, printed = max(block.columns.values()) + 1 + runs, self.print_columns + 1
         free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]

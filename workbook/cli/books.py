@@ -64,13 +64,15 @@ def named_place(name: str) -> Path:
 Book = Annotated[Path, Argument(metavar="BOOK", help="A workbook built by motionbook, edited or not.")]
 Force = Annotated[bool, Option("--force", help="Replace the output file if it exists.")]
 Json = Annotated[bool, Option("--json", help="Print JSON for machines instead of a table.")]
-Scheduler = Annotated[str | None, Option(
-    metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."
-)]  # fmt: skip
+Scheduler = Annotated[
+    str | None,
+    Option(metavar="tcp://HOST:PORT", help="The scheduler of a Dask cluster; else processes of this machine."),
+]
 Jobs = Annotated[int | None, Option(min=1, metavar="N", help="Processes at once; else one a core.")]
-Of = Annotated[Literal["load", "shaft"], Option(
-    metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft."
-)]  # fmt: skip
+Of = Annotated[
+    Literal["load", "shaft"],
+    Option(metavar="load|shaft", help="The motion of the load, or the angle of the motor's shaft."),
+]
 Fresh = Annotated[bool, Option("--fresh", help="Verify the book again, also where these bytes were verified before.")]
 Source = Annotated[str, Option("--from", metavar="TARGET", help=f"Whose file: {', '.join(TARGETS)}.")]
 CamFile = Annotated[Path, Argument(metavar="FILE", help="A controller's cam table.")]

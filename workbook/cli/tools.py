@@ -11,8 +11,9 @@ from workbook.cli.books import Book, CamFile, Force, Fresh, Jobs, Json, Of, Sche
 from workbook.controllers.registry import TARGETS
 from workbook.reports.terminal import OUT, say, say_json
 
-BEYOND = ("Largest error of y, v, a or j as a share of its peak; beyond it nothing is written. "
-          "May be given several times.")  # fmt: skip
+BEYOND = (
+    "Largest error of y, v, a or j as a share of its peak; beyond it nothing is written. May be given several times."
+)
 
 
 @app.command()

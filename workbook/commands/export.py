@@ -75,7 +75,7 @@ def takes(target: Target, switches: Sequence[CamSwitch] | None = None) -> Tappet
 
 def switched(
     machine: str, switches: Sequence[CamSwitch], target: Target, signs: tuple[str, str], mark: Sequence[str], path: Path
-) -> Switched:  # fmt: skip
+) -> Switched:
     """Return the file of a machine's switches, read back."""
     tappets = takes(target)
     header = (f"Switches of {machine}: {tappets.title}", "angles in °; on from one to the other", *mark,
@@ -166,8 +166,9 @@ def export(
     with ERR.status("Exporting …"):
         state = (f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name)))
         told = ", ".join([machine.title, *state])
-        found = [exported(told, one, name, asked, mark, path)
-                 for one, name, path in zip(axes, names, paths, strict=False)]  # fmt: skip
+        found = [
+            exported(told, one, name, asked, mark, path) for one, name, path in zip(axes, names, paths, strict=False)
+        ]
         turned = switched(told, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
     if not kept(found, turned, asked, as_json):
         return DISAGREES
@@ -263,8 +264,9 @@ def slugs(names: Sequence[str]) -> list[str]:
     plain = [re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_") for name in names]
     plain = [name if name[:1].isalpha() else f"Axis_{name}".rstrip("_") for name in plain]
     like = [name.casefold() for name in plain]
-    return [f"{name}_{k}" if like.count(one) > 1 else name
-            for k, (name, one) in enumerate(zip(plain, like, strict=True), 1)]  # fmt: skip
+    return [
+        f"{name}_{k}" if like.count(one) > 1 else name for k, (name, one) in enumerate(zip(plain, like, strict=True), 1)
+    ]
 
 
 def exported(machine: str, axis: CamAxis, name: str, asked: Asked, mark: Sequence[str], path: Path) -> Exported:

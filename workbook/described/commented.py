@@ -83,8 +83,9 @@ class File:
                 laws.append(f"# {code} = {toml({'family': code} | {key.name: example_of(key) for key in one.keys})}")
                 continue
             keys = [key for key in one.keys if (key.path, one.kind) not in self.told]
-            rows = [row for key in one.keys if key not in keys for row in key.rows
-                    if (row.path, one.kind) not in self.told]  # fmt: skip
+            rows = [
+                row for key in one.keys if key not in keys for row in key.rows if (row.path, one.kind) not in self.told
+            ]
             lines = [text for key in keys for text in spare(key)]
             for row in rows:
                 lines += line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))

@@ -161,8 +161,9 @@ class Walk:
         kind, constraints = unwrap(field.annotation, field.metadata)
         table = next(iter(tables(get_args(kind)[0])), None) if get_origin(kind) is list else None
         cell = self._cells.get(path) or self._of_law(path)
-        meaning = (field.description or WORDS.get(path)
-                   or (cell.label if cell else said(table) if table else listed(path)))  # fmt: skip
+        meaning = (
+            field.description or WORDS.get(path) or (cell.label if cell else said(table) if table else listed(path))
+        )
         more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
         default = None if field.is_required() else field.get_default(call_default_factory=True)
         rows = [self._key(join(f"{path}.*", name), one, of, first(default, name))

@@ -37,8 +37,7 @@ def require_straight(laws: Laws, phases: Mapping[str, Sequence[Passing]]) -> Non
                 raise EntryError(f"{key}.{i}", NO_LINE)
 
 
-AT_REST = RowRule("dwell", 'OR(AND([law]<>"DWL",[law]<>""),[lift]+0=0)', "lift",
-                  "lift of a dwell or without a law")  # fmt: skip
+AT_REST = RowRule("dwell", 'OR(AND([law]<>"DWL",[law]<>""),[lift]+0=0)', "lift", "lift of a dwell or without a law")
 """a row of phases whose law is the dwell, or that names none, does not lift"""
 
 

@@ -63,8 +63,7 @@ class Pieces:
         """Return the number of one of the book's laws."""
         return self._numbers[id(law)]
 
-    def finding(self, law: str, number: int, name: str, xi: Array,
-                entries: Container[str] = ENTRIES) -> list[Quantity]:  # fmt: skip
+    def finding(self, law: str, number: int, name: str, xi: Array, entries: Container[str] = ENTRIES) -> list[Quantity]:
         """Return the workings of samples of a law by its cell and number: piece, u in it, arguments of its sines."""
         place, find = located(self.pieces[number], xi), FIND.format(law=law, xi=name)
         row = (self.first[number] + place.piece).astype(float)
@@ -74,8 +73,9 @@ class Pieces:
                          *(place.angle, place.angle2)[: 1 + self.second_sine], entries=entries),
         ]  # fmt: skip
 
-    def within(self, formula: str, words: str, u: Array, *angles: Any,
-               entries: Container[str] = ENTRIES) -> list[Quantity]:  # fmt: skip
+    def within(
+        self, formula: str, words: str, u: Array, *angles: Any, entries: Container[str] = ENTRIES
+    ) -> list[Quantity]:
         """Return u by its formula, and the argument of each sine, of points whose piece is known."""
         return [
             calc("u", "within piece", "u", "", f"{formula}{NOT_ZERO}", u + LEAST,
@@ -85,8 +85,9 @@ class Pieces:
               if amplitude in entries),
         ]  # fmt: skip
 
-    def columns(self, values: dict[str, Array], derivatives: str, role: Any = calc,
-                entries: Container[str] = ENTRIES) -> list[Quantity]:  # fmt: skip
+    def columns(
+        self, values: dict[str, Array], derivatives: str, role: Any = calc, entries: Container[str] = ENTRIES
+    ) -> list[Quantity]:
         """Return the columns of ``derivatives``, a part of ``svaj``, with the engine's values."""
         both = ARGUMENTS if self.second_sine else ARGUMENTS[:1]
         sines = [(entry[1:], x) for entry, x, *_ in both if entry in entries]

@@ -94,14 +94,16 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     return rows
 
 
-def laws_sheet(book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces,
-               hands_over: bool = False) -> None:  # fmt: skip
+def laws_sheet(
+    book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces, hands_over: bool = False
+) -> None:
     """Declare the sheet from which every axis evaluates its law; ``hands_over`` where phases hand over at speed."""
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.heading("Results: the laws and their coefficients")
     summary(sheet, laws, sizes, hands_over)
-    sheet.heading("Workings: the stacked pieces",
-                  "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k.")  # fmt: skip
+    sheet.heading(
+        "Workings: the stacked pieces", "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k."
+    )
     sheet.rows(
         constant("break_eps", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
                  source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "
@@ -214,5 +216,6 @@ def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
     )  # fmt: skip
     sheet.book.keyed.add("pieces.key")
     one, two = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
-    sheet.book.name("pieces", **one, **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()},
-                    **(two if second else {}))  # fmt: skip
+    sheet.book.name(
+        "pieces", **one, **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()}, **(two if second else {})
+    )

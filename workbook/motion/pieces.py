@@ -68,8 +68,9 @@ def room_check(name: str, at: Cells, number: int = 1, of: str = "", cuts: str = 
     return check(name, label, f"{count}<={rows}", True, ROOM, f":{ROOM_RULE.format(number)}", says)
 
 
-def pieces_table(sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity,
-                 taken: Sequence[Quantity] = ()) -> None:  # fmt: skip
+def pieces_table(
+    sheet: Sheet, title: str, rows: PieceRows, room: int, sizes: Sizes, *more: Quantity, taken: Sequence[Quantity] = ()
+) -> None:
     """Declare the table of a motion's pieces, and ``more`` columns; ``taken`` are those of what a piece takes over."""
     at = rows.at
     place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
@@ -145,8 +146,9 @@ def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
         share = perm(i, 2)
         own, source = f"{h}*{of_law(f'c{i - 2}')}/{share}", f"h c{i - 2}/({share} δ^{i})"
         formula = f"=({own}+{at.of_end(f'e{i}')})*{per}^{i}" if at.ends else f"={own}*{per}^{i}"
-    return calc(f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, of(lambda piece: piece.c[i]), scale=sizes(i),
-                source=source)  # fmt: skip
+    return calc(
+        f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, of(lambda piece: piece.c[i]), scale=sizes(i), source=source
+    )
 
 
 def amplitude(order: int, mark: str) -> str:
@@ -218,8 +220,9 @@ def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
     return at_place(rows, order, suffix, f"[q{suffix}]")
 
 
-def place_columns(rows: PieceRows, suffix: str, of: str, formula: str, u: Array, pieces: Sequence[MotionPiece],
-                  q: str = "") -> list[Quantity]:  # fmt: skip
+def place_columns(
+    rows: PieceRows, suffix: str, of: str, formula: str, u: Array, pieces: Sequence[MotionPiece], q: str = ""
+) -> list[Quantity]:
     """Return the columns of a place u in each piece, of the row ``q`` or else the same, and the arguments of sines."""
     return [
         calc(f"u{suffix}", f"{of}: u", "u", rows.at.x, f"{formula}{NOT_ZERO}", u + LEAST, scale=rows.end,

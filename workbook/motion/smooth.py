@@ -32,8 +32,9 @@ class Joints:
     The piece before is taken by INDEX: of two columns that take the row above within an IF, LibreOffice 7.4 crashes.
     """
 
-    def __init__(self, rows: PieceRows, asked: Asked, found: Sequence[Joint], scales: Rates,
-                 phases: Sequence[Phase] = ()) -> None:  # fmt: skip
+    def __init__(
+        self, rows: PieceRows, asked: Asked, found: Sequence[Joint], scales: Rates, phases: Sequence[Phase] = ()
+    ) -> None:
         self.rows, self.asked, self.found, self._scales, self._phases = rows, asked, tuple(found), scales, phases
 
     @classmethod
@@ -240,8 +241,9 @@ class Joints:
         asked = self.asked
         head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
         said = f"{asked.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
-        return check(name, label, f"{asked.order}_piece=0", not self._worst, ABOUT,
-                     says=Said(f"{head}{asked.order}_says", said))  # fmt: skip
+        return check(
+            name, label, f"{asked.order}_piece=0", not self._worst, ABOUT, says=Said(f"{head}{asked.order}_says", said)
+        )
 
     def _told(self) -> dict[str, Any]:
         """Return what is told of the first joint that is less smooth than asked, by the names of its cells."""

@@ -169,8 +169,9 @@ def cases(inputs: Sequence[Input], entered: Case, number: int, seed: int = 0) ->
         found += [entered | {one: a, other: b} for a in one.choices for b in other.choices]
     if varied and len(found) < number:
         points = qmc.Sobol(len(varied), scramble=True, seed=seed).random_base2((number - len(found) - 1).bit_length())
-        found += [entered | {one: at(one, float(share)) for one, share in zip(varied, point, strict=True)}
-                  for point in points]  # fmt: skip
+        found += [
+            entered | {one: at(one, float(share)) for one, share in zip(varied, point, strict=True)} for point in points
+        ]
     return found[:number]
 
 

@@ -64,8 +64,9 @@ class Entries:
     def machine(self) -> Machine:
         """Return what was entered; raise InputError whose lines name the sheet, the cell and what is expected."""
         if self.missing:
-            raise InputError([f"{self.file.path}: the name {name} is missing; its inputs cannot be found"
-                              for name in self.missing])  # fmt: skip
+            raise InputError(
+                [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
+            )
         if self.gone:
             raise InputError([f"{self.file.path.name}: {sheet}: a column is gone before column {get_column_letter(n)}, "
                               f"and what was entered in {', '.join(what)}; undo that, or take it from a copy"

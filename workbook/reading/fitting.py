@@ -93,7 +93,7 @@ def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], 
 
 def by_numbers(
     numbers: Sequence[int | None], empty: Sequence[bool], first: int, leads_up: Callable[[int], int | None]
-) -> tuple[list[int], list[tuple[int, int]]] | None:  # fmt: skip
+) -> tuple[list[int], list[tuple[int, int]]] | None:
     """Return :func:`rows_of` by the rows' numbers from ``first``; None if they do not say. ``empty`` lack formulas."""
     own: list[int] = []
     aside: list[int] = []
@@ -155,16 +155,17 @@ def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
     rows = range(place.row, place.row + min(place.rows, LOOKED_AT))
     kinds = [sum(held(file, Address(place.sheet, row, place.column + c)) for row in rows) / len(rows)
              for c in range(place.columns)]  # the share of formulas in each column  # fmt: skip
-    likes = [[2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - share)
-              for c, share in enumerate(kinds)]
-             for q, column in zip(block.quantities, block.columns.values(), strict=True)]  # fmt: skip
+    likes = [
+        [2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - share) for c, share in enumerate(kinds)]
+        for q, column in zip(block.quantities, block.columns.values(), strict=True)
+    ]
     best: list[list[tuple[float, tuple[int | None, ...]]]] = [[(0.0, ())] * (place.columns + 1)]
     for j, row in enumerate(likes):
         line = [(best[j][0][0], (*best[j][0][1], None))]
         for c in range(place.columns):
             kept, skipped, gone = best[j][c], line[c], best[j][c + 1]
-            line.append(max(
-                (kept[0] + row[c], (*kept[1], c)), skipped, (gone[0], (*gone[1], None)), key=lambda one: one[0]
-            ))  # fmt: skip
+            line.append(
+                max((kept[0] + row[c], (*kept[1], c)), skipped, (gone[0], (*gone[1], None)), key=lambda one: one[0])
+            )
         best.append(line)
     return list(best[-1][-1][1])

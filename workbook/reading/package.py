@@ -52,8 +52,9 @@ def package(parts: Mapping[str, Element], names: Iterable[str]) -> tuple[str, di
 
 def content_types(root: Element, names: set[str]) -> dict[str, str]:
     """Return the content type of each part; Refusal where one is declared twice, or has a type of another case."""
-    overrides = [(e.get("PartName", "").removeprefix("/"), e.get("ContentType", ""))
-                 for e in root if tag(e) == "Override"]  # fmt: skip
+    overrides = [
+        (e.get("PartName", "").removeprefix("/"), e.get("ContentType", "")) for e in root if tag(e) == "Override"
+    ]
     defaults = [(e.get("Extension", "").lower(), e.get("ContentType", "")) for e in root if tag(e) == "Default"]
     refuse_twice("declares the content type of {} twice", (name.lower() for name, _ in overrides))
     refuse_twice("declares the content type of the ending {} twice", (ending for ending, _ in defaults))

@@ -149,7 +149,7 @@ def progress(console: Console, words: str, total: int) -> Iterator[Callable[[int
 
 def show(
     outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool, everything: bool = False
-) -> None:  # fmt: skip
+) -> None:
     """Print a run: in full where one file was named ``alone``, else the summary of all."""
     if not alone and as_json:
         compared = sum(o.report.compared for o in outcomes if o.report)

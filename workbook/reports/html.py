@@ -219,10 +219,11 @@ def rule(svg: Element, x1: float, y1: float, x2: float, y2: float) -> None:
 
 def text(
     svg: Element, words: str, x: float, y: float, anchor: str = "start", colour: str = INK, weight: str = "400"
-) -> Element:  # fmt: skip
+) -> Element:
     """Write a text."""
-    one = SubElement(svg, "text", {"x": f"{x:.1f}", "y": f"{y:.1f}", "text-anchor": anchor, "fill": colour,
-                                   "font-weight": weight})  # fmt: skip
+    one = SubElement(
+        svg, "text", {"x": f"{x:.1f}", "y": f"{y:.1f}", "text-anchor": anchor, "fill": colour, "font-weight": weight}
+    )
     one.text = visible(words)
     return one
 
@@ -236,9 +237,7 @@ class Point(NamedTuple):
     y: float
 
 
-def front_picture(
-    title: str, labels: tuple[str, str], points: Sequence[Point], links: Sequence[str] = ()
-) -> Element:  # fmt: skip
+def front_picture(title: str, labels: tuple[str, str], points: Sequence[Point], links: Sequence[str] = ()) -> Element:
     """Return the picture of one point or more, with room beside the outermost; each leads to the link given for it."""
     x, y = np.array([(one.x, one.y) for one in points]).T
     wider = [np.array([v.min() - MARGIN * np.ptp(v), v.max() + MARGIN * np.ptp(v)]) for v in (x, y)]

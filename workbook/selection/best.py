@@ -152,8 +152,9 @@ def chart(sheet: Sheet) -> None:
     """Place the chart, whose series are named by their pairs."""
     series = [Series(f"=@name{k}", f"[@use{k}.speed]", f"[@use{k}.torque]", points=True, marker="circle")
               for k in range(1, NAMED + 1)]  # fmt: skip
-    series.append(Series("the drive's pair", "[@use0.speed]", "[@use0.torque]", points=True, marker="diamond",
-                         color="374151"))  # fmt: skip
+    series.append(
+        Series("the drive's pair", "[@use0.speed]", "[@use0.torque]", points=True, marker="diamond", color="374151")
+    )
     sheet.chart(
         Chart("What the best pairs use of their motors", "largest speed / motor's largest speed",
               "RMS torque / continuous torque", tuple(series),

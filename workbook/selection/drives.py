@@ -76,7 +76,7 @@ GROUP = 5  # drives among which one formula chooses
 
 def named(
     view: Choosing, column: str, label: str, symbol: str, unit: str, values: Array, whole: str = "{}", **more: Any
-) -> list[Quantity]:  # fmt: skip
+) -> list[Quantity]:
     """Return the column of a figure, within ``whole``, of the named drive; of many, one for each group before it."""
     names = [f"INDEX({one.columns}_{column},[k])" for one in view.shafts]
     chosen = view.shaft.by_point(values)
@@ -207,8 +207,9 @@ def matrix(
 
 def share(n: int) -> str:
     """Return the formula of the RMS torque of the motor of a row over its continuous torque."""
-    rms = rms_of(f"({of('jm')}+[@behind.j.{n}])", f"[@drives.held_i.{n}]", f"[@behind.mixed.{n}]",
-                 f"[@behind.square.{n}]").replace("@own", f"[@drives.own.{n}]")  # fmt: skip
+    rms = rms_of(
+        f"({of('jm')}+[@behind.j.{n}])", f"[@drives.held_i.{n}]", f"[@behind.mixed.{n}]", f"[@behind.square.{n}]"
+    ).replace("@own", f"[@drives.own.{n}]")
     return f"IF({of('on')}=1,{rms}/({continuous(f'[@behind.mean.{n}]')}*[@behind.left.{n}]),0)"
 
 

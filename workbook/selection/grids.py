@@ -86,8 +86,9 @@ def continuous(mean: str) -> str:
 
 def peak(c: int) -> str:
     """Return the formula of the peak torque of the motor of a row; no program takes ABS of an array in MAX alike."""
-    torques = torque_of(f"({of('jm')}+[@reducers.jt.{c}])",
-                        *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own")))  # fmt: skip
+    torques = torque_of(
+        f"({of('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own"))
+    )
     return f"IF({of('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
 
 

@@ -168,8 +168,9 @@ async def controller(page: Page, name: str) -> str:
     digest = state(path)
     if digest not in known:
         known[digest] = await page.work.beside(axes, path)
-    return pages.page(f"{name}: controller", "controller", name=name, axes=[*known[digest], ALL], targets=TARGETS,
-                      orders=ORDERS)  # fmt: skip
+    return pages.page(
+        f"{name}: controller", "controller", name=name, axes=[*known[digest], ALL], targets=TARGETS, orders=ORDERS
+    )
 
 
 async def export(page: Page) -> str:

@@ -77,8 +77,9 @@ def state(path: Path) -> str:
 class Page(RequestHandler):
     """A page for who has the token; Host is compared against DNS rebinding, Origin against posts from other pages."""
 
-    def initialize(self, method: str, action: "Action | None", folder: Folder, work: Work,
-                   verdicts: dict[str, str]) -> None:  # fmt: skip
+    def initialize(
+        self, method: str, action: "Action | None", folder: Folder, work: Work, verdicts: dict[str, str]
+    ) -> None:
         """Take what is done by which method at this address, and what all pages share."""
         self.method, self.action = method, action
         self.folder, self.work, self.verdicts = folder, work, verdicts

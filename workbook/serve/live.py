@@ -212,8 +212,9 @@ def differ(lines: list[Line], others: list[Line]) -> bool:
     """Return whether two charts show other lines."""
     return [one.y.size for one in lines] != [one.y.size for one in others] or not all(
         np.allclose(one.y, other.y, rtol=0.0, atol=max(float(np.ptp(other.y)), 1e-9) * NEAR)
-        and np.allclose(one.x, other.x, rtol=NEAR) for one, other in zip(lines, others, strict=True)
-    )  # fmt: skip
+        and np.allclose(one.x, other.x, rtol=NEAR)
+        for one, other in zip(lines, others, strict=True)
+    )
 
 
 def sheet(name: str, text: str) -> str:

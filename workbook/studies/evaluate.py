@@ -97,8 +97,9 @@ class Evaluator:
             found.append((self._group(some, last - first), last - first))
         results = {name: together([wide(one.results.get(name, np.nan), n) for one, n in found]) for name in self.names}
         constraints = dict.fromkeys(name for one, _ in found for name in one.fails)
-        fails = {name: np.concatenate([wide(one.fails.get(name, False), n) for one, n in found])
-                 for name in constraints}  # fmt: skip
+        fails = {
+            name: np.concatenate([wide(one.fails.get(name, False), n) for one, n in found]) for name in constraints
+        }
         reasons = np.concatenate([np.full(n, one.reason, dtype=object) for one, n in found])
         return Table(begin, tuple(columns), results, fails, reasons)
 

@@ -29,8 +29,9 @@ OWN = re.compile(r"part-[0-9]{8}\.(json|csv|parquet)|\.motionbook-[0-9a-f]{16}\.
 """the files of a part, and the drafts left where a process ended; no others are removed"""
 NOTED = re.compile(r"part-([0-9]{8})\.json")  # the file that is written last of a part
 STEP = 64
-ANOTHER = ("holds parts of another study, or of this one before it was changed; --force begins anew, "
-           "-o names other results")  # fmt: skip
+ANOTHER = (
+    "holds parts of another study, or of this one before it was changed; --force begins anew, -o names other results"
+)
 
 
 class Parts:

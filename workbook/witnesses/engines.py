@@ -173,8 +173,9 @@ def version_of(soffice: str) -> str:
     """Return the version of a LibreOffice."""
     environment = os.environ | {"HOME": tempfile.gettempdir()} if sys.platform != "win32" else None
     try:
-        said = subprocess.run([soffice, "--version"], capture_output=True, text=True, check=False, env=environment,
-                              timeout=TIMEOUT)  # fmt: skip
+        said = subprocess.run(
+            [soffice, "--version"], capture_output=True, text=True, check=False, env=environment, timeout=TIMEOUT
+        )
     except (OSError, subprocess.TimeoutExpired):  # converting says what is wrong
         return "unknown version"
     found = re.search(r"\d+(\.\d+)+", said.stdout)

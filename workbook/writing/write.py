@@ -147,12 +147,14 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
         if text.style in LINE_HEIGHTS and text.text:
             room = wide.get(text.column, COLUMN_WIDTH)
             lines = lines_of(text.text, style.TEXTS[text.style].font.sz or FULL, room)
-            cells.heights[text.row] = max(lines * LINE_HEIGHTS[text.style] + BESIDE[text.style],
-                                          cells.heights.get(text.row, 0))  # fmt: skip
+            cells.heights[text.row] = max(
+                lines * LINE_HEIGHTS[text.style] + BESIDE[text.style], cells.heights.get(text.row, 0)
+            )
 
 
-def write_block(block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel],
-                wide: dict[int, float]) -> None:  # fmt: skip
+def write_block(
+    block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel], wide: dict[int, float]
+) -> None:
     """Write the cells of one block, each column in one style and with its rule, and set the height of wrapped texts."""
     looks: dict[str, int] = {}
     for q in block.quantities:
@@ -221,8 +223,9 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
         page.row_breaks.append(Break(id=row))
 
 
-def pack(parts: dict[str, bytes], path: Path, overwrite: bool = False,
-         check: Callable[[Path], None] | None = None) -> None:  # fmt: skip
+def pack(
+    parts: dict[str, bytes], path: Path, overwrite: bool = False, check: Callable[[Path], None] | None = None
+) -> None:
     """Write the parts as one file, as :func:`replace` does."""
 
     def written(beside: Path) -> None:

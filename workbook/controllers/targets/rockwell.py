@@ -136,8 +136,9 @@ def read_switches(text: str) -> list[Track]:
     return gathered(text, rows)
 
 
-CAM = layout("rockwell.xml", elements=elements, real=real, slopes=SLOPES,
-             remark=lambda one: re.sub("-(?=-)", "- ", one))  # fmt: skip
+CAM = layout(
+    "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda one: re.sub("-(?=-)", "- ", one)
+)
 TAPPETS = Tappets("rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X",
                   layout("rockwell-switches.xml", elements=parted, real=real), read_switches,
                   number=REAL, tracks=32)  # fmt: skip

@@ -118,9 +118,10 @@ class Reader:
         return Line(
             self._area(source(x if x is not None else child(series, "cat"))),
             self._area(source(y if y is not None else child(series, "val"))),
-            self._area(source(child(series, "errBars", "plus"))), self._text(child(series, "tx")),
+            self._area(source(child(series, "errBars", "plus"))),
+            self._text(child(series, "tx")),
             frozenset(one for one, there in said.items() if there),
-        )  # fmt: skip
+        )
 
     def _area(self, text: str) -> Area | None:
         """Return what a reference means; None for what is no range of this workbook."""

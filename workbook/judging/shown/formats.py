@@ -30,7 +30,7 @@ TOKEN = re.compile(r"""(?xs)
     "(?P<quoted>[^"]*)"? | \\(?P<escaped>.) | (?P<room>_.|\*[ ]) | \*(?P<filled>.) | \[(?P<bracket>[^\]]*)\]?
     | (?P<end>;) | (?P<text>@|(?i:General|Standard)) | (?P<code>E[+-]|[0?\#.,%/])
     | (?P<date>AM/PM|A/P|[yYmMdDhHsSbBgGeE]) | (?P<plain>.)
-""")  # fmt: skip
+""")
 ADDED = r"((?:\0.)*)"
 NUMBER = re.compile(rf"(?s){ADDED}(?P<number>@|(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?)(?P<percent>%?){ADDED}")
 FRACTION = re.compile(r"[#?0]*/(?:[#?0]|\0[0-9])+")

@@ -141,11 +141,12 @@ HARMONIC_COMBINATION = edged(
         5: Stage(SINE_IN, '=(1-@share)*IF(@reversal="end",1,3/4)'),
         7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
     },
-    source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI", law=engine.HarmonicCombination,
+    source="LCamHdl, D_R_ and R_D_HARMONIC_COMBI",
+    law=engine.HarmonicCombination,
     entries=family.parameters_of(engine.HarmonicCombination, share=family.Between, reversal=family.Reversal),
     parameters=(family.SHARE, family.REVERSAL),
     variations=tuple({"share": s, "reversal": end} for s, end in ((0.4, "start"), (0.6, "end"), (0.3, "start"))),
-)  # fmt: skip
+)
 
 
 class Curved(family.Shared):

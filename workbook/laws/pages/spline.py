@@ -184,7 +184,7 @@ def solution(at: Knots) -> list[Quantity]:
         calc("@still", "A velocity below this is none", "", "", "=check_zero*@cv", at.still, format="0E+00"),
         calc("@v_most", "Largest velocity", "", "", "=MAX([@intervals.v_high])", float(at.intervals["v_high"].max())),
         calc("@v_at", "Where the velocity is largest", "ξ_v", "", "=MIN([@intervals.fast])", at.peak),
-    ]  # fmt: skip
+    ]
 
 
 def elimination(at: Knots) -> list[Quantity]:

@@ -30,8 +30,9 @@ def joints_of(machine: Flying, rows: PieceRows) -> Joints:
     smooth, cut = machine.given.smoothness, machine.cut
     largest = ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
     units = tuple((f'"{unit}"', unit) for unit in ("m/s", "m/s²", "m/s³"))
-    asked = Asked(smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS,
-                  quickest=f"[{AT.phases}.rate.1]")  # fmt: skip
+    asked = Asked(
+        smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS, quickest=f"[{AT.phases}.rate.1]"
+    )
     found = cut_joints(cut, smooth)
     return Joints(rows, asked, found, rates_of(cut))
 

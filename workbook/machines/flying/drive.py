@@ -34,8 +34,9 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         sheet.checks(*checks(view))
         sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=10, row=5, width=8, height=22)
         torque = Series("torque", "[@pt.t]", "[@pt.T]")
-        over = Chart("Torque of the motor over a cycle", "time t [s]", "T [Nm]", (torque,),
-                     "Torque of the motor over one cycle")  # fmt: skip
+        over = Chart(
+            "Torque of the motor over a cycle", "time t [s]", "T [Nm]", (torque,), "Torque of the motor over one cycle"
+        )
         sheet.chart(over, column=10, row=28, width=8, height=16)
         sheet.row = max(sheet.row, BELOW_CHARTS)
         in_use(sheet, view)
@@ -47,8 +48,9 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         sheet.heading("Workings: the cycle at points", "Nine points of each piece of the tool's motion, ends included.")
         intervals(sheet, view)
         points(sheet, view, rows)
-    book.column_names |= {f"tool_{name}": ("drive_pt", column)
-                          for name, column in (("dir", "dir"), ("al", "al"), ("S", "S"), ("n", "w"))}  # fmt: skip
+    book.column_names |= {
+        f"tool_{name}": ("drive_pt", column) for name, column in (("dir", "dir"), ("al", "al"), ("S", "S"), ("n", "w"))
+    }
     sheet.print_columns = 18
 
 
@@ -116,8 +118,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
 
     def of(name: str, label: str, symbol: str, unit: str, column: str, value: float, source: str = "") -> Quantity:
         kind, figure = column.split(".")
-        return calc(name, label, symbol, unit, f"=INDEX([sel_{kind}s.{figure}],MAX(1,@{kind}_row))", value,
-                    source)  # fmt: skip
+        return calc(name, label, symbol, unit, f"=INDEX([sel_{kind}s.{figure}],MAX(1,@{kind}_row))", value, source)
 
     sheet.rows(
         calc("@place", "Place of the proposed pair", "", "",

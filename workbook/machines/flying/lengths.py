@@ -118,8 +118,9 @@ def cases(sheet: Sheet, machine: Flying) -> None:
     """Declare the cases that the product length decides between, and both ways with one too long to keep moving."""
     e, limit = machine.given, machine.limit
     tool, whole = shown(machine.tool.tool_length, MM), shown(machine.tool.design_length, MM)
-    sheet.heading("The cases by product length",
-                  "S5, 'Variable length cut'; a saw has no design length, and always reverses.")  # fmt: skip
+    sheet.heading(
+        "The cases by product length", "S5, 'Variable length cut'; a saw has no design length, and always reverses."
+    )
     sheet.table(
         "cases", "From one length to the next", 4,
         constant("case", "re-positioning", "", "",
@@ -135,8 +136,9 @@ def cases(sheet: Sheet, machine: Flying) -> None:
     )  # fmt: skip
     ways: tuple[Beyond, ...] = ("standstill", "reversal")
     cuts = [machine.of(machine.given.product_length, way) for way in ways]
-    sheet.heading("Standstill or reversal",
-                  "What this product asks for either way; the same unless it is longer than L_p,lim.")  # fmt: skip
+    sheet.heading(
+        "Standstill or reversal", "What this product asks for either way; the same unless it is longer than L_p,lim."
+    )
     sheet.table(
         "strategies", "Both ways with products longer than L_p,lim", 2,
         constant("way", "way", "", "", list(ways)),

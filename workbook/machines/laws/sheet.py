@@ -119,8 +119,9 @@ def names_sheet(book: Book, view: Compared) -> None:
     """Declare the sheet that says what the laws are called by those who make controllers."""
     sheet = book.sheet("Names", "What the laws are called in the libraries of controllers, as far as it is sure.")
     sheet.widths |= dict.fromkeys(range(FIRST + 1, FIRST + 1 + len(VENDORS)), 34.0)
-    sheet.heading("Names, with the number there",
-                  f"{NONE} where there is none, or none is sure; with parameters as delivered.")  # fmt: skip
+    sheet.heading(
+        "Names, with the number there", f"{NONE} where there is none, or none is sure; with parameters as delivered."
+    )
     sheet.table(
         "elsewhere", "Laws", len(view.moving),
         calc("law", "law", "", "",
@@ -161,8 +162,9 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
         words = f"{RATES[name]} at its {'end' if at_end else 'begin'}"
         values = [(row.at.end if at_end else row.at.begin)[i] for row in rows]
         formula = at_place(name, at_end, view.stack.second_sine)
-        return calc(f"{name}{int(at_end)}", words, f"{name}_{int(at_end)}", "", formula, values,
-                    scale=max(map(abs, values)))  # fmt: skip
+        return calc(
+            f"{name}{int(at_end)}", words, f"{name}_{int(at_end)}", "", formula, values, scale=max(map(abs, values))
+        )
 
     sheet.table(
         "joints", "Pieces of each law, and the rest behind it", len(rows),

@@ -92,7 +92,7 @@ def results_of(view: DriveView) -> Iterator[str]:
         ("speed", "rpm", shown(view.speed, RPM), fastest, PEAK * fastest),
         ("peak torque behind the reducer", "Nm", points.size(behind), turning, PEAK * turning),
         ("energy driven", "J", driving, exact.energy.driving, ENERGY * exact.energy.driving),
-    )  # fmt: skip
+    )
     for what, unit, told, true, bound in found:
         if abs(told - true) > bound + 1e-9 * abs(true):
             said = f"{what} is {rounded(true)} {unit} exactly; its sheet says {rounded(told)} {unit}"

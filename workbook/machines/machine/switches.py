@@ -53,8 +53,9 @@ class Lane:
     def until_next(self) -> list[float]:
         """From the begin of each time to the next begin of the switch (degrees); a turn where there is no other."""
         begins = {k: start for k, (start, _) in self.told.items()}
-        return self.each([min(((b - a) % TURN for j, b in begins.items() if j != k), default=TURN)
-                          for k, a in begins.items()], 0.0)  # fmt: skip
+        return self.each(
+            [min(((b - a) % TURN for j, b in begins.items() if j != k), default=TURN) for k, a in begins.items()], 0.0
+        )
 
     def outline(self, floor: int, near: float) -> list[tuple[float, float]]:
         """Return the corners of its lane: angle (degrees) and height; a bar no wider than ``near`` is none."""
@@ -128,8 +129,9 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
     more = f'"is on "&ROUND({over.told("[span]-[next]")},9)&"{after} beyond the begin of another"'
     wrong = f'IF([span]<=check_zero,"does not last",IF([span]-[next]>check_zero,{more},""))'
     beyond = going_beyond(over.told("MAX([begin],[end])"), over)
-    late = calc("late", "beyond the cycle", "", "", f'=IF(MAX([begin],[end])-360>check_zero,{beyond},"")', "",
-                align="left")  # fmt: skip
+    late = calc(
+        "late", "beyond the cycle", "", "", f'=IF(MAX([begin],[end])-360>check_zero,{beyond},"")', "", align="left"
+    )
 
     def angle(column: str, label: str, formula: str, values: list[float]) -> Quantity:
         return calc(column, label, "", "°", formula, values, scale=TURN, format="0.0##")

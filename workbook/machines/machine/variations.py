@@ -83,12 +83,13 @@ def choose(data: dict[str, Any], k: int) -> None:
             motor["end_torque"] = None if level else motor["peak_torque"] * 0.23 * ((n + 2 * k) % 4)
     if products["axis"] is not None:
         products |= {
-            "axis": names[k % len(names)], "rank": RANKS[k % len(RANKS)],
+            "axis": names[k % len(names)],
+            "rank": RANKS[k % len(RANKS)],
             "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
             "least_margin": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k],
             "greatest_margin": (1e6, 300.0, 1e9, 1e6, 10.0, 1e9)[k],
             "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
-        }  # fmt: skip
+        }
 
 
 def times(i: int, k: int) -> list[dict[str, float | None]]:
@@ -110,7 +111,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     axis["mechanism"] |= ({sized: 7.0 + 11 * k} if sized else {}) | {
         "efficiency": 0.55 + 0.07 * ((i + k) % SIX),
         "method": ("physical", "document")[(i + k) % 4 == 3],
-    }  # fmt: skip
+    }
     if kind in BELTED:
         axis["mechanism"]["belt_mass"] = 4.0 * k or None
     if kind in LINKAGES:

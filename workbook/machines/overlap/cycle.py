@@ -26,8 +26,9 @@ WAYS = ("dwell", "way out", "rest", "way in")
 
 def cells(name: str) -> Cells:
     """Return where a motion over the master angle stands."""
-    return Cells(f"{name}_phases", f"{name}_pieces", f"{name}_count", "360", "m", "rad", degrees=True,
-                 near="overlap_eps")  # fmt: skip
+    return Cells(
+        f"{name}_phases", f"{name}_pieces", f"{name}_count", "360", "m", "rad", degrees=True, near="overlap_eps"
+    )
 
 
 TRANSFER = cells("transfer")
@@ -164,8 +165,7 @@ def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> Joint
     phases(sheet, "The transfer, from the start of the cycle", moves, parts, rows, no=["=[used.no.1]", "=1"],
            h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
            begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"])  # fmt: skip
-    joints = joints_of(rows, whole_turn(parts), machine.given.transfer, "overlap_", "°",
-                       "overlap_transfer", moves)  # fmt: skip
+    joints = joints_of(rows, whole_turn(parts), machine.given.transfer, "overlap_", "°", "overlap_transfer", moves)
     sheet.rows(*joints.order())
     sheet.row += 1
     pieces_table(sheet, "Pieces of the transfer", rows, machine.room, size_of_parts(parts))
@@ -197,8 +197,9 @@ def tool_pieces(sheet: Sheet, station: Station, pieces: Pieces) -> Joints:
     return joints
 
 
-def phases(sheet: Sheet, title: str, names: tuple[str, ...], parts: tuple[Scaled, ...], rows: PieceRows,
-           **formulas: list[str]) -> None:  # fmt: skip
+def phases(
+    sheet: Sheet, title: str, names: tuple[str, ...], parts: tuple[Scaled, ...], rows: PieceRows, **formulas: list[str]
+) -> None:
     """Declare the phases of a motion over the master angle; ``formulas`` are those of the columns, a row each."""
     size, degrees = size_of_parts(parts), [shown(part.duration, DEGREE) for part in parts]
     sheet.row += 1

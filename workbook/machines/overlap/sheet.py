@@ -27,14 +27,15 @@ def overlap_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         sheet.note(APART)
     entry = entries_of(machine.given, "overlap")
     sheet.rows(
-        entry("overlap_rate", "Production rate", "N", "pieces/h", "rate",
-              "one piece a turn of the master shaft; S2: 2000"),
+        entry(
+            "overlap_rate", "Production rate", "N", "pieces/h", "rate", "one piece a turn of the master shaft; S2: 2000"
+        ),
         entry("overlap_transfer", "Transfer", "", "", "transfer.name"),
         entry("overlap_law", "its law", "", "", "transfer.law", "S2: cycloidal, CIC", choices="=law_code"),
         entry("overlap_pitch", "its stroke", "h_t", "mm", "transfer.stroke", "S2: 100 mm"),
         entry("overlap_angle", "its angle", "B_t", "°", "transfer.angle", "S2: 150°"),
         entry("overlap_smooth", "what must be continuous", "", "", "transfer.smoothness", CONTINUOUS, align="center"),
-    )  # fmt: skip
+    )
     if machine.alone:
         timing_diagrams(sheet, machine, RIGHT)
         tool.declare(sheet, machine.stations[0], pieces, SECOND, BELOW_CHARTS, [rising()], workings(machine))

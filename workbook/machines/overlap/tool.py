@@ -234,8 +234,9 @@ def corners_table(sheet: Sheet, station: Station, pieces: Pieces) -> None:
 
 def margins(sheet: Sheet, station: Station) -> None:
     """Declare charts and table, in the tool's scope."""
-    sheet.heading("What a margin costs",
-                  "The longest angles less the allowance, for margins from 0 to the whole clearance.")  # fmt: skip
+    sheet.heading(
+        "What a margin costs", "The longest angles less the allowance, for margins from 0 to the whole clearance."
+    )
     shown_over = (
         ("Acceleration ratio", "times lower", "times lower", "ratio",
          "How many times the peak acceleration falls, over the margin that stays free between the parts"),

@@ -27,8 +27,9 @@ BACKWARDS = "a law moves backwards: see its sheet, or Laws"
 class Overlapping:
     """The engine's view: transfer, a station for each tool; laws ``inverted`` by points, as on the sheet Inverse."""
 
-    def __init__(self, machine: IndexingOverlap, library: dict[str, Law],
-                 inverted: Inverse = inverse_by_points) -> None:  # fmt: skip
+    def __init__(
+        self, machine: IndexingOverlap, library: dict[str, Law], inverted: Inverse = inverse_by_points
+    ) -> None:
         self.given, self.sizes, self.library = machine.overlap, machine.sizes, library
         moved = machine.overlap.transfer
         self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE), inverted)
@@ -66,8 +67,9 @@ class Station:
         self.law_rows, self.blocked_rows = (row, row + 1), (row - 1, row)
         self.transfer = machine.transfer
         dwell, allowance = si(tool.dwell, DEGREE), si(p.allowance, DEGREE)
-        self.tool = Tool(library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out],
-                         machine.transfer.inverted)  # fmt: skip
+        self.tool = Tool(
+            library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out], machine.transfer.inverted
+        )
         self.passage = Passage(si(p.remaining, PERCENT), si(p.clearance, MM), si(p.margin, MM), allowance, p.split)
         found = overlap(self.transfer, self.tool, self.passage)
         way_in = found.angle_in if tool.angle_in is None else si(tool.angle_in, DEGREE)

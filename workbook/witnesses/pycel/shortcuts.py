@@ -77,8 +77,9 @@ def operators() -> Callable[[Any, str, Any], Any]:
             if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
                 return raised(left, right)
         elif kind in RANGES or other in RANGES:
-            one, two = (x if k in NUMBERS else array_of(x) if k in RANGES else None
-                        for x, k in ((left, kind), (right, other)))  # fmt: skip
+            one, two = (
+                x if k in NUMBERS else array_of(x) if k in RANGES else None for x, k in ((left, kind), (right, other))
+            )
             made = None if one is None or two is None else operated(one, operator, two)
             if made is not None:
                 return Array(made)

@@ -65,8 +65,9 @@ class Handing:
     def rate(self, order: int, name: str, label: str, symbol: str, formula: str, values: Any, of: str = "") -> Quantity:
         """Return a column of a derivative of the motion, or its position (order 0): a figure of each step, or all."""
         found = self.of(values) if callable(values) else values
-        return calc(name, label, symbol, self.rows.at.unit(order), formula, found, scale=self.motion.size(order),
-                    source=of)  # fmt: skip
+        return calc(
+            name, label, symbol, self.rows.at.unit(order), formula, found, scale=self.motion.size(order), source=of
+        )
 
     def number(self, name: str, label: str, formula: str, values: Any, source: str = "", **more: Any) -> Quantity:
         """Return a column of whole numbers: a figure of each step, or all of them."""

@@ -30,13 +30,11 @@ REDUCER = (
     ("inertia", "inertia at the input", "J_G", "kg cm²", "", "@j_reducer", "inertia"),
     ("no_load_torque", "no-load torque", "T_nl", "Nm", "at the motor, against its rotation", "@no_load", "t012"),
     ("peak_torque", "largest output torque", "", "Nm", "empty: no limit", "@reducer_peak", "tmax"),
-    ("full_cycles", "full-torque cycles an hour", "Z_h", "1/h", "empty: 1,000",
-     "@reducer_full", "full"),
-    ("cycle_factor", "cycle factor beyond these", "f_s", "", "divides that torque; empty: 1",
-     "@reducer_fs", "fs"),
+    ("full_cycles", "full-torque cycles an hour", "Z_h", "1/h", "empty: 1,000", "@reducer_full", "full"),
+    ("cycle_factor", "cycle factor beyond these", "f_s", "", "divides that torque; empty: 1", "@reducer_fs", "fs"),
     ("mean_torque", "largest mean output torque", "", "Nm", "empty: no limit", "@reducer_mean", "t2n"),
     ("max_speed", "largest input speed", "", "rpm", "empty: no limit", "@reducer_nmax", "nmax"),
-)  # fmt: skip
+)
 """of each entry: words, symbol, unit and a note, the cell that is used, and the column of the catalogue"""
 DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
 ZERO = dict.fromkeys(("peak_torque", "mean_torque", "max_speed"), "0: no limit") | {"full_cycles": "0: not given"}
@@ -182,8 +180,7 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
     def figure(of: MotorInUse | ReducerInUse, row: tuple[str, ...], formula: str, source: str = "") -> Quantity:
         name, words, symbol, unit, _, cell, _ = row
         (base, made), product = IN_SI.get(unit, (unit, "{}")), "Motor" if of is motor else "Reducer"
-        return calc(cell, f"{product}: {words}", symbol, base, f"={made.format(formula)}", getattr(of, name),
-                    source)  # fmt: skip
+        return calc(cell, f"{product}: {words}", symbol, base, f"={made.format(formula)}", getattr(of, name), source)
 
     rows = [
         calc(f"@{kind}_row", f"{kind.capitalize()}: row of the catalogue", "", "",
@@ -195,8 +192,9 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
         entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
         listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)"
         rows.append(figure(reducer, row, AT_LEAST.get(name, "{0}").format(listed), ZERO.get(name, "")))
-    listed_motor = {name: f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{column}],@motor_row))"
-                    for name, *_, column in MOTOR}  # fmt: skip
+    listed_motor = {
+        name: f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{column}],@motor_row))" for name, *_, column in MOTOR
+    }
     used = {
         "rated_torque": f"{listed_motor['rated_torque']}*@derate",
         "stall_torque": f"MAX(@motor_rated,{listed_motor['stall_torque']}*@derate)",

@@ -36,9 +36,10 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     load, points, size = view.load, view.points, view.scales
     (resists, without), (drives, equation) = by_angle.forces(view)
     behind, inertia, motor_ratio, motor_inertia = (
-        (f"{LOSS2}/[g]", "@j1*[al]", "@i1*[g]", "@j0*@i1*[al]") if view.varies else
-        (CONSTANT, "@j1i2*[a]", "@i", "@j0i*[a]")
-    )  # fmt: skip
+        (f"{LOSS2}/[g]", "@j1*[al]", "@i1*[g]", "@j0*@i1*[al]")
+        if view.varies
+        else (CONSTANT, "@j1i2*[a]", "@i", "@j0i*[a]")
+    )
     of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
     linked = [] if not view.varies else [
         *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
@@ -145,8 +146,9 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in steps]
     edge = f"IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
     near = view.one.machine.near
-    kept = [TURN if at > TURN - near or any(abs(at - one) < near for one in edges[:k]) else at
-            for k, at in enumerate(edges)]  # fmt: skip
+    kept = [
+        TURN if at > TURN - near or any(abs(at - one) < near for one in edges[:k]) else at for k, at in enumerate(edges)
+    ]
     if view.steps > 1:
         edge = f"IF([window]<0,0-[window]*360/{view.steps},{edge})"
     sheet.table(

@@ -137,8 +137,9 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
 
     neighbours = [[sign * value for value in one.values] for sign, one in zip(signs, found, strict=True)]
     gaps = [[one.before for one in found], [one.after for one in found]]
-    slopes = [[(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)]
-              for k in (0, 1)]  # fmt: skip
+    slopes = [
+        [(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)] for k in (0, 1)
+    ]
     inner = "AND(INDEX([@pt.s],[at])>0,INDEX([@pt.s],[at])<1)"
     size_of = "MAX(MAX({y}),0-MIN({y}))"
     sheet.heading("Workings: peaks", ABOUT)

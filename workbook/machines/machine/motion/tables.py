@@ -72,8 +72,9 @@ def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
         steps_table(sheet, one)
         room, ends = one.machine.room, one.ends
         columns, halves = (in_pieces(ends, room), taken(ends, room)) if ends else ([], [])
-        pieces_table(sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size,
-                     *columns, taken=halves)  # fmt: skip
+        pieces_table(
+            sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size, *columns, taken=halves
+        )
         one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
     if handing := [one.ends for one in axes if one.ends]:
@@ -105,8 +106,9 @@ def steps_table(sheet: Sheet, one: AxisRows) -> None:
         return handed.own(column, formula) if handed else formula
 
     fastest: tuple[tuple[str, str, Figure], ...] = (
-        ("y1", "velocity", lambda _, p: p.y1_max), ("y2", "acceleration", lambda _, p: p.y2_max)
-    )  # fmt: skip
+        ("y1", "velocity", lambda _, p: p.y1_max),
+        ("y2", "acceleration", lambda _, p: p.y2_max),
+    )
     entered = [end for p in axis.given.phases for end in (p.start, p.stop)]
     sheet.table(
         f"{t}_steps", STEPS.format(axis.number), one.steps,

@@ -122,8 +122,9 @@ def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
 
     def binding() -> Any:
         rates = np.array(np.broadcast_arrays(*(one.highest[0] for one in drives)))
-        words = [np.array([f"{one.axis.given.name}: {limit}" for limit in one.highest[1]], dtype=object)
-                 for one in drives]  # fmt: skip
+        words = [
+            np.array([f"{one.axis.given.name}: {limit}" for limit in one.highest[1]], dtype=object) for one in drives
+        ]
         return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
     found: Worked = {

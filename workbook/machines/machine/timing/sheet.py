@@ -31,8 +31,9 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
     sheet = book.sheet("Timing", f"The axes over {machine.over.cycle}: phases, movements, timing diagram.")
     sheet.heading("Enter")
-    weight = given("gravity", "Gravity", "g", "m/s²", machine.machine.gravity, "gravity", format="0.0####",
-                   source="of all drives")  # fmt: skip
+    weight = given(
+        "gravity", "Gravity", "g", "m/s²", machine.machine.gravity, "gravity", format="0.0####", source="of all drives"
+    )
     sheet.rows(*pace(machine), *([weight] if machine.machine.weighs else []))
     columns = PHASE_MEASURED if machine.over.measured else PHASE
     columns += PASSING if any(one.ends is not None for one in axes) else 0
@@ -150,8 +151,9 @@ def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
     switches, over = len(machine.machine.switches), machine.over
     n = len(machine.axes) + switches
     lines = [curve(a, over.column, "lane") for a in machine.axes]
-    lines += [Series(f"={switch_name(i)}", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]")
-              for i in range(1, switches + 1)]  # fmt: skip
+    lines += [
+        Series(f"={switch_name(i)}", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]") for i in range(1, switches + 1)
+    ]
     bars = ", bars where a switch is on" if switches else ""
     about = f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}"
     chart = Chart("Timing diagram", over.title, "", tuple(lines), about, over.axis(30), (0, n, 1), lanes=True)

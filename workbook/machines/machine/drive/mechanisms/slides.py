@@ -109,8 +109,9 @@ def crank(e: CrankSlider | PressCrank, key: str, moved: str) -> list[Quantity]:
     cell, shared = entries_of(e, f"{key}.mechanism"), f"its mass: a share to the {moved}, the rest to the parts"
     return [
         cell("@crank_radius", "Radius of the crank", "r", "mm", "crank_radius"),
-        cell("@rod_length", "Length of the connecting rod", "l", "mm", "rod_length", shared), cell(*OFFSET),
-    ]  # fmt: skip
+        cell("@rod_length", "Length of the connecting rod", "l", "mm", "rod_length", shared),
+        cell(*OFFSET),
+    ]
 
 
 def crank_entries(driven: Driven, key: str) -> list[Quantity]:
