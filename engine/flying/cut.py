@@ -147,7 +147,7 @@ class Cut:
     def stroke(self) -> float:
         """Furthest less nearest position of the tool in a cycle (m): the slide's travel of a flying saw."""
         places = self.at(np.array([0.0, self.repositioning_time, self.cycle_time])).position
-        moved = [scaled_piece(piece, self.superimposed, 1.0) for piece in self.law.as_pieces()]
+        moved = tuple(scaled_piece(piece, self.superimposed, 1.0) for piece in self.law.as_pieces())
         turned = reach_of(moved, self.line_speed * self.moving_time) if self.reverses else ()
         return float(np.ptp([*places, *turned]))
 

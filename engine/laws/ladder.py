@@ -4,6 +4,7 @@ import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -191,7 +192,8 @@ def along(
     return found
 
 
-def coefficients_of(pieces: Sequence[Piece], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:
+@lru_cache(maxsize=1_000)
+def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:
     """Return the coefficients of pieces one after the other, entered with the velocity ``v0``.
 
     C_j is infinite where a jumps between pieces that last, or from ``a0`` at the begin or to ``a1`` at the end.
@@ -226,13 +228,15 @@ class Extremes(NamedTuple):
     j: tuple[float, float]
 
 
-def reach_of(pieces: Sequence[Piece], v0: float) -> tuple[float, float]:
+@lru_cache(maxsize=1_000)
+def reach_of(pieces: tuple[Piece, ...], v0: float) -> tuple[float, float]:
     """Return the lowest and the highest position of pieces one after the other, from 0 with the velocity ``v0``."""
     s = np.concatenate([one[0] for one in along(pieces, v0, turning_points)])
     return float(s.min()), float(s.max())
 
 
-def extremes_of(pieces: Sequence[Piece], v0: float) -> Extremes:
+@lru_cache(maxsize=1_000)
+def extremes_of(pieces: tuple[Piece, ...], v0: float) -> Extremes:
     """Return the extremes of pieces one after the other, entered with the velocity ``v0``: exact, of any shape."""
     _, *rates = np.concatenate(along(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
     return Extremes(*((float(x.min()), float(x.max())) for x in rates))

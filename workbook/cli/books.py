@@ -169,13 +169,9 @@ def verify(
             raise typer.BadParameter(f"--against takes one workbook; {len(books)} are named")
         asked = witnesses or command.WITNESSES
         raise typer.Exit(command.against(books[0], against, cases, cover, marked, as_json, force, asked))
-    from workbook.witnesses.beside import beside
+    from workbook.commands.verify import verify as run
 
-    with beside(books, witnesses, jobs) as helper:  # it begins while this process loads what judges
-        from workbook.commands.verify import verify as run
-
-        ways = witnesses, jobs, everything, helper, scheduler
-        raise typer.Exit(run(books, as_json, report, junit, sarif, force, *ways))
+    raise typer.Exit(run(books, as_json, report, junit, sarif, force, witnesses, jobs, everything, scheduler))
 
 
 @app.command()

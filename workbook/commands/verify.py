@@ -15,7 +15,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import DISAGREES, TargetError
 from workbook.intake import odd
 from workbook.judging import many
-from workbook.judging.many import state
+from workbook.judging.many import digest, state
 from workbook.judging.report import Report
 from workbook.judging.verify import present
 from workbook.judging.verify import verify as judged
@@ -25,15 +25,15 @@ from workbook.reports import console, page
 from workbook.reports.page import junit as junit_xml
 from workbook.reports.page import sarif as as_sarif
 from workbook.reports.terminal import ERR, OUT, say, shown
-from workbook.witnesses.beside import NAME, Beside, beside, digest
 from workbook.writing.place import refuse_one_for_two
 
 VERDICT = "verdict"
+DAILY = "pycel"  # the witness that is asked unless told otherwise
 
 
 def verify(
     books: Sequence[Path], as_json: bool, report: Path | None, junit: Path | None, sarif: Path | None, force: bool,
-    witnesses: Sequence[str] | None, jobs: int | None, everything: bool, beside: Beside | None = None,
+    witnesses: Sequence[str] | None, jobs: int | None, everything: bool,
     scheduler: str | None = None,
 ) -> int:  # fmt: skip
     """Verify books, print what came of them and write the reports asked for; return the exit code."""
@@ -41,12 +41,12 @@ def verify(
     page.ready(junit, (".xml",), force)
     page.ready(sarif, (".sarif", ".json"), force)
     refuse_one_for_two(report, junit, sarif)
-    asked = list(dict.fromkeys(witnesses or ["pycel"]))  # each once, in the order named
+    asked = list(dict.fromkeys(witnesses or [DAILY]))  # each once, in the order named
     present(asked)
     targets, failed = many.find(books)
     most = min(jobs or cores(), len(targets))
     with pool(most, scheduler) as workers, console.progress(ERR, "Verifying", len(targets)) as bar:
-        outcomes = many.verify_many(targets, asked, workers, lambda one: bar(1, one.path.name), beside) + failed
+        outcomes = many.verify_many(targets, asked, workers, lambda one: bar(1, one.path.name)) + failed
     alone = len(books) == 1 and not os.path.isdir(books[0])
     for one in outcomes if alone else ():
         if one.report is not None:
@@ -79,8 +79,8 @@ def vouched(book: Path, before: State, unverified: bool, fresh: bool = False) ->
         sha256 = digest_of(book)
         known = recall(VERDICT, sha256) if sha256 and not fresh else None
         if not known:
-            with ERR.status(shown(f"Verifying {book} …")), beside([book], None, None) as helper:
-                report = judged(book, beside=helper)
+            with ERR.status(shown(f"Verifying {book} …")):
+                report = judged(book)
             known = {"findings": len(report.findings), "failing": [check.line for check in report.failing]}
             if sha256 and sha256 == digest_of(book):
                 keep(sha256, report)
@@ -99,7 +99,7 @@ def vouched(book: Path, before: State, unverified: bool, fresh: bool = False) ->
 
 def keep(sha256: str, report: Report) -> None:
     """Remember what verify says of a file, unless the witness of every day had no say, or one had no values."""
-    answered = any(ran.name == NAME and ran.answered for ran in report.witnesses)
+    answered = any(ran.name == DAILY and ran.answered for ran in report.witnesses)
     if answered and not any(finding.kind == "witness" for finding in report.findings):
         failing = [check.line for check in report.failing]
         remember(VERDICT, sha256, {"findings": len(report.findings), "failing": failing})

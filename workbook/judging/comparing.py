@@ -2,8 +2,10 @@
 
 import math
 from collections import Counter
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from typing import Any
+
+from pydantic import ValidationError
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
@@ -80,8 +82,6 @@ class Comparison:
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
         self.values: Cells = {}  # of the first witness that computed any
         self._first_wrong: set[Address] = set()  # by that one
-        # of each of the other inputs, the cells that are looked at, what should stand in them, and what does
-        self._turns: list[tuple[list[Address], Right, Callable[[], Sequence[Any]]]] = []
         report.cells |= Counter(pair.address.sheet for pair in match.pairs if pair.declared_formula)
 
     def ask(self, witness: Witness) -> None:
@@ -111,7 +111,7 @@ class Comparison:
         places = [pair.address for pair, _ in wrong]
         self._first_wrong = self._first_wrong if self.values else set(places)
         numbers = [self.match.numbers[a] for a in places]
-        alone = self.model.each(numbers, self.match.strips, self.right.values)() if wrong else []
+        alone = self.model.each(numbers, self.match.strips, self.right.values) if wrong else []
         # at fault are the cells that are wrong even when all that they refer to is right
         at_fault = {a for a, value in zip(places, alone, strict=True) if differs(self.right, a, value)}
         explained = bool(at_fault) or any(finding.kind in CAUSES for finding in self.report.findings)
@@ -148,28 +148,28 @@ class Comparison:
                 wrong.append((pair, deviation))
         return wrong
 
-    def ask_elsewhere(self, template: AnyTemplate, machines: Sequence[Machine], suspects: set[Address]) -> None:
-        """Begin to ask at variations of the inputs: cells in turn, formulas that are not the declared ones always."""
-        if any(place is None for _, place in self.match.misfits):
-            return
-        pairs = {a: pair for a, pair in self.pairs.items() if a in self.match.file.contents.formulas}
-        for turn, machine in zip(turns(pairs, suspects, len(machines)), machines, strict=True):
-            right = Right(self.match, template.declare(machine))
-            answer = self.model.each([self.match.numbers[a] for a in turn], self.match.strips, right.values)
-            self._turns.append((turn, right, answer))
-
-    def elsewhere(self, before: int) -> None:
-        """Enter what differs at the variations, behind so many findings."""
-        known = {(f.sheet, f.cell) for f in self.report.findings[:before]}
+    def elsewhere(self, template: AnyTemplate, machine: Machine, suspects: set[Address]) -> list[Finding]:
+        """Return what differs at variations of the inputs: cells in turn, the ``suspects`` at each."""
         found = Report(self.report.path, self.report.template)
-        for k, (turn, right, answer) in enumerate(self._turns, 1):
+        if any(place is None for _, place in self.match.misfits):
+            return []
+        try:
+            machines = template.variants(machine)
+        except ValidationError:  # numbers so large that no neighbour of theirs is one
+            self.report.notes.append("the values entered leave no room for other ones: compared at these alone")
+            return []
+        known = {(f.sheet, f.cell) for f in self.report.findings}
+        pairs = {a: pair for a, pair in self.pairs.items() if a in self.match.file.contents.formulas}
+        for k, (turn, varied) in enumerate(zip(turns(pairs, suspects, len(machines)), machines, strict=True), 1):
+            right = Right(self.match, template.declare(varied))
             by = f"{self.single.name}, at variation {k} of the inputs"
-            for a, value in zip(turn, answer(), strict=True):
+            values = self.model.each([self.match.numbers[a] for a in turn], self.match.strips, right.values)
+            for a, value in zip(turn, values, strict=True):
                 if differs(right, a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))
                     deviation = difference(value, right.get(a), right.peak(a))
                     found.add(self.pairs[a], "value", value, right.get(a), deviation, by)
-        self.report.findings[before:before] = found.findings
+        return found.findings
 
 
 def differs(right: Right, address: Address, value: Any) -> bool:

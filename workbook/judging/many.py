@@ -1,5 +1,6 @@
 """Verify workbooks, whatever they are: one, or files and folders by a pool of workers. Nothing is written."""
 
+import hashlib
 import os
 import stat
 import tempfile
@@ -19,7 +20,6 @@ from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.pool import HERE, Died, Pool, collector_paused, swept_between
 from workbook.reading.files import SUFFIXES
-from workbook.witnesses.beside import Beside, digest
 
 MOST_READ = 2**24  # bytes of a workbook's list of names
 
@@ -61,7 +61,7 @@ def foreign(path: Path) -> bool:
         return False
 
 
-def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None = None) -> Outcome:
+def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
     try:
@@ -69,7 +69,7 @@ def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None =
             return without(path, kind, "no machine")
         before = state(path)
         with collector_paused():
-            report = verify(path, witnesses, beside)
+            report = verify(path, witnesses)
         sha256 = digest(path)
         if before and state(path) != before:
             return without(path, "cannot be read: it changed while it was read; try again")
@@ -87,6 +87,12 @@ def verify_one(target: Target, witnesses: Sequence[str], beside: Beside | None =
         return without(path, f"{found.cell} gave no values to compare: {found.computed}")
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
+
+
+def digest(path: Path) -> str:
+    """Return the SHA-256 of a file."""
+    with path.open("rb") as data:
+        return hashlib.file_digest(data, "sha256").hexdigest()
 
 
 def state(path: Path) -> tuple[int, int] | None:
@@ -173,7 +179,7 @@ def hidden(path: Path) -> bool:
 
 def verify_many(
     targets: Sequence[Target], witnesses: Sequence[str] = ("pycel",), pool: Pool = HERE,
-    done: Callable[[Outcome], object] = lambda outcome: None, beside: Beside | None = None,
+    done: Callable[[Outcome], object] = lambda outcome: None,
 ) -> list[Outcome]:  # fmt: skip
     """Verify workbooks by a pool, one whose worker dies once more by a fresh one; call ``done`` as each is finished."""
     outcomes: dict[Target, Outcome] = {}
@@ -184,7 +190,7 @@ def verify_many(
 
     if pool is HERE:
         for target in swept_between(targets):
-            keep(target, verify_one(target, witnesses, beside))
+            keep(target, verify_one(target, witnesses))
         return [outcomes[target] for target in targets]
     for target in by_pool(targets, witnesses, pool, keep):
         with pool.alone() as fresh:

@@ -5,7 +5,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.quantity import SAYS
@@ -26,16 +26,15 @@ from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book, require_little_work
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreed import agreed
-from workbook.witnesses.beside import Beside
 from workbook.witnesses.registry import ALL, WITNESSES
 from workbook.witnesses.witness import CellWitness, Witness, without
 
 
-def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | None = None) -> Report:
+def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     """Verify one workbook by the witnesses of these names, or by ``all`` that are on this machine.
 
-    ``beside`` is a process that evaluates this book meanwhile. Raises ReadError or InputError for a book that cannot be
-    read or a witness that is unknown, WitnessError for one that is asked by name and is not on this machine.
+    Raises ReadError or InputError for a book that cannot be read or a witness that is unknown, WitnessError for one
+    that is asked by name and is not on this machine.
     """
     names, absent = present(witnesses)
     file = open_book(path)
@@ -47,7 +46,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",), beside: Beside | N
     report.notes += entries.beyond
     if entries.computed:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
-    judge(file, entries.template, machine, report, names, given=entries.computed, beside=beside, named=witnesses)
+    judge(file, entries.template, machine, report, names, given=entries.computed, named=witnesses)
     report.witnesses += [Ran(name, None) for name in absent]
     if not machine.design.replaced:
         report.notes += entries.template.truths(machine)
@@ -67,7 +66,7 @@ def present(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
 
 def judge(
     file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
-    shapes: bool = True, given: Mapping[Address, Any] = MappingProxyType({}), beside: Beside | None = None,
+    shapes: bool = True, given: Mapping[Address, Any] = MappingProxyType({}),
     named: Collection[str] = (),
 ) -> None:  # fmt: skip
     """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.
@@ -91,23 +90,15 @@ def judge(
         asked.sort(key=lambda w: w.kept)
         every = (*asked, *(make() for make in WITNESSES.values()))
         single = next(w for w in every if isinstance(w, CellWitness))
-        model = single.model(bare) if beside is None else beside.model(single, bare)
-        comparison = Comparison(match, bare, single, model, report)
-        try:
-            variants = template.variants(machine)
-        except ValidationError:  # numbers so large that no neighbour of theirs is one
-            report.notes.append("the values entered leave no room for other ones: compared at these alone")
-        else:
-            comparison.ask_elsewhere(template, variants, suspects)
+        comparison = Comparison(match, bare, single, single.model(bare), report)
         for witness in asked:
             comparison.ask(witness)
         comparison.require_answers(named)
         if any(map(is_empty_row, report.notices)):
             unlike(single.values(open_book(file.path)), match, comparison.values, report)
-        computed = len(report.findings)
+        report.findings += comparison.elsewhere(template, machine, suspects)
         report.checks = checks(match, comparison.values)
         displayed(match, type(machine), comparison.values, report)
-        comparison.elsewhere(computed)
     follow(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     count(match, report)

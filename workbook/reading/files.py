@@ -91,8 +91,8 @@ class BookFile:
         return {sheet.title: sheet._cells for sheet in self.workbook.worksheets}
 
 
-def open_book(path: Path, shown: bool = True) -> BookFile:
-    """Open a workbook, or raise ReadError in one line; ``shown`` false, without saved values that no formula needs."""
+def open_book(path: Path) -> BookFile:
+    """Open a workbook, or raise ReadError in one line."""
     require_file(path, "a workbook")
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
@@ -100,8 +100,9 @@ def open_book(path: Path, shown: bool = True) -> BookFile:
     workbook = parsed(path, inspected)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
-    saved = saved_values(inspected) if shown else {}
-    return BookFile(path, workbook, find_places(workbook), inspected.notes, saved, inspected=inspected)
+    return BookFile(
+        path, workbook, find_places(workbook), inspected.notes, saved_values(inspected), inspected=inspected
+    )
 
 
 def parsed(path: Path, inspected: Inspected) -> Workbook:

@@ -1,7 +1,7 @@
 """One pass over the XML of a workbook's part: counts, lengths, rows one cell after the other, and no entities."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import suppress
 from posixpath import dirname, join, normpath
 from typing import Any
@@ -71,13 +71,17 @@ class Scan:
         """Read the part; raise Refusal where it is not well-formed, or not what a workbook may hold."""
         refuse_declared(data, self.name)
         parser: XMLPullParser[Any] = XMLPullParser(("start", "end", "start-ns", "comment", "pi"))
-        take: dict[str, Callable[[Any], None]] = {"start": self.start, "end": self.end}
         try:
             for begin in range(0, max(len(data), 1), CHUNK):
                 parser.feed(data[begin : begin + CHUNK])
                 events: Iterator[Any] = parser.read_events()
                 for event, element in events:
-                    take.get(event, self.aside)(element)
+                    if event == "end":
+                        self.end(element)
+                    elif event == "start":
+                        self.start(element)
+                    else:
+                        self.aside(element)
             parser.close()
         except (ParseError, LookupError, ValueError) as error:  # the last two: an unknown encoding
             raise Refusal(f"damaged: {self.name} is not well-formed XML ({error}); {SAVE_AS}") from None

@@ -2,7 +2,7 @@
 
 import io
 import tempfile
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -20,7 +20,6 @@ from workbook.reading.files import BookFile, find_places
 from workbook.reading.guard import inspect
 from workbook.reading.rows import Refusal
 
-Given = Callable[[], Sequence[Any]]  # gives the values of the cells that were asked for
 CYCLE = "#CYCLE!"  # what a witness has for a cell that computes from itself, or from cells that do: no program shows it
 
 
@@ -58,8 +57,8 @@ class Model(Protocol):
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
 
-    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Given:
-        """Begin with the cells ``wanted``, each by itself with ``values`` in ``strips``; return what gives theirs."""
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Sequence[Any]:
+        """Return the value of each of the cells ``wanted``, computed by itself with ``values`` in ``strips``."""
 
 
 class CellWitness(Witness):

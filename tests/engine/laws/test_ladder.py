@@ -67,7 +67,7 @@ pieces = st.builds(
 
 @given(pieces, number)
 def test_extremes_of_a_piece_are_the_largest_of_many_samples(piece, v0):
-    found = extremes_of([piece], v0)
+    found = extremes_of((piece,), v0)
     u = np.linspace(0, piece.duration, 4001)
     _, dv, a, j = gains(u, np.array(piece.row)[:, None])
     for (low, high), values in zip(found, (v0 + dv, a, j), strict=True):
@@ -85,7 +85,7 @@ def test_pieces_of_degree_five_and_of_two_sines_carry_their_integrals(c5):
     piece = Piece(1.0, (0.0, 3.0, 0.0, 0.0, -2.0, c5), 2.0, 7.0, 0.3, -0.5, 31.0, -1.0)
     s, v, end, _ = (float(x[0]) for x in gains(np.array([1.0]), np.array(piece.row)[:, None]))
     assert (v, s) == pytest.approx((weights @ a / 2, weights @ (a * (1 - u)) / 2), rel=1e-12)
-    square = coefficients_of([piece]).ca_rms ** 2
+    square = coefficients_of((piece,)).ca_rms ** 2
     assert square == pytest.approx(weights @ (a * a) / 2, rel=1e-12)
     assert end == pytest.approx(1 + c5 + 2 * math.sin(7.3) - 0.5 * math.sin(30), rel=1e-12)
 

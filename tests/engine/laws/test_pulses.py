@@ -60,7 +60,7 @@ def test_gain_and_lead_are_the_integrals(pulse):
 
 @given(pulses)
 def test_a_pulse_is_of_height_1_and_nowhere_negative(pulse):
-    lasting = [piece for piece in pulse.pieces if piece.duration]
+    lasting = tuple(piece for piece in pulse.pieces if piece.duration)
     found = coefficients_of(lasting)
     assert found.ca_max == pytest.approx(1.0, abs=1e-13)
     assert found.ca_min >= -1e-13

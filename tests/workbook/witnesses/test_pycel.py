@@ -64,7 +64,7 @@ def by_themselves(model: PycelModel, wanted: Iterable[Address], held: Mapping[Ad
     cells = list(dict.fromkeys([*held, *wanted]))
     strips = [Strip(a.sheet, a.column, [a.row]) for a in cells]
     numbers = [cells.index(a) for a in wanted]
-    values = model.each(numbers, strips, [held.get(a, model.constants.get(a)) for a in cells])()
+    values = model.each(numbers, strips, [held.get(a, model.constants.get(a)) for a in cells])
     return dict(zip(wanted, values, strict=True))
 
 

@@ -2,7 +2,6 @@
 
 import sys
 from collections.abc import Collection, Mapping, Sequence
-from functools import partial
 from importlib.metadata import version
 from typing import Any
 
@@ -17,7 +16,7 @@ from workbook.reading.contents import Cells, Contents, entered
 from workbook.reading.files import BookFile
 from workbook.witnesses.pycel.compiled import FormulaStep, Numbering, RangeStep, compiled, ordered
 from workbook.witnesses.pycel.limits import Crossed
-from workbook.witnesses.witness import CYCLE, CellWitness, Given, Model
+from workbook.witnesses.witness import CYCLE, CellWitness, Model
 
 PLAIN = frozenset((float, int, str, bool, type(None)))
 UNKNOWN = object()  # the value of a range that is not filled
@@ -86,12 +85,9 @@ class PycelModel:
                 values[number] = self._result(number, values)
         return self._failed | {address: values[number] for number, address in self._cells.items()}
 
-    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Given:
-        """Return what gives the values of formula cells, each by itself: with the right ones around it."""
-        return partial(self._each, wanted, strips, values)
-
     @np.errstate(all="ignore")
-    def _each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
+    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
+        """Return the values of formula cells, each by itself: with the right ones around it."""
         cells = self._within(strips)
         known = list(self._numbers.values)  # without formulas: each is what its cell holds
         for number, address in self._cells.items():
@@ -159,7 +155,8 @@ class PycelModel:
         if address:
             return self._numbers.other(("address", argument.a1), AddressRange.create(argument.a1))
         if argument.single:
-            return self._numbers.cell(argument.first)
+            known = self._numbers.column(argument.sheet, argument.left)
+            return known.get(argument.top) or self._numbers.cell(argument.first)
         number = self._numbers.other(argument)
         if number not in self._areas:
             self._range_cells += bounded(argument, argument.a1).size
