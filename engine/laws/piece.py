@@ -133,10 +133,13 @@ def begins(pieces: Sequence[Piece]) -> list[float]:
 
 def carried(pieces: Sequence[Piece], v: float = 0.0) -> list[Carried]:
     """Return pieces one after the other, from s = 0 with a velocity, with s and v at their begins."""
+    if not pieces:
+        return []
+    durations, rows = np.array([piece.duration for piece in pieces]), np.array([piece.row for piece in pieces]).T
+    gained, rates, _, _ = gains(durations, rows)
     found, s = [], 0.0
-    for piece, begin in zip(pieces, begins(pieces), strict=False):  # of no pieces, none
-        gained, dv, _, _ = (one.item() for one in gains(np.array([piece.duration]), np.array(piece.row)[:, None]))
-        found.append(Carried(piece, begin, s, v, v * piece.duration + gained, dv))
+    for piece, begin, ds, dv in zip(pieces, begins(pieces), gained.tolist(), rates.tolist(), strict=True):
+        found.append(Carried(piece, begin, s, v, v * piece.duration + ds, dv))
         s, v = s + found[-1].ds, v + dv
     return found
 
