@@ -11,7 +11,7 @@ from engine.cams.certificate import parted
 from engine.cams.interpolation import spline
 from engine.laws import Law
 from engine.laws.base import Array
-from engine.laws.ends import EndedLaw
+from engine.laws.ends import BoundaryLaw
 from engine.laws.spline import MOST, NARROWEST, Spline
 from engine.motion.pieces import CamProfile
 
@@ -117,7 +117,7 @@ class Found:
     @property
     def scale(self) -> float:
         """What the law's s is multiplied by: 1 where the law has the lift in itself."""
-        return 1.0 if isinstance(self.law, EndedLaw) and not self.law.ends.at_rest else self.lift
+        return 1.0 if isinstance(self.law, BoundaryLaw) and not self.law.ends.at_rest else self.lift
 
     @property
     def rests(self) -> bool:
@@ -130,7 +130,7 @@ class Found:
         span = self.end - self.begin
         if isinstance(self.law, Spline):
             return (self.law.slopes[side] or 0.0) * self.lift / span, 0.0
-        if not isinstance(self.law, EndedLaw):
+        if not isinstance(self.law, BoundaryLaw):
             return 0.0, 0.0
         return self.law.ends.both("v")[side] / span, self.law.ends.both("a")[side] / span**2
 
@@ -138,7 +138,7 @@ class Found:
         """Return by how much points are off it, or the line that it meets beyond an end that is prescribed."""
         xi = (of.x - self.begin) / (self.end - self.begin)
         inside = np.clip(xi, 0.0, 1.0)
-        ends = (self.law.start.v, self.law.end.v) if isinstance(self.law, EndedLaw) else (0.0, 0.0)
+        ends = (self.law.start.v, self.law.end.v) if isinstance(self.law, BoundaryLaw) else (0.0, 0.0)
         return np.asarray(self.y + self.scale * (self.law.s(inside) + np.where(xi < 0.0, *ends) * (xi - inside)) - of.y)
 
 

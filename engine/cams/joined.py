@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from engine.cams.given import LONGER, QUINTIC, SEAM, Found, Points, fastest, may_be, part, precision, rate_at, splined
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array
-from engine.laws.ends import EndedLaw, EndError, Ends, between
+from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
 from engine.motion.pieces import CamProfile
 
 SHORTEST = 3  # ways from point to point of a straight line, where y' is not known
@@ -42,7 +42,7 @@ def joined(of: Points, rebuilt: CamProfile, near: float) -> tuple[list[Found], b
     known = True
     runs = _straight_runs(of, near)
     edges = [0, *(k for run in runs for k in run), len(of.x) - 1]
-    laws = [one() for one in CATALOGUE if issubclass(one, EndedLaw)]
+    laws = [one() for one in CATALOGUE if issubclass(one, BoundaryLaw)]
     quintic = next(one for one in laws if one.code == QUINTIC)
     for k, (begin, end) in enumerate(pairwise(edges)):
         if begin == end:
@@ -131,7 +131,7 @@ def _rates(of: Points, rebuilt: CamProfile, k: int) -> Side:
     return Side(x, y, float(at.y1[0] if of.v is None else of.v[k]), float(at.y2[0] if of.a is None else of.a[k]))
 
 
-def _made(one: EndedLaw, places: Sequence[float], sides: tuple[Side, Side]) -> Found | None:
+def _made(one: BoundaryLaw, places: Sequence[float], sides: tuple[Side, Side]) -> Found | None:
     """Return a law between two places, with the velocities of its sides; None where it cannot have these."""
     begin, end = places
     first, last = (s.y if s.fixed else s.y + s.v * (x - s.x) for s, x in zip(sides, places, strict=True))
@@ -140,13 +140,13 @@ def _made(one: EndedLaw, places: Sequence[float], sides: tuple[Side, Side]) -> F
         return None
     a0, a1 = (side.a * d**2 if "a" in one.takes and side.fixed else 0.0 for side in sides)
     try:
-        found, _ = between(one, Ends(last - first, sides[0].v * d, sides[1].v * d, a0, a1))
+        found, _ = law_with_ends(one, BoundaryValues(last - first, sides[0].v * d, sides[1].v * d, a0, a1))
     except EndError:
         return None
     return Found(found, begin, end, first, last - first, 0.0)
 
 
-def _fitted(one: EndedLaw, of: Points, sides: tuple[Side, Side], near: float) -> Found | None:
+def _fitted(one: BoundaryLaw, of: Points, sides: tuple[Side, Side], near: float) -> Found | None:
     """Return a law with its begin and its end where the points want them, by least squares; None if it misses."""
     step = np.diff(of.x)[[0, -1]]
     free = np.array([not side.fixed for side in sides])
@@ -201,7 +201,9 @@ def rates_agree(one: Found, of: Points, typical: Callable[[Array], float] = np.m
     return True
 
 
-def _quintics(quintic: EndedLaw, of: Points, rebuilt: CamProfile, sides: tuple[Side, Side], most: float) -> list[Found]:
+def _quintics(
+    quintic: BoundaryLaw, of: Points, rebuilt: CamProfile, sides: tuple[Side, Side], most: float
+) -> list[Found]:
     """Return polynomials of degree 5 from point to point, at most :data:`MOST`."""
     found: list[Found] = []
     k, last = 0, len(of.x) - 1

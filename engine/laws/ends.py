@@ -16,7 +16,7 @@ class EndError(ValueError):
 
 
 @dataclass(frozen=True)
-class Ends:
+class BoundaryValues:
     """Stroke; velocity, acceleration, jerk at begin and end, per unit of ξ: y' δ, y'' δ², y''' δ³. All are finite."""
 
     stroke: float = 1.0
@@ -51,18 +51,18 @@ class Ends:
         return getattr(self, f"{quantity}0"), getattr(self, f"{quantity}1")
 
 
-REST = Ends()
+REST = BoundaryValues()
 
 
-class EndedLaw(Law):
+class BoundaryLaw(Law):
     """A law whose ends may be prescribed, a field of each: by default of unit stroke between rests, else s(1) is it."""
 
     TAKES: ClassVar[str] = "v"
 
-    ends: Ends
+    ends: BoundaryValues
 
     @property
-    def entry(self) -> float:
+    def entry_velocity(self) -> float:
         """The velocity that it begins with."""
         return self.ends.v0
 
@@ -76,28 +76,28 @@ class EndedLaw(Law):
         """Whether it keeps the velocities that it has at its ends, whatever is beside it."""
         return False
 
-    def between(self, ends: Ends) -> "EndedLaw":
+    def between(self, ends: BoundaryValues) -> "BoundaryLaw":
         """Return the law between these ends, with their stroke; raise EndError, with the reason, if it has none."""
         require_ends(self, ends, self.takes)
         return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
 
-    def opened(self, begin: bool, end: bool) -> "EndedLaw":
+    def with_open_ends(self, begin: bool, end: bool) -> "BoundaryLaw":
         """Return the law where nothing precedes it (``begin``) or follows it (``end``): most laws rest there."""
         del begin, end
         return self
 
 
-def between(law: Law, ends: Ends) -> tuple[Law, float]:
+def law_with_ends(law: Law, ends: BoundaryValues) -> tuple[Law, float]:
     """Return any law between two ends, and what its s, v, a, j are to be multiplied by; raise EndError if it cannot."""
     if ends.at_rest:
         return law, ends.stroke
-    if isinstance(law, EndedLaw):
+    if isinstance(law, BoundaryLaw):
         return law.between(ends), 1.0
     require_ends(law, ends, "")
     raise AssertionError("ends that are not at rest ask for something")
 
 
-def require_ends(law: Law, ends: Ends, takes: str) -> None:
+def require_ends(law: Law, ends: BoundaryValues, takes: str) -> None:
     """Raise EndError for the first end that is asked of a law but not among what it takes (of v, a, j)."""
     for quantity, name in NAMES.items():
         for verb, value in zip(("begin", "end"), ends.both(quantity), strict=True):
@@ -122,7 +122,7 @@ def kinds(law: Law) -> tuple[str, str]:
     """Return the kinds of end, of R, G, U and B, that a law can have at its begin and at its end."""
     scale = law.coefficients
     begin, end = (kind(at.v / (scale.cv or 1.0), at.a / (scale.ca or 1.0)) for at in (law.start, law.end))
-    if not isinstance(law, EndedLaw):
+    if not isinstance(law, BoundaryLaw):
         return begin, end
     if "a" in law.takes:
         return "RGUB", "RGUB"

@@ -10,7 +10,7 @@ import numpy as np
 
 from engine.laws.base import ROUNDING, Array, Coefficients, Kinematics, Real, require_within, stage_of, unwrap
 from engine.laws.ladder import coefficients_of
-from engine.laws.piece import POWERS, Carried, Piece, carried
+from engine.laws.piece import POWERS, Piece, PlacedPiece, placed_pieces
 
 BLOCK = 8192  # samples evaluated at a time, so that what lies between stays in the cache
 
@@ -50,12 +50,12 @@ class Law(ABC):
         return self.as_pieces()
 
     @property
-    def entry(self) -> float:
+    def entry_velocity(self) -> float:
         """The velocity that it begins with."""
         return 0.0
 
     @property
-    def asked(self) -> tuple[float, float]:
+    def adjacent_accelerations(self) -> tuple[float, float]:
         """The accelerations beside it: where it has others at its ends, a jumps."""
         return 0.0, 0.0
 
@@ -101,9 +101,9 @@ class Law(ABC):
         return s0 + sign * s, v, sign * a, j
 
     @property
-    def _told(self) -> tuple[list[Carried], list[Carried], float]:
+    def _placed(self) -> tuple[list[PlacedPiece], list[PlacedPiece], float]:
         """The pieces told from the begin, those told backwards from the end, which it then meets exactly, and s(1)."""
-        return carried(self.as_pieces(), self.entry), [], 1.0
+        return placed_pieces(self.as_pieces(), self.entry_velocity), [], 1.0
 
     @cached_property
     def _table(self) -> tuple[Array, Array, int]:
@@ -111,7 +111,7 @@ class Law(ABC):
 
         A piece from the end at the time t is s(1) − s'(t), of what s' is of the law told backwards.
         """
-        early, back, end = self._told
+        early, back, end = self._placed
         pieces = [*early, *(late := back[::-1])]
         c = np.array([one.piece.row[:POWERS] for one in pieces]).T
         powers = int(np.flatnonzero(c.any(axis=1)).max(initial=-1)) + 1
@@ -141,7 +141,7 @@ class Law(ABC):
     @cached_property
     def coefficients(self) -> Coefficients:
         """The exact coefficients C_v, C_a, C_a,rms, C_j, max(v·a)."""
-        return coefficients_of(self.as_pieces(), self.entry, *self.asked)
+        return coefficients_of(self.as_pieces(), self.entry_velocity, *self.adjacent_accelerations)
 
     @cached_property
     def start(self) -> Kinematics[float]:

@@ -9,7 +9,7 @@ import numpy as np
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_within, unwrap
 from engine.laws.family import Law
 from engine.laws.ladder import acceleration, zeros
-from engine.laws.piece import Piece, begins, carried, gains
+from engine.laws.piece import Piece, begins, gains, placed_pieces
 
 KNOTS = 65  # a stage, between which a height is first located
 STEPS = 120
@@ -109,7 +109,7 @@ HEIGHT = 1e-6  # of the rise: how near to a height the law is at the time found
 REST = 1e-5  # a velocity below this, in units of the mean velocity, is too slow for a correction
 
 
-class Points(NamedTuple):
+class InversionPoints(NamedTuple):
     """Points of a law: arrays of the length INTERVALS + 1; spare ones are its end."""
 
     n: int  # intervals on each piece
@@ -121,7 +121,7 @@ class Points(NamedTuple):
 
 
 @lru_cache(maxsize=256)
-def points_of(law: Law) -> Points:
+def inversion_points(law: Law) -> InversionPoints:
     """Return the points of a law, as many on each of its pieces: of n, the i-th at the share (1 − cos(πi/n))/2."""
     pieces = law_pieces(law)
     n, k = INTERVALS // len(pieces), np.arange(INTERVALS + 1)
@@ -130,16 +130,16 @@ def points_of(law: Law) -> Points:
     begins, durations = (np.array(each) for each in zip(*((p.begin, p.piece.duration) for p in pieces), strict=True))
     xi = np.minimum(begins[piece - 1] + share * durations[piece - 1], 1.0)
     found = law.evaluate(xi)
-    return Points(n, piece.astype(float), share, xi, found.s, found.v)
+    return InversionPoints(n, piece.astype(float), share, xi, found.s, found.v)
 
 
-class Between(NamedTuple):
+class PointInversion(NamedTuple):
     """Between which points heights lie, and the share of time of each: arrays."""
 
     heights: Array
     point: Array  # the last point that is not above, from 1
-    low: Points  # that point
-    high: Points  # and the next
+    low: InversionPoints  # that point
+    high: InversionPoints  # and the next
     over: Array  # of the height over that of the lower point
     acceleration: Array  # as if it were constant from one to the other
     near: Array  # the share of time by it
@@ -154,9 +154,9 @@ class Between(NamedTuple):
         return np.where(inner, self.near + self.correction, self.heights)
 
 
-def between(law: Law, heights: Array) -> Between:
+def point_inversion(law: Law, heights: Array) -> PointInversion:
     """Return where a law reaches heights: u = 2Δs/(v + √(v² + 2aΔs)) between points, then what is missing over v."""
-    points = points_of(law)
+    points = inversion_points(law)
     k = np.searchsorted(points.s, np.minimum(heights + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE), side="right") - 1
     low, high = (points._replace(xi=points.xi[i], s=points.s[i], v=points.v[i]) for i in (k, k + 1))
     d, over = high.xi - low.xi, heights - low.s
@@ -168,21 +168,21 @@ def between(law: Law, heights: Array) -> Between:
     found = law.evaluate(near)
     moving = np.minimum(low.v, high.v) > REST
     correction = np.divide(heights - found.s, found.v, out=np.zeros_like(over), where=moving)
-    return Between(heights, (k + 1).astype(float), low, high, over, a, near, found.s, found.v, correction)
+    return PointInversion(heights, (k + 1).astype(float), low, high, over, a, near, found.s, found.v, correction)
 
 
 def inverse_by_points(law: Law, heights: Array) -> Array:
     """Return the shares of time at which a law has reached heights, by its points: :data:`HEIGHT` off in height."""
-    return between(law, heights).xi
+    return point_inversion(law, heights).xi
 
 
 JUMP = 1e-9  # of the law's C_v, of a and j of its C_a: a smaller jump is rounding
 SMOOTH = 3  # derivatives of s that are looked at: v, a and j
-WORDS = ("position", "velocity", "acceleration", "jerk")  # the highest derivative of s that is continuous, in words
+DERIVATIVES = ("position", "velocity", "acceleration", "jerk")  # names of s and its derivatives
 Rates = tuple[float, ...]  # v, a, j
 
 
-class Meeting(NamedTuple):
+class LawJoint(NamedTuple):
     """The begin of a piece of a law, or of the rest behind it."""
 
     duration: float  # d, of the piece
@@ -195,12 +195,12 @@ class Meeting(NamedTuple):
     outer: bool  # at an end of the law
 
 
-def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:
+def law_joints(law: Law, pieces: Sequence[Piece]) -> tuple[LawJoint, ...]:
     """Return where each of a law's pieces begins, and the rest behind the last one, which lasts 1."""
-    found: list[Meeting] = []
+    found: list[LawJoint] = []
     scales = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca
     before, ended = 0, (0.0, 0.0, 0.0)
-    for k, (piece, _, _, v, _, dv) in enumerate(carried((*pieces, Piece(1.0)), law.start.v), 1):
+    for k, (piece, _, _, v, _, dv) in enumerate(placed_pieces((*pieces, Piece(1.0)), law.start.v), 1):
         behind, lasts = k > len(pieces), piece.duration > 0.0
         _, _, a, j = (x.tolist() for x in gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None]))
         begin, end = ((0.0,) * 3, (0.0,) * 3) if behind else ((v, a[0], j[0]), (v + dv, a[1], j[1]))
@@ -209,7 +209,7 @@ def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:
         order = next((n for n, jumped in enumerate(jumps) if jumped), SMOOTH)
         angles = piece.omega * piece.duration + piece.phase, piece.omega2 * piece.duration + piece.phase2
         outer = lasts and (behind or before == 0)
-        found.append(Meeting(piece.duration, angles, begin, end, before, jump, order, outer))
+        found.append(LawJoint(piece.duration, angles, begin, end, before, jump, order, outer))
         if lasts:
             before, ended = k, end
     return tuple(found)
@@ -217,11 +217,11 @@ def meetings(law: Law, pieces: Sequence[Piece]) -> tuple[Meeting, ...]:
 
 def continuity(law: Law) -> tuple[int, int]:
     """Return the highest derivative of s that is continuous, up to 3: at the ends against rest, and between them."""
-    found = meetings(law, law.as_pieces())
+    found = law_joints(law, law.as_pieces())
     ends, inside = (min([SMOOTH, *(one.order for one in found if one.outer == outer)]) for outer in (True, False))
     return ends, inside
 
 
-def code(number: int, one: Meeting) -> int:
+def joint_code(number: int, one: LawJoint) -> int:
     """Return what tells law, end and order of a meeting in one number: 8 · number + 4 at an end + order."""
     return 8 * number + 4 * one.outer + one.order

@@ -12,7 +12,7 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
-from engine.laws.piece import Piece, Sine, carried, cut, gains
+from engine.laws.piece import Piece, Sine, cut, gains, placed_pieces
 
 STEPS = 100  # of Newton's method, or of halving where that leaves the bracket: to the last digit
 CELLS = 64  # a half turn, in which two sines together are searched: they have no ladder
@@ -179,12 +179,12 @@ def turning_points(piece: Piece, v0: float) -> list[float]:
     return zeros(Curve((still, *(c / (i + 1) for i, c in enumerate(a.c))), turned), piece.duration)
 
 
-def along(
+def values_by_piece(
     pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
 ) -> list[tuple[Array, Array, Array, Array]]:
     """Return s, v, a, j of each piece that lasts: at its begin, inside, at its end; ``v0`` is the first velocity."""
     found = []
-    for one in carried(pieces, v0):
+    for one in placed_pieces(pieces, v0):
         if one.piece.duration > 0.0:
             u = np.array([0.0, *inside(one.piece, one.v), one.piece.duration])
             s, v, a, j = gains(u, np.array(one.piece.row)[:, None])
@@ -198,7 +198,7 @@ def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0,
 
     C_j is infinite where a jumps between pieces that last, or from ``a0`` at the begin or to ``a1`` at the end.
     """
-    found = along(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
+    found = values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
     _, v, a, j = np.concatenate(found, axis=1)
     before = np.array([a0, *(one[2][-1] for one in found)])
     after = np.array([*(one[2][0] for one in found), a1])
@@ -231,12 +231,12 @@ class Extremes(NamedTuple):
 @lru_cache(maxsize=1_000)
 def reach_of(pieces: tuple[Piece, ...], v0: float) -> tuple[float, float]:
     """Return the lowest and the highest position of pieces one after the other, from 0 with the velocity ``v0``."""
-    s = np.concatenate([one[0] for one in along(pieces, v0, turning_points)])
+    s = np.concatenate([one[0] for one in values_by_piece(pieces, v0, turning_points)])
     return float(s.min()), float(s.max())
 
 
 @lru_cache(maxsize=1_000)
 def extremes_of(pieces: tuple[Piece, ...], v0: float) -> Extremes:
     """Return the extremes of pieces one after the other, entered with the velocity ``v0``: exact, of any shape."""
-    _, *rates = np.concatenate(along(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
+    _, *rates = np.concatenate(values_by_piece(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
     return Extremes(*((float(x.min()), float(x.max())) for x in rates))

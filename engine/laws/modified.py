@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from engine.laws.base import require_finite
-from engine.laws.ends import REST, EndError, Ends
+from engine.laws.ends import REST, BoundaryValues, EndError
 from engine.laws.family import Vendors
 from engine.laws.pulse_law import (
     FALLING_SINE,
@@ -37,7 +37,7 @@ class ModifiedTrapezoidal(PulseLaw):
     vendors = Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)")
 
     durations: tuple[float, ...] = CLASSIC
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "durations", seven_durations(self.durations))
@@ -69,7 +69,7 @@ class TrapezoidByShare(PulseLaw):
     share: float = 0.5
     reversal: Literal["none", "start", "end"] = "none"
     edge: float = 0.5
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         require_share("share", self.share)
@@ -107,7 +107,7 @@ class ModifiedSine(PulseLaw):
     share: float = 0.5  # λ, between 0 and 1, else ValueError
     rise_edge: float = 0.25  # β₁, of its half, 0 to 1: ¼ modified sine, ½ cycloidal, 0 simple harmonic
     fall_edge: float = 0.25  # β₂, likewise
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         require_share("share", self.share)
@@ -120,7 +120,7 @@ class ModifiedSine(PulseLaw):
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
     @classmethod
-    def with_deceleration(cls, deceleration: float, ends: Ends) -> "ModifiedSine":
+    def with_deceleration(cls, deceleration: float, ends: BoundaryValues) -> "ModifiedSine":
         """Return the classic law whose second pulse has the height B, by its share λ: the option Ca* of a cam editor.
 
         μ = [N(H − v0) − π(v1 − v0)/2]/[B + Nκ'(v1 − v0)], κ' = (3π − 4)/4π, N = 2π²/(4 + π). Raises EndError where no
@@ -153,7 +153,7 @@ class SineConstantCosine(PulseLaw):
     cosine: float = 1 / 3  # d, likewise
     straight: float = 0.0  # e, likewise, below 1
     share: float = 0.5  # λ, the first pulse's share of what is not straight, between 0 and 1
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         parts = {"sine": self.sine, "constant": self.constant, "cosine": self.cosine, "straight": self.straight}
@@ -194,7 +194,7 @@ class HarmonicCombination(PulseLaw):
 
     share: float = 0.5  # λ, between 0 and 1, else ValueError
     reversal: Literal["start", "end"] = "end"  # which end turns round; the other is a rest or a velocity
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         require_share("share", self.share)
@@ -222,7 +222,7 @@ class SineStraightSine(PulseLaw):
 
     curved: float = 0.5  # c, more than 0 and at most 1 (the simple harmonic law), else ValueError
     share: float = 0.5  # λ, between 0 and 1, else ValueError
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         require_finite(curved=self.curved)

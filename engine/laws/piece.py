@@ -62,7 +62,7 @@ def gains(u: Array, row: Array) -> tuple[Array, Array, Array, Array]:
     return gains_of(u, row[:POWERS], [row[k : k + 4] for k in SINES if row[k].any()])
 
 
-def bends(u: Array, row: Array) -> Array:
+def snap(u: Array, row: Array) -> Array:
     """Return d²a/du² of pieces at u; ``row`` is :attr:`Piece.row`, in columns."""
     b = np.zeros_like(u)
     for i in range(POWERS - 1, 1, -1):
@@ -97,7 +97,7 @@ def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Arr
     return s, v, a, j
 
 
-class Carried(NamedTuple):
+class PlacedPiece(NamedTuple):
     """A piece at its place in a law: its begin ξ_k, s_k and v_k there, and what s and v gain over it.
 
     The position on a piece is S0 + u (S1 + polynomial) − P/ω² sin(ωu + φ), its velocity S1 + polynomial −
@@ -131,7 +131,7 @@ def begins(pieces: Sequence[Piece]) -> list[float]:
     return [min(xi, 1.0) for xi in itertools.accumulate((piece.duration for piece in pieces[:-1]), initial=0.0)]
 
 
-def carried(pieces: Sequence[Piece], v: float = 0.0) -> list[Carried]:
+def placed_pieces(pieces: Sequence[Piece], v: float = 0.0) -> list[PlacedPiece]:
     """Return pieces one after the other, from s = 0 with a velocity, with s and v at their begins."""
     if not pieces:
         return []
@@ -139,7 +139,7 @@ def carried(pieces: Sequence[Piece], v: float = 0.0) -> list[Carried]:
     gained, rates, _, _ = gains(durations, rows)
     found, s = [], 0.0
     for piece, begin, ds, dv in zip(pieces, begins(pieces), gained.tolist(), rates.tolist(), strict=True):
-        found.append(Carried(piece, begin, s, v, v * piece.duration + ds, dv))
+        found.append(PlacedPiece(piece, begin, s, v, v * piece.duration + ds, dv))
         s, v = s + found[-1].ds, v + dv
     return found
 

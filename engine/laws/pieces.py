@@ -10,7 +10,7 @@ import numpy as np
 
 from engine.laws.base import Array, stage_of
 from engine.laws.family import Law
-from engine.laws.piece import POWERS, SINES, Piece, carried, gains_of
+from engine.laws.piece import POWERS, SINES, Piece, gains_of, placed_pieces
 
 SUM_TOLERANCE = 1e-9
 POLYNOMIAL_345 = (Piece(1.0, (0.0, 60.0, -180.0, 120.0)),)
@@ -40,8 +40,8 @@ class PieceLaw(Law):
     @cached_property
     def _rows(self) -> tuple[Array, int]:
         """Columns of begin, s, v, the powers in use, and P, ω, sin φ, cos φ of the sines in use; how many powers."""
-        rows = np.array([one.piece.row for one in carried(self.pieces)]).T
-        where = np.array([(one.begin, one.s, one.v) for one in carried(self.pieces)]).T
+        rows = np.array([one.piece.row for one in placed_pieces(self.pieces)]).T
+        where = np.array([(one.begin, one.s, one.v) for one in placed_pieces(self.pieces)]).T
         powers = int(np.flatnonzero(rows[:POWERS].any(axis=1)).max(initial=-1)) + 1
         return np.vstack([where, rows[:powers], *(rows[k : k + 4] for k in SINES if rows[k].any())]), powers
 
@@ -71,7 +71,7 @@ class Misses(NamedTuple):
 
 def misses(pieces: Sequence[Piece]) -> Misses:
     """Return by how much pieces, one after the other from rest, miss the rise 1 and rest at its end."""
-    last = carried(pieces)[-1]
+    last = placed_pieces(pieces)[-1]
     return Misses(last.s + last.ds - 1.0, last.v + last.dv)
 
 
@@ -96,7 +96,7 @@ def groups(pieces: Sequence[Piece]) -> Groups:
     """Return the pieces in two groups, those that lose velocity apart."""
     whole, sizes = math.fsum(piece.duration for piece in pieces), [_size(piece) for piece in pieces]
     found = [(one.ds - one.v * one.piece.duration + one.dv * (whole - one.begin - one.piece.duration), one.dv)
-             for one in carried(pieces)]  # fmt: skip
+             for one in placed_pieces(pieces)]  # fmt: skip
     largest = max(sizes, default=0.0)
     least, least_under = NONE * largest, ALIKE * largest**2
     slows = [v < -least for _, v in found]
@@ -115,7 +115,7 @@ def groups(pieces: Sequence[Piece]) -> Groups:
     return Groups(found, sizes, slows, s1, v1, s2, v2, least, under, least_under, factors, mends)
 
 
-def mended(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
+def normalized(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     """Return the pieces with c0 … c5 and P scaled so that the law ends at s = 1 and at rest.
 
     All pieces that gain velocity have one factor α, all that lose it another, β: with S and V what either group

@@ -17,11 +17,11 @@ from engine.laws.base import Array, Coefficients
 from engine.laws.family import Law
 from engine.laws.inverse import velocity_peak
 from engine.laws.ladder import extremes_of, reach_of
-from engine.laws.piece import Piece, begins, bends, carried, gains
+from engine.laws.piece import Piece, begins, gains, placed_pieces, snap
 from engine.laws.pieces import PieceLaw
 
 
-class Ends(NamedTuple):
+class PieceEnds(NamedTuple):
     """The acceleration at both ends of a piece; what the pieces so far have reached; the jump from there."""
 
     begin: float
@@ -30,13 +30,13 @@ class Ends(NamedTuple):
     jump: float
 
 
-def ends(pieces: Sequence[Piece]) -> list[Ends]:
+def piece_ends(pieces: Sequence[Piece]) -> list[PieceEnds]:
     """Return accelerations at the ends of pieces that follow rest; one of no duration neither jumps nor counts."""
     found, reached = [], 0.0
     for piece in pieces:
         begin, end = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])[2].tolist()
         jump, reached = (abs(begin - reached), end) if piece.duration > 0.0 else (0.0, reached)
-        found.append(Ends(begin, end, reached, jump))
+        found.append(PieceEnds(begin, end, reached, jump))
     return found
 
 
@@ -63,10 +63,10 @@ class Points:
         self.xi = np.array(begins(pieces))[self.piece] + self.u
         self.angles = [omega * self.u + phi, omega2 * self.u + phi2]  # ωu + φ of either sine (rad)
         row = np.array([one.row for one in pieces]).T[:, self.piece]
-        s0, v0 = np.array([(place.s, place.v) for place in carried(pieces)]).T[:, self.piece]
+        s0, v0 = np.array([(place.s, place.v) for place in placed_pieces(pieces)]).T[:, self.piece]
         s, gained, a, j = gains(self.u, row)
         v = v0 + gained
-        b = bends(self.u, row)  # the slope of j; g is that of v·a
+        b = snap(self.u, row)  # the slope of j; g is that of v·a
         self.rates = {"s": s0 + v0 * self.u + s, "v": v, "a": a, "j": j, "b": b, "va": v * a, "g": a * a + v * j}
 
     def crosses(self, what: str) -> NDArray[np.bool_]:
@@ -74,7 +74,7 @@ class Points:
         slope = self.rates[SLOPES[what]]
         return np.asarray((self.share > 0.0) & (np.roll(slope, 1) * slope < 0.0) & (self.part > 0.0))
 
-    def crests(self, what: str) -> Array:
+    def local_extremes(self, what: str) -> Array:
         """Return the extreme just before each point, or the value there; 0 on a piece that does not last.
 
         Between two points with the values f and the slopes g that extreme is
@@ -89,28 +89,28 @@ class Points:
 
     def extremes(self, what: str) -> tuple[float, float]:
         """Return the lowest and the largest, that of the rest beside the law among them: 0."""
-        found = self.crests(what)
+        found = self.local_extremes(what)
         return min(0.0, float(found.min())), max(0.0, float(found.max()))
 
     @cached_property
-    def fast(self) -> Array:
+    def fastest_xi(self) -> Array:
         """ξ of each point, or of the extreme just before it, where v is largest; 1 where it is not."""
         a = self.rates["a"]
         crosses = self.crosses("v")
         over = np.where(crosses, a - np.roll(a, 1), 1.0)
         place = self.xi - np.where(crosses, (self.u - np.roll(self.u, 1)) * a / over, 0.0)
-        reached = self.crests("v") >= self.extremes("v")[1] - SAME
+        reached = self.local_extremes("v") >= self.extremes("v")[1] - SAME
         return np.where(reached & (self.part > 0.0), place, 1.0)
 
     @property
     def peak(self) -> float:
         """The first ξ at which v is largest."""
-        return float(self.fast.min())
+        return float(self.fastest_xi.min())
 
     @property
     def wrong_way(self) -> Array:
         """By how much v falls before its largest, or rises behind it, from each point to the next."""
-        v, crest = self.rates["v"], self.crests("v")
+        v, crest = self.rates["v"], self.local_extremes("v")
         before = np.roll(v, 1)
         falls, rises = np.maximum(before, crest) - v, v - np.maximum(before, crest)
         found = np.maximum(0.0, np.where(self.xi <= self.peak + SAME, falls, rises))
@@ -120,7 +120,7 @@ class Points:
     def coefficients(self) -> Coefficients:
         """The law's coefficients as the points have them."""
         v, a, j, va = (self.extremes(what) for what in ("v", "a", "j", "va"))
-        at = ends(self.pieces)
+        at = piece_ends(self.pieces)
         jump = max(max(one.jump for one in at), abs(at[-1].reached))
         return Coefficients(
             cv=max(v[1], -v[0]), ca_max=a[1], ca_min=a[0],

@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from engine.laws.ends import REST, EndedLaw, EndError, Ends, require_ends
+from engine.laws.ends import REST, BoundaryLaw, BoundaryValues, EndError, require_ends
 from engine.laws.family import Vendors
 from engine.laws.piece import Piece
 from engine.laws.pulse_law import HALF_345, HALF_4567, LINE_DOWN
@@ -15,12 +15,12 @@ Table = tuple[tuple[int, ...], ...]
 
 
 @dataclass(frozen=True)
-class EndedPolynomial(EndedLaw):
+class BoundaryPolynomial(BoundaryLaw):
     """The least polynomial that meets the ends: ``TABLE`` times stroke, v0, v1, a0, a1, j0, j1 is c0, c1 … of a(ξ)."""
 
     TABLE: ClassVar[Table]
 
-    ends: Ends
+    ends: BoundaryValues
 
     @property
     def polynomial(self) -> tuple[float, ...]:
@@ -29,7 +29,7 @@ class EndedPolynomial(EndedLaw):
         return tuple((table @ self.ends.values[: table.shape[1]]).tolist())
 
     @property
-    def asked(self) -> tuple[float, float]:
+    def adjacent_accelerations(self) -> tuple[float, float]:
         """Those that it begins and ends with: also where they follow from stroke and velocities."""
         return self.start.a, self.end.a
 
@@ -38,7 +38,7 @@ class EndedPolynomial(EndedLaw):
         return (Piece(1.0, self.polynomial),)
 
 
-class EndedLine(EndedPolynomial):
+class BoundaryLine(BoundaryPolynomial):
     """y'' = 0: what any law becomes between ends that a straight line meets."""
 
     code = "LIN"
@@ -46,7 +46,7 @@ class EndedLine(EndedPolynomial):
     TABLE = ((0,),) * 4
 
 
-class EndedCubic(EndedPolynomial):
+class BoundaryCubic(BoundaryPolynomial):
     """c0 = 6H − 4v0 − 2v1, c1 = −12H + 6(v0 + v1): of all motions between these ends that of least ∫a².
 
     Its acceleration at the ends follows from stroke and velocities, and counts as asked for in C_j.
@@ -58,7 +58,7 @@ class EndedCubic(EndedPolynomial):
     TABLE = ((6, -4, -2), (-12, 6, 6), (0, 0, 0), (0, 0, 0))
 
 
-class EndedQuintic(EndedPolynomial):
+class BoundaryQuintic(BoundaryPolynomial):
     """c0 = a0; c1, c2, c3 meet stroke, v1 and a1: LCamHdl, POLY_5; TwinCAT, POLYNOM5_MM; CODESYS, Poly5."""
 
     code = "PO5"
@@ -67,7 +67,7 @@ class EndedQuintic(EndedPolynomial):
     TABLE = ((0, 0, 0, 1, 0), (60, -36, -24, -9, 3), (-180, 96, 84, 18, -12), (120, -60, -60, -10, 10))
 
 
-class EndedSeptic(EndedPolynomial):
+class BoundarySeptic(BoundaryPolynomial):
     """c0 = a0, c1 = j0; c2 … c5 meet stroke, v1, a1, j1: LCamHdl, POLY_7; TwinCAT, POLYNOM7_MM; CODESYS, Poly7."""
 
     code = "PO7"
@@ -92,14 +92,14 @@ class HalvedPolynomial(HalvedLaw):
     """
 
     ends = REST
-    ENDED: ClassVar[type[EndedPolynomial]]
+    ENDED: ClassVar[type[BoundaryPolynomial]]
 
     @property
     def takes(self) -> str:
         """What the polynomial takes; nothing where a share shifts it."""
         return self.ENDED.TAKES if self.share == 0.5 else ""
 
-    def between(self, ends: Ends) -> EndedPolynomial:
+    def between(self, ends: BoundaryValues) -> BoundaryPolynomial:
         """Return the polynomial of this degree between these ends; EndError where a share shifts the law."""
         require_ends(self, ends, self.ENDED.TAKES)
         if self.share != 0.5:
@@ -123,7 +123,7 @@ class Cubic(HalvedPolynomial):
     source = "S1, 'Cubic curve'; S3, 'CUB'"
     vendors = Vendors(siemens="POLY_3 (4)", twincat="POLYNOM3 (3)", sew="POLYNOM_3")
     HALF = LINE_DOWN
-    ENDED = EndedCubic
+    ENDED = BoundaryCubic
 
 
 @dataclass(frozen=True)
@@ -136,7 +136,7 @@ class Polynomial345(HalvedPolynomial):
     source = "LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'"
     vendors = Vendors(siemens="POLY_5 (5)", twincat="POLYNOM5 (5)", codesys="Poly5", sew="POLYNOM_5")
     HALF = HALF_345
-    ENDED = EndedQuintic
+    ENDED = BoundaryQuintic
 
 
 @dataclass(frozen=True)
@@ -149,4 +149,4 @@ class Polynomial4567(HalvedPolynomial):
     source = "LCamHdl, ProfileTypes, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'"
     vendors = Vendors(siemens="POLY_7 (6), of two sextics", twincat="POLYNOM7 (7)", codesys="Poly7", sew="POLYNOM_7")
     HALF = HALF_4567
-    ENDED = EndedSeptic
+    ENDED = BoundarySeptic

@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import ClassVar, NamedTuple
 
 from engine.laws.base import require_finite
-from engine.laws.ends import EndedLaw
+from engine.laws.ends import BoundaryLaw
 from engine.laws.ladder import at_peaks
-from engine.laws.piece import Carried, Piece, backwards, carried, scaled_piece
+from engine.laws.piece import Piece, PlacedPiece, backwards, placed_pieces, scaled_piece
 
 K = 2.0 / math.pi  # mean of a quarter sine
 QUARTER = math.pi / 2.0
@@ -22,18 +22,18 @@ class Pulse:
     """An acceleration p(x) of peak 1 over x from 0 to 1, nowhere negative, told from where the law begins, or ends."""
 
     pieces: tuple[Piece, ...]  # from the outer end; a stage without length is among them
-    turned: tuple[Piece, ...]  # those of p(1 − x), from the inner end
+    mirrored: tuple[Piece, ...]  # those of p(1 − x), from the inner end
 
     @cached_property
     def gain(self) -> float:
         """W = ∫p dx: the velocity gained."""
-        last = carried(self.pieces)[-1]
+        last = placed_pieces(self.pieces)[-1]
         return last.v + last.dv
 
     @cached_property
     def lead(self) -> float:
         """κ = ∫(1 − x)p dx/w: the travel from rest, for unit velocity gained."""
-        last = carried(self.pieces)[-1]
+        last = placed_pieces(self.pieces)[-1]
         return (last.s + last.ds) / self.gain
 
 
@@ -131,14 +131,14 @@ class Edge(NamedTuple):
     @classmethod
     def of(cls, pulse: Pulse, size: float) -> "Edge":
         """Return the inner edge of a pulse whose height times its duration is ``size``."""
-        last = carried(pulse.pieces)[-1]
+        last = placed_pieces(pulse.pieces)[-1]
         v, g, sine = size * last.v, size * last.dv, bool(last.piece.amplitude)
         if sine:
             return cls(v, g, sine, 2.0 * g / (v + math.hypot(v, math.sqrt(8.0) * g)))
         return cls(v, g, sine, min(1.0, math.sqrt((v + g) / (3.0 * g))) if g else 1.0)
 
 
-class PulseLaw(EndedLaw):
+class PulseLaw(BoundaryLaw):
     """From v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H.
 
     With::
@@ -207,19 +207,19 @@ class PulseLaw(EndedLaw):
         return tuple(piece for _, parts in self._stages(at_peaks) for piece in parts)
 
     @property
-    def _told(self) -> tuple[list[Carried], list[Carried], float]:
+    def _placed(self) -> tuple[list[PlacedPiece], list[PlacedPiece], float]:
         """The first pulse and the cruise, which has V exactly, from the begin; the second pulse from the end."""
         c, e = self.pulses, self.ends
         rise = [scaled_piece(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
         fall = [scaled_piece(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces]
-        *early, cruise = carried([*rise, Piece(c.cruise)], e.v0)
+        *early, cruise = placed_pieces([*rise, Piece(c.cruise)], e.v0)
         travel = c.rise_time * (e.v0 + c.rise.lead * (self.top - e.v0))
-        return [*early, cruise._replace(s=travel, v=self.top)], carried(fall, e.v1), e.stroke
+        return [*early, cruise._replace(s=travel, v=self.top)], placed_pieces(fall, e.v1), e.stroke
 
     def _stages(self, parted: Callable[[Piece], list[Piece]]) -> list[tuple[int, list[Piece]]]:
         """Return the stages that the family has, by number, in parts."""
         c = self.pulses
-        sides = (c.rise.pieces, self.acceleration, c.rise_time), (c.fall.turned, -self.deceleration, c.fall_time)
+        sides = (c.rise.pieces, self.acceleration, c.rise_time), (c.fall.mirrored, -self.deceleration, c.fall_time)
         rise, fall = (
             [[scaled_piece(part, height, time) for part in parted(piece)] for piece in pieces]
             for pieces, height, time in sides

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import ClassVar, NamedTuple, Self
 
 from engine.laws.base import require_finite
-from engine.laws.ends import REST, Ends
+from engine.laws.ends import REST, BoundaryValues
 from engine.laws.family import Vendors
 from engine.laws.pulse_law import (
     CONSTANT,
@@ -56,7 +56,7 @@ class TrapezoidalVelocity(RampedLaw):
 
     rise_end: float = 1 / 3  # α_v, above 0, at most α_w, else ValueError
     fall_start: float = 2 / 3  # α_w, below 1
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class SineRamps(RampedLaw):
 
     rise_end: float = 0.25
     fall_start: float = 0.75
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
 
 HALVINGS = 200
@@ -105,7 +105,7 @@ class SCurve(PulseLaw):
     source = "TwinCAT NC, set-point generator with seven phases"
 
     durations: tuple[float, ...] = (1 / 12, 1 / 6, 1 / 12, 1 / 3, 1 / 12, 1 / 6, 1 / 12)
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "durations", seven_durations(self.durations))

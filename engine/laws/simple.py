@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-from engine.laws.ends import REST, Ends
+from engine.laws.ends import REST, BoundaryValues
 from engine.laws.family import Law, Vendors
 from engine.laws.ladder import at_peaks
 from engine.laws.piece import Piece, reversed_pieces
@@ -40,7 +40,7 @@ class StraightLine(Law):
         return (Piece(1.0),)
 
     @property
-    def entry(self) -> float:
+    def entry_velocity(self) -> float:
         """The velocity 1."""
         return 1.0
 
@@ -72,7 +72,7 @@ class ConstantAcceleration(HalvedLaw):
     vendors = Vendors(siemens="D_D_PARABOLA (7)")
     HALF = CONSTANT
 
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ class Cycloidal(HalvedLaw):
     )
     HALF = HALF_SINE
 
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ class SimpleHarmonic(HalvedLaw):
     STAGES = (2, 4)
     HALF = FALLING_SINE
 
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
 
 PEAK, COSINE = math.pi**2 / 2.0, math.pi / 2.0

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array, require_finite
-from engine.laws.ends import REST, EndedLaw, Ends
+from engine.laws.ends import REST, BoundaryLaw, BoundaryValues
 from engine.laws.family import Vendors
 from engine.laws.inverse import velocity_peak
 from engine.laws.piece import Piece
@@ -23,7 +23,7 @@ EXAMPLE: tuple[Point, ...] = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85)
 
 
 @dataclass(frozen=True)
-class Spline(EndedLaw):
+class Spline(BoundaryLaw):
     """The cubic spline in moments: v and a are continuous, a is linear between two points. TwinCAT: CubicSpline."""
 
     code = "SPL"
@@ -35,7 +35,7 @@ class Spline(EndedLaw):
     points: tuple[Point, ...] = EXAMPLE  # 2 to 100 (ξ, s), of rising ξ, from (0, 0) to (1, 1), else ValueError
     slopes: Slopes = (None, None)  # entered velocities at the ends; None: the neighbouring phase's, 0 beside a dwell
     natural: tuple[bool, bool] = (False, False)  # which ends are free: a = 0 there, and no velocity
-    ends: Ends = REST
+    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         points = tuple((float(xi), float(s)) for xi, s in self.points)
@@ -45,7 +45,7 @@ class Spline(EndedLaw):
                 require_finite(**{f"the {name} slope": slope})
         object.__setattr__(self, "points", points)
 
-    def opened(self, begin: bool, end: bool) -> "Spline":
+    def with_open_ends(self, begin: bool, end: bool) -> "Spline":
         """Return the spline with natural ends where nothing precedes or follows it, and no slope is entered."""
         free = [self.natural[k] or (open_ and self.slopes[k] is None) for k, open_ in enumerate((begin, end))]
         return replace(self, natural=(free[0], free[1]))
@@ -98,7 +98,7 @@ class Spline(EndedLaw):
         return np.array([xi[:-1], s[:-1], v, a[:-1], np.diff(a) / d])
 
     @property
-    def entry(self) -> float:
+    def entry_velocity(self) -> float:
         """The velocity at the first point."""
         return float(self.table[2, 0])
 
@@ -123,7 +123,7 @@ def _require(points: Sequence[Point]) -> None:
             raise ValueError(f"point {k} is at {after:g}, the one before at {before:g}; expected them to rise")
 
 
-def eliminated(below: Array, diagonal: Array, above: Array, right: Array) -> tuple[list[float], ...]:
+def eliminate_forward(below: Array, diagonal: Array, above: Array, right: Array) -> tuple[list[float], ...]:
     """Return forward elimination of a tridiagonal system of dominant diagonal: shares, pivots, right sides."""
     d, x, shares = diagonal.tolist(), right.tolist(), [0.0]
     for k, (low, high) in enumerate(zip(below.tolist(), above.tolist(), strict=True)):
@@ -136,7 +136,7 @@ def eliminated(below: Array, diagonal: Array, above: Array, right: Array) -> tup
 
 def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Array:
     """Return x of a tridiagonal system: forward elimination, then back substitution."""
-    _, d, x = eliminated(below, diagonal, above, right)
+    _, d, x = eliminate_forward(below, diagonal, above, right)
     x[-1] /= d[-1]
     for k in range(len(d) - 2, -1, -1):
         x[k] = (x[k] - float(above[k]) * x[k + 1]) / d[k]
@@ -149,7 +149,7 @@ EQUAL = 1e-12  # of the largest velocity: peaks that differ by less are equal
 SAME = 1e-9  # of ξ: places no farther apart are one
 
 
-def rising(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Array, still: float) -> Array:
+def rising_zeros(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Array, still: float) -> Array:
     """Return u at which v rises through 0 on each interval; 0 where it does not by more than ``still``."""
     rises = ((v < -still) & (high > still)) | ((v1 > still) & (low < -still))
     root = np.sqrt(np.maximum(0.0, a**2 - 2.0 * j * v))
@@ -158,7 +158,7 @@ def rising(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Array, sti
 
 
 @dataclass(frozen=True)
-class Knots:
+class SplineTable:
     """A spline in a table of ``rows``, of which the first are its points; its extremes interval by interval.
 
     On an interval a is linear and W = a² − 2 j v the same everywhere: so v turns where a = 0, v = 0 where a = ±√W, and
@@ -188,7 +188,7 @@ class Knots:
     def solved(self) -> dict[str, list[Any]]:
         """What is solved at each point, by column: forward from the first, ``back`` from the last."""
         below, _, above, right = self.law.system
-        shares, pivots, rights = eliminated(*self.law.system)
+        shares, pivots, rights = eliminate_forward(*self.law.system)
         xi, s = self.law.knots
         d, (begin, end) = np.diff(xi), self.law.natural
         return {
@@ -226,8 +226,8 @@ class Knots:
                 for at in (third, -third)
             )
         low, high = np.min([v, v1, crest], axis=0), np.max([v, v1, crest], axis=0)
-        rises = rising(v, v1, a, j, low, high, self.still)
-        falls = rising(-v, -v1, -a, -j, -high, -low, self.still)
+        rises = rising_zeros(v, v1, a, j, low, high, self.still)
+        falls = rising_zeros(-v, -v1, -a, -j, -high, -low, self.still)
         turns = [y + u * (4.0 * v + a * u) / 6.0 for u in (rises, falls)]
         powers = [v * a, v1 * a1, plus, minus]
         return found | {
@@ -243,7 +243,7 @@ class Knots:
         return STILL * self.law.coefficients.cv
 
     @property
-    def fast(self) -> Array:
+    def fastest_xi(self) -> Array:
         """The first ξ of each interval at which v is the largest of all; 1 where it is nowhere."""
         xi, d, v, a, a1, high = (self.intervals[name] for name in ("xi", "d", "v", "a", "a1", "v_high"))
         top = high.max() - EQUAL * abs(high.max())
@@ -257,7 +257,7 @@ class Knots:
         return velocity_peak(self.law)
 
     @property
-    def wrong(self) -> Array:
+    def wrong_way(self) -> Array:
         """By how much v falls before its peak, or rises after it, at once, interval by interval."""
         xi, d, v, v1, low, high = (self.intervals[name] for name in ("xi", "d", "v", "v1", "v_low", "v_high"))
         falls, rises = np.maximum(v - low, high - v1), np.maximum(high - v, v1 - low)

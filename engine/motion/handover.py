@@ -6,9 +6,9 @@ from functools import cached_property
 from math import perm
 
 from engine.laws import Law
-from engine.laws.ends import EndedLaw, Ends
+from engine.laws.ends import BoundaryLaw, BoundaryValues
 from engine.laws.piece import POWERS
-from engine.laws.polynomials import EndedLine, EndedPolynomial, HalvedPolynomial
+from engine.laws.polynomials import BoundaryLine, BoundaryPolynomial, HalvedPolynomial
 from engine.laws.pulse_law import PulseLaw
 from engine.motion.joining import EndedPhase, Joined, Rates, Side, agrees, slope
 from engine.motion.phase import Phase
@@ -23,7 +23,7 @@ def end_mode(law: Law) -> int:
     """Return how a law meets its neighbours: as :data:`STRAIGHT` and so on, or by a polynomial of degree 3, 5 or 7."""
     if slope(Phase(law, 0.0, 1.0)) is not None:
         return STRAIGHT
-    if isinstance(law, EndedLaw) and law.fixes_ends:
+    if isinstance(law, BoundaryLaw) and law.fixes_ends:
         return FIXED
     if isinstance(law, HalvedPolynomial):
         return 1 + 2 * len(law.takes) if law.takes else NEVER
@@ -67,7 +67,7 @@ class Handover:
         """How it is carried out: 0 as the law between rests, :data:`LINE`, else its :attr:`way`."""
         if not self.ended:
             return 0
-        return LINE if isinstance(self.phase.law, EndedLine) else self.end_mode
+        return LINE if isinstance(self.phase.law, BoundaryLine) else self.end_mode
 
     @cached_property
     def halves(self) -> tuple[float, float]:
@@ -98,17 +98,17 @@ class Handover:
     def powers(self) -> tuple[float, ...]:
         """e0, e1, e2 … of y = Σ e_n ξⁿ from the begin of a polynomial with prescribed ends; 0 of all else."""
         law = self.phase.law
-        if not isinstance(law, EndedPolynomial):
+        if not isinstance(law, BoundaryPolynomial):
             return (0.0,) * (POWERS + 2)
         c = (*law.polynomial, *(0.0,) * POWERS)[:POWERS]
         higher = [value / perm(n, 2) for n, value in enumerate(c, 2)]
         return (0.0, law.ends.v0, *higher)
 
     @property
-    def hermite(self) -> Ends:
+    def hermite(self) -> BoundaryValues:
         """The ends of a polynomial, per unit of ξ; at rest and without a stroke of all else."""
         law = self.phase.law
-        return law.ends if isinstance(law, EndedPolynomial) else Ends(stroke=0.0)
+        return law.ends if isinstance(law, BoundaryPolynomial) else BoundaryValues(stroke=0.0)
 
     @property
     def reversing(self) -> float:

@@ -7,8 +7,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from engine.laws import Dwell, Law
-from engine.laws.ends import STILL, EndedLaw, EndError, Ends, between, kind, require_ends
-from engine.laws.polynomials import EndedLine
+from engine.laws.ends import STILL, BoundaryLaw, BoundaryValues, EndError, kind, law_with_ends, require_ends
+from engine.laws.polynomials import BoundaryLine
 from engine.laws.simple import StraightLine
 from engine.motion.motion import Motion
 from engine.motion.phase import Phase
@@ -122,16 +122,17 @@ def _between(phase: Phase, begin: Side, end: Side) -> Phase:
     """Return a curved phase between its ends; raise EndError if its law cannot have them."""
     d, law = phase.duration, phase.law
     one, other = begin.required, end.required
-    if isinstance(law, EndedLaw) and law.fixes_ends:
-        require_ends(law, Ends(a0=one.a, a1=other.a, j0=one.j, j1=other.j), "")  # it keeps its velocities
+    if isinstance(law, BoundaryLaw) and law.fixes_ends:
+        require_ends(law, BoundaryValues(a0=one.a, a1=other.a, j0=one.j, j1=other.j), "")  # it keeps its velocities
         return Phase(law, phase.lift, d)
-    if isinstance(law, EndedLaw):
-        law = law.opened(begin.open, end.open)
-    ends = Ends(phase.lift, one.v * d, other.v * d, one.a * d**2, other.a * d**2, one.j * d**3, other.j * d**3)
-    made, _ = between(law, ends)
+    if isinstance(law, BoundaryLaw):
+        law = law.with_open_ends(begin.open, end.open)
+    v, a, j = ((first * d**n, last * d**n) for n, (first, last) in enumerate(zip(one, other, strict=True), 1))
+    ends = BoundaryValues(phase.lift, *v, *a, *j)
+    made, _ = law_with_ends(law, ends)
     if ends.at_rest:
         return Phase(made, phase.lift, d)
-    return EndedPhase(EndedLine(ends) if ends.straight else made, phase.lift, d, phase.law)
+    return EndedPhase(BoundaryLine(ends) if ends.straight else made, phase.lift, d, phase.law)
 
 
 def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[str]:

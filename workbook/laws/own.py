@@ -61,9 +61,9 @@ def points_table(sheet: Sheet, at: Points, first: int, stack: Pieces) -> None:
         calc("b", "slope of the jerk", "b", "", BEND, rates["b"]),
         calc("va", "v · a", "", "", "=[v]*[a]", rates["va"]),
         calc("g", "slope of v · a", "", "", "=[a]^2+[v]*[j]", rates["g"], source="a² + v j"),
-        *(calc(f"top_{f}", f"extreme of {f} before it, or {f}", "", "",
-               CREST.format(f=f, g=g), at.crests(f), source="parabola by both slopes") for f, g in SLOPES.items()),
-        calc("fast", "where v is largest", "", "", FAST, at.fast, source="else 1"),
+        *(calc(f"top_{f}", f"extreme of {f} before it, or {f}", "", "", CREST.format(f=f, g=g), at.local_extremes(f),
+               source="parabola by both slopes") for f, g in SLOPES.items()),
+        calc("fast", "where v is largest", "", "", FAST, at.fastest_xi, source="else 1"),
         calc("back", "the wrong way", "Δv", "", BACK, at.wrong_way),
     )  # fmt: skip
 

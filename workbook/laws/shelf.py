@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from engine.laws import Piece
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.piece import carried
+from engine.laws.piece import placed_pieces
 from engine.laws.points import reach, slowest
 from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, again, calc, constant, result
@@ -81,7 +81,7 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     rows = []
     for one in laws:
         found = one.page.stacked(one.law, sizes)
-        places = carried([piece for piece, _ in found], one.law.entry)
+        places = placed_pieces([piece for piece, _ in found], one.law.entry_velocity)
         for k, ((piece, entered), place) in enumerate(zip(found, places, strict=True), 1):
             ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
             values = entries_of(place.piece) | {

@@ -7,7 +7,7 @@ import pytest
 
 from engine.laws import Piece, PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.inverse import SMOOTH, code, continuity, meetings
+from engine.laws.inverse import SMOOTH, continuity, joint_code, law_joints
 from tests.engine.families import ENTRIES
 
 LAWS = pytest.mark.parametrize("entry", ENTRIES, ids=lambda entry: entry.code)
@@ -25,7 +25,7 @@ def test_pieces_meet_where_the_closed_form_has_the_same_rates_on_either_side(ent
     for law in entry.examples:
         at, step = 0.0, 40 * BREAK_TOLERANCE
         scales = np.array([law.coefficients.cv, *(max(1.0, law.coefficients.ca * 50),) * 2])
-        for one in meetings(law, law.as_pieces()):
+        for one in law_joints(law, law.as_pieces()):
             if one.duration > 4 * step and not one.outer:
                 left, right = (
                     2 * np.array(law.evaluate(at + side * step)[1:]) - np.array(law.evaluate(at + 2 * side * step)[1:])
@@ -53,4 +53,4 @@ def test_what_jumps_least_decides(pieces, expected):
 
 def test_a_meeting_in_one_number():
     law = PieceLaw(tuple(CONSTANT))
-    assert [code(3, one) for one in meetings(law, law.as_pieces())] == [24 + 4 + 1, 24 + 1, 24 + 4 + 1]
+    assert [joint_code(3, one) for one in law_joints(law, law.as_pieces())] == [24 + 4 + 1, 24 + 1, 24 + 4 + 1]

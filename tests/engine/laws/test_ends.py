@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
-from engine.laws.ends import EndedLaw, EndError, Ends, between, kind, kinds
+from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, kind, kinds, law_with_ends
 from engine.laws.ladder import extremes_of
 from engine.laws.modified import HarmonicCombination, ModifiedSine
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
@@ -47,7 +47,7 @@ def test_an_s_curve_needs_positive_limits(limits):
 
 @given(v0=number, v1=number, b=st.floats(2.0, 20.0))
 def test_a_modified_sine_of_wanted_deceleration_has_it(v0, v1, b):
-    ends = Ends(1.0, v0, v1)
+    ends = BoundaryValues(1.0, v0, v1)
     try:
         law = ModifiedSine.with_deceleration(b, ends)
     except EndError:
@@ -57,15 +57,15 @@ def test_a_modified_sine_of_wanted_deceleration_has_it(v0, v1, b):
 
 
 def test_the_classic_deceleration_belongs_to_half():
-    law = ModifiedSine.with_deceleration(4 * math.pi**2 / (4 + math.pi), Ends())
+    law = ModifiedSine.with_deceleration(4 * math.pi**2 / (4 + math.pi), BoundaryValues())
     assert law.share == pytest.approx(0.5, rel=1e-14)
 
 
 @given(values=st.tuples(*[number] * 7))
 def test_a_quintic_and_a_septic_meet_all_their_ends(values):
-    ends = Ends(*values)
+    ends = BoundaryValues(*values)
     septic, quintic = Polynomial4567().between(ends), Polynomial345().between(replace(ends, j0=0.0, j1=0.0))
-    cubic = Cubic().between(Ends(*values[:3]))
+    cubic = Cubic().between(BoundaryValues(*values[:3]))
     for law, upto in ((cubic, 2), (quintic, 3), (septic, 4)):
         begin, end = law.start, law.end
         assert begin[:upto] == pytest.approx([0.0, ends.v0, ends.a0, ends.j0][:upto], abs=1e-12)
@@ -75,7 +75,7 @@ def test_a_quintic_and_a_septic_meet_all_their_ends(values):
 @given(values=st.tuples(*[number] * 5))
 def test_the_quintics_acceleration_is_extreme_at_the_roots_of_its_jerk(values):
     """The parabola c1 + 2c2u + 3c3u² in a form that is safe for c3 → 0."""
-    law = Polynomial345().between(Ends(*values))
+    law = Polynomial345().between(BoundaryValues(*values))
     c0, c1, c2, c3 = law.polynomial
     found, under = [0.0, 1.0], c2 * c2 - 3 * c1 * c3
     if under >= 0:
@@ -89,16 +89,16 @@ def test_the_quintics_acceleration_is_extreme_at_the_roots_of_its_jerk(values):
 
 @given(v0=number, v1=number, stroke=number)
 def test_of_all_motions_between_two_velocities_the_cubic_has_the_least_square(v0, v1, stroke):
-    cubic = Cubic().between(Ends(stroke, v0, v1))
+    cubic = Cubic().between(BoundaryValues(stroke, v0, v1))
     expected = 12 * (stroke - (v0 + v1) / 2) ** 2 + (v1 - v0) ** 2
     assert cubic.coefficients.ca_rms**2 == pytest.approx(expected, rel=1e-9, abs=1e-9)
     for law in (ModifiedSine(), TrapezoidalVelocity(), SCurve(), Cycloidal()):
-        assert law.between(Ends(stroke, v0, v1)).coefficients.ca_rms ** 2 >= expected * (1 - 1e-9) - 1e-9
+        assert law.between(BoundaryValues(stroke, v0, v1)).coefficients.ca_rms ** 2 >= expected * (1 - 1e-9) - 1e-9
 
 
 @pytest.mark.parametrize("family", [Cubic, Polynomial345, Polynomial4567])
 def test_polynomials_between_rests_are_those_of_the_catalogue(family):
-    whole, halved, xi = family.ENDED(Ends()), family(), np.linspace(0.0, 1.0, 101)
+    whole, halved, xi = family.ENDED(BoundaryValues()), family(), np.linspace(0.0, 1.0, 101)
     assert len(whole.as_pieces()) == 1
     for one, other in zip(whole.evaluate(xi), halved.evaluate(xi), strict=True):
         assert one == pytest.approx(other, abs=1e-11)
@@ -106,14 +106,14 @@ def test_polynomials_between_rests_are_those_of_the_catalogue(family):
 
 def test_half_a_polynomial_345_leads_from_rest_to_a_velocity():
     """H = 8VT/15: the quintic from rest to V is the half of the polynomial 3-4-5."""
-    law = Polynomial345().between(Ends(8 / 15, 0.0, 1.0))
+    law = Polynomial345().between(BoundaryValues(8 / 15, 0.0, 1.0))
     assert law.polynomial == pytest.approx((0.0, 8.0, -12.0, 4.0), abs=1e-12)
     assert law.coefficients.ca == pytest.approx(8 / (3 * math.sqrt(3)), rel=1e-12)
 
 
 @pytest.mark.parametrize(("ratio", "turns"), [(0.399, True), (0.401, False), (0.599, False), (0.601, True)])
 def test_a_quintic_into_a_velocity_is_monotone_between_two_and_three_fifths(ratio, turns):
-    law = Polynomial345().between(Ends(ratio, 0.0, 1.0))
+    law = Polynomial345().between(BoundaryValues(ratio, 0.0, 1.0))
     low, high = extremes_of(law.as_pieces(), 0.0).v
     assert (low < -1e-9 or high > 1 + 1e-9) == turns
 
@@ -121,23 +121,43 @@ def test_a_quintic_into_a_velocity_is_monotone_between_two_and_three_fifths(rati
 @pytest.mark.parametrize(
     ("law", "ends", "reason"),
     [
-        (ModifiedSine(), Ends(a0=1.0), "Modified sine cannot begin with a prescribed acceleration: it takes velocity"),
-        (SCurve(), Ends(j1=1.0), "Jerk-limited S-curve cannot end with a prescribed jerk"),
-        (Polynomial345(), Ends(j0=1.0), "Polynomial 3-4-5 cannot begin with a prescribed jerk: it takes velocity and"),
-        (Cubic(), Ends(a1=1.0), "Cubic cannot end with a prescribed acceleration"),
-        (Polynomial345(0.3), Ends(v1=1.0), "with the share 0.3 is made of two halves that begin and end at rest"),
-        (PieceLaw(Polynomial345().as_pieces()), Ends(v0=1.0), "Own law cannot begin with a prescribed velocity: its"),
-        (HarmonicCombination(), Ends(a0=1.0), "Harmonic combination cannot begin with a prescribed acceleration"),
+        (
+            ModifiedSine(),
+            BoundaryValues(a0=1.0),
+            "Modified sine cannot begin with a prescribed acceleration: it takes velocity",
+        ),
+        (SCurve(), BoundaryValues(j1=1.0), "Jerk-limited S-curve cannot end with a prescribed jerk"),
+        (
+            Polynomial345(),
+            BoundaryValues(j0=1.0),
+            "Polynomial 3-4-5 cannot begin with a prescribed jerk: it takes velocity and",
+        ),
+        (Cubic(), BoundaryValues(a1=1.0), "Cubic cannot end with a prescribed acceleration"),
+        (
+            Polynomial345(0.3),
+            BoundaryValues(v1=1.0),
+            "with the share 0.3 is made of two halves that begin and end at rest",
+        ),
+        (
+            PieceLaw(Polynomial345().as_pieces()),
+            BoundaryValues(v0=1.0),
+            "Own law cannot begin with a prescribed velocity: its",
+        ),
+        (
+            HarmonicCombination(),
+            BoundaryValues(a0=1.0),
+            "Harmonic combination cannot begin with a prescribed acceleration",
+        ),
     ],
 )
 def test_an_end_that_a_law_cannot_have_is_refused_with_the_reason(law, ends, reason):
     with pytest.raises(EndError, match=reason):
-        between(law, ends)
+        law_with_ends(law, ends)
 
 
 @EVERY
 def test_between_rests_a_law_is_itself(law):
-    assert between(law, Ends(3.0)) == (law, 3.0)
+    assert law_with_ends(law, BoundaryValues(3.0)) == (law, 3.0)
 
 
 @pytest.mark.parametrize(
@@ -161,8 +181,8 @@ def test_kind_of_an_end(v, a, expected):
 @EVERY
 def test_the_kinds_of_a_law_are_what_its_ends_show(law):
     """Between rests a law is one of R and U at either end; with a velocity, one of G and B."""
-    if not isinstance(law, EndedLaw) or "v" not in law.takes:
+    if not isinstance(law, BoundaryLaw) or "v" not in law.takes:
         return
-    ended = law.between(Ends(1.0, 0.7, 0.4))
+    ended = law.between(BoundaryValues(1.0, 0.7, 0.4))
     for allowed, at in zip(kinds(law), (ended.start, ended.end), strict=True):
         assert kind(at.v, at.a / (ended.coefficients.ca or 1.0)) in allowed

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.ends import Ends
+from engine.laws.ends import BoundaryValues
 from engine.laws.modified import (
     HarmonicCombination,
     ModifiedSine,
@@ -130,7 +130,7 @@ class Bare(PulseLaw):
 
 @given(law=pulsed, stroke=number, v0=number, v1=number)
 def test_any_velocities_and_any_stroke_are_met(law, stroke, v0, v1):
-    made = Bare(law.pulses, Ends(stroke, v0, v1))
+    made = Bare(law.pulses, BoundaryValues(stroke, v0, v1))
     size = 1e-12 * (1 + abs(stroke) + abs(v0) + abs(v1)) * largest(law)[1]
     assert (made.start.s, made.end.s) == pytest.approx((0.0, stroke), abs=size)
     assert (made.start.v, made.end.v) == pytest.approx((v0, v1), abs=size)
@@ -145,7 +145,7 @@ def test_any_velocities_and_any_stroke_are_met(law, stroke, v0, v1):
 @given(law=pulsed, v=number)
 def test_equal_velocities_at_both_ends_shear_the_law(law, v):
     """y = v ξ + (H − v) S(ξ)."""
-    plain, sheared = Bare(law.pulses, Ends()), Bare(law.pulses, Ends(1.0, v, v))
+    plain, sheared = Bare(law.pulses, BoundaryValues()), Bare(law.pulses, BoundaryValues(1.0, v, v))
     at, rest = sheared.evaluate(XI), plain.evaluate(XI)
     assert at.s == pytest.approx(v * XI + (1 - v) * rest.s, abs=1e-11)
     assert at.v == pytest.approx(v + (1 - v) * rest.v, abs=1e-11)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from engine.laws import Piece
-from engine.laws.piece import carried, gains, located
-from engine.laws.points import ends
+from engine.laws.piece import gains, located, placed_pieces
+from engine.laws.points import piece_ends
 from engine.laws.pulse_law import LINE_DOWN, PulseLaw
 from tests.engine.families import ENTRIES
 
@@ -17,7 +17,7 @@ LAWS = pytest.mark.parametrize("law", EXAMPLES, ids=str)
 
 @LAWS
 def test_the_table_of_pieces_evaluates_the_law_by_one_formula_each(law):
-    rows = carried(law.as_pieces(), law.entry)
+    rows = placed_pieces(law.as_pieces(), law.entry_velocity)
     xi = np.linspace(0, 1, 401)
     place = located(law.as_pieces(), xi)
     for x, k, u, angle, angle2 in zip(xi, *place, strict=True):
@@ -34,7 +34,7 @@ def test_the_table_of_pieces_evaluates_the_law_by_one_formula_each(law):
 
 @LAWS
 def test_what_a_piece_gains_is_the_integral_of_its_acceleration(law):
-    for row in carried(law.as_pieces(), law.entry):
+    for row in placed_pieces(law.as_pieces(), law.entry_velocity):
         d = row.piece.duration
         s, v, _, _ = (float(x[0]) for x in gains(np.array([d]), np.array(row.piece.row)[:, None]))
         assert (row.ds, row.dv) == pytest.approx((row.v * d + s, v), abs=1e-14)
@@ -50,8 +50,12 @@ def test_a_sample_near_a_break_is_on_it_and_the_last_in_the_last_piece_that_last
 
 def test_accelerations_at_the_ends_of_pieces_pass_over_those_of_no_duration():
     pieces = [Piece(0.5, (1.0, 2.0, 0.0, 0.0)), Piece(0.0, (9.0, 0, 0, 0)), Piece(0.5, (0.5, 0.0, 0.0, 4.0))]
-    assert [tuple(one) for one in ends(pieces)] == [(1.0, 2.0, 2.0, 1.0), (9.0, 9.0, 2.0, 0.0), (0.5, 1.0, 1.0, 1.5)]
-    sine = ends([Piece(1.0, (1.0, 0, 0, 0), 2.0, math.pi, math.pi / 6)])[0]
+    assert [tuple(one) for one in piece_ends(pieces)] == [
+        (1.0, 2.0, 2.0, 1.0),
+        (9.0, 9.0, 2.0, 0.0),
+        (0.5, 1.0, 1.0, 1.5),
+    ]
+    sine = piece_ends([Piece(1.0, (1.0, 0, 0, 0), 2.0, math.pi, math.pi / 6)])[0]
     assert (sine.begin, sine.end) == pytest.approx((2.0, 0.0))
 
 

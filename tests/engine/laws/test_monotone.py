@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 from engine.laws import PieceLaw
-from engine.laws.ends import Ends
+from engine.laws.ends import BoundaryValues
 from engine.laws.ladder import acceleration, zeros
-from engine.laws.polynomials import EndedPolynomial
+from engine.laws.polynomials import BoundaryPolynomial
 from engine.laws.pulse_law import PulseLaw
 from engine.motion.handover import PULSES, end_mode
 from tests.engine.families import ENTRIES
 
 LAWS = [law for entry in ENTRIES for law in (*entry.examples, *entry.others, *entry.beyond)]
-REGISTERED = [law for law in LAWS if not isinstance(law, PieceLaw | EndedPolynomial)]
+REGISTERED = [law for law in LAWS if not isinstance(law, PieceLaw | BoundaryPolynomial)]
 EDGE = 1e-7
 """of a piece: a peak so near to its end lies at it"""
 
@@ -40,7 +40,7 @@ def test_the_acceleration_turns_at_no_place_within_a_piece(law):
 )
 def test_between_prescribed_ends_two_pulses_have_the_same_pieces(law):
     rest = law.monotone_pieces()
-    ended = law.between(Ends(v0=0.4, v1=-0.2)).monotone_pieces()
+    ended = law.between(BoundaryValues(v0=0.4, v1=-0.2)).monotone_pieces()
     assert [piece.duration for piece in ended] == pytest.approx([piece.duration for piece in rest], abs=1e-15)
     begins = [*itertools.accumulate((piece.duration for piece in rest), initial=0.0)]
     turning = law.pulses.rise_time

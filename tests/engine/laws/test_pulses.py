@@ -126,7 +126,7 @@ def test_a_stretched_piece():
 def test_a_pulse_turned_is_told_from_its_inner_end(pulse):
     """The pieces of −p(1 − x) are those of the pulse, each and all backwards."""
     back = [piece for piece in reversed_pieces(pulse.pieces) if piece.duration]
-    turned = [piece for piece in pulse.turned if piece.duration]
+    turned = [piece for piece in pulse.mirrored if piece.duration]
     assert [piece.duration for piece in turned] == pytest.approx([piece.duration for piece in back])
     for one, other in zip(turned, back, strict=True):
         u = one.duration * np.linspace(0, 1, 21)

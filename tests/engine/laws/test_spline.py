@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
-from engine.laws.ends import Ends, kinds
+from engine.laws.ends import BoundaryValues, kinds
 from engine.laws.spline import Spline, tridiagonal
 
 step = st.floats(0.05, 1.0)
@@ -67,7 +67,7 @@ def test_the_moments_against_the_dense_system_of_slopes(given_, v0, v1, free0, f
 
 @given(points(), height, height, st.floats(-2, 2))
 def test_points_slopes_and_continuity(given_, v0, v1, stroke):
-    law = Spline(given_, ends=Ends(stroke, v0, v1))
+    law = Spline(given_, ends=BoundaryValues(stroke, v0, v1))
     xi, s = np.array(given_).T
     at = law.evaluate(xi)
     size = largest = 1 + np.abs(law.moments).max()
@@ -105,7 +105,7 @@ def test_two_points_at_rest_are_the_cubic_and_three_a_parabola_more():
 
 
 def test_an_open_end_is_natural_unless_its_slope_is_entered():
-    law = Spline(many(5), (None, 0.3)).opened(True, True)
+    law = Spline(many(5), (None, 0.3)).with_open_ends(True, True)
     assert law.natural == (True, False)
     assert (law.start.a, law.end.v) == pytest.approx((0.0, 0.3), abs=1e-12)
     assert kinds(law) == ("RG", "UB")

@@ -11,7 +11,7 @@ from pydantic import AfterValidator, Field
 from engine import laws as engine
 from engine.laws import Law, PieceLaw
 from engine.laws.piece import begins
-from engine.laws.points import PointedLaw, Points, ends
+from engine.laws.points import PointedLaw, Points, piece_ends
 from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure
@@ -193,7 +193,7 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         return given(name, *LABELS[name], "", values, f"{key}.pieces.*.{field}", format=digits)
 
     pieces = filled([piece.made for piece in own.pieces], n, engine.Piece(0.0))
-    at = ends(pieces)
+    at = piece_ends(pieces)
     entered = sheet.table(
         "@pieces", "Fill one row each, in order; the durations sum to 1; leave spare rows empty", n,
         constant("k", "piece", "k", "", list(range(1, n + 1))),

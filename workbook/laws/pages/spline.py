@@ -9,7 +9,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from engine.laws import Law, Piece
-from engine.laws.spline import EQUAL, EXAMPLE, MOST, NARROWEST, Knots, Spline
+from engine.laws.spline import EQUAL, EXAMPLE, MOST, NARROWEST, Spline, SplineTable
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, figure, spelled
@@ -106,7 +106,7 @@ class SplinePage(Page):
             given("@natural", "Natural, without acceleration", "", "", points.natural, f"{one.key}.natural",
                   align="center", source="none, begin, end or both: of ends without a slope"),
         )  # fmt: skip
-        at = Knots(one.law, sizes.points)
+        at = SplineTable(one.law, sizes.points)
         table = sheet.table(
             "@points", "Fill one row each, in order; from (0, 0) to (1, 1); leave spare rows empty", at.rows,
             constant("k", "point", "k", "", list(range(1, at.rows + 1))),
@@ -120,15 +120,15 @@ class SplinePage(Page):
     def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
         """Declare what the table of points is worked out from."""
         sheet.heading("Workings")
-        sheet.rows(*solution(Knots(one.law, sizes.points)))
+        sheet.rows(*solution(SplineTable(one.law, sizes.points)))
 
     def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
         """Declare the table of the intervals."""
-        intervals_table(sheet, Knots(one.law, sizes.points))
+        intervals_table(sheet, SplineTable(one.law, sizes.points))
 
     def stepping(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way, interval by interval."""
-        return float(Knots(law, sizes.points).wrong.max()) if isinstance(law, Spline) else 0.0
+        return float(SplineTable(law, sizes.points).wrong_way.max()) if isinstance(law, Spline) else 0.0
 
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the points, and that of the law's end."""
@@ -167,7 +167,7 @@ def column(found: Mapping[str, Any], name: str, label: str, symbol: str, formula
     return role(name, label, symbol, "", formula, found[name], source=source, scale=scale)
 
 
-def solution(at: Knots) -> list[Quantity]:
+def solution(at: SplineTable) -> list[Quantity]:
     """Return the rows that the table of points refers to."""
     (first, last), free = at.slopes, at.law.natural
     moments = "(INDEX([@intervals.a],@used-1)+2*[@intervals.a.last])"
@@ -187,7 +187,7 @@ def solution(at: Knots) -> list[Quantity]:
     ]
 
 
-def elimination(at: Knots) -> list[Quantity]:
+def elimination(at: SplineTable) -> list[Quantity]:
     """Return the columns of the tridiagonal system, of its forward elimination, and of its back substitution."""
     last, before = "@used+1-[k]", "IF([k]=1,{1},INDEX([@solved.{0}],MAX([k]-1,1)))"
     solved = partial(column, at.solved)
@@ -213,9 +213,9 @@ def elimination(at: Knots) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def intervals_table(sheet: Sheet, at: Knots) -> None:
+def intervals_table(sheet: Sheet, at: SplineTable) -> None:
     """Declare the table of the intervals: rates at both ends, and extremes."""
-    found = partial(column, at.intervals | {"fast": at.fast, "wrong": at.wrong}, scale=UNIT)
+    found = partial(column, at.intervals | {"fast": at.fastest_xi, "wrong": at.wrong_way}, scale=UNIT)
     moment, place = "INDEX([@solved.back],MAX(1,@used{0}-[k]))", "INDEX([@points.s],MIN([k]{0},@used))"
     sheet.heading("Table of the intervals, each from a point to the next")
     sheet.table(

@@ -1,6 +1,6 @@
 """The Comparison sheet: curves of up to four laws, and every law with what it costs."""
 
-from engine.laws.inverse import WORDS, code
+from engine.laws.inverse import DERIVATIVES, joint_code
 from engine.laws.piece import POWERS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
@@ -18,7 +18,7 @@ COSTS = (
     "rests; max |v·a|: the largest power; C_j: what shakes the machine."
 )
 NONE = "–"  # in place of a name
-SPELLED = ",".join(f'"{word}"' for word in WORDS)
+SPELLED = ",".join(f'"{word}"' for word in DERIVATIVES)
 RATES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
 ORDER = (
     "=IF(COUNTIF([joints.code],8*[no]+{0})>0,0,IF(COUNTIF([joints.code],8*[no]+{0}+1)>0,1,"
@@ -97,9 +97,9 @@ def costs(sheet: Sheet, view: Compared) -> None:
         result("va", "largest power", "max |v·a|", "",
                "=MAX([va_max],-[va_min])", [each.va for each in found], format="0.0000"),
         result("at_ends", "continuous at its ends", "", "",
-               f"=CHOOSE([ends]+1,{SPELLED})", [WORDS[ends] for ends, _ in view.smooth], "against rest"),
+               f"=CHOOSE([ends]+1,{SPELLED})", [DERIVATIVES[ends] for ends, _ in view.smooth], "against rest"),
         result("within", "and between them", "", "",
-               f"=CHOOSE([inside]+1,{SPELLED})", [WORDS[inside] for _, inside in view.smooth]),
+               f"=CHOOSE([inside]+1,{SPELLED})", [DERIVATIVES[inside] for _, inside in view.smooth]),
     )  # fmt: skip
     sheet.workings(
         table, "costs_worked", "Workings", RIGHT + RIGHT - LEFT + 1,
@@ -192,7 +192,7 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
         calc("outer", "is an end of the law", "", "", "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)",
              [int(row.at.outer) for row in rows], format="0"),
         calc("code", "law, end and order", "", "", "=8*[no]+4*[outer]+[order]",
-             [code(row.one.number, row.at) for row in rows], "8 · number + 4 at an end + order", format="0"),
+             [joint_code(row.one.number, row.at) for row in rows], "8 · number + 4 at an end + order", format="0"),
         calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", [row.first for row in rows],
              format="0"),
     )  # fmt: skip

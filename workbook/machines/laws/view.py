@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws import Dwell
-from engine.laws.inverse import Meeting, continuity, meetings
+from engine.laws.inverse import LawJoint, continuity, law_joints
 from workbook.laws.library import NamedLaw
 from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
@@ -16,7 +16,7 @@ class Joined(NamedTuple):
 
     one: NamedLaw
     k: int
-    at: Meeting
+    at: LawJoint
     row: int  # counted from 1: behind the last piece of a law the dwell's
     first: int  # the row of the law's first piece in the table of joints, counted from 1
 
@@ -36,7 +36,7 @@ class Compared:
         self.joints: list[Joined] = []  # the begin of each piece of each law, and of the rest behind it
         for one in self.moving:
             pieces, begun, first = stack.pieces[one.number], stack.first[one.number], len(self.joints) + 1
-            for k, at in enumerate(meetings(one.law, pieces), 1):
+            for k, at in enumerate(law_joints(one.law, pieces), 1):
                 row = begun + k - 1 if k <= len(pieces) else stack.first[1]
                 self.joints.append(Joined(one, k, at, row, first))
 

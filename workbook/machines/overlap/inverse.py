@@ -11,7 +11,7 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.base import Array
-from engine.laws.inverse import HEIGHT, INTERVALS, REST, between, law_pieces, points_of
+from engine.laws.inverse import HEIGHT, INTERVALS, REST, inversion_points, law_pieces, point_inversion
 from engine.laws.points import slowest
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import amount
@@ -41,7 +41,7 @@ class Wanted(NamedTuple):
     @property
     def residual(self) -> Array:
         """How far the law is from its heights at the shares of time found for them."""
-        return self.law.s(between(self.law, self.s).xi) - self.s
+        return self.law.s(point_inversion(self.law, self.s).xi) - self.s
 
 
 def inverse_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
@@ -131,7 +131,7 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
         calc("count", "pieces", "", "", f"={last_before('[no]', '1')}-[first]+1",
              [len(law_pieces(law)) for law in laws], "that begin before its end", format="0"),
         calc("n", "intervals on each piece", "n", "", "=INT(inverse_intervals/[count])",
-             [points_of(law).n for law in laws], format="0"),
+             [inversion_points(law).n for law in laws], format="0"),
         calc("low", "lowest velocity", "", "", "=INDEX(law_v_low,[no])", [slowest(law) for law in laws]),
         calc("ca", "acceleration coefficient", "C_a", "", "=MAX(INDEX(law_ca_max,[no]),0-INDEX(law_ca_min,[no]))",
              [law.coefficients.ca for law in laws], "max |a|"),
@@ -141,7 +141,7 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
 
 def points(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
     """Declare the points of one of the laws in use."""
-    at, i, number = points_of(wanted.law), wanted.use, pieces.number(wanted.law)
+    at, i, number = inversion_points(wanted.law), wanted.use, pieces.number(wanted.law)
     rows = [pieces.first[number] + p - 1 for p in at.piece]
     n, count = f"[used.n.{i}]", f"[used.count.{i}]"
     sheet.table(
@@ -161,7 +161,7 @@ def points(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
 
 def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
     """Declare, for each height, its share of time; then the residual there."""
-    law, found, i = wanted.law, between(wanted.law, wanted.s), wanted.use
+    law, found, i = wanted.law, point_inversion(wanted.law, wanted.s), wanted.use
     number, low, high = pieces.number(law), found.low, found.high
 
     def at(column: str, row: str) -> str:

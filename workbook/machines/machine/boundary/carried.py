@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.laws.ends import Ends
+from engine.laws.ends import BoundaryValues
 from engine.laws.ladder import NODES, WEIGHTS
 from engine.motion import Phase
 from engine.motion.handover import PULSES, Handover
@@ -32,7 +32,7 @@ HERMITE = {
 }
 """e_n by the degree, from stroke, v δ and a δ² at both ends; w, x and z are what the begin leaves to be done"""
 SEPTIC, AT_ENDS = 7, "Σ n (n − 1) e_n ξⁿ⁻²"
-LEFT: tuple[tuple[str, str, str, Callable[[Ends], float]], ...] = (
+LEFT: tuple[tuple[str, str, str, Callable[[BoundaryValues], float]], ...] = (
     ("w", "lift that the begin leaves", "[h]-[e1]-[f0]/2", lambda at: at.stroke - at.v0 - at.a0 / 2.0),
     ("x", "velocity that it leaves", "[f1]-[e1]-[f0]", lambda at: at.v1 - at.v0 - at.a0),
     ("z", "acceleration that it leaves", "[g1]-[f0]", lambda at: at.a1 - at.a0),

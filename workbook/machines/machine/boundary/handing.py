@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from engine.laws.ends import ROUNDING, Ends
+from engine.laws.ends import ROUNDING, BoundaryValues
 from engine.motion.handover import FIXED, LINE, NEVER, PULSES, STRAIGHT, Handover, handovers
 from engine.motion.joining import Rates, agrees
 from engine.motion.pieces import MotionPiece
@@ -218,7 +218,7 @@ def carried_out(one: Handing) -> list[Quantity]:
 
     def straight_on(step: Handover) -> int:
         begin, end, d = step.begin.required, step.end.required, step.phase.duration
-        return int(Ends(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
+        return int(BoundaryValues(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
 
     lies = f"AND(ABS([w1]-[w0])<={ROUNDING:.0E}*ABS([w0]),ABS([h]-[w0]*[span])<={ROUNDING:.0E}*ABS([h]))"
     texts, speeds = one.spread([reason(step) for step in one.handed], ("", "", "")), "AND([way]=0,[moved]>0)"

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from engine.laws.base import Array
-from engine.laws.polynomials import EndedLine, EndedPolynomial
+from engine.laws.polynomials import BoundaryLine, BoundaryPolynomial
 from engine.motion import Motion, Phase
 from engine.motion.joining import EndedPhase
 from engine.motion.pieces import MotionPiece, motion_pieces
@@ -29,7 +29,7 @@ class MeasuredPhase(EndedPhase):
     parts: tuple[MotionPiece, ...] = ()
 
     def _most(self, order: int, exact: float) -> float:
-        if not isinstance(self.law, EndedPolynomial | EndedLine):
+        if not isinstance(self.law, BoundaryPolynomial | BoundaryLine):
             return exact
         return max(float(np.abs(at_points(piece, order)).max()) for piece in self.parts)
 

@@ -1,4 +1,4 @@
-"""An own law that misses its rise or rest, mended by scaling its entries."""
+"""An own law that misses its rise or rest, normalized by scaling its entries."""
 
 import math
 
@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from engine.laws import Piece, PieceLaw
 from engine.laws.modified import ModifiedSine, ModifiedTrapezoidal
-from engine.laws.pieces import POLYNOMIAL_345, Misses, mended, misses
+from engine.laws.pieces import POLYNOMIAL_345, Misses, misses, normalized
 from engine.laws.ramps import SCurve
 from engine.laws.simple import Cycloidal
 
@@ -24,7 +24,7 @@ def times(piece, k):
 @given(up=factor, down=factor)
 def test_a_law_whose_pulses_were_entered_too_high_or_too_low_is_itself_again(law, up, down):
     entered = [times(piece, down if k >= len(law.as_pieces()) // 2 else up) for k, piece in enumerate(law.as_pieces())]
-    found = mended(entered)
+    found = normalized(entered)
     for one, expected in zip(found, law.as_pieces(), strict=True):
         assert (*one.c, one.amplitude) == pytest.approx((*expected.c, expected.amplitude), rel=1e-9, abs=1e-12)
     end = PieceLaw(found).end
@@ -35,7 +35,7 @@ def test_a_law_whose_pulses_were_entered_too_high_or_too_low_is_itself_again(law
 def test_one_piece_at_rest_is_scaled_as_a_whole(k):
     entered = [times(POLYNOMIAL_345[0], k)]
     assert misses(entered) == Misses(pytest.approx(k - 1, abs=1e-13), pytest.approx(0.0, abs=1e-13))
-    assert mended(entered)[0].c == pytest.approx(POLYNOMIAL_345[0].c, rel=1e-12)
+    assert normalized(entered)[0].c == pytest.approx(POLYNOMIAL_345[0].c, rel=1e-12)
 
 
 def test_what_a_law_misses():
@@ -46,7 +46,7 @@ def test_what_a_law_misses():
 
 def test_a_sine_that_gains_nothing_keeps_its_place():
     pieces = [Piece(0.3, (4.0, 0, 0, 0)), Piece(0.4, amplitude=1.0, omega=5 * math.pi), Piece(0.3, (-3.0, 0, 0, 0))]
-    end = PieceLaw(mended(pieces)).end
+    end = PieceLaw(normalized(pieces)).end
     assert (end.s, end.v) == pytest.approx((1.0, 0.0), abs=1e-13)
 
 
@@ -63,4 +63,4 @@ def test_a_sine_that_gains_nothing_keeps_its_place():
 )
 def test_a_law_that_no_scale_mends(pieces):
     with pytest.raises(ValueError, match="expected it to speed up, then slow down"):
-        mended(pieces)
+        normalized(pieces)
