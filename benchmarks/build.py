@@ -16,7 +16,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES, Template
 
 ROUNDS = 5
-GOAL = 1.9
+GOAL = 1.3
 
 Cells = list[tuple[str, int, int, object]]
 
