@@ -107,8 +107,9 @@ def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
                 texts = [word for text in texts for word in text.split()]
             font = style.ROLES[style.kind(q.role, block.is_table)].font
             needed = max((text_width(text, font.sz or FULL, bool(font.b)) for text in texts), default=0.0)
-            has, step = found.get(column, COLUMN_WIDTH), TOWARDS.get(style.alignment(q, sample(q), block.is_table), 0)
+            has = found.get(column, COLUMN_WIDTH)
             if needed + GAP > has:
+                step = TOWARDS.get(style.side_of(q, sample(q), block.is_table), 0)
                 rows = range(block.row, block.row + block.size)
                 run = min(free(found, taken, row, column, step) for row in rows)
                 found[column] = max(has, needed + GAP - (0 if q.wrap else run))

@@ -75,6 +75,14 @@ TEXTS = {
 }  # fmt: skip
 
 
+class Aligned(NamedTuple):
+    """How text stands in a cell: to which side, how far from it, and whether it is wrapped."""
+
+    side: str
+    indent: int
+    wrap: bool
+
+
 class Styles:
     """Cell styles of one workbook, each made once on a scratch cell, by their numbers in the file."""
 
@@ -88,13 +96,14 @@ class Styles:
         """Remove the scratch sheet."""
         self._workbook.remove(self._scratch)
 
-    def _quantity(self, role: str, number_format: str, align: Alignment, table: bool) -> int:
+    def _quantity(self, role: str, number_format: str, aligned: Aligned, table: bool) -> int:
         """Return the style of a quantity's cells."""
         cell = self._scratch.cell(1, 1)
         cell.style = ROLES[kind(role, table)].name  # first: it resets number format and protection
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
-        cell.alignment = align
+        vertical = "top" if aligned.wrap else None
+        cell.alignment = Alignment(aligned.side, vertical, wrap_text=aligned.wrap or None, indent=aligned.indent)
         return int(cell.style_id)
 
     def _text(self, kind: str) -> int:
@@ -108,14 +117,13 @@ def kind(role: str, table: bool) -> str:
     return "calculation" if table and role == "result" else role
 
 
-def placed(q: Quantity, value: Any, table: bool, first: bool) -> Alignment:
+def aligned(q: Quantity, value: Any, table: bool, first: bool) -> Aligned:
     """Return how a quantity's cells are aligned; a text behind a number keeps off it, ``first`` being no such."""
-    side = alignment(q, value, table)
-    behind = int(table and side == "left" and not first)
-    return Alignment(horizontal=side, indent=behind, wrap_text=q.wrap or None, vertical="top" if q.wrap else None)
+    side = side_of(q, value, table)
+    return Aligned(side, int(table and side == "left" and not first), q.wrap)
 
 
-def alignment(q: Quantity, value: Any, table: bool) -> str:
+def side_of(q: Quantity, value: Any, table: bool) -> str:
     """Return how a quantity stands in its cell: numbers to the right, counters and texts of tables centred."""
     if q.align:
         return q.align

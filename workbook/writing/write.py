@@ -21,8 +21,8 @@ from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 from pydantic import BaseModel
 
-from workbook.book.declare import FIRST, Block, Book, Quantity, Sheet
-from workbook.book.quantity import number_format, sample
+from workbook.book.declare import FIRST, Block, Book, Sheet
+from workbook.book.quantity import Quantity, number_format, sample
 from workbook.entries import rules
 from workbook.writing import archive, charts, layout, style
 from workbook.writing.archive import Cells, Strings
@@ -158,8 +158,9 @@ def write_block(
     """Write the cells of one block, each column in one style and with its rule, and set the height of wrapped texts."""
     looks: dict[str, int] = {}
     for q in block.quantities:
-        place = style.placed(q, sample(q), block.is_table, block.columns[q.name] == FIRST)
-        looks[q.name] = styles.quantity(q.role, format_of(q, model), place, block.is_table)
+        value = sample(q)
+        aligned = style.aligned(q, value, block.is_table, block.columns[q.name] == FIRST)
+        looks[q.name] = styles.quantity(q.role, format_of(q, value, model), aligned, block.is_table)
         if q.role == "input":
             rule = rules.validation(model, q)
             rule.add(block.reference(q.name).replace("$", ""))
@@ -178,9 +179,9 @@ def write_block(
         page.conditional_formatting.add(ranges, mark.rule)
 
 
-def format_of(q: Quantity, model: type[BaseModel]) -> str:
-    """Return the number format of a quantity's cells."""
-    return AS_TYPED if rules.is_free_text(model, q) else number_format(q, sample(q))
+def format_of(q: Quantity, value: Any, model: type[BaseModel]) -> str:
+    """Return the number format of a quantity's cells, by the size of a value."""
+    return AS_TYPED if rules.is_free_text(model, q) else number_format(q, value)
 
 
 def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dict[int, float]) -> None:

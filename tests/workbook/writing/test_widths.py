@@ -85,9 +85,9 @@ def lacking(cell, wide, full):
         return 0
     is_table = cell.block.is_table
     font = style.ROLES["calculation" if is_table and q.role == "result" else q.role].font
-    look = style.placed(q, sample(q), is_table, cell.column == 2)
+    look = style.aligned(q, sample(q), is_table, cell.column == 2)
     has = room(wide.get(cell.column, COLUMN_WIDTH)) - look.indent * INDENT
-    step, column = {"left": 1, "right": -1}.get(look.horizontal, 0), cell.column
+    step, column = {"left": 1, "right": -1}.get(look.side, 0), cell.column
     while step and not q.wrap and 1 < column + step < cell.column + FARTHEST and (cell.row, column + step) not in full:
         column += step
         has += room(wide.get(column, COLUMN_WIDTH)) - room(0)

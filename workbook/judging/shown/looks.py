@@ -12,6 +12,7 @@ from openpyxl.utils import get_column_letter
 from pydantic import BaseModel
 
 from workbook.book.address import Address
+from workbook.book.quantity import sample
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import FAIL, NOTICE, SHOWN, Report
 from workbook.judging.shown import taste
@@ -104,7 +105,8 @@ class Looks:
                 self._told.add(at, of_style(self.palette, look, font=font), "as built", one.what, one.counts)
         for cells in styles.values():
             _, at, cell = cells[0]
-            declared = format_of(one.pairs[0].cell.quantity, self._model) if one.pairs else "General"
+            q = one.pairs[0].cell.quantity if one.pairs else None
+            declared = format_of(q, sample(q), self._model) if q else "General"
             values = [value_of(one.pairs[n]) for n, *_ in cells if one.pairs]
             if cell.number_format != declared and (not values or any(v not in (None, "") for v in values)):
                 said = one.format(cell.number_format, values, declared)
