@@ -1,7 +1,8 @@
-"""Lines, functions and files are short enough to be read."""
+"""Lines, functions and files are short enough to be read; every folder has its place in the order of imports."""
 
 import ast
 import subprocess
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -48,3 +49,12 @@ def test_no_function_is_too_long() -> None:
 def test_no_file_is_too_long() -> None:
     lines = {named(path): len(path.read_text("utf-8").splitlines()) for path in sources()}
     assert {name: count for name, count in lines.items() if count > FILE} == {}
+
+
+def test_every_room_has_its_place_in_the_order_of_imports() -> None:
+    """But the starter: its files are those of a new project."""
+    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["importlinter"]["contracts"]
+    (layers,) = [contract["layers"] for contract in contracts if contract["type"] == "layers"]
+    placed = {room.strip() for layer in layers for room in layer.split("|")}
+    rooms = {".".join(path.relative_to(ROOT).with_suffix("").parts[:2]) for path in sources()}
+    assert placed == rooms - {"engine.__init__", "workbook.__init__", "workbook.starter"}

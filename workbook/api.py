@@ -10,8 +10,8 @@ from workbook.book.summary import summary_sheet
 from workbook.build import build
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.rules import limits
-from workbook.entries.texts import Text
-from workbook.entries.types import Angle, Model, NotNegative, Number, Positive, Share
+from workbook.fields.texts import Text
+from workbook.fields.types import Angle, Model, NotNegative, Number, Positive, Share
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.template import Template, finish

@@ -50,12 +50,6 @@ class Template(Generic[M]):
     others: Mapping[str, Other[M]] = field(default_factory=dict)  # other ways to tell a machine, by their own key
     folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template
 
-    def __reduce__(self) -> tuple[Callable[[str], Any], tuple[str]]:
-        """To another process a template goes by its name."""
-        from workbook.templates import TEMPLATES
-
-        return TEMPLATES.__getitem__, (self.name,)
-
     def model_for(self, data: Any) -> type[M]:
         """Return the model that checks a description."""
         return next((other.model for key, other in self.others.items() if has(data, key)), self.model)

@@ -1,5 +1,6 @@
 """The register of templates, each imported when it is asked for: those of motionbook, and those of other packages."""
 
+import copyreg
 import sys
 from collections.abc import Iterator, Mapping
 from functools import cached_property
@@ -52,5 +53,6 @@ class Register(Mapping[str, AnyTemplate]):
 
 
 TEMPLATES = Register()
+copyreg.pickle(Template, lambda template: (TEMPLATES.__getitem__, (template.name,)))  # to processes by its name
 
 __all__ = ["TEMPLATES", "AnyTemplate", "Template"]

@@ -17,8 +17,8 @@ from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
 from workbook.book.summary import settled
 from workbook.entries.machine import Fault, Machine
+from workbook.law_sheets.library import named
 from workbook.laws.entries import key_of
-from workbook.laws.library import named
 
 OK = "OK"
 MOST_TURNS = 1000

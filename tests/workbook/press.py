@@ -22,8 +22,8 @@ from workbook.book.sentence import amount, exceeding
 from workbook.book.summary import summary_sheet
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.rules import limits
-from workbook.entries.texts import LOOKED_UP, Text
-from workbook.entries.types import Angle, Model, Number, Positive
+from workbook.fields.texts import LOOKED_UP, Text
+from workbook.fields.types import Angle, Model, Number, Positive
 from workbook.reading.descriptions import read_machine
 from workbook.template import Template, finish
 

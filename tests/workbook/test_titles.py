@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbook.entries.texts import LONGEST, RESERVED, sheet_title
+from workbook.fields.texts import LONGEST, RESERVED, sheet_title
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 

@@ -14,8 +14,8 @@ from workbook.controllers.target import Target
 from workbook.entries.abscissa import ENTERED, measured
 from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.machine import Sizes
-from workbook.entries.units import shown, si
 from workbook.errors import TargetError
+from workbook.fields.units import shown, si
 
 UNITS = re.compile(r"x in (\S{1,12}), y in (\S{1,12});")
 BASIC = ("ACS", "TVP", "CIC", "CUB", "MTP")

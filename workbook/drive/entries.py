@@ -6,8 +6,8 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from workbook.book.limits import RowRule
-from workbook.entries.texts import Text
-from workbook.entries.types import DesignError, Model, NotNegative, Positive
+from workbook.fields.texts import Text
+from workbook.fields.types import DesignError, Model, NotNegative, Positive
 
 Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 

@@ -7,7 +7,7 @@ from engine.drive.motor import CORNERS, Corners, Motor, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import NOTHING, Said, amount, exceeding
-from workbook.entries.units import RPM, shown
+from workbook.fields.units import RPM, shown
 
 RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"  # colours in the plane of speed and torque
 PEAKS = "MAX(@tmax,0-@tmin)"

@@ -1,1 +1,1 @@
-"""What every description shares: types, units, the machine, what Excel accepts in a cell."""
+"""What every description holds: phases, the machine, the check of a design, what Excel accepts in a cell."""

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple, get_args
 
 from workbook.book.sentence import figure
 from workbook.entries.phase import TURN
-from workbook.entries.units import DEGREE, MM, Real
+from workbook.fields.units import DEGREE, MM, Real
 
 Range = tuple[float, float | None, float | None]
 TAKEN = "timing_taken"  # the cell by which places become degrees: a file that has it does not hold degrees

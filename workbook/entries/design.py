@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from workbook.entries import rules
 from workbook.entries.machine import Design, Fault, Machine, Replaced
-from workbook.entries.types import DesignError, TogetherError
+from workbook.fields.types import DesignError, TogetherError
 from workbook.laws.entries import key_of
 
 M = TypeVar("M", bound=Machine)

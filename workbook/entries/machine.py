@@ -7,8 +7,8 @@ from typing import Annotated, Any, ClassVar, NamedTuple, Self
 
 from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
-from workbook.entries.texts import Text
-from workbook.entries.types import EntryError, Model
+from workbook.fields.texts import Text
+from workbook.fields.types import EntryError, Model
 from workbook.laws.entries import Laws, key_of, resolve
 from workbook.laws.pages.spline import ROOM
 

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
-from workbook.entries.types import Angle, DesignError, EntryError, Model, Number
+from workbook.fields.types import Angle, DesignError, EntryError, Model, Number
 from workbook.laws.entries import LawName, Laws
 
 TURN = 360.0  # degrees

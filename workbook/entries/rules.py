@@ -13,7 +13,7 @@ from pydantic.fields import FieldInfo
 
 from workbook.book.declare import Quantity
 from workbook.book.limits import Limit
-from workbook.entries.types import LARGEST, SMALLEST, CountsAs, EmptyCell
+from workbook.fields.types import LARGEST, SMALLEST, CountsAs, EmptyCell
 from workbook.laws.entries import TakesLaw
 from workbook.laws.registry import RISING
 

@@ -16,7 +16,7 @@ from engine.motion.joining import joined
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given, result
 from workbook.book.rows import filled
-from workbook.entries.types import Model, NotNegative, Number, Share
+from workbook.fields.types import Model, NotNegative, Number, Share
 from workbook.functions.declared import CODES, FUNCTIONS, TAKES, TEXTS, Argument
 from workbook.laws.entries import Laws, as_listed
 from workbook.laws.family import value_at

@@ -18,7 +18,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Block, Book
 from workbook.book.formula import REFERENCE, TOKEN, corner, read, unquoted
 from workbook.entries import rules
-from workbook.entries.texts import LOOKED_UP, NO_NAME, PATTERN
+from workbook.fields.texts import LOOKED_UP, NO_NAME, PATTERN
 from workbook.judging.comparing import Right, differs
 from workbook.judging.layout import titled
 from workbook.judging.matching import Match, Pair

@@ -1,1 +1,1 @@
-"""Motion laws in the workbook: entries, pages, the stack of pieces, sampling, variations."""
+"""The families of motion laws in a workbook: their entries, their pieces as formulas, how they are sampled."""

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union
 
 from pydantic import BeforeValidator, Field, PrivateAttr, RootModel, create_model, model_serializer, model_validator
 
-from workbook.entries.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
-from workbook.entries.types import EntryError, Model
 from workbook.errors import found
+from workbook.fields.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
+from workbook.fields.types import EntryError, Model
 from workbook.laws.registry import CODES, FAMILY
 
 LONGEST = 40  # characters of a law's name

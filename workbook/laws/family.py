@@ -15,7 +15,7 @@ from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.modified import CLASSIC
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import amount, figure
-from workbook.entries.types import SUM_TOLERANCE, DesignError, Model, Number, Positive, Share
+from workbook.fields.types import SUM_TOLERANCE, DesignError, Model, Number, Positive, Share
 
 COEFFICIENTS = (
     ("cv", "Velocity coefficient", "C_v"),

@@ -10,9 +10,9 @@ from engine.laws.inverse import law_pieces
 from engine.motion.joining import Rates
 from workbook.book.declare import Quantity, given
 from workbook.entries.machine import Machine
-from workbook.entries.types import EntryError
+from workbook.fields.types import EntryError
+from workbook.law_sheets.library import laws
 from workbook.laws.entries import Laws
-from workbook.laws.library import laws
 
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 """what must be continuous: velocity; acceleration too; jerk too"""

@@ -13,7 +13,7 @@ from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
 from workbook.book.sentence import spelled
-from workbook.entries.units import DEGREE, shown
+from workbook.fields.units import DEGREE, shown
 from workbook.motion.asked import CROWDED, ROOM_RULE
 from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, last_before, of_law
 

@@ -11,7 +11,7 @@ from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, Sentence, figure
-from workbook.entries.units import DEGREE, shown
+from workbook.fields.units import DEGREE, shown
 from workbook.motion.asked import ABOUT, Asked, in_time, timed
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import at_begin, at_place, place_columns

@@ -12,8 +12,8 @@ from pydantic import BaseModel
 from workbook.entries import rules
 from workbook.entries.design import RefusedError, as_entered, designed, keys_of
 from workbook.entries.machine import Fault, Machine
-from workbook.entries.types import LARGEST, SMALLEST, EntryError
 from workbook.errors import LONGEST, InputError, ReadError, found
+from workbook.fields.types import LARGEST, SMALLEST, EntryError
 from workbook.intake import read_text
 from workbook.laws.entries import key_of
 from workbook.selection.entries import referred

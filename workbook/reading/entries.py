@@ -12,7 +12,7 @@ from workbook.entries import rules
 from workbook.entries.design import set_at
 from workbook.entries.machine import ExportEntry, Machine, named
 from workbook.errors import DisputedError, InputError, ReadError, found
-from workbook.laws.library import numbered, with_laws
+from workbook.law_sheets.library import numbered, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
 from workbook.reading.files import BookFile, is_formula, require_narrow
 from workbook.reading.fitting import ends_lost, fitted

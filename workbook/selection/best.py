@@ -8,7 +8,7 @@ from engine.selection.pair_matrix import falling
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
-from workbook.entries.units import PER_RPM, RPM, shown
+from workbook.fields.units import PER_RPM, RPM, shown
 from workbook.selection.choosing import BEST, Choosing, rms_of, torque_of
 from workbook.selection.grids import DASH
 

@@ -6,8 +6,8 @@ from typing import Annotated
 from pydantic import Field
 
 from workbook.book.limits import RowRule
-from workbook.entries.texts import LOOKED_UP, NO_FORMULA, ONE_LINE
-from workbook.entries.types import DesignError, Model, NotNegative, Positive
+from workbook.fields.texts import LOOKED_UP, NO_FORMULA, ONE_LINE
+from workbook.fields.types import DesignError, Model, NotNegative, Positive
 
 Name = Annotated[str, Field(min_length=1, max_length=60, pattern=NO_FORMULA), LOOKED_UP]
 Source = Annotated[str, Field(min_length=1, max_length=200, pattern=NO_FORMULA), ONE_LINE]

@@ -12,8 +12,8 @@ from pydantic import ValidationError
 import workbook
 from workbook.entries import rules
 from workbook.entries.design import numbers_of
-from workbook.entries.types import EntryError
 from workbook.errors import InputError, ReadError, found
+from workbook.fields.types import EntryError
 from workbook.intake import read_text
 from workbook.selection.catalogue import MotorRow, ReducerRow
 

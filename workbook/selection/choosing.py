@@ -15,7 +15,7 @@ from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Wanted, gears
 from engine.selection.point_load import Gears, PointLoad, shares_of
 from workbook.book.chart import in_scope
 from workbook.book.rows import filled
-from workbook.entries.units import KG_CM2, PER_HOUR, RPM, shown, si
+from workbook.fields.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Ranked, SelectionSizes
 

@@ -11,7 +11,7 @@ from engine.laws.points import POINTS
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
-from workbook.entries.units import RPM, shown
+from workbook.fields.units import RPM, shown
 from workbook.selection.choosing import AS_ENTERED, MIXED, SQUARE, Choosing, rms_of
 from workbook.selection.grids import DASH, LARGE, continuous, of, wanted, weak
 

@@ -8,8 +8,8 @@ from pydantic import Field, model_validator
 from engine.selection.pair_matrix import Rank
 from workbook.drive.entries import noted
 from workbook.entries.machine import Sizes
-from workbook.entries.texts import place_of, require_distinct
-from workbook.entries.types import EntryError, Model, Positive
+from workbook.fields.texts import place_of, require_distinct
+from workbook.fields.types import EntryError, Model, Positive
 from workbook.selection.catalogue import Efficiency, MotorRow, Name, ReducerRow
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 

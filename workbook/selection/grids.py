@@ -10,7 +10,7 @@ from engine.drive.limits import factor_at
 from engine.selection.pair_matrix import PARTS, RANKS
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
-from workbook.entries.units import PER_RPM, RPM, shown
+from workbook.fields.units import PER_RPM, RPM, shown
 from workbook.selection.catalogue import FULL_CYCLES
 from workbook.selection.choosing import MIXED, SQUARE, Choosing, rms_of, torque_of
 

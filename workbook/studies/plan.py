@@ -16,11 +16,11 @@ from workbook.book.declare import Book
 from workbook.build import described
 from workbook.entries.design import RefusedError, attempted
 from workbook.entries.machine import Fault, Machine
-from workbook.entries.types import EntryError
 from workbook.errors import InputError, found
+from workbook.fields.types import EntryError
 from workbook.intake import read_text
+from workbook.law_sheets.library import laws
 from workbook.laws.entries import ENTRIES, references
-from workbook.laws.library import laws
 from workbook.reading.descriptions import counted, parsed, write_machine
 from workbook.studies.paths import below, changed, held, nearest, opened, path_of, written
 from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arranged

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, model_validator
 
-from workbook.entries.texts import Text
-from workbook.entries.types import EntryError, Model, Number
+from workbook.fields.texts import Text
+from workbook.fields.types import EntryError, Model, Number
 from workbook.offered import Column
 
 Name = Annotated[str, Field(min_length=1, max_length=200)]

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from engine.motion.pieces import CamProfile
-from workbook.entries.units import DEGREE, MM
-from workbook.laws.library import laws
+from workbook.fields.units import DEGREE, MM
+from workbook.law_sheets.library import laws
 from workbook.machines.flying.view import Flying
 from workbook.machines.machine.view import Whole
 from workbook.machines.overlap.view import Overlapping

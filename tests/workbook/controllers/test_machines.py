@@ -11,9 +11,9 @@ from tests.workbook.machines.test_machine import axis, described
 from workbook.controllers.handing import certified, fewest, reread, rules_of, tabulated
 from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.target import Handed
-from workbook.entries.units import DEGREE, shown, si
 from workbook.errors import TargetError
-from workbook.laws.library import laws
+from workbook.fields.units import DEGREE, shown, si
+from workbook.law_sheets.library import laws
 from workbook.machines.machine.view import Whole
 from workbook.templates import TEMPLATES
 

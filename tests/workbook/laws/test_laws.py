@@ -10,11 +10,11 @@ from engine.laws import CATALOGUE, Cubic
 from tests.laws import MOVING
 from tests.workbook.cells import disagreeing
 from tests.workbook.composed import MACHINE, composed
-from workbook.entries.types import Model
+from workbook.fields.types import Model
+from workbook.law_sheets.library import SIX, law_for, laws_in, variations, with_laws
+from workbook.law_sheets.page import COEFFICIENTS
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import LawSheet, PieceRow
-from workbook.laws.library import SIX, law_for, laws_in, variations, with_laws
-from workbook.laws.page import COEFFICIENTS
 from workbook.laws.registry import CODES, FAMILY, PAGES, IncompleteError, page_of, require_complete
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES

@@ -12,8 +12,8 @@ from tests.workbook.cells import disagreeing, entered
 from workbook.errors import InputError
 from workbook.judging.report import Report
 from workbook.judging.verify import judge
+from workbook.law_sheets.shelf import LawShelf
 from workbook.laws.entries import LONGEST
-from workbook.laws.shelf import LawShelf
 from workbook.reading.descriptions import checked, counted, write_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places

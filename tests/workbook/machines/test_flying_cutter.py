@@ -10,7 +10,7 @@ from tests.engine.selection.tasks import sampled_task
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
-from workbook.laws.library import RISING, laws
+from workbook.law_sheets.library import RISING, laws
 from workbook.machines.flying.view import Flying
 from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES

@@ -6,7 +6,7 @@ from engine.laws.inverse import HEIGHT, inverse
 from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
-from workbook.laws.library import RISING, laws
+from workbook.law_sheets.library import RISING, laws
 from workbook.machines.overlap.view import Overlapping
 from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES

@@ -10,10 +10,10 @@ from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
-from workbook.laws.shelf import LawShelf
+from workbook.law_sheets.shelf import LawShelf
 from workbook.machines.machine import exact
 from workbook.machines.machine.clearances import Apart
-from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisRows
 from workbook.machines.machine.view import Whole
 
 PUNCH = axis(1, (30, 90, 20.0, "CIC"), (150, 210, -20.0, "CIC"))

@@ -6,7 +6,7 @@ import pytest
 
 from tests.workbook.cells import computed, entered
 from tests.workbook.machines.test_machine import TEMPLATE, described, driven
-from workbook.entries.units import KW
+from workbook.fields.units import KW
 
 RATIO = 2 * math.pi / 0.01  # of a screw of 10 mm lead, rad/m
 RISE = ((30, 90, 20.0, "CIC"), (180, 240, -20.0, "CIC"))

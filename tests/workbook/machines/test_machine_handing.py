@@ -8,7 +8,7 @@ import pytest
 from engine.drive.results import DriveResults
 from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing, entered
-from workbook.laws.library import laws
+from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked, counted

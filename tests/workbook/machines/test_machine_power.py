@@ -13,8 +13,8 @@ from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
 from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, MOTOR, ROCKER, TABLE, linked
-from workbook.entries.units import KW
-from workbook.laws.library import laws
+from workbook.fields.units import KW
+from workbook.law_sheets.library import laws
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole

@@ -14,12 +14,12 @@ from tests.workbook.machines.test_machine_linked import CRANK, ROCKER
 from tests.workbook.machines.test_machine_linked import small as linked_small
 from tests.workbook.machines.test_machine_tables import table
 from tests.workbook.machines.test_machine_viscous import SCREW, lossy
-from workbook.laws.shelf import LawShelf
+from workbook.law_sheets.shelf import LawShelf
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import Master
 from workbook.machines.machine.exact import exact_highest, rates
-from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisRows
 from workbook.machines.machine.view import Whole
 
 CHECKS = {

@@ -22,7 +22,7 @@ from tests.workbook.machines.test_machine_handing import (
     phase,
 )
 from tests.workbook.machines.test_machine_rates import drives_of
-from workbook.laws.library import laws
+from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked, counted

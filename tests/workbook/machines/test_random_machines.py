@@ -17,8 +17,8 @@ from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
 from tests.workbook.machines.test_machine_rates import CHECKS
-from workbook.entries.units import KW
-from workbook.laws.library import laws
+from workbook.fields.units import KW
+from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import Whole
 from workbook.reading.descriptions import checked

@@ -14,9 +14,9 @@ from tests.workbook.composed import composed as one_axis
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.laws.shelf import LawShelf
+from workbook.law_sheets.shelf import LawShelf
+from workbook.machines.machine import extremes
 from workbook.machines.machine.exact import MOTION, extremes_of
-from workbook.machines.machine.motion import extremes
 from workbook.machines.machine.view import Whole
 
 IN_STEP = tomllib.loads((Path(__file__).parent / "in_step.toml").read_text(encoding="utf-8"))

@@ -12,9 +12,9 @@ from tests.mutation.bench import sized
 from tests.workbook.composed import committed_as
 from workbook.build import build, inputs
 from workbook.entries.rules import field_at
-from workbook.entries.texts import looked_up, place_of, require_distinct
-from workbook.entries.types import EntryError
 from workbook.errors import InputError
+from workbook.fields.texts import looked_up, place_of, require_distinct
+from workbook.fields.types import EntryError
 from workbook.judging.verify import verify
 from workbook.reading.contents import Contents
 from workbook.reading.descriptions import checked, counted, read_machine

@@ -19,7 +19,7 @@ from workbook.build import build, described, inputs
 from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
-from workbook.laws.shelf import LawShelf
+from workbook.law_sheets.shelf import LawShelf
 from workbook.machines.flying.view import Flying, ToolDrive
 from workbook.reading.descriptions import read_machine
 from workbook.selection.catalogue import MotorRow, ReducerRow

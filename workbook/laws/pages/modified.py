@@ -7,7 +7,7 @@ from pydantic import Field
 
 from engine.laws import modified as engine
 from workbook.book.sentence import figure
-from workbook.entries.types import SUM_TOLERANCE, DesignError, Share
+from workbook.fields.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws import family
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, Parameter

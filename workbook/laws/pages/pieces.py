@@ -16,8 +16,8 @@ from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constan
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure
 from workbook.book.summary import ZERO
-from workbook.entries.texts import Text
-from workbook.entries.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
+from workbook.fields.texts import Text
+from workbook.fields.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
 from workbook.laws.family import BEHIND, ENTRIES, LABELS, REACHES, LawSheet, Page
 from workbook.laws.own import OWN_ENTRIES, extremes, missing, points_table

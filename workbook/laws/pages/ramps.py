@@ -7,7 +7,7 @@ from pydantic import Field
 
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from workbook.book.sentence import figure
-from workbook.entries.types import DesignError
+from workbook.fields.types import DesignError
 from workbook.laws import family
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, LINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow

@@ -13,7 +13,7 @@ from engine.laws.spline import EQUAL, EXAMPLE, MOST, NARROWEST, Spline, SplineTa
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, figure, spelled
-from workbook.entries.types import DesignError, Model, Number, Share
+from workbook.fields.types import DesignError, Model, Number, Share
 from workbook.laws.family import BEHIND, ENTRIES, REACHES, LawCheck, LawSheet, Page
 
 ENDS = ("begin", "end")

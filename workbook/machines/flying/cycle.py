@@ -4,7 +4,7 @@ import numpy as np
 
 from engine.flying.pieces import cut_joints, cut_parts, cut_pieces, rates_of
 from workbook.book.declare import Book, Sheet, calc, constant, result
-from workbook.entries.units import DEGREE, MM, RPM, shown
+from workbook.fields.units import DEGREE, MM, RPM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.flying.view import Flying
 from workbook.motion.asked import Asked

@@ -7,7 +7,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import SHARES, WEIGHTS, filled
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, plane, rms_point, within_reducer
-from workbook.entries.units import PER_RPM, RPM, shown
+from workbook.fields.units import PER_RPM, RPM, shown
 from workbook.machines.flying.view import ToolDrive
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import place_columns, sampled

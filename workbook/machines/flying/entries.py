@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.entries.machine import Exporting
 from workbook.entries.phase import TURN
-from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
+from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.asked import Smoothness, settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room

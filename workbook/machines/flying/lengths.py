@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from engine.flying.cut import Beyond, Cut
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
-from workbook.entries.units import MM, shown
+from workbook.fields.units import MM, shown
 from workbook.machines.flying.entries import DRUM
 from workbook.machines.flying.view import Flying
 from workbook.machines.flying.view import does as what

@@ -8,8 +8,8 @@ from engine.laws.points import fastest
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.sentence import amount
-from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown, si
-from workbook.laws.library import NamedLaw
+from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown, si
+from workbook.law_sheets.library import NamedLaw
 from workbook.machines.flying.lengths import IS_DRUM, cases, waits
 from workbook.machines.flying.view import LEAST_CV, Flying, does
 from workbook.motion.asked import ABOUT as CONTINUOUS

@@ -9,9 +9,9 @@ from workbook.book.declare import Book, result
 from workbook.book.sentence import rounded
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
-from workbook.entries.units import DEGREE, MM, PER_MINUTE, RPM, shown
-from workbook.laws.library import RISING, SIX, factors, law_for, laws, own_in, single_humped, vary_laws, varying
-from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
+from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, single_humped, vary_laws, varying
+from workbook.law_sheets.shelf import LAW_SIZES, LawShelf
 from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
 from workbook.machines.flying.entries import DRUM, FlyingCutter

@@ -18,10 +18,10 @@ from engine.selection.point_load import PointLoad
 from engine.selection.task import Task, best_ratio
 from workbook.book.rows import filled
 from workbook.book.sentence import figure
-from workbook.entries.texts import place_of
-from workbook.entries.types import END_TOLERANCE, DesignError
-from workbook.entries.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_HOUR, PER_MINUTE, RPM, shown, si
-from workbook.laws.library import laws
+from workbook.fields.texts import place_of
+from workbook.fields.types import END_TOLERANCE, DesignError
+from workbook.fields.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_HOUR, PER_MINUTE, RPM, shown, si
+from workbook.law_sheets.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 from workbook.selection.choosing import Choosing, Figure, Shaft, asked, figures

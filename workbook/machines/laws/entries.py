@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from workbook.entries.machine import Machine
-from workbook.entries.types import Model
+from workbook.fields.types import Model
 from workbook.laws.entries import LawName
 
 MOST_CURVES = 4

@@ -5,7 +5,7 @@ from engine.laws.piece import POWERS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
-from workbook.laws.page import finite
+from workbook.law_sheets.page import finite
 from workbook.machines.laws.entries import MOST_CURVES
 from workbook.machines.laws.view import Compared
 

@@ -5,8 +5,8 @@ from typing import Any
 from workbook.book.declare import Book, calc, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
-from workbook.laws.library import SIX, factors, law_for, vary_laws, varying
-from workbook.laws.shelf import LAW_SIZES, LawShelf
+from workbook.law_sheets.library import SIX, factors, law_for, vary_laws, varying
+from workbook.law_sheets.shelf import LAW_SIZES, LawShelf
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 from workbook.machines.laws.sheet import comparison_sheet, names_sheet
 from workbook.machines.laws.view import Compared

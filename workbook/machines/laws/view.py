@@ -6,7 +6,7 @@ import numpy as np
 
 from engine.laws import Dwell
 from engine.laws.inverse import LawJoint, continuity, law_joints
-from workbook.laws.library import NamedLaw
+from workbook.law_sheets.library import NamedLaw
 from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 

@@ -7,8 +7,8 @@ from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
 from workbook.drive.entries import Efficiency, RotatingParts, in_unit, noted
-from workbook.entries.texts import LOOKED_UP
-from workbook.entries.types import Angle, DesignError, EmptyCell, EntryError, Model, NotNegative, Number, Positive
+from workbook.fields.texts import LOOKED_UP
+from workbook.fields.types import Angle, DesignError, EmptyCell, EntryError, Model, NotNegative, Number, Positive
 from workbook.machines.machine.entries_beside import Name
 from workbook.selection.catalogue import Factor
 from workbook.selection.entries import COMMITTED, REFERENCE, Products, Ranked

@@ -11,11 +11,11 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, amount
 from workbook.entries.phase import TURN
-from workbook.entries.texts import place_of
-from workbook.entries.units import DEGREE, shown, si
+from workbook.fields.texts import place_of
+from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import ClearanceEntry
 from workbook.machines.machine.from_names import clearance_name
-from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisRows
 from workbook.motion.pieces import finding, sampled
 
 ABOUT = (

@@ -9,8 +9,8 @@ from workbook.book.sentence import figure
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.machine import Exporting
 from workbook.entries.phase import Passing, TurnPhase, forward, require_straight
-from workbook.entries.texts import Text, place_of, require_distinct
-from workbook.entries.types import (
+from workbook.fields.texts import Text, place_of, require_distinct
+from workbook.fields.types import (
     ANGLE_TOLERANCE,
     DesignError,
     EntryError,

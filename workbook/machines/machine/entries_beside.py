@@ -9,8 +9,8 @@ from pydantic.json_schema import JsonSchemaValue
 from workbook.book.limits import RowRule
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.phase import TURN
-from workbook.entries.texts import LOOKED_UP, NO_FORMULA, place_of
-from workbook.entries.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number
+from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
+from workbook.fields.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number
 
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 TIMES, MOST_SWITCHES, MOST_CLEARANCES = 6, 24, 12  # of being on, that a switch has room for

@@ -5,13 +5,13 @@ from collections.abc import Iterator
 
 from engine.drive.limits import highest_rate
 from workbook.book.sentence import rounded
-from workbook.entries.units import PER_MINUTE, RPM, shown
-from workbook.laws.shelf import LawShelf
+from workbook.fields.units import PER_MINUTE, RPM, shown
+from workbook.law_sheets.shelf import LawShelf
 from workbook.machines.machine.clearances import Apart
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisRows
 from workbook.machines.machine.view import MovingAxis, Whole
 
 RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 1e-3, 1e-3, 5e-4

@@ -5,7 +5,7 @@ from typing import Any
 
 from engine.drive.motor import Reserve
 from workbook.book.declare import Quantity, Sheet, calc, result
-from workbook.entries.units import PERCENT, RPM, shown
+from workbook.fields.units import PERCENT, RPM, shown
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.timing.sheet import units
 from workbook.machines.machine.view import MovingAxis, Whole

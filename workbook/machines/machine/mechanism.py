@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 from pydantic import Field
 
 from workbook.drive.entries import Efficiency, in_unit, noted
-from workbook.entries.types import DesignError, Model, NotNegative, Number, Positive
+from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 
 UNSIZED = "a size of the mechanism is empty"
 LEAST_POINTS = 2

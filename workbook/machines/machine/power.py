@@ -10,7 +10,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.rows import total
 from workbook.book.sentence import amount
-from workbook.entries.units import KW, shown
+from workbook.fields.units import KW, shown
 from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.drive.view import DriveView
 

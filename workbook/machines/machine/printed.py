@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from workbook.book.declare import Book, calc, constant
-from workbook.entries.texts import sheet_title
+from workbook.fields.texts import sheet_title
 from workbook.machines.machine.drive.view import DriveView
 
 NONE = "-"

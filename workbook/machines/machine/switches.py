@@ -11,7 +11,7 @@ from workbook.book.rows import filled
 from workbook.book.sentence import first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
-from workbook.entries.units import DEGREE, shown, si
+from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
 from workbook.machines.machine.from_names import switch_name
 from workbook.machines.machine.timing.phases import going_beyond

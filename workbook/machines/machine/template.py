@@ -11,12 +11,12 @@ from workbook.book.declare import Book, Quantity, again, result
 from workbook.book.summary import summary_sheet, summed_up
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
-from workbook.entries.texts import place_of
-from workbook.entries.units import DEGREE, PER_MINUTE, shown, si
+from workbook.fields.texts import place_of
+from workbook.fields.units import DEGREE, PER_MINUTE, shown, si
 from workbook.latest import latest
-from workbook.laws.library import laws
+from workbook.law_sheets.library import laws
+from workbook.law_sheets.shelf import LAW_SIZES, shelf_of
 from workbook.laws.sampling import Pieces
-from workbook.laws.shelf import LAW_SIZES, shelf_of
 from workbook.machines.machine.clearances import Apart, clearances_sheet
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.drive.driven import Driven
@@ -27,7 +27,7 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import rates, truths
 from workbook.machines.machine.from_names import fixed, laid_out
 from workbook.machines.machine.in_short import NO_DRIVE, axes_in_short
-from workbook.machines.machine.motion.tables import AxisRows, pieces_sheet
+from workbook.machines.machine.motion_tables import AxisRows, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.studies.results import SCALING

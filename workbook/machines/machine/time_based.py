@@ -8,8 +8,8 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.entries.abscissa import Abscissa, Unit, measured
 from workbook.entries.phase import TURN, filling, forward
-from workbook.entries.types import ANGLE_TOLERANCE, CountsAs, DesignError, EntryError, Model, NotNegative, Positive
-from workbook.entries.units import PER_MINUTE, shown, si
+from workbook.fields.types import ANGLE_TOLERANCE, CountsAs, DesignError, EntryError, Model, NotNegative, Positive
+from workbook.fields.units import PER_MINUTE, shown, si
 from workbook.machines.machine.chain import WINDOWS, AxisLoad, ForceWindow
 from workbook.machines.machine.entries import MOST_AXES, AnyMachine, Axis, AxisPhase, following
 from workbook.machines.machine.entries_beside import KEYS, MOST_SWITCHES, TIMES, UNUSED, SwitchEntry, TimeOn, meeting

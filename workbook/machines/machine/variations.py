@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from engine.selection.pair_matrix import RANKS
-from workbook.laws.library import SIX, factors, law_for, page_of, passing, variations, vary_laws
+from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing, variations, vary_laws
 from workbook.machines.machine.chain import WINDOWS, falling
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.entries import AnyMachine

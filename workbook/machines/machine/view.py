@@ -14,10 +14,10 @@ from engine.motion.shifted import Shifted, Unshifted
 from engine.timing import shaft_speed, turn_time
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.phase import TURN
-from workbook.entries.units import DEGREE, MM, PER_MINUTE, Real, shown, si
+from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.latest import latest
 from workbook.machines.machine import entries as entered
-from workbook.machines.machine.motion.extremes import measured
+from workbook.machines.machine.extremes import measured
 from workbook.motion.asked import passed
 
 UNITS = {"mm": MM, "°": DEGREE}

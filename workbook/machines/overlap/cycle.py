@@ -9,7 +9,7 @@ from engine.overlap.picture import LANE_SHARE, lane
 from engine.overlap.schedule import pieces_of_parts, size_of_parts, whole_turn
 from engine.timing import FULL_TURN
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
-from workbook.entries.units import DEGREE, MM, shown, si
+from workbook.fields.units import DEGREE, MM, shown, si
 from workbook.laws.sampling import ACCELERATION, VELOCITY, Pieces
 from workbook.machines.overlap.entries import ToolEntry, TransferEntry
 from workbook.machines.overlap.view import Overlapping, Station

@@ -8,8 +8,8 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.entries.machine import Exporting, Sizes
 from workbook.entries.phase import TURN
-from workbook.entries.texts import LOOKED_UP, NO_FORMULA, require_distinct
-from workbook.entries.types import Angle, DesignError, Model, NotNegative, Positive
+from workbook.fields.texts import LOOKED_UP, NO_FORMULA, require_distinct
+from workbook.fields.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.asked import Smoothness, settle
 

@@ -15,7 +15,7 @@ from engine.laws.inverse import HEIGHT, INTERVALS, REST, inversion_points, law_p
 from engine.laws.points import slowest
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import amount
-from workbook.entries.units import MM, PERCENT, shown
+from workbook.fields.units import MM, PERCENT, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.view import Overlapping
 from workbook.motion.cells import FIRST, last_before

@@ -6,7 +6,7 @@ from engine.overlap.picture import BODY, FRAME, LANE_SHARE, PLATE, PUNCH, STEP, 
 from engine.overlap.plan import clearance, colliding
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
-from workbook.entries.units import DEGREE, MM, shown, si
+from workbook.fields.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
 from workbook.machines.overlap.cycle import ALLOWED, SCHEDULES, AtAngles, transfer_columns
 from workbook.machines.overlap.view import Overlapping

@@ -4,7 +4,7 @@ from engine.overlap.schedule import ANGLE_TOLERANCE, movement_time
 from engine.timing import FULL_TURN, shaft_speed
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
-from workbook.entries.units import DEGREE, shown
+from workbook.fields.units import DEGREE, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap import tool
 from workbook.machines.overlap.view import BACKWARDS, Overlapping

@@ -10,10 +10,10 @@ from workbook.book.declare import Book, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.phase import TURN
 from workbook.entries.rules import limits
-from workbook.entries.units import DEGREE, MM, shown
-from workbook.laws.library import RISING, SIX, factors, law_for, laws, own_in, vary_laws, varying
+from workbook.fields.units import DEGREE, MM, shown
+from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, vary_laws, varying
+from workbook.law_sheets.shelf import LAW_SIZES, LawShelf
 from workbook.laws.sampling import Pieces
-from workbook.laws.shelf import LAW_SIZES, LawShelf
 from workbook.machines.overlap.cycle import OF_TOOL, TRANSFER, cycle_sheets, rows_of
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet

@@ -11,7 +11,7 @@ from engine.overlap.plan import corners, rests, room
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.sentence import amount
-from workbook.entries.units import DEGREE, MM, shown
+from workbook.fields.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import SCHEDULES, AtAngles
 from workbook.machines.overlap.entries import LEAST

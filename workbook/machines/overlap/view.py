@@ -14,9 +14,9 @@ from engine.overlap.schedule import Inverse, Passage, Tool, Transfer
 from workbook.book.chart import in_scope
 from workbook.book.sentence import figure
 from workbook.entries.phase import TURN
-from workbook.entries.types import ANGLE_TOLERANCE, END_TOLERANCE, DesignError
-from workbook.entries.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
-from workbook.laws.library import laws
+from workbook.fields.types import ANGLE_TOLERANCE, END_TOLERANCE, DesignError
+from workbook.fields.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
+from workbook.law_sheets.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.overlap.entries import LEAST, MOST_TOOLS, IndexingOverlap, ToolEntry
 

@@ -20,7 +20,7 @@ from engine.motion.shifted import LOST
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.machines.machine.boundary.handing import CARRIED, Handing
-from workbook.machines.machine.motion.extremes import POINTS, at_points
+from workbook.machines.machine.extremes import POINTS, at_points
 
 HERMITE = {
     2: {5: "[f0]/2", 7: "[f0]/2", 3: "3*[h]-2*[e1]-[f1]"},

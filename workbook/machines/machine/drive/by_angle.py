@@ -7,7 +7,7 @@ from engine.drive.quadrature import LoadPoints
 from workbook.book.declare import Quantity, calc, check, entries_of
 from workbook.book.sentence import amount, quoted
 from workbook.entries.phase import TURN
-from workbook.entries.units import shown
+from workbook.fields.units import shown
 from workbook.machines.machine.drive.driven import SHORT, Driven, as_a
 from workbook.machines.machine.drive.mechanisms import slides
 from workbook.machines.machine.drive.mechanisms.page import Column, constant_sizes

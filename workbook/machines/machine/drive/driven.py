@@ -16,7 +16,7 @@ from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
 from engine.drive.motor import Falling, TorqueCurve
 from engine.drive.results import DriveResults
 from engine.drive.train import Brake, Train, Window
-from workbook.entries.units import DEGREE, KG_CM2, MM, MS, shown, si
+from workbook.fields.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.latest import latest
 from workbook.machines.machine.chain import AxisPart
 from workbook.machines.machine.drive.in_use import falling_of, left_of, motor_in_use, reducer_in_use

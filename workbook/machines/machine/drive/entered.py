@@ -5,7 +5,7 @@ from workbook.book.quantity import PLAIN
 from workbook.book.rows import filled
 from workbook.book.sentence import first_text
 from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
-from workbook.entries.units import DEGREE, KG_CM2, shown
+from workbook.fields.units import DEGREE, KG_CM2, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView

@@ -8,8 +8,8 @@ from engine.drive import Motor, derating
 from engine.drive.limits import ReducerLimits
 from engine.drive.motor import Falling
 from workbook.book.declare import Quantity, calc, check, entries_of, given
-from workbook.entries.texts import place_of
-from workbook.entries.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
+from workbook.fields.texts import place_of
+from workbook.fields.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.chain import NEEDED, UNTOLD, AxisMotor
 from workbook.machines.machine.entries import Axis
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from engine.drive.drive_points import LEAST_USE, by_cycles, line, squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import Said, Sentence, bound
-from workbook.entries.units import RPM, shown
+from workbook.fields.units import RPM, shown
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 
 NO_LIMIT = "–"

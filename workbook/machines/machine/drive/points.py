@@ -15,7 +15,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import LEAST, NOT_ZERO, SHARES, WEIGHTS, filled
 from workbook.drive.motor import plane
 from workbook.entries.phase import TURN
-from workbook.entries.units import DEGREE, KW, RPM, shown
+from workbook.fields.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive import brake, by_angle
 from workbook.machines.machine.drive.entered import ACTS

@@ -7,9 +7,9 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure, rounded
 from workbook.book.sentence import shown as rounding
-from workbook.entries.types import DesignError
-from workbook.entries.units import MM, shown
-from workbook.laws.library import laws
+from workbook.fields.types import DesignError
+from workbook.fields.units import MM, shown
+from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import APART, FALLS, linkage_of, press_of
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView

@@ -5,8 +5,8 @@ import math
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.sentence import Said
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
-from workbook.entries.texts import sheet_title
-from workbook.entries.units import KG_CM2, KW, PER_RPM, RPM, shown
+from workbook.fields.texts import sheet_title
+from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine.drive import behind, brake, by_angle, in_use, max_rate
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table

@@ -14,10 +14,10 @@ from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
-from workbook.entries.units import DEGREE, KW, PER_HOUR, RPM, shown, si
+from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisRows
 
 NONE_BINDS = "none"
 SETTLING, NEAR = 8, 1e-6

@@ -11,7 +11,7 @@ from engine.drive.mechanisms.slides import Arm
 from engine.drive.quadrature import STANDSTILL
 from engine.laws.points import POINTS
 from workbook.book.declare import Quantity, Sheet, calc, constant
-from workbook.entries.units import DEGREE, KW, RPM, shown
+from workbook.fields.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.drive import brake
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView

@@ -12,7 +12,7 @@ from engine.drive.results import Energy, Means, means
 from engine.laws.base import Array
 from engine.selection.point_load import DriveBatch, Extremes, Gears, Limits, PointLoad, shares_of
 from engine.timing import shaft_speed, turn_time
-from workbook.entries.units import KG_CM2, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
+from workbook.fields.units import KG_CM2, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive import in_use
 from workbook.machines.machine.drive.behind import load_of
 from workbook.machines.machine.drive.by_angle import ends_in_place
@@ -20,7 +20,7 @@ from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.mechanism import LINKED
-from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisRows
 from workbook.machines.machine.view import MovingAxis
 from workbook.offered import Column, Worked
 from workbook.selection.catalogue import FULL_CYCLES

@@ -9,10 +9,10 @@ import numpy as np
 
 from engine.drive.results import together
 from engine.motion.joining import shortfalls
-from workbook.entries.texts import place_of
-from workbook.entries.units import KW, shown
+from workbook.fields.texts import place_of
+from workbook.fields.units import KW, shown
+from workbook.law_sheets.library import laws, named
 from workbook.laws.family import COEFFICIENTS
-from workbook.laws.library import laws, named
 from workbook.machines.machine.clearances import Apart
 from workbook.machines.machine.drive.behind import shaft_of
 from workbook.machines.machine.entries import AnyMachine

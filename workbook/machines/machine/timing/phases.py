@@ -9,12 +9,12 @@ from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import AT_REST
-from workbook.entries.units import shown
+from workbook.fields.units import shown
+from workbook.law_sheets.page import finite
 from workbook.laws import sampling
-from workbook.laws.page import finite
 from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
 from workbook.machines.machine.entries import OPEN_DRIVE
-from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisRows
 from workbook.motion.asked import entries
 from workbook.motion.cells import RAISED
 from workbook.motion.pieces import room_check

@@ -5,10 +5,10 @@ from typing import Any
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.abscissa import TAKEN, in_unit
-from workbook.entries.texts import sheet_title
-from workbook.entries.units import DEGREE, shown, si
+from workbook.fields.texts import sheet_title
+from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.from_names import switch_name, unit_name
-from workbook.machines.machine.motion.tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisRows
 from workbook.machines.machine.timing.phases import axis_checks, phases_table
 from workbook.machines.machine.view import MovingAxis, Whole
 from workbook.motion.exported import Exportable, Later

@@ -15,7 +15,7 @@ from engine.drive.mechanisms.variable_ratio import near_end
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant, entries_of
 from workbook.book.sentence import quoted
-from workbook.entries.units import DEGREE, si
+from workbook.fields.units import DEGREE, si
 from workbook.machines.machine.drive.driven import APART, Driven, as_a
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
 from workbook.machines.machine.mechanism import CrankSlider, PressCrank, Rocker

@@ -13,10 +13,10 @@ from workbook.book.declare import Book, Quantity, Sheet, again, calc, constant, 
 from workbook.book.rows import LEAST
 from workbook.entries.machine import Sizes
 from workbook.latest import latest
+from workbook.law_sheets.library import NamedLaw, named
+from workbook.law_sheets.page import finite, law_sheet
 from workbook.laws.entries import Laws
 from workbook.laws.family import COEFFICIENTS, LABELS, LEAST_STAGE, POWERS, SECOND, SINE, entries_of
-from workbook.laws.library import NamedLaw, named
-from workbook.laws.page import finite, law_sheet
 from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sampling import Pieces
 

@@ -10,11 +10,11 @@ from engine.motion import Phase
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.entries.machine import Sizes
-from workbook.entries.texts import sheet_title
-from workbook.entries.units import MM, shown, si
+from workbook.fields.texts import sheet_title
+from workbook.fields.units import MM, shown, si
+from workbook.law_sheets.library import NamedLaw
 from workbook.laws import sampling
 from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, entries_of, value_at
-from workbook.laws.library import NamedLaw
 
 SPELLED = {  # what the columns of a table of pieces add to a(u)
     "c0": "c0", "c1": "c1 u", "c2": "c2 u²", "c3": "c3 u³", "c4": "c4 u⁴", "c5": "c5 u⁵",

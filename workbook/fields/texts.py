@@ -7,7 +7,7 @@ from unicodedata import category, normalize
 
 from pydantic import AfterValidator, Field
 
-from workbook.entries.types import EntryError
+from workbook.fields.types import EntryError
 
 NO_FORMULA = r"^[^=]"
 ERROR = re.compile(r"#[\w/]+[!?]|#N/A|#NV|#GETTING_DATA", re.IGNORECASE)  # what a program takes for an error value

@@ -1,1 +1,0 @@
-"""The motions of a machine's axes in its book."""
