@@ -13,7 +13,7 @@ from tornado.template import Loader
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 from engine.timing import Differing, Switch, differing
-from workbook.controllers.registry import CLAIMS
+from workbook.controllers.claims import CLAIMS
 from workbook.controllers.table import Table
 from workbook.controllers.texts import LREAL, Number, literal
 from workbook.errors import ReadError, TargetError, visible

@@ -14,8 +14,9 @@ from workbook import remembered
 from workbook.build import build
 from workbook.commands import verify as verifying
 from workbook.commands.export import chosen, slugs
+from workbook.controllers.claims import TARGETS
 from workbook.controllers.handing import automatic, certified, tabulated
-from workbook.controllers.registry import TARGETS, target
+from workbook.controllers.registry import target
 from workbook.controllers.target import read_table
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine

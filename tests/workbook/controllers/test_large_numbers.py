@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from tests.workbook.controllers.examples import handed
-from workbook.controllers.registry import TARGETS, target
+from workbook.controllers.claims import TARGETS
+from workbook.controllers.registry import target
 from workbook.controllers.target import LARGEST, parsed
 from workbook.errors import TargetError
 

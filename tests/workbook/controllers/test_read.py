@@ -7,8 +7,9 @@ import pytest
 
 from engine.motion.pieces import turned
 from workbook.controllers import described
+from workbook.controllers.claims import TARGETS
 from workbook.controllers.handing import automatic, reread, tabulated
-from workbook.controllers.registry import TARGETS, target
+from workbook.controllers.registry import target
 from workbook.controllers.target import Handed
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER

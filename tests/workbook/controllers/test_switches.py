@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from engine.timing import Switch, differing
 from tests.workbook.controllers.examples import TEXT
 from workbook.build import build
-from workbook.controllers.registry import TARGETS, target
+from workbook.controllers.claims import TARGETS
+from workbook.controllers.registry import target
 from workbook.controllers.target import MOST_OFF, HandedTracks, differences, tracks
 from workbook.errors import TargetError
 from workbook.offered import CamSwitch

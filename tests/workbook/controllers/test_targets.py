@@ -18,8 +18,9 @@ from engine.cams.certificate import certify
 from engine.motion import Motion, Phase
 from engine.motion.pieces import CamProfile, profile_of_motion
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
+from workbook.controllers.claims import TARGETS
 from workbook.controllers.handing import automatic, certified, filled, reread, tabulated
-from workbook.controllers.registry import TARGETS, target
+from workbook.controllers.registry import target
 from workbook.controllers.table import Table
 from workbook.controllers.target import COUNTED, Handed, header, parsed, read_table
 from workbook.controllers.texts import REAL

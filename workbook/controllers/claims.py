@@ -1,0 +1,7 @@
+"""The targets in order, and what is held for true of each one's format, by which document."""
+
+import tomllib
+from pathlib import Path
+
+CLAIMS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+TARGETS = tuple(name for name in CLAIMS if not name.endswith(" switches"))
