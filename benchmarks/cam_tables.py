@@ -18,7 +18,7 @@ from rich.console import Console
 from rich.table import Table
 
 from engine import law
-from engine.cams.certificate import certify, equal
+from engine.cams.certificate import certify, equal_steps
 from engine.cams.interpolation import lines, quintics, segmented, spline
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
@@ -67,7 +67,9 @@ def share(of: CamProfile, rebuilt: CamProfile) -> float:
 
 def errors() -> dict[str, list[float]]:
     """The error of each rule by the number of equal steps over the rise; the breaks are on them where 8 divides it."""
-    return {name: [share(RISE, rule(RISE, equal(RISE, n + 1))) for n in INTERVALS] for name, rule in RULES.items()}
+    return {
+        name: [share(RISE, rule(RISE, equal_steps(RISE, n + 1))) for n in INTERVALS] for name, rule in RULES.items()
+    }
 
 
 def accuracy(found: dict[str, list[float]]) -> Table:
@@ -75,7 +77,7 @@ def accuracy(found: dict[str, list[float]]) -> Table:
         "Steps of the rise", *found, "over the turn, LREAL", title="Largest error of acceleration, % of its peak"
     )
     for k, n in enumerate(INTERVALS):
-        turn = share(TURN, clamped(TURN, equal(TURN, n + 1)))
+        turn = share(TURN, clamped(TURN, equal_steps(TURN, n + 1)))
         grid.add_row(f"{n:,}", *(f"{100.0 * values[k]:.3g}" for values in found.values()), f"{100.0 * turn:.3g}")
     return grid
 
@@ -95,7 +97,7 @@ def export(axis: CamAxis) -> None:
 def costs() -> Table:
     """The cost of exporting, and of finding the fewest points, beside certifying a table once."""
     axis = CamAxis("demo", TURN, "°", "mm")
-    x = equal(TURN, POINTS)
+    x = equal_steps(TURN, POINTS)
     unit = min(spent(lambda: certify(TURN, quintic(TURN, x))) for _ in range(5))
     title = f"What it costs; the unit is certifying one table of {POINTS:,} points"
     grid = Table("Step", "ms of a core", "at most", "Ratio", title=title)

@@ -95,7 +95,7 @@ class Switch:
 SAME = 1e-12  # of the cycle: edges so near to each other are one
 
 
-class Differing(NamedTuple):
+class SwitchDifference(NamedTuple):
     """How two switches differ, in units of the cycle."""
 
     edges: int  # of the switch that is meant
@@ -104,7 +104,7 @@ class Differing(NamedTuple):
     duration: float  # for how long states differ
 
 
-def differing(meant: Switch, found: Switch) -> Differing:
+def compare_switches(meant: Switch, found: Switch) -> SwitchDifference:
     """Return how a switch differs from the one meant; always on has no edge. Raises ValueError for other cycles."""
     if not math.isclose(meant.cycle, found.cycle):
         raise ValueError(f"the cycles are {meant.cycle:g} and {found.cycle:g}; expected the same")
@@ -119,4 +119,4 @@ def differing(meant: Switch, found: Switch) -> Differing:
            for places, others in ((one, other), (other, one)) for x in places]  # fmt: skip
     largest, x = max(off, key=lambda one: one[0], default=(0.0, 0.0))
     duration = float(np.diff(marks)[states[0] != states[1]].sum())
-    return Differing(sum(map(len, here)), largest, x, duration)
+    return SwitchDifference(sum(map(len, here)), largest, x, duration)

@@ -37,7 +37,7 @@ def product(rows: Array, by: Array) -> Array:
     return np.asarray(np.einsum("nk,ki->ni", rows, by))
 
 
-def enclosing(powers: Array) -> Array:
+def bernstein_rows(powers: Array) -> Array:
     """Return rows of Bernstein's coefficients of polynomials in t from −1 to 1, a column of powers each."""
     used = int(np.flatnonzero(powers.any(axis=1)).max(initial=0)) + 1
     return product(powers[:used].T, BASIS[:used])
@@ -102,10 +102,10 @@ def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
     coefficients of Bernstein of its Taylor polynomial, which are halved until they show the largest size.
     """
     middle, half = intervals(meant, rebuilt)
-    difference = local(rebuilt, middle, half) - local(meant, middle, half)
+    difference = local_powers(rebuilt, middle, half) - local_powers(meant, middle, half)
     deviations, jumps, closure = [], [], []
     for order, peak in enumerate(peaks(meant)):
-        off = enclosing(derived(difference, half, order))
+        off = bernstein_rows(derivative_powers(difference, half, order))
         worst = largest(off)
         deviations.append(Deviation(worst.value, float(middle[worst.row] + worst.t * half[worst.row]), peak))
         jumps.append(float(np.abs(off[1:, 0] - off[:-1, -1]).max(initial=0.0)))
@@ -117,8 +117,8 @@ def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
 def peaks(of: CamProfile) -> tuple[float, ...]:
     """Return the reach of a motion, and the largest sizes of y', y'' and y'''."""
     middle, half = intervals(of, of)
-    powers = local(of, middle, half)
-    y, *rates = (enclosing(derived(powers, half, order)) for order in range(ORDERS))
+    powers = local_powers(of, middle, half)
+    y, *rates = (bernstein_rows(derivative_powers(powers, half, order)) for order in range(ORDERS))
     low, high = float(y.min()), float(y.max())  # the motion is within the span of its coefficients
     reach = max(0.0, largest(y - low).value + largest(high - y).value - (high - low))
     return reach, *(largest(one).value for one in rates)
@@ -144,13 +144,13 @@ def intervals(meant: CamProfile, rebuilt: CamProfile) -> tuple[Array, Array]:
     return 0.5 * (low + high), 0.5 * (high - low)
 
 
-def local(of: CamProfile, middle: Array, half: Array) -> Array:
+def local_powers(of: CamProfile, middle: Array, half: Array) -> Array:
     """Return a profile between ends that are ``half`` from ``middle`` as powers of t from −1 to 1, a column each."""
     powers = of.taylor(middle, of.index(middle), DEGREE + 1)
     return np.asarray(powers * half ** np.arange(DEGREE + 1)[:, None])
 
 
-def derived(powers: Array, half: Array, order: int) -> Array:
+def derivative_powers(powers: Array, half: Array, order: int) -> Array:
     """Return the powers of a derivative by x."""
     return np.asarray(np.polynomial.polynomial.polyder(powers, order) / half**order)
 
@@ -160,12 +160,12 @@ CUBIC = 4  # the order of a rule through polynomials of the third degree
 JUMP = 1e-9  # of the largest y' or y'': a smaller jump is none
 
 
-def equal(of: CamProfile, n: int) -> Array:
+def equal_steps(of: CamProfile, n: int) -> Array:
     """Return n points at equal steps over the cycle."""
     return np.linspace(float(of.edges[0]), float(of.edges[-1]), n)
 
 
-def parted(x: Array, parts: int) -> Array:
+def subdivided(x: Array, parts: int) -> Array:
     """Return points with others between each two, at so many equal steps."""
     steps = np.linspace(0.0, 1.0, parts, endpoint=False)
     return np.append((x[:-1, None] + np.diff(x)[:, None] * steps).ravel(), x[-1])
@@ -205,7 +205,7 @@ def _taken(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.in
 def weights(of: CamProfile, order: int) -> Array:
     """Return for each piece its length by the root of its largest derivative of an order, beside the largest."""
     middle, half = intervals(of, of)
-    value = np.abs(enclosing(derived(local(of, middle, half), half, order))).max(axis=1)
+    value = np.abs(bernstein_rows(derivative_powers(local_powers(of, middle, half), half, order))).max(axis=1)
     found = np.zeros(len(of.origins))
     np.maximum.at(found, of.index(middle), value)
     found[found < found.max(initial=0.0) * 1e-9] = 0.0

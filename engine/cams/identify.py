@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.given import AT_SPEED, LONGER, Found, Points, fastest, may_be, moves_at, part, seam, splined
-from engine.cams.joined import RATES, grown, joined, nearest, rates_agree
+from engine.cams.cam_points import AT_SPEED, LONGER, CamPoints, FoundPhase, splined
+from engine.cams.moving_phases import RATES, gauss_newton, phases_at_speed, rates_agree, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
-from engine.motion.pieces import CamProfile, turned
+from engine.motion.pieces import CamProfile, shifted_profile
 
 ROUNDED = 1e-9  # of the reach: what a fit may miss by whatever the data's precision is
 MOST_WAYS = 24  # from turn to turn of a movement: more phases has no composed motion
@@ -21,14 +21,14 @@ DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # to which a begin or an end is rounded, wher
 THINNED = 1e-4  # of the reach: so far a spline may be from points that keep to no law
 
 
-class Read(NamedTuple):
+class IdentifiedMotion(NamedTuple):
     """The phases of a table, and by how much the cycle that they are told in begins later than the table."""
 
-    found: list[Found]
-    late: float = 0.0
+    found: list[FoundPhase]
+    delay: float = 0.0
 
 
-def identified(of: Points, rebuilt: CamProfile, turns: bool = False, share: float = THINNED) -> Read:
+def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: float = THINNED) -> IdentifiedMotion:
     """Return the movements of a table with the first law of the registry that each keeps to, in order.
 
     What does not move from rest to rest is told as phases that meet at speed. What keeps to no law is a spline through
@@ -36,28 +36,28 @@ def identified(of: Points, rebuilt: CamProfile, turns: bool = False, share: floa
     Where a cycle begins on the way and ``turns`` allows it, it is told from its first dwell at 0 on.
     """
     of = of._replace(thinned=share * float(np.ptp(of.y)))
-    begins, ends = (moves_at(of, side) for side in (0, -1))
+    begins, ends = (of.moves_at(side) for side in (0, -1))
     home = np.flatnonzero(_dwelling(of) & (np.abs(of.y[:-1]) <= _near(of)))
     if turns and begins and ends and home.size:
         k = int(home[0])
-        found = _phases(_rolled(of, k), turned(rebuilt, float(of.x[-1] - of.x[k])))
+        found = _phases(_rolled(of, k), shifted_profile(rebuilt, float(of.x[-1] - of.x[k])))
         if all(one.fits and one.rests for one in found):
-            return Read(found, float(of.x[k] - of.x[0]))
-    across = seam(of) if begins and ends else None
-    return Read(_phases(of._replace(begins=begins, ends=ends, seam=across), rebuilt))
+            return IdentifiedMotion(found, float(of.x[k] - of.x[0]))
+    across = of.rates_across() if begins and ends else None
+    return IdentifiedMotion(_phases(of._replace(begins=begins, ends=ends, seam=across), rebuilt))
 
 
-def _dwelling(of: Points) -> NDArray[np.bool_]:
+def _dwelling(of: CamPoints) -> NDArray[np.bool_]:
     """Return which intervals are dwells: between equal points, beside another or long; a turn is none."""
     still = np.abs(np.diff(of.y)) <= 2.0 * of.precision
     if of.v is not None:
-        return np.asarray(still & (np.maximum(np.abs(of.v[:-1]), np.abs(of.v[1:])) <= RATES * fastest(of)))
+        return np.asarray(still & (np.maximum(np.abs(of.v[:-1]), np.abs(of.v[1:])) <= RATES * of.fastest))
     h, beside = np.pad(np.diff(of.x), 1), np.pad(still, 1)
     longer = h[1:-1] > LONGER * np.maximum(h[:-2], h[2:])
     return np.asarray(still & (beside[:-2] | beside[2:] | longer))
 
 
-def _rolled(of: Points, k: int) -> Points:
+def _rolled(of: CamPoints, k: int) -> CamPoints:
     """Return the table of a cycle that is told from its point ``k`` on, over the same x."""
     total, travel = float(of.x[-1] - of.x[0]), float(of.y[-1] - of.y[0])
     by = total - float(of.x[k] - of.x[0])
@@ -67,11 +67,11 @@ def _rolled(of: Points, k: int) -> Points:
     return of._replace(x=x, y=y, v=v, a=a)
 
 
-def _phases(of: Points, rebuilt: CamProfile) -> list[Found]:
+def _phases(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     """Return the phases of each movement of a table."""
     laws = [one() for one in CATALOGUE if one not in (Dwell, PieceLaw)]
-    found: list[Found] = []
-    for begin, end in grown(~_dwelling(of)):
+    found: list[FoundPhase] = []
+    for begin, end in true_runs(~_dwelling(of)):
         if not np.ptp(of.y[begin : end + 1]):
             continue
         steps = np.diff(of.y[begin : end + 1])
@@ -87,13 +87,13 @@ def _phases(of: Points, rebuilt: CamProfile) -> list[Found]:
 
 
 def _laid(
-    of: Points, rebuilt: CamProfile, edges: Sequence[tuple[int, int]], resting: Sequence[Found | None]
-) -> list[Found]:
+    of: CamPoints, rebuilt: CamProfile, edges: Sequence[tuple[int, int]], resting: Sequence[FoundPhase | None]
+) -> list[FoundPhase]:
     """Return the phases of a movement some of whose ways from rest to rest keep to no law."""
-    whole = part(of, edges[0][0], edges[-1][1])
-    meeting, known = joined(whole, rebuilt, _near(whole))
+    whole = of.part(edges[0][0], edges[-1][1])
+    meeting, known = phases_at_speed(whole, rebuilt, _near(whole))
     if not known and any(resting):
-        told = [[one] if one else _thinned(part(of, *edge), rebuilt) for one, edge in zip(resting, edges, strict=True)]
+        told = [[one] if one else _thinned(of.part(*edge), rebuilt) for one, edge in zip(resting, edges, strict=True)]
         if all(told):
             return [one for each in told for one in each]
     if meeting:
@@ -102,39 +102,39 @@ def _laid(
     return [replace(found, fits=False, known=False)]
 
 
-def _thinned(of: Points, rebuilt: CamProfile) -> list[Found]:
+def _thinned(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     """Return splines from rest to rest through few points; none where it does not rest, or too many are needed."""
-    if np.abs(rebuilt.at(of.x[[0, -1]]).y1).max() > AT_SPEED * fastest(of):
+    if np.abs(rebuilt.at(of.x[[0, -1]]).y1).max() > AT_SPEED * of.fastest:
         return []
     return splined(of, rebuilt, (0.0, 0.0), max(of.thinned, _near(of)))
 
 
-def _identify(of: Points, laws: Sequence[Law], span: tuple[int, int], turns: tuple[bool, bool]) -> Found | None:
+def _identify(of: CamPoints, laws: Sequence[Law], span: tuple[int, int], turns: tuple[bool, bool]) -> FoundPhase | None:
     """Return the law of a movement between two points, if it keeps to one; a turn's point may belong to the next."""
     for late, early in ((0, 0), (turns[0], 0), (0, turns[1]), turns):
-        inner = part(of, span[0] + late, span[1] - early)
+        inner = of.part(span[0] + late, span[1] - early)
         if len(inner.x) >= FEWEST or (inner.a is not None and len(inner.x) > 1):
             for one in laws:
-                found = _fitted(one, inner, _near(inner)) if may_be(one, inner) else None
+                found = _fitted(one, inner, _near(inner)) if inner.identifies(one) else None
                 if found is not None:
                     return found
     return None
 
 
-def _near(of: Points) -> float:
+def _near(of: CamPoints) -> float:
     """Return what a fit may miss by."""
     return max(2.0 * of.precision, ROUNDED * float(np.ptp(of.y)))
 
 
-def _fitted(law: Law, of: Points, near: float) -> Found | None:
+def _fitted(law: Law, of: CamPoints, near: float) -> FoundPhase | None:
     """Return a law's begin, end, y and lift by least squares, in round numbers where these do; None if it misses."""
     step = float(np.diff(of.x).max())
 
     def off(fit: Array) -> Array:
-        return Found(law, *fit.tolist()).off(of) if fit[1] - fit[0] >= step else np.full(len(of.x), np.inf)
+        return FoundPhase(law, *fit.tolist()).off(of) if fit[1] - fit[0] >= step else np.full(len(of.x), np.inf)
 
     start = np.array([*of.x[[0, -1]], of.y[0], of.y[-1] - of.y[0]])
-    fit = nearest(off, start, np.array([step, step, np.inf, np.inf]), near)
+    fit = gauss_newton(off, start, np.array([step, step, np.inf, np.inf]), near)
     if fit is None:
         return None
     beyond = ROUNDED * (fit[1] - fit[0])
@@ -146,7 +146,7 @@ def _fitted(law: Law, of: Points, near: float) -> Found | None:
     return _found(law, of, next(fits, fit))
 
 
-def _found(law: Law, of: Points, fit: Array) -> Found:
+def _found(law: Law, of: CamPoints, fit: Array) -> FoundPhase:
     """Return the phase of a law with a begin, an end, a y and a lift."""
-    one = Found(law, *fit.tolist())
+    one = FoundPhase(law, *fit.tolist())
     return replace(one, residual=float(np.abs(one.off(of)).max()))

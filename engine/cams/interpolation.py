@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 
-Ends = Literal["natural", "not-a-knot", "periodic"]
+SplineEnds = Literal["natural", "not-a-knot", "periodic"]
 
 
 def _profile(x: Array, *c: Array) -> CamProfile:
@@ -66,7 +66,7 @@ def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> 
     ])  # fmt: skip
 
 
-def spline(x: Array, y: Array, ends: Ends | tuple[float, float]) -> CamProfile:
+def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamProfile:
     """Return the cubic spline through the points: y, y' and y'' are continuous.
 
     ``ends`` are the slopes of a clamped spline; or natural (y'' = 0), not-a-knot (y''' continuous at the last points
@@ -132,7 +132,7 @@ NEAR, NEAR_ACCELERATION = 1e-9, 1e-5
 FIRST, NARROWEST = 4, 1e-7  # intervals of a piece to begin with; of the cycle: the least that is halved
 
 
-class Seen(NamedTuple):
+class FunctionValues(NamedTuple):
     """f of a position, df/dy and d²f/dy²."""
 
     value: Array
@@ -140,10 +140,10 @@ class Seen(NamedTuple):
     second: Array
 
 
-Outer = Callable[[Array], Seen]
+OuterFunction = Callable[[Array], FunctionValues]
 
 
-def composed(of: CamProfile, outer: Outer) -> CamProfile:
+def composed(of: CamProfile, outer: OuterFunction) -> CamProfile:
     """Return f(y(x)) over the same cycle; its jumps of acceleration are those of y, where a piece ends.
 
     With (f∘y)' = f' y' and (f∘y)'' = f'' y'² + f' y'' at both ends of each interval; one whose middle is off is halved.

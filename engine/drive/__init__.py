@@ -13,9 +13,9 @@ drive_points    its motor there; the highest rate by these points
 """
 
 from engine.drive.chain import NEAR, Load, Mechanism, Part, Slide, Stage, cylinder, resisting
+from engine.drive.drivetrain import Drive
 from engine.drive.mechanisms import KINDS, Kind
 from engine.drive.motor import STANDSTILL, LimitCheck, Motor, derating
-from engine.drive.train import Drive
 
 __all__ = [
     "KINDS", "NEAR", "STANDSTILL", "Drive", "Kind", "LimitCheck", "Load", "Mechanism", "Motor", "Part", "Slide",

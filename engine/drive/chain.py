@@ -72,14 +72,14 @@ class Part:
         require_finite(speed_ratio=self.speed_ratio)
 
     @property
-    def all(self) -> float:
+    def total_inertia(self) -> float:
         """Inertia of all of them, count · J."""
         return self.count * self.inertia
 
     @property
     def reflected(self) -> float:
         """Inertia at its shaft, count · J · (ω_i/ω)²."""
-        return self.all * self.speed_ratio**2
+        return self.total_inertia * self.speed_ratio**2
 
 
 @dataclass(frozen=True)
@@ -157,7 +157,7 @@ class Mechanism:
         parts = (self.at_motor(part.reflected, part.shaft, method) for part in self.parts)
         return math.fsum([*parts, self.at_motor(self.load.inertia, self.last, method)])
 
-    def driving(self, force: float) -> float:
+    def driving_torque(self, force: float) -> float:
         """Return the motor's torque (Nm) that drives a force (N, or Nm) at the load, F/(i η). Source: S4, problem 1."""
         return force / self.ratio / self.efficiency
 
@@ -168,15 +168,15 @@ class Mechanism:
         T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k, f by the rule of losses.
         """
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
-        found = [self.load.resisting(sign) + self.carried[self.last] * a]
+        found = [self.load.resisting(sign) + self.torque_per_acceleration[self.last] * a]
         for k in reversed(range(self.last)):
             stage = self.stages[k]
             through = stage.factor(found[0], sign, method) * found[0] / stage.ratio
-            found.insert(0, through + self.carried[k] * a)
+            found.insert(0, through + self.torque_per_acceleration[k] * a)
         return found
 
     @cached_property
-    def carried(self) -> tuple[float, ...]:
+    def torque_per_acceleration(self) -> tuple[float, ...]:
         """J_k ω_k/v of each shaft: its torque (Nm, or N) per unit of the load's acceleration, of what it carries."""
         return tuple(self.on_shaft(k) * self.ratio_from(k) for k in range(self.last + 1))
 

@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from engine.drive.drivetrain import Drivetrain, Force, LoadMotion, ShaftMotion, TorqueCoefficients, dwell_times
 from engine.drive.search import NOISE, crossed, force_curve, largest_size, sign_changes
-from engine.drive.train import Force, Motion3, ShaftMotion, Train, Weights, dwell_times
 from engine.laws.base import Array
 from engine.laws.ladder import Curve
 from engine.motion import Motion
@@ -23,14 +23,14 @@ NODES = 32  # parts of an interval, and of each half turn of its sines, in which
 class TorqueInterval:
     """A part of a piece in which direction, process force and the way of power through every stage stay as they are."""
 
-    train: Train
+    train: Drivetrain
     piece: MotionPiece
     speed: float  # of the abscissa (1/s)
     low: float  # u of its begin, from that of the piece, in units of the motion
     high: float  # and of its end
     direction: float  # 1, −1, or 0 at rest
     force: Force
-    weights: tuple[Weights, ...]  # of each shaft from the motor's
+    torque_coefficients: tuple[TorqueCoefficients, ...]  # of each shaft from the motor's
     braked: bool = False  # whether a brake holds the motor's shaft
 
     @property
@@ -42,10 +42,10 @@ class TorqueInterval:
             turned += abs(self.piece.curves[0](self.high) - self.piece.curves[0](self.low))
         return NODES * (1 + int(turned / np.pi))
 
-    def load(self, u: Array) -> Motion3:
+    def load(self, u: Array) -> LoadMotion:
         """Return the motion of the load (m or rad, in s)."""
         y, velocity, acceleration = (curve.at(u) for curve in self.piece.curves[:3])
-        return Motion3(y, velocity * self.speed, acceleration * self.speed**2)
+        return LoadMotion(y, velocity * self.speed, acceleration * self.speed**2)
 
     def shaft(self, u: Array) -> ShaftMotion:
         """Return the motion of the mechanism's own shaft."""
@@ -63,12 +63,12 @@ class TorqueInterval:
     def torque(self, u: Array, shaft: int = 0) -> Array:
         """Return the torque (Nm) that drives a shaft: 0 is the motor's, the last the load's (N, or Nm)."""
         load = self.load(u)
-        if shaft == len(self.weights):
+        if shaft == len(self.torque_coefficients):
             return self.force.at(load)
         if shaft == 0 and self.braked:
             return np.zeros(load.y.shape)
         turning = self.train.shaft(load, self.within)
-        weights = self.weights[shaft]
+        weights = self.torque_coefficients[shaft]
         found = weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration
         return np.asarray(found + self.no_load(shaft))
 
@@ -90,12 +90,12 @@ class TorqueInterval:
         """Return the torque of a shaft as a curve over u, which has a ladder; None where it depends on the position."""
         if self.force.by_angle:
             return None
-        if shaft == len(self.weights):
+        if shaft == len(self.torque_coefficients):
             return force_curve(self.piece, self.speed, self.force)
         if self.train.linkage:
             return None
         ratio = self.train.drive.mechanism.stages[-1].ratio
-        weights = Weights(0.0, 0.0) if shaft == 0 and self.braked else self.weights[shaft]
+        weights = TorqueCoefficients(0.0, 0.0) if shaft == 0 and self.braked else self.torque_coefficients[shaft]
         share, level = weights.force / ratio, self.no_load(shaft)
         return force_curve(self.piece, self.speed, self.force, share, weights.inertia * ratio, level)
 
@@ -146,7 +146,7 @@ class MotionPieces:
 class DriveCycle:
     """A train over the cycle of its load's motion. Raises ValueError unless the speed is above 0."""
 
-    train: Train
+    train: Drivetrain
     motion: Motion | MotionPieces  # of phases, or by its pieces (a flying tool's, whose law rides on the line's speed)
     speed: float = 1.0  # of the abscissa (1/s)
     shift: float = 0.0  # by which the motion is later than entered, y(x) = y0(x − shift); windows stay
@@ -218,7 +218,7 @@ class DriveCycle:
             yield from self._through(part, [*factors[: shaft - 1], factor, *factors[shaft:]], shaft - 1)
 
     def _interval(self, span: Span, factors: Sequence[float]) -> TorqueInterval:
-        weights, drive = tuple(self.train.weights(factors)), self.train.drive
+        weights, drive = tuple(self.train.torque_coefficients(factors)), self.train.drive
         piece, low, high, direction, force, dwell = span  # a brake is on the motor's shaft: gears carry the load
         braked = drive.holding == "brake" and bool(drive.brake.holds(direction, dwell))
         return TorqueInterval(self.train, piece, self.speed, low, high, direction, force, weights, braked)

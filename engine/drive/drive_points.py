@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from engine.drive import Motor
 from engine.drive.limits import ReducerLimits
-from engine.drive.motor import Falling
+from engine.drive.motor import TorqueFall
 from engine.drive.quadrature import LoadPoints
 from engine.laws.base import Array
 
 TIED = 1e-9  # of the largest size: what differs by less is as large
 
 
-class Between(NamedTuple):
+class Interpolation(NamedTuple):
     """Places between points: the last point before each, counted from 0, and the share of the way to the next one."""
 
     point: NDArray[np.intp]
@@ -29,11 +29,11 @@ class Between(NamedTuple):
         return np.asarray(y[self.point] + self.share * (y[self.point + 1] - y[self.point]))
 
 
-def between(points: Array, places: Array, near: float) -> Between:
+def interpolation_at(points: Array, places: Array, near: float) -> Interpolation:
     """Return where places lie between points in order; one that is ``near`` the next point counts as at it."""
     x = points.ravel()
     point = np.searchsorted(x, np.minimum(places + near, x[-1] - near), side="right") - 1
-    return Between(point, (places - x[point]) / (x[point + 1] - x[point]))
+    return Interpolation(point, (places - x[point]) / (x[point + 1] - x[point]))
 
 
 class Peak(NamedTuple):
@@ -143,7 +143,7 @@ LEAST_USE = 1e-9
 """a smaller use of a limit is lost in rounding: the limit allows more than 30,000 times the present rate"""
 
 
-class Share(NamedTuple):
+class LimitUse(NamedTuple):
     """A limit at no speed, what of it is taken without motion and at the present rate, the use of the rate's square."""
 
     limit: float
@@ -160,13 +160,13 @@ class Share(NamedTuple):
         return rate / math.sqrt(self.use) if self.use > LEAST_USE else math.inf
 
 
-def squares(points: DrivePoints) -> tuple[float, float, float]:
+def mean_squares(points: DrivePoints) -> tuple[float, float, float]:
     """Return means over the points (Nm²): S², S·I and I²."""
     standing, grows = points.standing, points.torque - points.standing
     return points.mean(standing**2), points.mean(standing * grows), points.mean(grows**2)
 
 
-class Line(NamedTuple):
+class ContinuousTorqueLine(NamedTuple):
     """The continuous torque against the rate, a straight line; see :func:`by_rms`."""
 
     stall: float  # at no speed (Nm)
@@ -175,34 +175,34 @@ class Line(NamedTuple):
     half: float  # half of x's coefficient (Nm²)
 
 
-def line(points: DrivePoints, motor: Motor) -> Line:
+def continuous_line(points: DrivePoints, motor: Motor) -> ContinuousTorqueLine:
     """Return the line of a motor's continuous torque; level where the mean speed is beyond the rated one."""
-    own, mixed, _ = squares(points)
+    own, mixed, _ = mean_squares(points)
     now = float(motor.continuous(points.mean_speed))
     stall = motor.stall_torque if now > motor.rated_torque else motor.rated_torque
     if math.isinf(stall):
-        return Line(stall, 0.0, 1.0, mixed)
+        return ContinuousTorqueLine(stall, 0.0, 1.0, mixed)
     fall = stall - now
     near = min(1.0, (stall - math.sqrt(own)) / fall) if fall else 1.0
-    return Line(stall, fall, near, mixed + (fall * (stall / near - fall) / 2.0 if near > 0.0 else 0.0))
+    return ContinuousTorqueLine(stall, fall, near, mixed + (fall * (stall / near - fall) / 2.0 if near > 0.0 else 0.0))
 
 
-def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> Share:
+def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> LimitUse:
     """Return the share of the continuous torque (Nm): mean (S + x I)² = (M − D √x)², M at no speed, D its fall.
 
     √x ≤ (e + x/e)/2 makes this a quadratic in x that is exact at √x = e and on the safe side elsewhere: e is 1, or
     less where S alone meets the line before.
     """
-    own, _, growing = squares(points)
-    stall, fall, near, half = line(points, motor)
+    own, _, growing = mean_squares(points)
+    stall, fall, near, half = continuous_line(points, motor)
     stands, use = math.sqrt(own), 0.0
     if moves and stands < stall < math.inf:
         left = stall * (stall - fall * near) - own
         use = (math.sqrt(half**2 + growing * left) + half) / left
-    return Share(stall, stands, points.rms_torque, use)
+    return LimitUse(stall, stands, points.rms_torque, use)
 
 
-def falling_use(points: DrivePoints, peak: float, falling: Falling) -> Array:
+def falling_use(points: DrivePoints, peak: float, falling: TorqueFall) -> Array:
     """Return at each point the use by a peak torque that falls, 1/r² of |S + r² I| + f r |ω| = T + f ω_1.
 
     In two rows: of torques forward, and of those backward; of the first r that meets the line, 0 where none does.
@@ -214,12 +214,12 @@ def falling_use(points: DrivePoints, peak: float, falling: Falling) -> Array:
     return np.where(square < 0.0, 0.0, ((sink + np.sqrt(np.maximum(square, 0.0))) / (2.0 * left)) ** 2)
 
 
-def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> Share:
+def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> LimitUse:
     """Return the share of a limit of torque (Nm), none of an infinite one: |I| over what S leaves in its direction."""
     grows, use = torque - standing, 0.0
     if not math.isinf(limit):
         use = float(np.maximum(grows / (limit - standing), -grows / (limit + standing)).max())
-    return Share(limit, float(np.abs(standing).max()), points.size(torque), use)
+    return LimitUse(limit, float(np.abs(standing).max()), points.size(torque), use)
 
 
 def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> tuple[float, float, float]:
@@ -235,21 +235,21 @@ def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> tuple
     return over.use, way, way if over.standing >= over.limit else min(way, over.use)
 
 
-def by_mean(points: DrivePoints, limit: float) -> Share:
+def by_mean(points: DrivePoints, limit: float) -> LimitUse:
     """Return the share of the reducer's mean torque (Nm), which grows in a straight line from that without motion."""
     none, present = (points.cubic_mean(one) for one in (points.load.output_torque_at_rest, points.load.output_torque))
     use = max(0.0, present - none) / (limit - none) if none < limit < math.inf else 0.0
-    return Share(limit, none, present, use)
+    return LimitUse(limit, none, present, use)
 
 
-def by_speed(speed: float, limit: float) -> Share:
+def by_speed(speed: float, limit: float) -> LimitUse:
     """Return the share of a speed (rad/s)."""
-    return Share(limit, 0.0, speed, (speed / limit) ** 2)
+    return LimitUse(limit, 0.0, speed, (speed / limit) ** 2)
 
 
-def shares(
-    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: Falling, rate: float
-) -> dict[str, Share]:
+def limit_uses(
+    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: TorqueFall, rate: float
+) -> dict[str, LimitUse]:
     """Return the share of each limit, by its name; ``speed`` is the largest of the motor (rad/s), ``rate`` in 1/s.
 
     Inertia grows with the square of a rate. With S the torque without motion and I = T − S what grows, a limit is met

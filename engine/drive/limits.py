@@ -38,10 +38,10 @@ class ReducerLimits:
 
     def peak_at(self, rate: float) -> float:
         """Return the largest peak torque (Nm) at so many cycles (1/s)."""
-        return self.peak_torque / float(factor_at(rate, self.full_rate, self.cycle_factor))
+        return self.peak_torque / float(cycle_factor_at(rate, self.full_rate, self.cycle_factor))
 
 
-def factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) -> Array:
+def cycle_factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) -> Array:
     """Return what reducers' peak torques are divided by at so many cycles (1/s): a factor beyond ``full_rate``."""
     return np.where(np.asarray(rate) > np.asarray(full_rate) * (1.0 + NEAR), factor, 1.0)
 
@@ -146,11 +146,12 @@ def highest_rate(axes: Mapping[str, LimitChecks]) -> HighestRate:
     It is looked for from the speed of each cycle: upwards where all hold, downwards where one does not, to the first
     change. At the speed found all hold, and a little above it the named limit does not.
     """
-    each = [HighestRate(speed, name, limit) for name, one in axes.items() for speed, limit in (of_axis(one),) if limit]
+    found = ((name, *highest_rate_of_axis(checks)) for name, checks in axes.items())
+    each = [HighestRate(speed, name, limit) for name, speed, limit in found if limit]
     return min(each, default=HighestRate(math.inf, "", ""))
 
 
-def of_axis(checks: LimitChecks) -> tuple[float, str]:
+def highest_rate_of_axis(checks: LimitChecks) -> tuple[float, str]:
     """Return the highest speed of one axis, and the limiting factor."""
     speed, way = checks.drive_cycle.speed, 2.0 if checks.ok else 0.5
     known = speed

@@ -13,14 +13,14 @@ from engine.laws.base import Array
 STANDSTILL = 1e-9  # rad/s (m/s of a load that travels); a slower shaft counts as standing
 
 
-class Falling(NamedTuple):
+class TorqueFall(NamedTuple):
     """The speed beyond which a peak torque falls (rad/s), and by how much (Nm s): 0 where it does not."""
 
     knee: float = 0.0
     fall: float = 0.0
 
     @classmethod
-    def between(cls, knee: float, peak_torque: float, fastest: float, end_torque: float) -> "Falling":
+    def between(cls, knee: float, peak_torque: float, fastest: float, end_torque: float) -> "TorqueFall":
         """Return how a peak torque (Nm) falls from a knee to ``end_torque`` at the largest speed, if it is less."""
         return cls(knee, max(0.0, peak_torque - end_torque) / (fastest - knee)) if knee < fastest else cls()
 
@@ -74,7 +74,7 @@ class Motor:
         """Return the torque (Nm) that it can give all the time at a mean speed (rad/s): see :func:`continuous`."""
         return continuous(self.rated_torque, self.stall_torque, self.rated_speed, speed)
 
-    def corners(self, lowest_speed: float, knee: float = 0.0, fall: float = 0.0) -> "Corners":
+    def corners(self, lowest_speed: float, knee: float = 0.0, fall: float = 0.0) -> "LimitCorners":
         """Return the limits as a line round the plane of speed and torque, from the upper left corner.
 
         It begins at speed 0, or on the other side too where ``lowest_speed`` (rad/s) says that the motor turns
@@ -86,10 +86,10 @@ class Motor:
         speed = side * np.array([0.0, *bends, self.max_speed])[which]
         speed = speed if lowest_speed < -STANDSTILL else np.maximum(speed, 0.0)
         peak = self.peak_torque - fall * np.maximum(0.0, np.abs(speed) - begins)
-        return Corners(side > 0, speed, up * peak, up * self.continuous(speed))
+        return LimitCorners(side > 0, speed, up * peak, up * self.continuous(speed))
 
 
-class Corners(NamedTuple):
+class LimitCorners(NamedTuple):
     """A motor's limits by speed (rad/s) and torque (Nm), arrays of shape (15,); ``right`` where speed is above 0."""
 
     right: NDArray[np.bool_]

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.drive.cycle import DriveCycle
-from engine.drive.train import Train, dwell_times
+from engine.drive.drivetrain import Drivetrain, dwell_times
 from engine.laws.base import Array
 from engine.laws.points import POINTS, SHARES, WEIGHTS
 from engine.motion.pieces import CamProfile, MotionPiece
@@ -41,7 +41,7 @@ class Interval(NamedTuple):
 class LoadPoints:
     """A load and the mechanism's shaft at the points of a cycle: arrays of intervals by points."""
 
-    train: Train
+    train: Drivetrain
     x: Array
     position: Array  # of the load (m or rad)
     velocity: Array  # of the load (m or rad, per s)
@@ -129,7 +129,7 @@ class LoadPoints:
 
 
 @dataclass(frozen=True)
-class Cycle:
+class QuadratureCycle:
     """A drive's cycle whose motion is these pieces, cut into intervals; cuts that are ``near`` are one."""
 
     drive_cycle: DriveCycle

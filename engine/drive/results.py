@@ -129,7 +129,7 @@ def _turning(one: TorqueInterval, u: Array) -> Array:
     return np.abs(one.motor_speed(u))
 
 
-class Means(NamedTuple):
+class MeanBusPower(NamedTuple):
     """Mean power (W) of a drive, or of designs of it, on a DC bus of its own: from the mains, in the brake resistor."""
 
     mains: Any
@@ -150,23 +150,23 @@ class Means(NamedTuple):
         return np.maximum(0.0, self.net)
 
 
-def means(energy: Energy, time: Any, efficiency: float) -> Means:
+def mean_bus_power(energy: Energy, time: Any, efficiency: float) -> MeanBusPower:
     """Return the means of an energy at a motor's shaft, exact: E/η where it drives, η E where it is driven."""
-    return Means(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
+    return MeanBusPower(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
 
 
-class Peaks(NamedTuple):
+class PeakBusPower(NamedTuple):
     """Largest power (W): from the mains, and into the brake resistor, of a drive that shares its DC bus with none."""
 
     mains: float
     resistor: float
 
 
-def peaks(highest: float, lowest: float, efficiency: float) -> Peaks:
+def peak_bus_power(highest: float, lowest: float, efficiency: float) -> PeakBusPower:
     """Return them from the highest and the lowest power at a motor's shaft (W)."""
-    return Peaks(max(0.0, highest) / efficiency, max(0.0, -lowest) * efficiency)
+    return PeakBusPower(max(0.0, highest) / efficiency, max(0.0, -lowest) * efficiency)
 
 
-def together(found: Sequence[Means]) -> Means:
+def total_bus_power(found: Sequence[MeanBusPower]) -> MeanBusPower:
     """Return the sums over drives."""
-    return Means(sum(one.mains for one in found), sum(one.resistor for one in found))
+    return MeanBusPower(sum(one.mains for one in found), sum(one.resistor for one in found))

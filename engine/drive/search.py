@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.train import Force
+from engine.drive.drivetrain import Force
 from engine.laws.base import Array
 from engine.laws.ladder import Curve, narrowed, root, zeros
 from engine.motion.pieces import MotionPiece
@@ -26,7 +26,7 @@ HALVINGS = 12
 Function = Callable[[Array], Array]
 
 
-class Found(NamedTuple):
+class Extremum(NamedTuple):
     """A value of a function, and where it is."""
 
     value: float
@@ -36,7 +36,7 @@ class Found(NamedTuple):
 def extremes(
     function: Function, low: float, high: float, nodes: int, signs: Sequence[float] = (-1.0, 1.0),
     least: float = -np.inf,
-) -> tuple[Found, ...]:  # fmt: skip
+) -> tuple[Extremum, ...]:  # fmt: skip
     """Return the lowest and the largest value of a function between two points: one for each of ``signs``.
 
     The ends of ``nodes`` parts that are not lower than their neighbours (or not higher) are narrowed, the best of
@@ -49,12 +49,12 @@ def extremes(
     return tuple(_top(function, sign, u, sign * values, least) for sign in signs)
 
 
-def _top(function: Function, sign: float, u: Array, values: Array, least: float) -> Found:
+def _top(function: Function, sign: float, u: Array, values: Array, least: float) -> Extremum:
     """Return where a function, times a sign, is largest; ``values`` of it at u are known."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     tops = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]))
     tops = tops[np.argsort(-values[tops], kind="stable")[:TOPS]]
-    best = Found(float(values[tops[0]]), float(u[tops[0]]))
+    best = Extremum(float(values[tops[0]]), float(u[tops[0]]))
     before, after = np.maximum(tops - 1, 0), np.minimum(tops + 1, u.size - 1)
     reached, spread = values[tops], values[tops] - np.minimum(values[before], values[after])
     left, right = u[before], u[after]
@@ -68,9 +68,9 @@ def _top(function: Function, sign: float, u: Array, values: Array, least: float)
         reached, spread = found[each, k], found.max(axis=1) - found.min(axis=1)
         highest = int(reached.argmax())
         if reached[highest] > best.value:
-            best = Found(float(reached[highest]), float(points[highest, k[highest]]))
+            best = Extremum(float(reached[highest]), float(points[highest, k[highest]]))
         left, right = points[each, np.maximum(k - 1, 0)], points[each, np.minimum(k + 1, PARTS)]
-    return Found(sign * best.value, best.x)
+    return Extremum(sign * best.value, best.x)
 
 
 def crossed(function: Function, low: float, high: float, nodes: int) -> list[float]:
@@ -86,7 +86,7 @@ def crossed(function: Function, low: float, high: float, nodes: int) -> list[flo
 
 
 @lru_cache(maxsize=8)
-def rule(n: int) -> tuple[Array, Array]:
+def clenshaw_curtis(n: int) -> tuple[Array, Array]:
     """Return the n + 1 nodes of the rule of Clenshaw and Curtis on [0, 1], and its weights.
 
     Source: C. W. Clenshaw, A. R. Curtis, Numer. Math. 2 (1960) 197–205.
@@ -108,7 +108,7 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
     """
     last = np.nan
     for n in ORDERS:
-        nodes, weights = rule(n)
+        nodes, weights = clenshaw_curtis(n)
         values = function(low + (high - low) * nodes)
         found = float(weights @ values)
         if abs(found - last) <= TOLERANCE * max(LEAST * scale, float(weights @ np.abs(values))):

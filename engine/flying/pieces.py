@@ -11,19 +11,19 @@ import numpy as np
 
 from engine.drive import KINDS, Drive, Load, Part, Stage
 from engine.drive.cycle import DriveCycle, MotionPieces
-from engine.drive.quadrature import STANDSTILL, Cycle, Interval, LoadPoints
-from engine.drive.train import Train
+from engine.drive.drivetrain import Drivetrain
+from engine.drive.quadrature import STANDSTILL, Interval, LoadPoints, QuadratureCycle
 from engine.flying.cut import Cut
 from engine.laws import Dwell
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.motion.joining import Joint, Rates, Smoothness, joints
-from engine.motion.pieces import MotionPiece, Scaled, pieces_of
+from engine.motion.pieces import MotionPiece, ScaledLaw, pieces_of
 
 
 class CutPart(NamedTuple):
     """A part of the cycle: a motion by a law, besides a drift, of which it has some pieces; it begins at ``opens``."""
 
-    scaled: Scaled
+    scaled: ScaledLaw
     opens: float
     first: int  # its first piece of the law, from 0
     taken: int
@@ -43,17 +43,17 @@ def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart,
     """
     v, t, h, wait = cut.line_speed, cut.moving_time, cut.superimposed, cut.waiting_time
     begin, end = cut.wait
-    begins = [piece.begin / t for piece in pieces_of(Scaled(cut.law, 1.0, t), whole=whole)]
+    begins = [piece.begin / t for piece in pieces_of(ScaledLaw(cut.law, 1.0, t), whole=whole)]
     peak = cut.fastest if cut.waits else 1.0
     before = sum(xi < peak - BREAK_TOLERANCE for xi in begins)
     again = sum(xi <= min(peak + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE) for xi in begins) - 1
     stands = v * cut.fastest * t + h * cut.law.s(cut.fastest) if cut.waits else 0.0
     moved = v * t + h * cut.law.end.s
     return (
-        CutPart(Scaled(cut.law, h, t, drift=v), 0.0, 0, before),
-        CutPart(Scaled(Dwell(), 0.0, wait, begin, stands), begin, 0, int(cut.waits)),
-        CutPart(Scaled(cut.law, h, t, wait, drift=v), end, again, len(begins) - again if cut.waits else 0),
-        CutPart(Scaled(Dwell(), 0.0, cut.tool_time, cut.repositioning_time, moved, v), cut.repositioning_time, 0,
+        CutPart(ScaledLaw(cut.law, h, t, drift=v), 0.0, 0, before),
+        CutPart(ScaledLaw(Dwell(), 0.0, wait, begin, stands), begin, 0, int(cut.waits)),
+        CutPart(ScaledLaw(cut.law, h, t, wait, drift=v), end, again, len(begins) - again if cut.waits else 0),
+        CutPart(ScaledLaw(Dwell(), 0.0, cut.tool_time, cut.repositioning_time, moved, v), cut.repositioning_time, 0,
                 int(cut.tool_time > 0.0)),
     )  # fmt: skip
 
@@ -79,7 +79,7 @@ def cut_pieces(cut: Cut, whole: bool = False) -> list[MotionPiece]:
 
 
 @dataclass(frozen=True)
-class CutCycle(Cycle):
+class CutCycle(QuadratureCycle):
     """The cycle of a cut: each piece of the tool's motion is an interval, those of no length too."""
 
     still: float = 0.0  # speed up to which the tool counts as at rest (m/s)
@@ -92,16 +92,16 @@ class CutCycle(Cycle):
         return [Interval(*one) for one in zip(begins, ends, range(len(begins)), strict=True)]
 
 
-def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Train:
+def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Drivetrain:
     """Return the tool's shaft with a load (kg m², Nm); ``pair`` is J_M + J_T, i, η and the reducer's no-load torque."""
     inertia, ratio, efficiency, no_load = pair
     radius, stage = cut.tool.radius, Stage("reducer", ratio, efficiency)
     shaft = Part("shaft", load.inertia, 1)
     rollers = KINDS["feed rollers"].of(Load(0.0, load.torque / radius), radius, 1.0, [stage], [shaft])
-    return Train(Drive(rollers, inertia, no_load=no_load))
+    return Drivetrain(Drive(rollers, inertia, no_load=no_load))
 
 
-def cycle_of(cut: Cut, train: Train) -> CutCycle:
+def cycle_of(cut: Cut, train: Drivetrain) -> CutCycle:
     """Return the cycle of a cut's shaft: nine points of each piece of the tool's motion."""
     pieces = cut_pieces(cut)
     drive_cycle = DriveCycle(train, MotionPieces(tuple(pieces), 0.0, cut.cycle_time))

@@ -1,6 +1,6 @@
 """Phases joined into a motion over an abscissa: the angle of a shaft, time, or the travel of a product."""
 
 from engine.motion.motion import Motion, MotionSamples, motionlaw
-from engine.motion.phase import Ends, MotionValues, Phase, TimeValues
+from engine.motion.phase import MotionValues, Phase, PhaseEnds, TimeValues
 
-__all__ = ["Ends", "Motion", "MotionSamples", "MotionValues", "Phase", "TimeValues", "motionlaw"]
+__all__ = ["Motion", "MotionSamples", "MotionValues", "Phase", "PhaseEnds", "TimeValues", "motionlaw"]

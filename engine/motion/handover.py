@@ -10,7 +10,7 @@ from engine.laws.ends import BoundaryLaw, BoundaryValues
 from engine.laws.piece import POWERS
 from engine.laws.polynomials import BoundaryLine, BoundaryPolynomial, HalvedPolynomial
 from engine.laws.pulse_law import PulseLaw
-from engine.motion.joining import EndedPhase, Joined, Rates, Side, agrees, slope
+from engine.motion.joining import BoundaryPhase, EndCondition, JoinedMotion, Rates, agrees, slope
 from engine.motion.phase import Phase
 
 STRAIGHT, NEVER, PULSES, FIXED = -1, 0, 1, 2
@@ -40,8 +40,8 @@ class Handover:
     """A phase as it is carried out, and what its neighbours ask of it."""
 
     phase: Phase
-    begin: Side  # what is asked for there
-    end: Side  # and at its end
+    begin: EndCondition  # what is asked for there
+    end: EndCondition  # and at its end
     kinds: tuple[str, str]
     fault: str  # why it cannot have that, if so
     entered: Rates | None = None  # for its begin
@@ -60,7 +60,7 @@ class Handover:
     @property
     def ended(self) -> bool:
         """Whether its ends are prescribed."""
-        return isinstance(self.phase, EndedPhase)
+        return isinstance(self.phase, BoundaryPhase)
 
     @property
     def mode(self) -> int:
@@ -117,7 +117,7 @@ class Handover:
         return law.top / self.phase.duration if self.mode == PULSES and isinstance(law, PulseLaw) else 0.0
 
 
-def handovers(found: Joined, through: Mapping[int, Rates], periodic: bool) -> tuple[Handover, ...]:
+def handovers(found: JoinedMotion, through: Mapping[int, Rates], periodic: bool) -> tuple[Handover, ...]:
     """Return what each phase of a motion becomes of its law; ``through`` and ``periodic`` as it was joined."""
     slopes = [slope(phase) for phase in found.motion.phases]
     reasons = {fault.phase: fault.reason for fault in found.faults if slopes[fault.phase] is None}

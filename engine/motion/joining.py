@@ -24,7 +24,7 @@ class Rates(NamedTuple):
 
 
 @dataclass(frozen=True)
-class EndedPhase(Phase):
+class BoundaryPhase(Phase):
     """A phase whose law has prescribed ends, and the lift in it; ``origin`` is the law named, ``scale`` times s."""
 
     origin: Law
@@ -48,7 +48,7 @@ class Fault(NamedTuple):
     reason: str
 
 
-class Side(NamedTuple):
+class EndCondition(NamedTuple):
     """One end of a phase."""
 
     required: Rates  # what it has to meet
@@ -57,13 +57,13 @@ class Side(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Joined:
+class JoinedMotion:
     """A motion of phases with the ends that their neighbours and the entries ask for."""
 
     motion: Motion
     faults: tuple[Fault, ...]  # their laws are carried out between rests
     kinds: tuple[tuple[str, str], ...]  # of begin and end, by VDI 2143: R rest, G constant velocity, U reversal, B any
-    required: tuple[tuple[Side, Side], ...]  # what each is asked for
+    required: tuple[tuple[EndCondition, EndCondition], ...]  # what each is asked for
 
 
 def slope(phase: Phase) -> float | None:
@@ -73,10 +73,10 @@ def slope(phase: Phase) -> float | None:
     return phase.lift / phase.duration if isinstance(phase.law, StraightLine) else None
 
 
-def joined(
+def join_phases(
     phases: Sequence[Phase], through: Mapping[int, Rates] | None = None, periodic: bool = True, start: float = 0.0,
     position: float = 0.0,
-) -> Joined:  # fmt: skip
+) -> JoinedMotion:  # fmt: skip
     """Return the motion of phases, each of which meets its neighbours, across the end of the cycle too.
 
     Beside a straight line or a dwell a curved phase takes its velocity, and no acceleration. Between two curved
@@ -96,7 +96,7 @@ def joined(
             made.append(phase)
             faults += [Fault(k, reason) for reason in _contradictions(constant, (here, there))]
             kinds.append((kind(abs(constant) and 1.0, 0.0),) * 2)
-            asked.append((Side(Rates(constant), True, False),) * 2)
+            asked.append((EndCondition(Rates(constant), True, False),) * 2)
             continue
         sides = _side(before, here), _side(after, there)
         try:
@@ -106,19 +106,19 @@ def joined(
             faults.append(Fault(k, str(error)))
         kinds.append(_kinds(made[-1], sides))
         asked.append(sides)
-    return Joined(Motion(made, start, position), tuple(faults), tuple(kinds), tuple(asked))
+    return JoinedMotion(Motion(made, start, position), tuple(faults), tuple(kinds), tuple(asked))
 
 
-def _side(neighbour: Phase | None, entered: Rates | None) -> Side:
+def _side(neighbour: Phase | None, entered: Rates | None) -> EndCondition:
     if neighbour is None:
-        return Side(entered or Rates(), True, entered is None)
+        return EndCondition(entered or Rates(), True, entered is None)
     constant = slope(neighbour)
     if constant is not None:
-        return Side(Rates(constant), True, False)
-    return Side(entered or Rates(), entered is not None, False)
+        return EndCondition(Rates(constant), True, False)
+    return EndCondition(entered or Rates(), entered is not None, False)
 
 
-def _between(phase: Phase, begin: Side, end: Side) -> Phase:
+def _between(phase: Phase, begin: EndCondition, end: EndCondition) -> Phase:
     """Return a curved phase between its ends; raise EndError if its law cannot have them."""
     d, law = phase.duration, phase.law
     one, other = begin.required, end.required
@@ -132,7 +132,7 @@ def _between(phase: Phase, begin: Side, end: Side) -> Phase:
     made, _ = law_with_ends(law, ends)
     if ends.at_rest:
         return Phase(made, phase.lift, d)
-    return EndedPhase(BoundaryLine(ends) if ends.straight else made, phase.lift, d, phase.law)
+    return BoundaryPhase(BoundaryLine(ends) if ends.straight else made, phase.lift, d, phase.law)
 
 
 def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[str]:
@@ -149,7 +149,7 @@ def agrees(rates: Rates, constant: float) -> bool:
     return near and not rates.a and not rates.j
 
 
-def _kinds(phase: Phase, sides: tuple[Side, Side]) -> tuple[str, str]:
+def _kinds(phase: Phase, sides: tuple[EndCondition, EndCondition]) -> tuple[str, str]:
     """Return the kinds of what is asked for at both ends; where nothing settles it, of what the law has there."""
     v, a, d = phase.y1_max or 1.0, phase.y2_max or 1.0, phase.duration
     begin, end = (
@@ -170,7 +170,7 @@ class Joint(NamedTuple):
     """Where a piece of a motion begins. What does not last takes over what is before it."""
 
     x: float
-    lasting: int  # pieces that last, up to here
+    piece_count: int  # pieces that last, up to here
     phase: int  # that of the last of these
     end: Rates  # its rates at its end
     before: int  # phase of the one before
@@ -196,13 +196,13 @@ def joints(
     before = last._replace(phase=-1, end=Rates())
     for piece, span in zip(pieces, whole, strict=True):
         if piece.duration > 0.0:
-            one = last if before.lasting == 0 else before
+            one = last if before.piece_count == 0 else before
             begin, end = _ends(piece, span)
-            joined = periodic or before.lasting > 0
+            joined = periodic or before.piece_count > 0
             jump = Rates(*(y - x for x, y in zip(one.end, begin, strict=True))) if joined else Rates()
             jumps = (n for n in range(asked) if abs(jump[n]) > JUMP * scales[n])
             order = next(jumps, -1) + 1
-            before = Joint(piece.begin, before.lasting + 1, piece.phase, end, one.phase, jump, order)
+            before = Joint(piece.begin, before.piece_count + 1, piece.phase, end, one.phase, jump, order)
         else:
             before = before._replace(x=piece.begin, before=-1, jump=Rates(), order=0)
         found.append(before)

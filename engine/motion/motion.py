@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from engine.laws import Law, law
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
 from engine.laws.points import reach
-from engine.motion.phase import Ends, MotionValues, Phase, TimeValues, numbered_phase, scaled
+from engine.motion.phase import MotionValues, Phase, PhaseEnds, TimeValues, numbered_phase, scaled
 
 ZERO_TOLERANCE = 1e-9  # of the largest lift: a smaller jump is none
 
@@ -84,10 +84,10 @@ class Motion:
         return self.position + np.cumsum([0.0, *(p.lift for p in self.phases[:-1])])
 
     @cached_property
-    def ends(self) -> tuple[Ends, ...]:
+    def ends(self) -> tuple[PhaseEnds, ...]:
         """Each phase where it begins and ends: y_k + h s, h v/δ, h a/δ² of its law at ξ = 0 and 1."""
         return tuple(
-            Ends(*(scaled(phase, y, at) for at in (phase.law.start, phase.law.end)))
+            PhaseEnds(*(scaled(phase, y, at) for at in (phase.law.start, phase.law.end)))
             for phase, y in zip(self.phases, self._begins.tolist(), strict=True)
         )
 
@@ -133,7 +133,7 @@ class Motion:
     @property
     def complete(self) -> bool:
         """Whether every law reaches its lift: there is no jump of position between the phases."""
-        return all(abs(p.lack) <= ZERO_TOLERANCE * self.peaks.y for p in self.phases)
+        return all(abs(p.missing_lift) <= ZERO_TOLERANCE * self.peaks.y for p in self.phases)
 
     def at(self, x: Real) -> MotionValues[Real]:
         """Return y, y', y'', y''' at x: floats of a number, else arrays. Raises ValueError outside the abscissa."""

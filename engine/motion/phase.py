@@ -61,7 +61,7 @@ class Phase:
         return 1.0 / self.duration
 
     @property
-    def lack(self) -> float:
+    def missing_lift(self) -> float:
         """What the law leaves of the lift, h (1 − s(1)): 0 of a law that ends at 1."""
         return self.lift - self.scale * self.law.end.s
 
@@ -86,7 +86,7 @@ class Phase:
         return self.law.coefficients.ca_rms * abs(self.scale) / self.duration**2
 
 
-class Ends(NamedTuple):
+class PhaseEnds(NamedTuple):
     """A phase where it begins, and where it ends from within: y, y', y'', y'''."""
 
     begin: MotionValues[float]

@@ -44,7 +44,7 @@ class MotionPiece:
         return y, v, v.derivative(), v.derivative().derivative()
 
 
-class Scaled(NamedTuple):
+class ScaledLaw(NamedTuple):
     """A law over a lift ``h`` in a ``duration``, from ``y`` at ``x``, moving with the velocity ``drift`` besides."""
 
     law: Law
@@ -55,12 +55,12 @@ class Scaled(NamedTuple):
     drift: float = 0.0
 
     @property
-    def fastest(self) -> float:
+    def max_velocity(self) -> float:
         """Max |y'| without the drift, C_v |h|/δ."""
         return self.law.coefficients.cv * abs(self.h) * self.rate
 
     @property
-    def hardest(self) -> float:
+    def max_acceleration(self) -> float:
         """Max |y''|, C_a |h|/δ²."""
         return self.law.coefficients.ca * abs(self.h) * self.rate**2
 
@@ -70,7 +70,7 @@ class Scaled(NamedTuple):
         return 1.0 / self.duration if self.duration else 0.0
 
 
-def pieces_of(scaled: Scaled, phase: int = 0, whole: bool = False) -> list[MotionPiece]:
+def pieces_of(scaled: ScaledLaw, phase: int = 0, whole: bool = False) -> list[MotionPiece]:
     """Return the pieces of one phase, ``whole`` as in :func:`law_pieces`.
 
     With s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
@@ -81,7 +81,7 @@ def pieces_of(scaled: Scaled, phase: int = 0, whole: bool = False) -> list[Motio
     return [_piece(scaled, phase, number, one) for number, one in enumerate(law_pieces(scaled.law, whole))]
 
 
-def _piece(of: Scaled, phase: int, number: int, one: LawPiece) -> MotionPiece:
+def _piece(of: ScaledLaw, phase: int, number: int, one: LawPiece) -> MotionPiece:
     at, begin, piece = of.law.evaluate(one.begin), of.x + one.begin * of.duration, one.piece
     s, v, still, sines = at.s, at.v, 0.0, []
     for p, w, phi in ((piece.amplitude, piece.omega, piece.phase), (piece.amplitude2, piece.omega2, piece.phase2)):
@@ -101,7 +101,7 @@ def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
     """Return the pieces of a motion, phase by phase, in order of the abscissa; ``whole`` as in :func:`law_pieces`."""
     found: list[MotionPiece] = []
     for k, (phase, at) in enumerate(zip(motion.phases, motion.ends, strict=True)):
-        scaled = Scaled(phase.law, phase.scale, phase.duration, float(motion.edges[k]), at.begin.y)
+        scaled = ScaledLaw(phase.law, phase.scale, phase.duration, float(motion.edges[k]), at.begin.y)
         found += pieces_of(scaled, k, whole)
     return found
 
@@ -217,7 +217,7 @@ def in_units(values: MotionValues[Real], x: float, y: float) -> MotionValues[Rea
     return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
 
 
-def turned(of: CamProfile, by: float, travel: float | None = None) -> CamProfile:
+def shifted_profile(of: CamProfile, by: float, travel: float | None = None) -> CamProfile:
     """Return the profile that a master sees which is ``by`` further on where it begins, over the same range.
 
     What runs over the end of the cycle is parted there, and goes on from the cycle before by its ``travel``, the

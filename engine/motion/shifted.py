@@ -125,7 +125,7 @@ def gap_size(axes: Sequence[tuple[float, Shifted]], offset: float) -> float:
     return abs(offset) + math.fsum(abs(f) * max(map(abs, one.motion.reach)) for f, one in axes)
 
 
-def turned(angle: float, late: float, cycle: float, near: float = 0.0) -> float:
+def place_in_cycle(angle: float, late: float, cycle: float, near: float = 0.0) -> float:
     """Return the place in the cycle of a place in a motion that is so late; so near before its begin it is on that."""
     place = angle + late
     return place - cycle * math.floor((place + near) / cycle)

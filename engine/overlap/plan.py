@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from engine.laws.base import Array
 from engine.laws.inverse import HEIGHT
-from engine.overlap.schedule import ANGLE_TOLERANCE, Limit, Passage, Schedule, Tool, Transfer, turned
+from engine.overlap.schedule import ANGLE_TOLERANCE, Limit, Passage, Schedule, Tool, Transfer, within_turn
 from engine.timing import FULL_TURN
 
 
@@ -21,13 +21,13 @@ def one_after_the_other(transfer: Transfer, tool: Tool, split: float = 0.5) -> S
 
 
 @lru_cache(maxsize=256)
-def blocked(transfer: Transfer, passage: Passage) -> tuple[float, float]:
+def blocked_angles(transfer: Transfer, passage: Passage) -> tuple[float, float]:
     """Return the angles (rad) between which the transfer is too far from its ends for a tool in (S2: 15° and 135°)."""
     begin, end = transfer.inverted(transfer.law, np.array(passage.shares)) * transfer.angle
     return float(begin), float(end)
 
 
-class Room(NamedTuple):
+class FreeAngles(NamedTuple):
     """What a transfer and the passage leave a tool: angles in rad."""
 
     begin: float  # from here the transfer is in the way
@@ -37,22 +37,24 @@ class Room(NamedTuple):
     both: float  # for both ways at most, whatever the passage
 
 
-def room(transfer: Transfer, tool: Tool, passage: Passage) -> Room:
+def free_angles(transfer: Transfer, tool: Tool, passage: Passage) -> FreeAngles:
     """Return what is left to the tool; raise ValueError where that is nothing."""
-    begin, end = blocked(transfer, passage)
+    begin, end = blocked_angles(transfer, passage)
     free = free_angle(end - begin, tool)
-    return Room(begin, end, free * passage.split, free * (1.0 - passage.split), FULL_TURN - tool.dwell)
+    return FreeAngles(begin, end, free * passage.split, free * (1.0 - passage.split), FULL_TURN - tool.dwell)
 
 
-def rests(tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array]:
+def remaining_shares(tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array]:
     """Return the shares 1 − ξ of both ways while the transfer is in place, for margins (m): S2, 1 − 44 % = 56 %."""
     gone = passage.travelled_share(tool.stroke, margin)
     return 1.0 - tool.inverted(tool.law, gone), tool.inverted(tool.out, 1.0 - gone)
 
 
-def tool_angles(left: Room, tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+def tool_angles(
+    left: FreeAngles, tool: Tool, passage: Passage, margin: Array
+) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Return the angles in and out for each margin, and whether the cycle rather than the clearance limits one."""
-    rest, free = np.array(rests(tool, passage, margin)), np.array([[left.free_in], [left.free_out]])
+    rest, free = np.array(remaining_shares(tool, passage, margin)), np.array([[left.free_in], [left.free_out]])
     most = left.both * np.array([[passage.split], [1.0 - passage.split]])
     way = np.divide(free, rest, out=np.full(rest.shape, np.inf), where=rest > 0.0)
     found = np.minimum(way, most) - passage.allowance
@@ -69,7 +71,7 @@ def overlap(transfer: Transfer, tool: Tool, passage: Passage) -> Schedule:
     (S2: 70°/0.56 = 125°, 120° with the allowance of 5°). The way out is the same in reverse.
     Raises ValueError where no angle is left. Source: S2, 'Cycloid Cam Profile Analysis'.
     """
-    left = room(transfer, tool, passage)
+    left = free_angles(transfer, tool, passage)
     way_in, way_out, capped = tool_angles(left, tool, passage, np.array([passage.margin]))
     limit: Limit = "cycle" if capped[0] else "clearance"
     return Schedule(transfer, tool, float(way_in[0]), float(way_out[0]), left.end + left.free_in, limit)
@@ -99,7 +101,7 @@ def sweep_margin(transfer: Transfer, tool: Tool, passage: Passage, margins: Arra
     margin = np.asarray(margins, dtype=np.float64)
     for extreme in (margin.min(), margin.max()):
         replace(passage, margin=float(extreme))
-    way_in, way_out, _ = tool_angles(room(transfer, tool, passage), tool, passage, margin)
+    way_in, way_out, _ = tool_angles(free_angles(transfer, tool, passage), tool, passage, margin)
     scale = tool.stroke * (FULL_TURN * rate) ** 2
     peaks = [law.coefficients.ca * scale / way**2 for law, way in ((tool.law, way_in), (tool.out, way_out))]
     acceleration = np.maximum(*peaks)
@@ -107,11 +109,11 @@ def sweep_margin(transfer: Transfer, tool: Tool, passage: Passage, margins: Arra
     return MarginSweep(margin, way_in, way_out, acceleration, before / acceleration)
 
 
-NOUGHT = HEIGHT
+COLLISION_TOLERANCE = HEIGHT
 """of the clearance or the stroke: what is less below 0 is no collision, as heights are met by points of a law"""
 
 
-class Corners(NamedTuple):
+class CriticalAngles(NamedTuple):
     """Where it can be least: the transfer gets in the way, is in place; the tool sets off, arrives, leaves, is back."""
 
     raw: Array  # rad, not reduced to one turn
@@ -120,14 +122,14 @@ class Corners(NamedTuple):
     free: Array  # clearance (m); where the transfer is not in the way, all of it
 
 
-def corners(schedule: Schedule, passage: Passage) -> Corners:
+def critical_angles(schedule: Schedule, passage: Passage) -> CriticalAngles:
     """Return the corners of the diagram."""
-    begin, end = blocked(schedule.transfer, passage)
+    begin, end = blocked_angles(schedule.transfer, passage)
     raw = np.array([begin, end, *schedule.edges])
-    angle = turned(raw)
+    angle = within_turn(raw)
     inside = (angle >= begin - ANGLE_TOLERANCE) & (angle <= end + ANGLE_TOLERANCE)
     gone = np.where(inside, schedule.travel(angle), 0.0)
-    return Corners(raw, angle, inside, passage.clearance - gone)
+    return CriticalAngles(raw, angle, inside, passage.clearance - gone)
 
 
 class Clearance(NamedTuple):
@@ -144,16 +146,16 @@ class Clearance(NamedTuple):
 def clearance(schedule: Schedule, passage: Passage, angle: ArrayLike) -> Clearance:
     """Return what is free between the parts at angles of the master shaft (rad), and its minimum over the cycle."""
     at = np.asarray(angle, dtype=np.float64)
-    begin, end = blocked(schedule.transfer, passage)
+    begin, end = blocked_angles(schedule.transfer, passage)
     turned_at = at % FULL_TURN
     away = (turned_at > begin + ANGLE_TOLERANCE) & (turned_at < end - ANGLE_TOLERANCE)
     allowed = np.where(away, passage.clearance, schedule.tool.stroke)
-    minimum = float(corners(schedule, passage).free.min())
-    tolerance = NOUGHT * max(passage.clearance, schedule.tool.stroke)
+    minimum = float(critical_angles(schedule, passage).free.min())
+    tolerance = COLLISION_TOLERANCE * max(passage.clearance, schedule.tool.stroke)
     free = allowed - schedule.travel(at)
     return Clearance(allowed, free, minimum, minimum < -tolerance, minimum >= passage.margin - tolerance)
 
 
 def colliding(free: Array, stroke: Array) -> NDArray[np.bool_]:
     """Return where tools of these strokes (m) collide, by what is free (m)."""
-    return free < -NOUGHT * stroke
+    return free < -COLLISION_TOLERANCE * stroke

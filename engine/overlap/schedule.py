@@ -13,7 +13,7 @@ from engine.laws import Dwell, Law
 from engine.laws.base import BREAK_TOLERANCE, Array, require_finite
 from engine.laws.inverse import inverse
 from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, Scaled, pieces_of
+from engine.motion.pieces import MotionPiece, ScaledLaw, pieces_of
 from engine.timing import FULL_TURN, shaft_speed
 
 Limit = Literal["clearance", "cycle"]
@@ -41,10 +41,10 @@ class Transfer:
         return self.stroke * self.law.s(np.minimum(angle / self.angle, 1.0))
 
     @property
-    def parts(self) -> tuple[Scaled, Scaled]:
+    def parts(self) -> tuple[ScaledLaw, ScaledLaw]:
         """The movement, and the dwell to the end of the cycle (m, rad)."""
-        moves = Scaled(self.law, self.stroke, self.angle)
-        return moves, Scaled(Dwell(), 0.0, FULL_TURN - self.angle, self.angle, self.stroke * self.law.end.s)
+        moves = ScaledLaw(self.law, self.stroke, self.angle)
+        return moves, ScaledLaw(Dwell(), 0.0, FULL_TURN - self.angle, self.angle, self.stroke * self.law.end.s)
 
 
 @dataclass(frozen=True)
@@ -126,10 +126,10 @@ class Schedule:
         stays, rests = (one if one > ANGLE_TOLERANCE else 0.0 for one in (dwell, FULL_TURN - dwell - into - out))
         # from the tool's arrival (m, rad); dwell and rest below the tolerance of an angle are none
         self.parts = (
-            Scaled(Dwell(), 0.0, stays, 0.0, h),
-            Scaled(self.tool.out, -h, out, dwell, h),
-            Scaled(Dwell(), 0.0, rests, dwell + out),
-            Scaled(self.tool.law, h, into, FULL_TURN - into),
+            ScaledLaw(Dwell(), 0.0, stays, 0.0, h),
+            ScaledLaw(self.tool.out, -h, out, dwell, h),
+            ScaledLaw(Dwell(), 0.0, rests, dwell + out),
+            ScaledLaw(self.tool.law, h, into, FULL_TURN - into),
         )
 
     @cached_property
@@ -139,7 +139,7 @@ class Schedule:
 
     def since(self, angle: ArrayLike) -> Array:
         """Return the angles since the tool's arrival, within one turn, at angles of the master shaft (rad)."""
-        return turned(np.asarray(angle, dtype=np.float64) - self.arrival)
+        return within_turn(np.asarray(angle, dtype=np.float64) - self.arrival)
 
     def travel(self, angle: ArrayLike) -> Array:
         """Return how far the tool has gone (m) at any angle of the master shaft (rad)."""
@@ -174,23 +174,23 @@ def movement_time(angle: float, rate: float) -> float:
     return angle / (FULL_TURN * rate)
 
 
-def pieces_of_parts(parts: Sequence[Scaled], whole: bool = False) -> list[MotionPiece]:
+def pieces_of_parts(parts: Sequence[ScaledLaw], whole: bool = False) -> list[MotionPiece]:
     """Return the pieces of the parts that last; ``whole`` ones are not cut where the acceleration is largest."""
     return [piece for k, part in enumerate(parts) if part.duration for piece in pieces_of(part, k, whole)]
 
 
-def size_of_parts(parts: Sequence[Scaled]) -> Callable[[int], float]:
+def size_of_parts(parts: Sequence[ScaledLaw]) -> Callable[[int], float]:
     """Return what gives, for n, the largest |h|/δⁿ of the parts that move."""
     moving = [(abs(part.h), part.rate) for part in parts if part.h]
     return lambda order: max(h * rate**order for h, rate in moving)
 
 
-def turned(angle: Array) -> Array:
+def within_turn(angle: Array) -> Array:
     """Return angles (rad) within one turn; what is just below a whole turn counts as on it."""
     return angle - FULL_TURN * np.floor(angle / FULL_TURN + BREAK_TOLERANCE)
 
 
-def whole_turn(parts: Sequence[Scaled], position: float = 0.0) -> Motion:
+def whole_turn(parts: Sequence[ScaledLaw], position: float = 0.0) -> Motion:
     """Return the motion of parts that fill one turn, without those of no length."""
     kept = [part for part in parts if part.duration > 0.0]
     edges = np.cumsum([0.0, *(part.duration for part in kept)])

@@ -12,10 +12,10 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive.limits import factor_at
+from engine.drive.limits import cycle_factor_at
 from engine.laws.base import Array
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.point_load import Gears, PointLoad
+from engine.selection.point_load import PairArrays, PointLoad
 from engine.selection.task import Task
 
 Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
@@ -23,7 +23,7 @@ RANKS: tuple[str, ...] = get_args(Rank)
 PARTS = 10_000  # of a unit, in which scores are compared
 
 
-class Wanted(NamedTuple):
+class Requirements(NamedTuple):
     """What a usable pair meets."""
 
     inertia_ratio: float  # at most
@@ -34,7 +34,7 @@ class Wanted(NamedTuple):
     least_speed: float = 1.0  # its largest speed over what is asked of it
 
 
-class Curve(NamedTuple):
+class PeakTorqueCurve(NamedTuple):
     """Peak torque (Nm), the speed (rad/s) up to which it holds, and its fall beyond (Nm s)."""
 
     peak: float
@@ -51,21 +51,21 @@ class Pair(NamedTuple):
     no_load: float = 0.0
 
 
-def reserve(load: PointLoad, pair: Pair, curve: Curve) -> float:
+def reserve(load: PointLoad, pair: Pair, curve: PeakTorqueCurve) -> float:
     """Return the least that is left below a motor's curve at the points (Nm), for J, i, η and no-load torque."""
-    return curve.peak - max(float(load.peak(gears(*pair))[0]), falling(load, pair, curve))
+    return curve.peak - max(float(load.peak(pair_arrays(*pair))[0]), falling_demand(load, pair, curve))
 
 
-def falling(load: PointLoad, pair: Pair, curve: Curve) -> float:
+def falling_demand(load: PointLoad, pair: Pair, curve: PeakTorqueCurve) -> float:
     """Return the largest |T| + f (n − n_1) at the points (Nm): what they ask of the falling part of a curve."""
-    torque, speed = load.torques(gears(*pair))[0], pair.ratio * load.points.speed
+    torque, speed = load.torques(pair_arrays(*pair))[0], pair.ratio * load.points.speed
     return float((np.abs(torque) + curve.fall * (speed - curve.knee)).max())
 
 
-def gears(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: ArrayLike) -> Gears:
+def pair_arrays(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: ArrayLike) -> PairArrays:
     """Return motors with their reducers in a line: J (kg m²), i, η, no-load torque (Nm)."""
     each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency, no_load)))
-    return Gears(*(one.reshape(-1) for one in each))
+    return PairArrays(*(one.reshape(-1) for one in each))
 
 
 @dataclass(eq=False)
@@ -76,19 +76,19 @@ class PairMatrix:
     motors: Motors
     reducers: Reducers
     beside: float  # turns with the motor (kg m²)
-    wanted: Wanted
+    wanted: Requirements
     rate: float = 0.0  # of cycles (1/s)
 
     def __post_init__(self) -> None:
         r, rated = self.reducers, self.motors.rated_torque
         self.beside_motor: Array = r.inertia + self.beside  # what turns with a motor before each reducer (kg m²)
         self.inertias: Array = self.motors.inertia[:, None] + self.beside_motor  # J of each pair (kg m²)
-        self.gears = gears(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)  # of each pair, motor by motor
+        self.gears = pair_arrays(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)  # of each pair, motor by motor
         self.speed: Array = self.load.speed / r.ratio  # largest speed of the motor before each reducer (rad/s)
         self.at_motor: Array = self.beside_motor + self.load.inertia * r.ratio**2  # inertia that each drives (kg m²)
         self.inertia_ratio: Array = self.at_motor / self.motors.inertia[:, None]  # the same over each motor's
         self.output_torque = self.wanted.torque_factor * self.load.torque  # that a reducer must hold (Nm)
-        held = r.max_output_torque / factor_at(self.rate, r.full_rate, r.cycle_factor)
+        held = r.max_output_torque / cycle_factor_at(self.rate, r.full_rate, r.cycle_factor)
         self.most_output_torque: Array = held  # of each reducer at these cycles (Nm)
         strong = (self.output_torque <= held) & (self.load.mean_torque <= r.max_mean_torque)
         self.fits: NDArray[np.bool_] = strong & (self.speed <= r.max_input_speed)  # whether a reducer holds the load

@@ -23,7 +23,7 @@ from engine.laws.base import Array
 AT_ONCE = 1 << 18  # values of which arrays are made
 
 
-class Gears(NamedTuple):
+class PairArrays(NamedTuple):
     """Motors with their reducers, arrays of one length: J (kg m²) on the motor's shaft, i, η, no-load torque (Nm)."""
 
     inertia: Array
@@ -31,14 +31,14 @@ class Gears(NamedTuple):
     efficiency: Array
     no_load: Array
 
-    def parts(self, width: int) -> Iterator[tuple[slice, "Gears"]]:
+    def parts(self, width: int) -> Iterator[tuple[slice, "PairArrays"]]:
         """Yield some at a time, and which: with no more than :data:`AT_ONCE` values, ``width`` for each."""
         step = max(1, AT_ONCE // width)
         for some in (slice(begin, begin + step) for begin in range(0, len(self.inertia), step)):
-            yield some, Gears(*(values[some] for values in self))
+            yield some, PairArrays(*(values[some] for values in self))
 
 
-class Points(NamedTuple):
+class ShaftPoints(NamedTuple):
     """Points of a cycle, arrays of one length, at the shaft behind the reducer."""
 
     acceleration: Array  # α (rad/s²)
@@ -48,7 +48,7 @@ class Points(NamedTuple):
     direction: Array  # d, of rotation: 1, −1 or 0 at rest
 
 
-class Squares(NamedTuple):
+class MeanSquares(NamedTuple):
     """⟨α²⟩; ⟨α S⟩ and ⟨S²⟩ where S drives the load, and where the load drives it; ⟨d²⟩, ⟨α d⟩ and ⟨S d⟩ both ways."""
 
     own: float
@@ -77,7 +77,7 @@ class PointLoad:
         back = gives_back(torque, load.direction, 0.0) & (load.train.drive.method == "physical")
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
         each = load.shaft_acceleration, driving, driven, np.abs(load.speed), load.direction
-        self.points = Points(*(one.ravel() for one in each))
+        self.points = ShaftPoints(*(one.ravel() for one in each))
         weight = load.share * np.abs(load.speed)
         cubes = weight * np.abs(load.output_torque) ** 3
         # the mean torque of the shaft, ³√(mean |ω||S|³/mean |ω|) (Nm), by which gears are rated; 0 where it stands
@@ -86,28 +86,28 @@ class PointLoad:
         alpha, ahead, behind, _, way = self.points
         means = [alpha**2, alpha * ahead, alpha * behind, ahead**2, behind**2]
         means += [way**2, alpha * way, ahead * way, behind * way]
-        self.squares = Squares(*(float(load.share.ravel() @ one) for one in means))  # over the cycle
+        self.squares = MeanSquares(*(float(load.share.ravel() @ one) for one in means))  # over the cycle
 
-    def rms(self, some: Gears) -> Array:
+    def rms(self, some: PairArrays) -> Array:
         """Return the RMS torque of motors (Nm)."""
         turned = some.inertia * some.ratio
         square = turned**2 * self.squares.own + 2.0 * some.inertia * self.mixed(some) + self.square(some)
         return np.sqrt(np.maximum(square, 0.0))
 
-    def mixed(self, some: Gears) -> Array:
+    def mixed(self, some: PairArrays) -> Array:
         """Return i ⟨α T'⟩ (W/s), T' the torque of motors without what their inertia asks for."""
         means, eta = self.squares, some.efficiency
         own = some.ratio * some.no_load * means.direction_acceleration
         return np.asarray(means.mixed / eta + means.mixed_back * eta + own)
 
-    def square(self, some: Gears) -> Array:
+    def square(self, some: PairArrays) -> Array:
         """Return ⟨T'²⟩ (N²m²)."""
         means, eta, own = self.squares, some.efficiency, some.no_load
         load = (means.load / eta**2 + means.load_back * eta**2) / some.ratio**2
         crossed = 2.0 * own * (means.direction_load / eta + means.direction_load_back * eta) / some.ratio
         return np.asarray(load + crossed + own**2 * means.direction)
 
-    def torques(self, some: Gears) -> Array:
+    def torques(self, some: PairArrays) -> Array:
         """Return the torque of motors at the points (Nm): motors down, points across."""
         at = self.points
         turned = (some.inertia * some.ratio)[:, None] * at.acceleration
@@ -115,7 +115,7 @@ class PointLoad:
         driven = at.driven * (some.efficiency / some.ratio)[:, None]
         return np.asarray(turned + driving + driven + some.no_load[:, None] * at.direction)
 
-    def peak(self, some: Gears) -> Array:
+    def peak(self, some: PairArrays) -> Array:
         """Return the largest torque of motors at the points (Nm)."""
         parts = some.parts(self.points.speed.size)
         return np.concatenate([np.abs(self.torques(one)).max(axis=1) for _, one in parts])
@@ -126,7 +126,7 @@ def shares_of(limit: Array, value: Array) -> Array:
     return np.divide(limit, value, out=np.zeros(np.broadcast(limit, value).shape), where=value != 0.0)
 
 
-class Limits(NamedTuple):
+class MotorLimits(NamedTuple):
     """Peak torque of each motor (Nm), up to which speed (rad/s), its fall beyond (Nm s), copper losses (W/(Nm)²)."""
 
     peak: Array
@@ -155,8 +155,8 @@ class DriveBatch:
     """Motors with their reducers on a load; ``limits`` are the motors'."""
 
     load: PointLoad
-    gears: Gears
-    limits: Limits
+    gears: PairArrays
+    limits: MotorLimits
 
     def _parts(self) -> Iterator[tuple[slice, Array, Array, Array]]:
         """Yield some at a time, with their torques (Nm), speeds (rad/s) and powers (W): motors down, points across."""

@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike
 
 from engine.drive import STANDSTILL, Drive, Load, Mechanism, Motor
 from engine.drive.chain import Method
+from engine.drive.drivetrain import Holding
 from engine.drive.motor import Reserve, reserve
-from engine.drive.train import Holding
 from engine.laws.base import Array
 from engine.laws.inverse import breaks, is_monotone
 from engine.motion import Motion, Phase
@@ -169,7 +169,7 @@ class CyclePart(NamedTuple):
 class Sizing:
     """A mechanism, the phases of its load's motion (m or rad, in s), and the inertia of the motor (kg m²).
 
-    ``method`` and ``holding`` as in :class:`engine.drive.train.Drive`.
+    ``method`` and ``holding`` as in :class:`engine.drive.drivetrain.Drive`.
     Raises ValueError for no phases, a negative inertia, or a law that moves backwards.
     """
 

@@ -8,7 +8,7 @@ import numpy as np
 from engine.drive import Part
 from engine.laws.inverse import inverse
 from engine.motion import Phase
-from engine.motion.joining import Rates, joined
+from engine.motion.joining import Rates, join_phases
 from tests.functions.case import NUM, Case
 from workbook.functions.addin.motion_functions.library import OWN_WIDTH
 from workbook.functions.declared import CODES, TAKES
@@ -153,7 +153,7 @@ def of_phases(draw):
 
 def of_table(phases, through, draw):
     """A motion of phases, with what is prescribed between them; #NUM! where a law cannot meet what it is asked for."""
-    found = joined([Phase(engine_law(code, p), lift, d) for code, d, lift, p in phases], through, False)
+    found = join_phases([Phase(engine_law(code, p), lift, d) for code, d, lift, p in phases], through, False)
     motion = found.motion
     rows = [row(*phase, draw) for phase in phases]
     for k, rates in sorted(through.items(), reverse=True):

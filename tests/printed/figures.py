@@ -96,8 +96,12 @@ def actuators() -> Iterator[Figure]:
     rounded = "from a rounded acceleration (8 mm in 0.033 s)"
     yield Figure("Lead screw", "inertia of the screw", "kg m²", "1.47e-5", parts["screw"])
     yield Figure("Lead screw", "inertia of the load at the motor", "kg m²", "1.35e-6", parts["load"])
-    yield Figure("Lead screw", "torque of friction, g = 9.8", "Nm", "4.096e-3", screw.driving(screw.load.friction) * g)
-    yield Figure("Lead screw", "torque of the weight, g = 9.8", "Nm", "7.22e-3", screw.driving(screw.load.torque) * g)
+    yield Figure(
+        "Lead screw", "torque of friction, g = 9.8", "Nm", "4.096e-3", screw.driving_torque(screw.load.friction) * g
+    )
+    yield Figure(
+        "Lead screw", "torque of the weight, g = 9.8", "Nm", "7.22e-3", screw.driving_torque(screw.load.torque) * g
+    )
     yield Figure("Lead screw", "torque, accelerating", "Nm", "0.103", s4.torques(sizing)["accelerating"], rounded)
     yield Figure("Lead screw", "torque, decelerating", "Nm", "-0.0805", s4.torques(sizing)["decelerating"], rounded)
     yield Figure("Lead screw", "RMS torque", "Nm", "0.044", sizing.rms_torque)

@@ -9,8 +9,8 @@ import pytest
 
 from engine.drive import KINDS, Drive, Part, resisting
 from engine.drive.cycle import DriveCycle
+from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
-from engine.drive.train import Train
 from engine.laws import (
     ConstantAcceleration,
     Cubic,
@@ -174,7 +174,7 @@ def operating_points(law, n=3600):
 
 def results(law):
     """The same over the pieces of the motion, without samples."""
-    train = Train(feeding_group())
+    train = Drivetrain(feeding_group())
     return DriveResults(DriveCycle(train, machine(law)["MC01"], shaft_speed(100 / 60)))
 
 

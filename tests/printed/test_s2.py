@@ -10,7 +10,7 @@ import pytest
 
 from engine.laws import Cycloidal
 from engine.laws.inverse import inverse
-from engine.overlap.plan import blocked, clearance, one_after_the_other, overlap, sweep_margin
+from engine.overlap.plan import blocked_angles, clearance, one_after_the_other, overlap, sweep_margin
 from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time
 
 RATE = 2000 / 3600  # pieces a second
@@ -38,7 +38,7 @@ def test_without_overlap_55_degrees_and_4154_metres_per_second_squared():
 
 
 def test_effective_angle_of_the_mill_is_120_degrees_and_70_remain_each_way():
-    begin, end = blocked(MILL, PASSAGE)
+    begin, end = blocked_angles(MILL, PASSAGE)
     assert (degrees(begin), degrees(end)) == pytest.approx((15, 135), abs=1e-10)
     held = overlap(MILL, DIE, Passage(PASSAGE.remaining, clearance=0.001, margin=0.001))
     assert (degrees(held.angle_in), degrees(held.angle_out)) == pytest.approx((70, 70), abs=1e-10)

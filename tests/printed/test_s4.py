@@ -10,8 +10,8 @@ import pytest
 
 from engine.drive import KINDS, Part, Slide, Stage, cylinder, derating
 from engine.drive.cycle import DriveCycle
+from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
-from engine.drive.train import Train
 from engine.laws import Dwell
 from engine.motion import Phase
 from tests.engine.profiles import thirds
@@ -72,8 +72,8 @@ def test_screw_inertias(screw, screw_sizing):
 
 
 def test_screw_resisting_torques(screw, screw_sizing):
-    friction = screw.driving(screw.load.friction)
-    weight = screw.driving(screw.load.torque)
+    friction = screw.driving_torque(screw.load.friction)
+    weight = screw.driving_torque(screw.load.torque)
     assert friction * PRINTED_G == pytest.approx(4.096e-3, abs=5e-7)
     assert friction == pytest.approx(4.100240e-3, abs=5e-9)
     assert weight * PRINTED_G == pytest.approx(7.22e-3, abs=5e-6)
@@ -104,7 +104,7 @@ def test_screw_torques(screw_sizing):
 @pytest.mark.parametrize("sizing", [sized_screw(), sized_conveyor()], ids=["screw", "conveyor"])
 def test_the_motion_s_pieces_give_the_same_torques(sizing):
     """The way that the sheets' figures are judged by, which knows no closed form."""
-    found = DriveResults(DriveCycle(Train(sizing.drive), sizing.motion))
+    found = DriveResults(DriveCycle(Drivetrain(sizing.drive), sizing.motion))
     assert found.torque.peak == pytest.approx(sizing.peak_torque, rel=1e-12)
     assert found.rms_torque == pytest.approx(sizing.rms_torque, rel=1e-12)
 

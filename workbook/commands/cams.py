@@ -50,8 +50,8 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
     for line in described.lines(found, units):
         say(ERR, line)
-    if found.late:
-        say(ERR, f"It begins on the way: written as an axis that is {found.late:.9g} {units[0]} later")
+    if found.delay:
+        say(ERR, f"It begins on the way: written as an axis that is {found.delay:.9g} {units[0]} later")
     step, reach = float(table.x[1] - table.x[0]), float(table.x[-1] - table.x[0])
     if units[0] == "°" and equidistant(table.x) and abs(reach + step - TURN) < NEAR * TURN:  # as of a column a degree
         said = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"

@@ -8,7 +8,7 @@ from dataclasses import replace as replaced
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from engine.timing import Differing
+from engine.timing import SwitchDifference
 from workbook.commands.verify import opened, vouched
 from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
@@ -31,7 +31,7 @@ DECIMALS = {"point": ".", "comma": ","}
 class Switched(NamedTuple):
     """The switches of a machine with their file's text, and how each differs when that is read back."""
 
-    pairs: Sequence[tuple[CamSwitch, Differing]]
+    pairs: Sequence[tuple[CamSwitch, SwitchDifference]]
     text: str
     tappets: Tappets
     path: Path

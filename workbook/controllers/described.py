@@ -4,9 +4,9 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
-from engine.cams.certificate import parted
-from engine.cams.given import Found, Points, precision
-from engine.cams.identify import THINNED, Read, identified
+from engine.cams.cam_points import CamPoints, FoundPhase, precision
+from engine.cams.certificate import subdivided
+from engine.cams.identify import THINNED, IdentifiedMotion, identified
 from engine.laws.spline import Spline
 from workbook.controllers.handing import rules_of
 from workbook.controllers.table import Table
@@ -27,7 +27,9 @@ BETWEEN = 8  # places of a polynomial
 NEXT = 1e-9  # of the cycle: phases so near to each other meet
 
 
-def phases_of(target: Target, table: Table, units: tuple[str, str] = ("", ""), share: float = THINNED) -> Read:
+def phases_of(
+    target: Target, table: Table, units: tuple[str, str] = ("", ""), share: float = THINNED
+) -> IdentifiedMotion:
     """Return the movements that a table was made of: laws, or splines that are off by at most a share of the reach."""
     rebuilt = next(iter(rules_of(target, table).values())).made(table)
     known = precision(table.y)
@@ -35,14 +37,14 @@ def phases_of(target: Target, table: Table, units: tuple[str, str] = ("", ""), s
         known = max(known, 0.5 * table.steps[1])
     turns = units[0] == "°" and units[1] in ("mm", "°") and table.x[0] == 0.0 and table.x[-1] == TURN
     v = None if table.a is None else table.v  # y' alone is nobody's rule: as a rule it was made of differences
-    points = Points(table.x, table.y, v, table.a, known)
+    points = CamPoints(table.x, table.y, v, table.a, known)
     if table.profile is not None and table.steps == (1.0, 1.0):  # polynomials that are exact everywhere
-        x = parted(table.x, BETWEEN)
+        x = subdivided(table.x, BETWEEN)
         at = table.profile.at(x, left=True)
-        points = Points(x, at.y, at.y1, None, known)
+        points = CamPoints(x, at.y, at.y1, None, known)
     elif table.profile is not None:  # polynomials of whole steps are fitted to the motion, and keep to it at their ends
         at = table.profile.at(table.x)
-        points = Points(table.x, at.y, at.y1, at.y2, known)
+        points = CamPoints(table.x, at.y, at.y1, at.y2, known)
     return identified(points, rebuilt, turns, share)
 
 
@@ -52,7 +54,7 @@ def units_of(text: str) -> tuple[str, str]:
     return (found[1], found[2]) if found else ("°", "mm")
 
 
-def lines(read: Read, units: tuple[str, str]) -> list[str]:
+def lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
     """Return a line for each movement: its law, from where to where, its lift, and what the table is off by."""
     x, y = units
     said = []
@@ -62,12 +64,12 @@ def lines(read: Read, units: tuple[str, str]) -> list[str]:
         misses = "" if one.fits else "; so many points do not do"
         v = one.rates(0)[0]
         misses += f"; begins with {v:.6g} {y}/{x}" if v else ""
-        place = f"{one.begin + read.late:.9g}–{one.end + read.late:.9g} {x}"
+        place = f"{one.begin + read.delay:.9g}–{one.end + read.delay:.9g} {x}"
         said.append(f"{place}: {name}, lift {one.lift:.9g} {y}, residual {one.residual:.2g} {y}{misses}")
     return said
 
 
-def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
+def composed(read: IdentifiedMotion, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
     """Return the description of a machine of one axis, without its rate; raise TargetError for what none can have."""
     x, y = units
     if x not in MEASURES or y not in ENTERED:
@@ -98,7 +100,7 @@ def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> di
         require_end(found, closes, near + begin)
     jumps = any(one.law.code == Spline.code for one in found)  # the acceleration of a spline begins and ends with one
     axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": "velocity" if jumps else "acceleration",
-            "closes": "position" if closes else "feed" if read.late else "open", "shift": rounded(read.late),
+            "closes": "position" if closes else "feed" if read.delay else "open", "shift": rounded(read.delay),
             "position": float(found[0].y if found else table.y[0]), "phases": phases}  # fmt: skip
     master = {"cycle": rounded(end - begin), "unit": units[0]}
     points = max((len(one.law.points) for one in found if isinstance(one.law, Spline)), default=0)
@@ -107,7 +109,7 @@ def composed(read: Read, table: Table, units: tuple[str, str], title: str) -> di
     return {"template": "machine", "title": title, "laws": laws, "sizes": sizes, "master": master, "axes": [axis]}
 
 
-def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
+def require_end(found: Sequence[FoundPhase], closes: bool, begin: float) -> None:
     """Raise TargetError where the last phase ends on the way, and the first does not take over what it ends with."""
     one, other = found[-1], found[0]
     if one.law.code == "LIN" or not any(one.rates(1)):
@@ -123,7 +125,7 @@ def require_end(found: Sequence[Found], closes: bool, begin: float) -> None:
                           "an axis ends at rest, or as it begins")  # fmt: skip
 
 
-def passing(found: Sequence[Found], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
+def passing(found: Sequence[FoundPhase], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
     """Return y' and y'' of a phase where another curved one, or none, ends: as machines have them, of s in m or rad."""
     before = found[k - 1]
     meets = k == 0 or found[k].begin - before.end <= near
@@ -140,7 +142,7 @@ def rounded(x: float) -> float:
     return float(f"{x:.12g}")
 
 
-def named(one: Found, k: int) -> tuple[str, dict[str, Any]]:
+def named(one: FoundPhase, k: int) -> tuple[str, dict[str, Any]]:
     """Return the name of a movement's law in a description, and its entry there where it needs one."""
     if isinstance(one.law, Spline):
         points = [{"at": at, "s": s} for at, s in one.law.points]

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.certificate import Certificate, certify, equal, jumps, spread
+from engine.cams.certificate import Certificate, certify, equal_steps, jumps, spread
 from engine.cams.interpolation import straight
 from engine.laws.base import Array
 from engine.motion.pieces import SAME, CamProfile
@@ -72,7 +72,7 @@ def tabulated(target: Target, axis: CamAxis, n: int) -> Table:
     allowed(target, n)
     of, units = axis.profile, (axis.x_unit, axis.y_unit)
     if target.spacing == "equal":
-        return filled(target, of, equal(of, n), units)
+        return filled(target, of, equal_steps(of, n), units)
     if n < (needed := fewest(target, of)):
         raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
     exact = target.exact(of) if target.exact else None
@@ -180,9 +180,9 @@ def tried(tries: Tries, tolerance: Mapping[str, float]) -> Iterator[Made]:
     if target.counts:
         yield from filter(None, map(tries.of, target.counts))
         return
-    equal_steps = target.spacing == "equal"
-    n, most = fewest(target, of), min(target.points[1], MOST_EQUAL if equal_steps else MOST_TRIED)
-    n = max(n, min(len(of.edges), most)) if equal_steps else n
+    equal = target.spacing == "equal"
+    n, most = fewest(target, of), min(target.points[1], MOST_EQUAL if equal else MOST_TRIED)
+    n = max(n, min(len(of.edges), most)) if equal else n
     while n <= most and (made := tries.of(n)):
         yield made
         growth = min(max(made.excess(tolerance) ** 0.5, GROWTH[0]), GROWTH[1])

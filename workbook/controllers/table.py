@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams import interpolation
-from engine.cams.given import Points, moves_at, rate_at
+from engine.cams.cam_points import CamPoints
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 from workbook.errors import TargetError
@@ -70,8 +70,8 @@ def _clamped(table: Table) -> CamProfile:
     """Return the clamped spline, which lines part; with slopes that nobody told it goes on as its points do."""
     slopes = table.slopes
     if slopes is None:
-        points = Points(table.x, table.y, None, None, 0.0)
-        one, other = (rate_at(points, side)[0] if moves_at(points, side) else 0.0 for side in (0, -1))
+        points = CamPoints(table.x, table.y, None, None, 0.0)
+        one, other = (points.rate_at(side)[0] if points.moves_at(side) else 0.0 for side in (0, -1))
         slopes = one, other
     if table.straight is None or not table.straight.any():
         return interpolation.spline(table.x, table.y, slopes)

@@ -12,7 +12,7 @@ from tornado.template import Loader
 
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
-from engine.timing import Differing, Switch, differing
+from engine.timing import Switch, SwitchDifference, compare_switches
 from workbook.controllers.claims import CLAIMS
 from workbook.controllers.table import Table
 from workbook.controllers.texts import LREAL, Number, literal
@@ -193,12 +193,12 @@ def gathered(text: str, rows: Iterable[Sequence[float]], cycle: float = 360.0) -
     return made
 
 
-def differences(given: Sequence[CamSwitch], found: Sequence[Track]) -> list[Differing]:
+def differences(given: Sequence[CamSwitch], found: Sequence[Track]) -> list[SwitchDifference]:
     """Return how each track differs from the switch that is meant; raise TargetError where there are others."""
     if [one.number for one in found] != [*range(1, len(given) + 1)]:
         raise TargetError(f"tracks {', '.join(str(one.number) for one in found[:9])}; expected 1 to {len(given)}")
     pairs = zip(given, found, strict=True)
-    return [differing(one.switch, Switch(one.name, track.on, one.switch.cycle)) for one, track in pairs]
+    return [compare_switches(one.switch, Switch(one.name, track.on, one.switch.cycle)) for one, track in pairs]
 
 
 def read_table(path: Path, target: Target) -> Table:

@@ -3,7 +3,7 @@
 The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and ``@mean`` (rpm).
 """
 
-from engine.drive.motor import CORNERS, Corners, Motor, Reserve
+from engine.drive.motor import CORNERS, LimitCorners, Motor, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
 from workbook.book.sentence import NOTHING, Said, amount, exceeding
@@ -54,7 +54,7 @@ def continuous_at(speed: str) -> str:
     return f"MAX(@motor_rated,@motor_stall-(@motor_stall-@motor_rated)*{speed}/@motor_nn)"
 
 
-def limits_table(sheet: Sheet, corners: Corners, backward: str, falls: bool) -> None:
+def limits_table(sheet: Sheet, corners: LimitCorners, backward: str, falls: bool) -> None:
     """Declare the corners of the limits as the charts draw them; ``backward`` says whether the motor turns so too.
 
     Where the sheet knows motors whose peak torque ``falls``, it does by ``@fall`` (Nm/rpm) beyond ``@knee`` (rpm).

@@ -12,7 +12,7 @@ from engine.drive import Part
 from engine.laws import Law
 from engine.laws.inverse import inverse
 from engine.motion import Motion, Phase
-from engine.motion.joining import joined
+from engine.motion.joining import join_phases
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given, result
 from workbook.book.rows import filled
@@ -104,7 +104,7 @@ class Shown(Model):
     @cached_property
     def motion(self) -> Motion:
         """The phases, joined: they take over velocities from straight lines."""
-        return joined([phase.made for phase in self.phases], periodic=False).motion
+        return join_phases([phase.made for phase in self.phases], periodic=False).motion
 
 
 EXAMPLE = Shown.model_validate(TEXTS["example"])

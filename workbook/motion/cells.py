@@ -8,7 +8,7 @@ from typing import Any
 
 from engine.laws import Dwell
 from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, Scaled, motion_pieces
+from engine.motion.pieces import MotionPiece, ScaledLaw, motion_pieces
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import Pieces
 
@@ -118,7 +118,7 @@ class PieceRows:
         return filled((figure(piece) for piece in self.pieces), room, figure(self.pieces[-1]))
 
 
-def rows_of_parts(at: Cells, parts: Sequence[Scaled], pieces: Sequence[MotionPiece], stack: Pieces, end: float,
+def rows_of_parts(at: Cells, parts: Sequence[ScaledLaw], pieces: Sequence[MotionPiece], stack: Pieces, end: float,
                   begun: Sequence[int] = ()) -> PieceRows:  # fmt: skip
     """Return the pieces of a motion of parts, from 0 to its ``end``; each may begin with any piece of its law."""
     numbers = [1 if isinstance(part.law, Dwell) else stack.number(part.law) for part in parts]  # there is one dwell
@@ -133,6 +133,6 @@ def rows_of(at: Cells, motion: Motion, stack: Pieces, room: int, places: Sequenc
     """Return the pieces of a motion whose phases stand at ``places`` of ``room`` rows, by default the first of them."""
     taken = range(len(motion.phases)) if places is None else places
     pieces = [replace(piece, phase=taken[piece.phase]) for piece in motion_pieces(motion)]
-    parts = (Scaled(phase.named, phase.lift, phase.duration) for phase in motion.phases)
-    placed = spread(parts, taken, room, Scaled(Dwell(), 0.0, 0.0))
+    parts = (ScaledLaw(phase.named, phase.lift, phase.duration) for phase in motion.phases)
+    placed = spread(parts, taken, room, ScaledLaw(Dwell(), 0.0, 0.0))
     return rows_of_parts(at, placed, pieces, stack, float(motion.edges[-1]))

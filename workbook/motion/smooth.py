@@ -88,7 +88,7 @@ class Joints:
             calc("d", "duration", "d", at.x, f"=[{at.pieces}.d.same]", filled(durations, room), scale=self.rows.end),
             calc("p", "phase", "", "", f"=[{at.pieces}.p.same]", phases, format="0"),
             calc("n", "pieces that last, so far", "", "", "=IF([r]=1,0,[n-1])+IF([d]>0,1,0)",
-                 self._of(lambda joint: joint.lasting, last.lasting, room), format="0"),
+                 self._of(lambda joint: joint.piece_count, last.piece_count, room), format="0"),
             calc("of", "phase of the last of them", "", "", "=IF([d]>0,[p],IF([r]=1,0,[of-1]))",
                  self._of(lambda joint: joint.phase + 1, last.phase + 1, room), format="0"),
             calc("from", "phase before", "", "",
@@ -146,7 +146,8 @@ class Joints:
         last = f"IF({wraps},{last},0)" if wraps else last
         joined = zip(self.found, self.rows.pieces, strict=True)
         met = [
-            (k if joint.lasting > 1 else wrapped) * (piece.duration > 0.0) for k, (joint, piece) in enumerate(joined)
+            (k if joint.piece_count > 1 else wrapped) * (piece.duration > 0.0)
+            for k, (joint, piece) in enumerate(joined)
         ]
         cell = self.asked.order
         jerk = f"IF(({cell}>2)*(ABS([dj])>{cell}_j),3,0)"
@@ -251,7 +252,7 @@ class Joints:
         if not self._worst:
             return NOTHING
         piece, joint = self._worst
-        within = joint.before == piece.phase and joint.lasting > 1
+        within = joint.before == piece.phase and joint.piece_count > 1
         who = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if asked.rows else ""
         if asked.names:
             who = f"{asked.names[joint.before]}{'' if within else f' to {asked.names[piece.phase]}'} "

@@ -11,8 +11,8 @@ import numpy as np
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.pair_matrix import RANKS, Curve, PairMatrix, Wanted, gears, reserve
-from engine.selection.point_load import Gears, PointLoad, shares_of
+from engine.selection.pair_matrix import RANKS, PairMatrix, PeakTorqueCurve, Requirements, pair_arrays, reserve
+from engine.selection.point_load import PairArrays, PointLoad, shares_of
 from workbook.book.chart import in_scope
 from workbook.book.rows import filled
 from workbook.fields.units import KG_CM2, PER_HOUR, RPM, shown, si
@@ -165,11 +165,11 @@ class Choosing:
         self.load = self.shaft.load
         self.rooms, self.pairs = (sizes.motors, sizes.reducers), sizes.motors * sizes.reducers
         self.rank = RANKS.index(given.rank) + 1
-        self.wanted = Wanted(given.inertia_ratio, given.least_margin, given.greatest_margin, given.torque_factor,
+        self.wanted = Requirements(given.inertia_ratio, given.least_margin, given.greatest_margin, given.torque_factor,
                              given.least_peak_margin, given.least_speed_margin)  # fmt: skip
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
-        self.bare = gears(0.0, r.reduction, r.efficiency, r.no_load)  # the reducers, before any motor
+        self.bare = pair_arrays(0.0, r.reduction, r.efficiency, r.no_load)  # the reducers, before any motor
         own, ranking = self.shaft.values, (given.rank, sizes.reducers, self.pairs)
         self.grid = PairMatrix(self.load, self.motors, r, own["beside"], self.wanted, si(own["cycles"], PER_HOUR))
         self.keys = self.grid.keys(*ranking)  # what the pairs are sorted by; NaN where they are not ranked
@@ -180,9 +180,9 @@ class Choosing:
         return self.shaft.values[f"held_{name}"]
 
     @cached_property
-    def own_gears(self) -> Gears:
+    def own_gears(self) -> PairArrays:
         """The reducer that the drive has."""
-        return gears(0.0, *(self.held(name) for name in ("i", "eta", "no_load")))
+        return pair_arrays(0.0, *(self.held(name) for name in ("i", "eta", "no_load")))
 
     @cached_property
     def behind_own(self) -> PairMatrix:
@@ -209,10 +209,10 @@ class Choosing:
         return (self.motors.names[motor - 1] if motor else AS_ENTERED,
                 self.reducers.names[reducer - 1] if reducer else AS_ENTERED)  # fmt: skip
 
-    def curve(self, motor: int) -> Curve:
+    def curve(self, motor: int) -> PeakTorqueCurve:
         """Return the curve of a motor of the catalogue."""
         m = self.motors
-        return Curve(float(m.peak_torque[motor]), float(m.knee[motor]), max(0.0, 0.0 - float(m.slope[motor])))
+        return PeakTorqueCurve(float(m.peak_torque[motor]), float(m.knee[motor]), max(0.0, 0.0 - float(m.slope[motor])))
 
     @cached_property
     def listed(self) -> list[Figures]:
@@ -235,7 +235,7 @@ class Choosing:
         """The pair that the drive has."""
         held, inertia = self.held, self.held("j")
         ratio, motor = held("i"), held("jm")
-        rms = float(self.load.rms(gears(inertia, ratio, held("eta"), held("no_load")))[0])
+        rms = float(self.load.rms(pair_arrays(inertia, ratio, held("eta"), held("no_load")))[0])
         inertias = (inertia - motor + self.load.inertia / ratio**2) / motor if motor else 0.0
         margin = held("rated") / rms if rms else 0.0
         return Figures(rms, margin, held("top"), shown(ratio * self.load.speed, RPM), inertias, held("spare"))

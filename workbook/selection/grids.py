@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.drive.limits import factor_at
+from engine.drive.limits import cycle_factor_at
 from engine.selection.pair_matrix import PARTS, RANKS
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
@@ -213,7 +213,7 @@ def reducers(sheet: Sheet, view: Choosing) -> None:
     r, g, n = view.reducers, view.grid, view.rooms[1]
     given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
     speeds, torques, means = (np.where(np.isfinite(one), one, 0.0) for one in given)
-    factors = factor_at(g.rate, r.full_rate, r.cycle_factor)
+    factors = cycle_factor_at(g.rate, r.full_rate, r.cycle_factor)
     own = {"eta": "[eta]", "i": "[i]", "own": "[own]"}
 
     def column(name: str, label: str, symbol: str, unit: str, formula: str, values: Any, **more: Any) -> Quantity:

@@ -5,7 +5,7 @@ import pytest
 from scipy.interpolate import BPoly, CubicSpline
 
 from engine import law
-from engine.cams.certificate import certify, equal, spread
+from engine.cams.certificate import certify, equal_steps, spread
 from engine.cams.interpolation import hermite, parabolas, quintics, spline
 from engine.motion import Motion, Phase
 from engine.motion.pieces import profile_of_motion
@@ -38,7 +38,7 @@ def compared(x: np.ndarray, ours, theirs) -> None:
 @pytest.mark.parametrize("n", [17, 80, 400])
 @pytest.mark.parametrize("ends", NAMES)
 def test_a_cubic_spline_is_smooth_and_its_certificate_that_of_a_dense_search(ends: str, n: int) -> None:
-    x = equal(OF, n)
+    x = equal_steps(OF, n)
     y = OF.at(x).y
     y[-1] = y[0]
     ours = spline(x, y, NAMES[ends])  # type: ignore[arg-type]
@@ -57,7 +57,7 @@ def test_quintics_are_scipys(n: int) -> None:
 
 
 def test_cubics_of_slopes_are_scipys() -> None:
-    x = equal(OF, 50)
+    x = equal_steps(OF, 50)
     at = OF.at(x)
     theirs = BPoly.from_derivatives(x, np.column_stack([at.y, at.y1]))
     compared(x, hermite(x, at.y, at.y1), lambda where, order: theirs(where, nu=order))

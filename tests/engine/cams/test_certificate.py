@@ -6,11 +6,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine import law
-from engine.cams.certificate import Certificate, certify, equal, spread
+from engine.cams.certificate import Certificate, certify, equal_steps, spread
 from engine.cams.interpolation import hermite, lines, parabolas, parted_spline, quintics, spline
 from engine.laws import CATALOGUE, Dwell
 from engine.motion import Motion, Phase
-from engine.motion.pieces import CamProfile, profile_of_motion, turned
+from engine.motion.pieces import CamProfile, profile_of_motion, shifted_profile
 
 RISE = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))
 TURN = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0), Phase(law("dwell"), 0.0, 280.0)]))
@@ -32,24 +32,24 @@ def percent(found: Certificate) -> float:
 
 @pytest.mark.parametrize(("intervals", "said"), [(20, 2.8), (80, 0.23)])
 def test_a_rise_rebuilt_in_lreal_costs_acceleration(intervals: int, said: float) -> None:
-    assert percent(through(RISE, equal(RISE, intervals + 1))) == pytest.approx(said, rel=0.02)
+    assert percent(through(RISE, equal_steps(RISE, intervals + 1))) == pytest.approx(said, rel=0.02)
 
 
 @pytest.mark.parametrize(("intervals", "said"), [(400, 1.4), (1000, 7.5), (2000, 36.0)])
 def test_more_points_make_it_worse_in_real(intervals: int, said: float) -> None:
-    assert percent(through(RISE, equal(RISE, intervals + 1), real=True)) == pytest.approx(said, rel=0.04)
+    assert percent(through(RISE, equal_steps(RISE, intervals + 1), real=True)) == pytest.approx(said, rel=0.04)
 
 
 @pytest.mark.parametrize(("intervals", "said"), [(20, 37.0), (400, 0.8)])
 def test_equal_steps_over_the_turn_miss_the_breaks(intervals: int, said: float) -> None:
-    assert percent(through(TURN, equal(TURN, intervals + 1))) == pytest.approx(said, rel=0.01)
+    assert percent(through(TURN, equal_steps(TURN, intervals + 1))) == pytest.approx(said, rel=0.01)
 
 
 def test_points_on_the_breaks_cost_far_less_than_as_many_at_equal_steps() -> None:
     x = spread(TURN, 60, 4, np.full(len(TURN.origins), 2))
     assert len(x) <= 60
     assert set(TURN.edges) <= set(x)
-    assert percent(through(TURN, x)) < percent(through(TURN, equal(TURN, 60))) / 20.0
+    assert percent(through(TURN, x)) < percent(through(TURN, equal_steps(TURN, 60))) / 20.0
 
 
 # Another route: a dense search, which must find no more, and nearly as much
@@ -58,7 +58,7 @@ def test_points_on_the_breaks_cost_far_less_than_as_many_at_equal_steps() -> Non
 @pytest.mark.parametrize("entry", MOVING, ids=lambda entry: entry.code)
 def test_a_dense_search_finds_no_more_and_nearly_as_much(entry) -> None:
     of = profile_of_motion(Motion([Phase(entry(), 30.0, 90.0), Phase(law("dwell"), 0.0, 270.0)]))
-    x = np.unique(np.concatenate([of.edges, equal(of, 50)]))
+    x = np.unique(np.concatenate([of.edges, equal_steps(of, 50)]))
     at = of.at(x)
     for rebuilt in (lines(x, at.y), parabolas(x, at.y), spline(x, at.y, "not-a-knot"), quintics(x, at.y, at.y1, at.y2)):
         found = certify(of, rebuilt)
@@ -149,7 +149,7 @@ def test_jumps_and_closure_are_told() -> None:
 
 @given(by=st.floats(0.001, 359.999))
 def test_a_turned_course_is_the_same_motion_later(by: float) -> None:
-    later = turned(TURN, by)
+    later = shifted_profile(TURN, by)
     assert later.edges[[0, -1]] == pytest.approx(TURN.edges[[0, -1]])
     assert np.all(np.diff(later.edges) > 0.0)
     x = np.random.default_rng(1).uniform(0.0, 360.0, 60)

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from engine import law
-from engine.cams.given import Points, precision
+from engine.cams.cam_points import CamPoints, precision
 from engine.cams.identify import identified
 from engine.cams.interpolation import quintics, spline
 from engine.laws import CATALOGUE, Dwell, PieceLaw
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates
-from engine.motion.joining import joined as join
-from engine.motion.pieces import profile_of_motion, turned
+from engine.motion.joining import join_phases as join
+from engine.motion.pieces import profile_of_motion, shifted_profile
 
 MOVING = [entry for entry in CATALOGUE if entry not in (Dwell, PieceLaw)]
 
@@ -25,7 +25,7 @@ def motion(entry) -> Motion:
 
 
 def found_in(x: np.ndarray, y: np.ndarray):
-    return identified(Points(x, y, None, None, precision(y)), spline(x, y, "natural")).found
+    return identified(CamPoints(x, y, None, None, precision(y)), spline(x, y, "natural")).found
 
 
 @pytest.mark.parametrize("digits", [None, 6, "REAL"])
@@ -61,7 +61,7 @@ def test_laws_that_are_one_curve_count_as_one_and_the_first_is_named() -> None:
 def test_breaks_are_exact_where_points_stand_on_them_with_their_rates() -> None:
     of = profile_of_motion(motion(MOVING[4]))
     at = of.at(of.edges)
-    points = Points(of.edges, at.y, at.y1, at.y2, precision(at.y))
+    points = CamPoints(of.edges, at.y, at.y1, at.y2, precision(at.y))
     one, other = identified(points, quintics(of.edges, at.y, at.y1, at.y2)).found
     assert (one.law.code, one.begin, one.end) == (MOVING[4].code, 33.3, 125.0)
     assert (other.begin, other.end, other.lift) == (180.0, 300.0, -50.0)
@@ -77,7 +77,7 @@ def bumpy(x: np.ndarray) -> np.ndarray:
 def test_what_keeps_to_no_law_is_a_spline_thinned_to_the_tolerance(share) -> None:
     x = np.linspace(0.0, 360.0, 721)
     y = bumpy(x)
-    (one,) = identified(Points(x, y, None, None, precision(y)), spline(x, y, "natural"), share=share).found
+    (one,) = identified(CamPoints(x, y, None, None, precision(y)), spline(x, y, "natural"), share=share).found
     assert (one.law.code, one.known, one.begin, one.end, one.lift) == ("SPL", False, 60.0, 180.0, 20.0)
     inside = (x >= 60.0) & (x <= 180.0)
     off = np.abs(20.0 * one.law.s((x[inside] - 60.0) / 120.0) - y[inside]).max()
@@ -136,7 +136,7 @@ def test_phases_that_meet_at_speed_are_told_as_they_were(name: str, equidistant:
     at = of.at(x)
     y, rates = at.y, (None, None) if equidistant else (at.y1, at.y2)
     rebuilt = spline(x, y, "not-a-knot") if equidistant else quintics(x, y, at.y1, at.y2)
-    found = identified(Points(x, y, *rates, precision(y)), rebuilt).found
+    found = identified(CamPoints(x, y, *rates, precision(y)), rebuilt).found
     meant = [phase for phase in given if phase[0] != "DWL"]
     if equidistant and through:  # where two curved phases meet is not to be seen in positions alone
         assert max(one.residual for one in found) <= 1e-4 * np.ptp(y)
@@ -148,14 +148,14 @@ def test_phases_that_meet_at_speed_are_told_as_they_were(name: str, equidistant:
 
 
 def test_a_cycle_that_begins_on_the_way_is_told_from_its_dwell_on() -> None:
-    of = turned(profile_of_motion(motion(MOVING[4])), 200.0)
+    of = shifted_profile(profile_of_motion(motion(MOVING[4])), 200.0)
     x = np.linspace(0.0, 360.0, 721)
     y = of.at(x).y
-    points = Points(x, y, None, None, precision(y))
+    points = CamPoints(x, y, None, None, precision(y))
     read = identified(points, spline(x, y, "periodic"), turns=True)
     one, other = read.found
     assert (one.law.code, other.law.code) == (MOVING[4].code, "MTP")
-    begins = sorted((phase.begin + read.late) % 360.0 for phase in (one, other))
+    begins = sorted((phase.begin + read.delay) % 360.0 for phase in (one, other))
     assert begins == pytest.approx(sorted([233.3, 20.0]), abs=1e-3)
 
 

@@ -9,12 +9,12 @@ import numpy as np
 
 from engine.drive import KINDS, Drive, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
+from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import PositionTable
-from engine.drive.train import Train, Window
 from engine.laws import Dwell
 from engine.motion import Motion, Phase
-from engine.motion.joining import Rates, joined
+from engine.motion.joining import Rates, join_phases
 from tests.engine.families import ENTRIES
 from tests.engine.sizing import phase_index
 
@@ -55,7 +55,7 @@ def handing_over(rng, low, high):
     h = 0.2 * (high - low)
     phases = [Phase(law, h, 1.2), Phase(straight, h, 0.9), Phase(law, 0.3 * h, 1.0), Phase(Dwell(), 0.0, 0.8),
               Phase(law, -0.9 * h, 1.1), Phase(law, -1.4 * h, TURN - 5.0)]  # fmt: skip
-    made = joined(phases, {5: Rates(-0.3 * h, rng.uniform(-0.2, 0.2) * h)}, position=low + 0.3 * (high - low))
+    made = join_phases(phases, {5: Rates(-0.3 * h, rng.uniform(-0.2, 0.2) * h)}, position=low + 0.3 * (high - low))
     assert not made.faults
     return made.motion
 
@@ -77,7 +77,7 @@ def train_of(rng, kind, method="physical", lossless=False):
     inertia = rng.uniform(0, 2e-3)
     drive = Drive(mechanism, inertia, method, rng.choice(["motor", "brake"]), 200.0 * inertia if gears else 0.0,
                   500.0 * inertia if len(gears) == 1 else 0.0)  # fmt: skip
-    return Train(drive, linkage, rng.choice([0.0, rng.uniform(0, 100)]), tuple(windows)), low, high
+    return Drivetrain(drive, linkage, rng.choice([0.0, rng.uniform(0, 100)]), tuple(windows)), low, high
 
 
 def drive_cycle_of(number, lossless=False, from_rest=False, kinds=(*SIZES, *LINKAGES, *LINKAGES)):

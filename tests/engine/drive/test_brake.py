@@ -9,9 +9,9 @@ import pytest
 from engine.drive import KINDS, Drive, Load, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
-from engine.drive.quadrature import Cycle
+from engine.drive.drivetrain import Brake, Drivetrain, dwell_times
+from engine.drive.quadrature import QuadratureCycle
 from engine.drive.results import DriveResults
-from engine.drive.train import Brake, Train, dwell_times
 from engine.laws import Dwell, law
 from engine.motion import Motion
 
@@ -43,7 +43,7 @@ def cycle_of(brake, speed=TURN, holding="brake", efficiency=0.9):
     edges = [0.0, 0.3 * TURN, 0.4 * TURN, 0.7 * TURN, TURN]
     motion = Motion.from_edges(edges, [0.1, 0.0, -0.1, 0.0], [law("CIC"), Dwell(), law("CIC"), Dwell()])
     rack = KINDS["rack and pinion"].of(Load(2.0, 4000.0), 0.1, efficiency, gears=[Stage("reducer", 2.0, 0.95)])
-    return DriveCycle(Train(Drive(rack, 1e-3, holding=holding, brake=brake)), motion, speed)
+    return DriveCycle(Drivetrain(Drive(rack, 1e-3, holding=holding, brake=brake)), motion, speed)
 
 
 STATIC = 4000 * 0.05 / 0.9 / 2.0 / 0.95
@@ -57,7 +57,7 @@ def test_the_motor_holds_in_dwells_that_are_shorter_than_the_brake_takes(time, s
     assert DriveResults(by_motor).rms_torque ** 2 - none == pytest.approx(0.4 * STATIC**2)
     found = DriveResults(by_brake)
     assert found.rms_torque**2 - none == pytest.approx(share * STATIC**2, abs=1e-9)
-    points = DrivePoints(Cycle(by_brake, by_brake.unshifted.pieces, 1e-9).points())
+    points = DrivePoints(QuadratureCycle(by_brake, by_brake.unshifted.pieces, 1e-9).points())
     assert points.rms_torque == pytest.approx(found.rms_torque, rel=1e-9)
     held = STATIC if share < 0.4 else 0.0
     assert exact(found.drive_cycle) == pytest.approx(held)

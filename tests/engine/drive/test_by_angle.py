@@ -9,10 +9,10 @@ import pytest
 from engine.drive import KINDS, Drive, Load, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
+from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.mechanisms.slides import Arm, PressCrank
-from engine.drive.quadrature import Cycle
+from engine.drive.quadrature import QuadratureCycle
 from engine.drive.results import DriveResults
-from engine.drive.train import Train, Window
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from engine.motion.pieces import motion_pieces
@@ -28,12 +28,12 @@ def cycle_of(by_angle, load, motion=ROUND, speed=TURN, *, eta=1.0, inertia=0.0, 
     """A crank or an arm behind a reducer of 5, over a cycle."""
     parts = [Part("flywheel", inertia, 1)]
     mechanism = KINDS["press crank"].of(load, 1.0, eta, [Stage("reducer", 5.0, eta)], parts)
-    return DriveCycle(Train(Drive(mechanism, 0.0, **more), None, 0.0, tuple(windows), by_angle), motion, speed)
+    return DriveCycle(Drivetrain(Drive(mechanism, 0.0, **more), None, 0.0, tuple(windows), by_angle), motion, speed)
 
 
 def points_of(drive_cycle):
     pieces = motion_pieces(drive_cycle.motion)
-    return DrivePoints(Cycle(drive_cycle, pieces, 3e-9 * drive_cycle.unshifted.total).points())
+    return DrivePoints(QuadratureCycle(drive_cycle, pieces, 3e-9 * drive_cycle.unshifted.total).points())
 
 
 def test_the_acceleration_in_the_dead_centres_is_that_of_the_textbook():

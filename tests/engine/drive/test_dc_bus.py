@@ -9,8 +9,8 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load
 from engine.drive.cycle import DriveCycle
+from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
-from engine.drive.train import Train
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from tests.engine.drive.drivetrains import Drivetrains
@@ -22,7 +22,7 @@ TURN = 2 * pi
 
 def belt(speed=20.0, shift=0.0, names=("CIC", "MTP"), mass=2.0):
     motion = Motion.from_edges([0, 1, 2, TURN], [0.1, -0.1, 0], [*map(law, names), Dwell()])
-    return DriveCycle(Train(Drive(KINDS["belt"].of(Load(mass, 10.0, 5.0), 0.05, 0.9), 1e-3)), motion, speed, shift)
+    return DriveCycle(Drivetrain(Drive(KINDS["belt"].of(Load(mass, 10.0, 5.0), 0.05, 0.9), 1e-3)), motion, speed, shift)
 
 
 def drawn(told, count=3):

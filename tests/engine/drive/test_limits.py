@@ -10,10 +10,10 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
+from engine.drive.drivetrain import Drivetrain
 from engine.drive.limits import BELOW, LimitChecks, Limits, ReducerLimits, at_speed, highest_rate
 from engine.drive.motor import TorqueCurve
 from engine.drive.results import DriveResults
-from engine.drive.train import Train
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from tests.engine.drive.machines import LINKAGES, SIZES, drive_cycle_of, sampled
@@ -28,7 +28,7 @@ MASS = Load(2.0)
 def judged(limits, load=MASS, inertia=1e-3, speed=20.0, gears=()):
     motion = Motion.from_edges([0, 1, 2, TURN], [0.1, -0.1, 0], [law("CIC"), law("CIC"), Dwell()])
     drive = Drive(KINDS["belt"].of(load, 0.05, gears=gears), inertia)
-    return LimitChecks(DriveCycle(Train(drive), motion, speed), limits)
+    return LimitChecks(DriveCycle(Drivetrain(drive), motion, speed), limits)
 
 
 def checked(one):

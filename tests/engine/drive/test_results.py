@@ -9,8 +9,8 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Part, Slide, Stage, cylinder, resisting
 from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.results import DriveResults
-from engine.drive.train import Train, Window
 from engine.flying.cut import Cut, rotary_drum
 from engine.flying.pieces import cut_pieces
 from engine.laws import Dwell, law
@@ -45,7 +45,7 @@ def drive_cycle(train, degrees_, lifts, laws, rate, **more):
 
 
 def screw(lead, load, efficiency=1.0, inertia=0.0):
-    return Train(Drive(KINDS["lead screw"].of(load, 1 / lead, efficiency), inertia))
+    return Drivetrain(Drive(KINDS["lead screw"].of(load, 1 / lead, efficiency), inertia))
 
 
 # Figures that are known
@@ -78,7 +78,7 @@ def test_s1_feeding_group(name, highest, lowest):
     """S1, 'Feeding group': J_tot = 1.164 kg m², C_r = 67 Nm, at 100 pieces/min; both torques sum to 2 C_r."""
     parts = [Part("rollers", 0.284, 0, 4), Part("fast shaft", 0.007, 0, speed_ratio=2)]
     mechanism = KINDS["feed rollers"].of(resisting(500, "always"), 0.134, parts=parts)
-    found = DriveResults(drive_cycle(Train(Drive(mechanism, 0.0)), [0, 80, 360], [0.3, 0], [name, "DWL"], 100))
+    found = DriveResults(drive_cycle(Drivetrain(Drive(mechanism, 0.0)), [0, 80, 360], [0.3, 0], [name, "DWL"], 100))
     assert mechanism.inertia() == pytest.approx(1.164, rel=1e-12)
     assert found.torque.highest.value == pytest.approx(highest, abs=6e-5)
     assert found.torque.lowest.value == pytest.approx(lowest, abs=6e-5)
@@ -108,7 +108,7 @@ def s4_conveyor():
 def test_s4_problems(problem, speed, highest, lowest, rms):
     """S4, problems 1 and 2, by the document's method, a brake holding in the dwell."""
     mechanism, phases, inertia = problem()
-    found = DriveResults(DriveCycle(Train(Drive(mechanism, inertia, "document", "brake")), Motion(phases)))
+    found = DriveResults(DriveCycle(Drivetrain(Drive(mechanism, inertia, "document", "brake")), Motion(phases)))
     assert found.speed.peak == pytest.approx(speed, rel=1e-6)
     assert found.torque.highest.value == pytest.approx(highest, rel=1e-6)
     assert found.torque.lowest.value == pytest.approx(lowest, rel=1e-6)
@@ -121,7 +121,7 @@ def test_s4_problems(problem, speed, highest, lowest, rms):
 def test_a_sizing_comes_to_the_same(problem, method, holding):
     mechanism, phases, inertia = problem()
     old = Sizing(mechanism, phases, inertia, method, holding)
-    found = DriveResults(DriveCycle(Train(old.drive), Motion(phases)))
+    found = DriveResults(DriveCycle(Drivetrain(old.drive), Motion(phases)))
     assert found.torque.peak == pytest.approx(old.peak_torque, rel=1e-12)
     assert found.rms_torque == pytest.approx(old.rms_torque, rel=1e-11)
     assert found.speed.peak == pytest.approx(old.max_speed, rel=1e-12)
@@ -140,7 +140,7 @@ def test_one_sided_limits_count_at_an_instant_of_rest():
 def drum(tau, inertia):
     """S5's load: an inertia that indexes, by a motor of an inertia through a ratio τ."""
     drive = Drive(KINDS["rotary table"].of(Load(0.02), gears=[Stage("reducer", 1 / tau)]), inertia)
-    return DriveCycle(Train(drive), Motion([Phase(law("CIC"), 1.2, 0.08), Phase(Dwell(), 0.0, 0.04)]))
+    return DriveCycle(Drivetrain(drive), Motion([Phase(law("CIC"), 1.2, 0.08), Phase(Dwell(), 0.0, 0.04)]))
 
 
 def test_s5_steps_3_and_4():
@@ -163,7 +163,7 @@ def test_s5_drum(length, name):
     """S5, eqs. (10) to (13): an inertial load asks for J_L ω̇; the tool's law rides on the speed of the line."""
     cut = Cut(rotary_drum(3, 0.12, radians(30)), length, 1.5, law(name))
     drive = Drive(KINDS["belt"].of(Load(0.0), 0.24, parts=[Part("drum", 0.02)]), 0.0)
-    found = DriveResults(DriveCycle(Train(drive), MotionPieces(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
+    found = DriveResults(DriveCycle(Drivetrain(drive), MotionPieces(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
     assert found.speed.highest.value == pytest.approx(cut.max_angular_speed, rel=1e-12)
     assert found.torque.peak == pytest.approx(0.02 * cut.max_angular_acceleration, rel=1e-11)
     assert found.rms_torque == pytest.approx(0.02 * cut.rms_angular_acceleration, rel=1e-11)
@@ -341,7 +341,7 @@ def test_a_moved_motion_meets_other_windows():
 @pytest.mark.parametrize(("holding", "torque"), [("motor", 1.0), ("brake", 0.0)])
 def test_who_holds_in_a_dwell(holding, torque):
     drive = Drive(KINDS["lead screw"].of(Load(0.0, 2 * pi / 0.01), 100), 0.0, "physical", holding)
-    one = drive_cycle(Train(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
+    one = drive_cycle(Drivetrain(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
     still = one.torque_intervals[-1]
     assert float(still.torque(np.array([1.0]))[0]) == pytest.approx(torque)
     assert DriveResults(one).rms_torque == pytest.approx(math.sqrt(0.25 + 0.75 * torque**2), rel=1e-12)
@@ -356,7 +356,7 @@ def test_viscous_friction_at_uniform_speed():
 
 def test_the_cubic_mean_of_a_constant_torque_is_that_torque():
     drive = Drive(KINDS["lead screw"].of(Load(0.0, 200.0), 100, gears=[Stage("gear", 3.0)]), 0.0)
-    one = drive_cycle(Train(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
+    one = drive_cycle(Drivetrain(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
     assert DriveResults(one).mean_shaft_torque(1) == pytest.approx(200 * 0.01 / (2 * pi), rel=1e-12)
     assert DriveResults(one).shaft_torque(2).highest.value == pytest.approx(200.0)
 

@@ -14,7 +14,7 @@ from engine.drive.results import DriveResults
 from engine.flying.cut import Cut, flying_saw, rotary_drum
 from engine.flying.pieces import cut_pieces, cycle_of, furthest, train_of
 from engine.laws import law
-from engine.selection.pair_matrix import PairMatrix, Wanted
+from engine.selection.pair_matrix import PairMatrix, Requirements
 from engine.selection.point_load import PointLoad
 from engine.selection.task import ratio_ranges
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
@@ -22,7 +22,7 @@ from workbook.selection.choosing import engine_motors, engine_reducers
 
 DRUM, LOAD = rotary_drum(3, 0.12, radians(30)), Load(0.02)
 SMOOTH = ("ACS", "TVP", "CIC", "CUB", "MTP", "SHM", "MSN", "PO5", "PO7")
-ANY = Wanted(1e9, 1.0, 1e9, 1.0)
+ANY = Requirements(1e9, 1.0, 1e9, 1.0)
 
 
 def cuts(count, seed):

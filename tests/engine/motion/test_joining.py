@@ -15,7 +15,7 @@ from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
 from engine.laws.spline import Spline
 from engine.motion import Phase
-from engine.motion.joining import ORDERS, Fault, Rates, joined, shortfalls
+from engine.motion.joining import ORDERS, Fault, Rates, join_phases, shortfalls
 from tests.engine.motion.junctions import junctions
 
 OWN = PieceLaw([Piece(1.0, (0.0, 60.0, -180.0, 120.0))])
@@ -37,7 +37,7 @@ def dwell(duration):
 def test_rise_to_line_speed_run_in_step_and_return(law):
     """Three phases and a dwell, without being told any velocity."""
     phases = [Phase(law, 30.0, 1.2), line(40.0, 0.7), Phase(law, -70.0, 3.1), dwell(1.3)]
-    found = joined(phases)
+    found = join_phases(phases)
     assert found.faults == ()
     assert found.kinds == (("R", "G"), ("G", "G"), ("G", "R"), ("R", "R"))
     assert shortfalls(found.motion, "acceleration") == ()
@@ -50,11 +50,11 @@ def test_rise_to_line_speed_run_in_step_and_return(law):
 
 def test_a_velocity_is_taken_over_across_the_end_of_the_cycle():
     phases = [line(10.0, 1.0), Phase(ModifiedSine(), 5.0, 1.0), line(4.0, 0.5), Phase(SCurve(), -19.0, 2.0)]
-    found = joined(phases)
+    found = join_phases(phases)
     assert (found.faults, shortfalls(found.motion, "acceleration")) == ((), ())
     last = found.motion.phases[3].law
     assert (last.start.v / 2.0, last.end.v / 2.0) == pytest.approx((8.0, 10.0))
-    opened = joined(phases, periodic=False)
+    opened = join_phases(phases, periodic=False)
     assert opened.motion.phases[3].law.end.v == pytest.approx(0.0, abs=1e-12)
     assert opened.kinds[3] == ("G", "R")
 
@@ -86,7 +86,7 @@ def test_random_phases_join_without_a_jump_that_was_not_asked_for(phases, period
     n = len(phases)
     free = [k for k in range(n) if (k or periodic) and not (straight(phases[k - 1]) or straight(phases[k]))]
     through = {k: Rates(data.draw(rate)) for k in free if data.draw(st.booleans())}
-    found = joined(phases, through, periodic)
+    found = join_phases(phases, through, periodic)
     assert found.faults == ()
     motion = found.motion
     joints = junctions(motion, periodic)
@@ -116,7 +116,7 @@ def test_random_phases_join_without_a_jump_that_was_not_asked_for(phases, period
 )
 def test_polynomials_through_entered_velocities_and_accelerations_are_smooth(drawn, data):
     through = {k: Rates(data.draw(rate), data.draw(rate)) for k in range(len(drawn))}
-    found = joined([Phase(*one) for one in drawn], through)
+    found = join_phases([Phase(*one) for one in drawn], through)
     assert found.faults == ()
     assert shortfalls(found.motion, "acceleration") == ()
     assert found.kinds == tuple(
@@ -131,16 +131,16 @@ def name(rates):
 def test_septics_join_with_an_entered_jerk():
     phases = [Phase(Polynomial4567(), 2.0, 1.0), Phase(Polynomial4567(), -2.0, 1.5)]
     through = {0: Rates(0.5, -1.0, 3.0), 1: Rates(0.0, -20.0, 8.0)}
-    found = joined(phases, through)
+    found = join_phases(phases, through)
     assert shortfalls(found.motion, "jerk") == ()
     assert found.kinds == (("B", "U"), ("U", "B"))
-    without = joined([Phase(Polynomial345(), 2.0, 1.0), phases[1]], {0: Rates(0.5, -1.0), 1: Rates(0.0, -20.0)})
+    without = join_phases([Phase(Polynomial345(), 2.0, 1.0), phases[1]], {0: Rates(0.5, -1.0), 1: Rates(0.0, -20.0)})
     assert shortfalls(without.motion, "acceleration") == ()
     assert {ORDERS[one.order - 1] for one in shortfalls(without.motion, "jerk")} == {"jerk"}
 
 
 def test_two_straight_lines_of_different_slope_jump_and_say_so():
-    found = joined([line(1.0, 2.0), line(3.0, 2.0), Phase(Cycloidal(), -4.0, 3.0)])
+    found = join_phases([line(1.0, 2.0), line(3.0, 2.0), Phase(Cycloidal(), -4.0, 3.0)])
     (one,) = shortfalls(found.motion, "acceleration")
     assert (one.order, one.x, one.before, one.phase) == (1, 2.0, 0, 1)
     assert one.size == pytest.approx(1.0)
@@ -148,7 +148,7 @@ def test_two_straight_lines_of_different_slope_jump_and_say_so():
 
 
 def test_two_straight_lines_of_one_slope_do_not_jump():
-    found = joined([line(1.0, 2.0), line(0.5, 1.0), Phase(Cycloidal(), -1.5, 3.0)])
+    found = join_phases([line(1.0, 2.0), line(0.5, 1.0), Phase(Cycloidal(), -1.5, 3.0)])
     assert shortfalls(found.motion, "jerk")[0].order == 3
     assert shortfalls(found.motion, "acceleration") == ()
 
@@ -158,7 +158,7 @@ def test_two_straight_lines_of_one_slope_do_not_jump():
 def test_a_curve_between_lines_of_its_own_slope_is_straight_but_for_rounding(law, bent):
     slope, (first, d, last) = 0.7193, (11.3, 17.9, 23.7)
     curve = Phase(law, slope * d * (1.0 + bent), d)
-    found = joined([line(slope * first, first), curve, line(slope * last, last)], periodic=False).motion
+    found = join_phases([line(slope * first, first), curve, line(slope * last, last)], periodic=False).motion
     assert found.phases[1].y1_max == pytest.approx(slope, rel=1e-5)
     if abs(bent) < 1e-9:
         assert (found.phases[1].y2_max, found.phases[1].y3_max) == (0.0, 0.0)
@@ -177,7 +177,7 @@ def test_a_curve_between_lines_of_its_own_slope_is_straight_but_for_rounding(law
     ],
 )
 def test_a_law_that_cannot_have_its_end_is_named_with_the_reason_and_rests(law, reason):
-    found = joined([dwell(1.0), Phase(law, 2.0, 1.0), line(3.0, 1.0), Phase(ModifiedSine(), -5.0, 2.0)])
+    found = join_phases([dwell(1.0), Phase(law, 2.0, 1.0), line(3.0, 1.0), Phase(ModifiedSine(), -5.0, 2.0)])
     (fault,) = found.faults
     assert fault.phase == 1
     assert fault.reason.startswith(reason)
@@ -188,7 +188,7 @@ def test_a_law_that_cannot_have_its_end_is_named_with_the_reason_and_rests(law, 
 
 def test_an_entered_acceleration_needs_a_law_that_takes_it():
     phases = [Phase(ModifiedSine(), 1.0, 1.0), Phase(Polynomial345(), -1.0, 1.0)]
-    found = joined(phases, {1: Rates(0.0, -5.0)})
+    found = join_phases(phases, {1: Rates(0.0, -5.0)})
     assert found.faults == (
         Fault(0, "Modified sine cannot end with a prescribed acceleration: it takes velocity there; "
                  "a polynomial of degree 5 takes an acceleration, of degree 7 a jerk too"),
@@ -197,21 +197,23 @@ def test_an_entered_acceleration_needs_a_law_that_takes_it():
 
 def test_an_entry_beside_a_straight_line_may_only_repeat_it():
     phases = [line(2.0, 1.0), Phase(ModifiedSine(), -2.0, 1.0)]
-    assert joined(phases, {1: Rates(2.0)}).faults == ()
-    faults = joined(phases, {1: Rates(1.0, 3.0)}).faults
+    assert join_phases(phases, {1: Rates(2.0)}).faults == ()
+    faults = join_phases(phases, {1: Rates(1.0, 3.0)}).faults
     assert faults == (Fault(0, "a straight line has y' = 2 and no acceleration; 1, 3, 0 are entered"),)
 
 
 def test_what_two_curved_laws_have_of_themselves_is_a_reversal():
     """s = sin⁴ up and down: a = −π² on both sides."""
-    found = joined([Phase(DoubleHarmonic(), 1.0, 1.0), Phase(DoubleHarmonic("start"), -1.0, 1.0)])
+    found = join_phases([Phase(DoubleHarmonic(), 1.0, 1.0), Phase(DoubleHarmonic("start"), -1.0, 1.0)])
     assert found.kinds == (("R", "U"), ("U", "R"))
     assert shortfalls(found.motion, "acceleration") == ()
     assert found.motion.at(1.0).y2 == pytest.approx(-(math.pi**2))
 
 
 def test_a_constant_acceleration_falls_short_of_acceleration_at_its_ends_and_within():
-    found = joined([dwell(1.0), Phase(ConstantAcceleration(), 2.0, 2.0), dwell(1.0), Phase(Cycloidal(), -2.0, 2.0)])
+    found = join_phases(
+        [dwell(1.0), Phase(ConstantAcceleration(), 2.0, 2.0), dwell(1.0), Phase(Cycloidal(), -2.0, 2.0)]
+    )
     told = shortfalls(found.motion, "acceleration")
     assert [(one.order, one.x, one.before, one.phase) for one in told] == [
         (2, 1.0, 0, 1), (2, 2.0, 1, 1), (2, 3.0, 1, 2),
@@ -221,23 +223,25 @@ def test_a_constant_acceleration_falls_short_of_acceleration_at_its_ends_and_wit
 
 
 def test_jerk_is_asked_for_within_laws_and_across_the_cycle():
-    found = joined([Phase(Polynomial4567(), 1.0, 1.0), Phase(ModifiedSine(), -1.0, 1.0)])
+    found = join_phases([Phase(Polynomial4567(), 1.0, 1.0), Phase(ModifiedSine(), -1.0, 1.0)])
     assert [(one.before, one.phase, round(one.x, 3)) for one in shortfalls(found.motion, "jerk")] == [
         (1, 0, 0.0), (0, 1, 1.0)]  # fmt: skip
-    assert shortfalls(joined([Phase(Polynomial4567(), 1.0, 1.0), dwell(1.0)]).motion, "jerk", periodic=False) == ()
+    assert shortfalls(join_phases([Phase(Polynomial4567(), 1.0, 1.0), dwell(1.0)]).motion, "jerk", periodic=False) == ()
 
 
 def test_a_spline_is_natural_at_an_open_end_and_at_rest_beside_a_dwell():
     phases = [Phase(POINTS, 10.0, 2.0), dwell(1.0)]
-    law = joined(phases, periodic=False).motion.phases[0].law
+    law = join_phases(phases, periodic=False).motion.phases[0].law
     assert law.natural == (True, False)
     assert (law.start.a, law.end.v) == pytest.approx((0.0, 0.0), abs=1e-12)
-    assert joined(phases).motion.phases[0].law == POINTS
+    assert join_phases(phases).motion.phases[0].law == POINTS
 
 
 def test_a_spline_takes_the_velocity_of_a_line_unless_its_slope_is_entered():
     def found(slopes):
-        return joined([Phase(Spline(POINTS.points, slopes), 10.0, 2.0), line(6.0, 1.0), Phase(SCurve(), -16.0, 2.0)])
+        return join_phases(
+            [Phase(Spline(POINTS.points, slopes), 10.0, 2.0), line(6.0, 1.0), Phase(SCurve(), -16.0, 2.0)]
+        )
 
     assert shortfalls(found((None, None)).motion, "velocity") == ()
     (jump,) = shortfalls(found((None, 1.0)).motion, "velocity")
@@ -245,7 +249,9 @@ def test_a_spline_takes_the_velocity_of_a_line_unless_its_slope_is_entered():
 
 
 def test_a_curve_that_returns_where_it_began_has_no_lift_and_yet_moves():
-    found = joined([line(1.0, 1.0), Phase(Polynomial345(), 0.0, 2.0), line(-1.0, 1.0), Phase(ModifiedSine(), 0.0, 2.0)])
+    found = join_phases(
+        [line(1.0, 1.0), Phase(Polynomial345(), 0.0, 2.0), line(-1.0, 1.0), Phase(ModifiedSine(), 0.0, 2.0)]
+    )
     assert (found.faults, shortfalls(found.motion, "acceleration")) == ((), ())
     assert found.motion.at(2.0).y > 1.2
     assert found.motion.at(3.0).y == pytest.approx(1.0)
@@ -254,7 +260,7 @@ def test_a_curve_that_returns_where_it_began_has_no_lift_and_yet_moves():
 @pytest.mark.parametrize("law", [*CURVED, POINTS, OWN, DoubleHarmonic()], ids=lambda law: law.code)
 @pytest.mark.parametrize("lift", [2.5, -2.5])
 def test_extremes_of_a_phase_are_the_largest_of_many_samples(law, lift):
-    one = joined([Phase(law, lift, 0.8)]).motion.phases[0]
+    one = join_phases([Phase(law, lift, 0.8)]).motion.phases[0]
     xi = np.linspace(0, 1, 20001)
     at = one.law.evaluate(xi)
     for order, (values, (low, high)) in enumerate(zip(at[1:], phase_extremes(one), strict=True), 1):

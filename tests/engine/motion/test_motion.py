@@ -241,7 +241,7 @@ def test_a_motion_that_comes_back_closes_and_says_its_gap_if_not():
 
 def test_a_law_that_stops_short_leaves_the_motion_incomplete():
     phase = Phase(SHORT, 4.0, 1.0)
-    assert phase.lack == pytest.approx(2.0)
+    assert phase.missing_lift == pytest.approx(2.0)
     assert Motion(RISE_AND_RETURN).complete
     assert not Motion([phase]).complete
     assert Motion([phase]).gap == pytest.approx(2.0)

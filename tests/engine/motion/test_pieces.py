@@ -11,8 +11,8 @@ from engine.laws.polynomials import Polynomial345, Polynomial4567
 from engine.laws.ramps import SCurve
 from engine.laws.simple import DoubleHarmonic, StraightLine
 from engine.motion import Motion, Phase
-from engine.motion.joining import joined
-from engine.motion.pieces import Scaled, evaluated, located, motion_pieces, pieces_of
+from engine.motion.joining import join_phases
+from engine.motion.pieces import ScaledLaw, evaluated, located, motion_pieces, pieces_of
 from tests.engine.families import ENTRIES
 
 LAWS = [law for entry in ENTRIES for law in entry.examples] + [
@@ -63,7 +63,7 @@ def test_on_every_break_a_sample_has_the_later_piece_and_at_the_end_the_left_lim
 
 
 def test_phases_that_hand_over_at_speed_are_pieces_too():
-    found = joined(
+    found = join_phases(
         [Phase(Polynomial345(), 3.0, 1.0), Phase(StraightLine(), 2.0, 0.5), Phase(ModifiedSine(), -5.0, 2.0)]
     )
     assert not found.faults
@@ -71,16 +71,16 @@ def test_phases_that_hand_over_at_speed_are_pieces_too():
 
 
 def test_what_moves_besides_adds_its_velocity():
-    one, *_ = pieces_of(Scaled(Dwell(), 0.0, 2.0, 1.0, 5.0, 3.0))
+    one, *_ = pieces_of(ScaledLaw(Dwell(), 0.0, 2.0, 1.0, 5.0, 3.0))
     at = one.at(np.array([0.0, 0.5]))
     assert (at.y.tolist(), at.y1.tolist(), at.y2.tolist()) == ([5.0, 6.5], [3.0, 3.0], [0.0, 0.0])
-    moving = pieces_of(Scaled(Cycloidal(), 2.0, 4.0, 0.0, 0.0, 3.0))
+    moving = pieces_of(ScaledLaw(Cycloidal(), 2.0, 4.0, 0.0, 0.0, 3.0))
     x = np.linspace(0.0, 4.0, 33)
     assert evaluated(moving, x, 0.0, 4.0).y == pytest.approx(2.0 * Cycloidal().s(x / 4.0) + 3.0 * x, abs=1e-13)
 
 
 def test_pieces_of_no_length_at_the_end_are_left_out():
     law = PieceLaw([Piece(0.5, (4.0, 0, 0, 0)), Piece(0.0), Piece(0.5, (-4.0, 0, 0, 0)), Piece(0.0), Piece(0.0)])
-    assert [(p.number, p.begin, p.duration) for p in pieces_of(Scaled(law, 1.0, 2.0))] == [
+    assert [(p.number, p.begin, p.duration) for p in pieces_of(ScaledLaw(law, 1.0, 2.0))] == [
         (0, 0.0, 1.0), (1, 1.0, 0.0), (2, 1.0, 1.0),
     ]  # fmt: skip

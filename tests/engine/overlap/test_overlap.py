@@ -11,14 +11,14 @@ from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, Modif
 from engine.laws.inverse import HEIGHT, inverse, inverse_by_points
 from engine.motion.pieces import evaluated, located
 from engine.overlap.plan import (
-    blocked,
+    blocked_angles,
     clearance,
     colliding,
-    corners,
+    critical_angles,
+    free_angles,
     one_after_the_other,
     overlap,
-    rests,
-    room,
+    remaining_shares,
     sweep_margin,
 )
 from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time, pieces_of_parts
@@ -32,7 +32,7 @@ at_rest = laws.filter(lambda law: not (law.start.v or law.end.v))
 
 
 def in_the_way(transfer, passage):
-    begin, end = blocked(transfer, passage)
+    begin, end = blocked_angles(transfer, passage)
     return (begin < TURN) & (end > TURN)
 
 
@@ -52,7 +52,7 @@ def test_the_margin_is_kept_exactly_with_any_laws(law, law_in, law_out, remainin
 @given(laws, st.floats(0.01, 0.2))
 def test_the_transfer_misses_the_remaining_share_where_it_ceases_to_block(law, remaining):
     transfer = Transfer(law, 0.1, 2.0)
-    begin, end = blocked(transfer, Passage(remaining, 0.01))
+    begin, end = blocked_angles(transfer, Passage(remaining, 0.01))
     assert law.s(begin / 2.0) == pytest.approx(remaining, abs=1e-12)
     assert law.s(end / 2.0) == pytest.approx(1.0 - remaining, abs=1e-12)
 
@@ -61,7 +61,7 @@ def test_the_way_out_is_that_of_an_asymmetric_law_in_reverse():
     slow_start = TrapezoidalVelocity(0.7, 0.7)
     transfer, tool = Transfer(Cycloidal(), 0.1, radians(200)), Tool(Cycloidal(), 0.05, radians(60), slow_start)
     schedule = overlap(transfer, tool, Passage(0.01, 0.01))
-    begin, end = blocked(transfer, Passage(0.01, 0.01))
+    begin, end = blocked_angles(transfer, Passage(0.01, 0.01))
     free = 2 * pi - (end - begin) - radians(60)
     share = 1 - (0.2 * 0.3) ** 0.5  # of the time, to be out by 4/5 of the stroke
     assert schedule.limit == "clearance"
@@ -147,7 +147,10 @@ def test_room_and_rests_lead_to_the_ways():
     """S2's steps: free angle, split, over the share that is left when the transfer comes."""
     transfer, tool = mill_and_die()
     passage = Passage(0.0065, 0.02, 0.001, split=0.4)
-    left, (rest_in, rest_out) = room(transfer, tool, passage), rests(tool, passage, np.array([passage.margin]))
+    left, (rest_in, rest_out) = (
+        free_angles(transfer, tool, passage),
+        remaining_shares(tool, passage, np.array([passage.margin])),
+    )
     found = overlap(transfer, tool, passage)
     assert left.end - left.begin + left.free_in + left.free_out + tool.dwell == pytest.approx(2 * pi, rel=1e-14)
     assert left.both == pytest.approx(radians(260), rel=1e-14)
@@ -164,7 +167,7 @@ def test_the_least_clearance_stands_at_a_corner(law, law_in, law_out, remaining,
     passage = Passage(remaining, 0.01, 0.001)
     plan = overlap(transfer, tool, passage)
     moved = Schedule(transfer, tool, plan.angle_in, plan.angle_out, plan.arrival + shift)
-    found, at = clearance(moved, passage, TURN), corners(moved, passage)
+    found, at = clearance(moved, passage, TURN), critical_angles(moved, passage)
     assert found.minimum == at.free.min()
     assert found.free[in_the_way(transfer, passage)].min() >= found.minimum - 1e-12
     assert ((at.angle >= 0) & (at.angle < 2 * pi)).all()

@@ -6,22 +6,22 @@ import numpy as np
 import pytest
 
 from engine.drive.drive_points import DrivePoints, peak
-from engine.drive.motor import Falling
-from engine.drive.quadrature import Cycle
+from engine.drive.motor import TorqueFall
+from engine.drive.quadrature import QuadratureCycle
 from engine.motion.pieces import motion_pieces
-from engine.selection.point_load import DriveBatch, Gears, Limits, PointLoad, tops
+from engine.selection.point_load import DriveBatch, MotorLimits, PairArrays, PointLoad, tops
 from tests.engine.drive.machines import drive_cycle_of
 
 INERTIA, RATIO, ETA = np.array([1e-3, 5e-3, 0.0, 2e-2]), np.array([3.0, 8.0, 12.0, 1.0]), np.array([0.9, 0.6, 1.0, 0.8])
 NO_LOAD = np.array([0.0, 0.4, 0.02, 3.0])
-LIMITS = Limits(np.array([5.0, 80.0, 9.0, 300.0]), np.full(4, 30.0), np.array([0.0, 0.1, 0.0, 0.5]),
+LIMITS = MotorLimits(np.array([5.0, 80.0, 9.0, 300.0]), np.full(4, 30.0), np.array([0.0, 0.1, 0.0, 0.5]),
                 np.array([0.0, 0.5, 20.0, 0.01]))  # fmt: skip
 
 
 def alone(points, limits, time):
     """What the points of one drive say."""
     power, (top, knee, fall, _) = points.power, limits
-    reserve = Falling(knee, fall).reserve(top, points.torque, points.speed).min()
+    reserve = TorqueFall(knee, fall).reserve(top, points.torque, points.speed).min()
     works = [points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0)]
     ends = [-points.top(-points.torque), points.top(points.torque), -points.top(-power), points.top(power)]
     return [*ends, reserve, *works]
@@ -35,11 +35,11 @@ def geared(drive_cycle):
 @pytest.mark.parametrize("number", range(8))
 def test_each_is_what_its_points_say(number, monkeypatch):
     drive_cycle = next(one for one in map(drive_cycle_of, range(100 * number, 100 * number + 100)) if geared(one))
-    load = Cycle(drive_cycle, motion_pieces(drive_cycle.motion), drive_cycle.motion.tolerance).points()
+    load = QuadratureCycle(drive_cycle, motion_pieces(drive_cycle.motion), drive_cycle.motion.tolerance).points()
     drive = drive_cycle.train.drive
     first, *others = drive.mechanism.stages
     monkeypatch.setattr("engine.selection.point_load.AT_ONCE", 2 * load.x.size)
-    found = DriveBatch(PointLoad(load, 0.0, 0.0, 0.0), Gears(INERTIA, RATIO, ETA, NO_LOAD), LIMITS)
+    found = DriveBatch(PointLoad(load, 0.0, 0.0, 0.0), PairArrays(INERTIA, RATIO, ETA, NO_LOAD), LIMITS)
     works = found.works(drive_cycle.time)
     for k in range(len(INERTIA)):
         stage = replace(first, ratio=RATIO[k], efficiency=ETA[k], back_efficiency=None)

@@ -8,13 +8,13 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Motor, Part, Stage
 from engine.drive.cycle import DriveCycle
+from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.results import DriveResults
-from engine.drive.train import Train, Window
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.pair_matrix import RANKS, Curve, Pair, PairMatrix, Wanted, reserve
-from engine.selection.point_load import PointLoad, Points
+from engine.selection.pair_matrix import RANKS, Pair, PairMatrix, PeakTorqueCurve, Requirements, reserve
+from engine.selection.point_load import PointLoad, ShaftPoints
 from tests.engine.drive.test_quadrature import points_of
 
 MOTORS = Motors(("small", "large"), np.array([1e-4, 2e-3]), np.array([2.0, 30.0]), np.array([6.0, 90.0]),
@@ -22,7 +22,7 @@ MOTORS = Motors(("small", "large"), np.array([1e-4, 2e-3]), np.array([2.0, 30.0]
                 stall_torque=np.array([np.nan, 55.0]), rated_speed=np.array([np.nan, 2500.0]))  # fmt: skip
 REDUCERS = Reducers(("three", "eight"), np.array([3.0, 8.0]), np.array([0.9, 0.75]), np.array([2e-5, 5e-4]),
                     np.array([1e4, 1e4]), np.array([1e4, 1e4]), size=1.0, no_load=np.array([0.0, 0.3]))  # fmt: skip
-WIDE = Wanted(1e9, 1e-9, 1e9, 1.0)
+WIDE = Requirements(1e9, 1e-9, 1e9, 1.0)
 BESIDE = Part("coupling", 3e-5, 0)
 MOTION = Motion.from_edges(np.radians([0, 30, 120, 200, 330, 360]), [0, 0.05, 0, -0.05, 0],
                            [Dwell(), law("MTP"), Dwell(), law("CIC"), Dwell()])  # fmt: skip
@@ -32,7 +32,7 @@ def drive_cycle(inertia=0.0, ratio=1.0, efficiency=1.0, reducer=0.0, no_load=0.0
     """A screw with friction and a force that drives it back, behind a reducer."""
     parts = [BESIDE, Part("reducer", reducer, 0), Part("pulley", 2e-4, 1)]
     screw = KINDS["lead screw"].of(Load(20.0, 90.0, 40.0), 50.0, 0.7, [Stage("reducer", ratio, efficiency)], parts)
-    train = Train(Drive(screw, inertia, no_load=no_load), windows=(Window(0.5, 2.5, -600.0),))
+    train = Drivetrain(Drive(screw, inertia, no_load=no_load), windows=(Window(0.5, 2.5, -600.0),))
     return DriveCycle(train, MOTION, 12.0)
 
 
@@ -113,7 +113,7 @@ class Held:
     """A load of points: torque (Nm) that it is driven with, or that drives it, and the speed there (rad/s)."""
 
     def __init__(self, acceleration, driving, driven, speed):
-        self.points = Points(*(np.array(one) for one in (acceleration, driving, driven, speed, np.sign(speed))))
+        self.points = ShaftPoints(*(np.array(one) for one in (acceleration, driving, driven, speed, np.sign(speed))))
         self.torques, self.peak = PointLoad.torques.__get__(self), PointLoad.peak.__get__(self)
 
 
@@ -121,8 +121,8 @@ def test_the_reserve_is_what_is_left_below_the_curve_at_the_points():
     """80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30; of a load that drives η/i of its torque; T_nl less."""
     part = Held([10.0, 0.0], [20.0, 20.0], [0.0, 0.0], [150.0, 150.0])
     gears = Pair(1.0, 1.0, 1.0)
-    assert reserve(part, gears, Curve(80.0, 150.0, 0.2)) == pytest.approx(50.0)
-    assert reserve(part, gears, Curve(80.0, 100.0, 0.2)) == pytest.approx(40.0)
+    assert reserve(part, gears, PeakTorqueCurve(80.0, 150.0, 0.2)) == pytest.approx(50.0)
+    assert reserve(part, gears, PeakTorqueCurve(80.0, 100.0, 0.2)) == pytest.approx(40.0)
     held = Held([0.0], [0.0], [-20.0], [0.0])
-    assert reserve(held, Pair(1.0, 2.0, 0.5, 3.0), Curve(80.0, 1.0, 0.0)) == pytest.approx(75.0)
-    assert reserve(part, gears._replace(no_load=3.0), Curve(80.0, 150.0, 0.2)) == pytest.approx(47.0)
+    assert reserve(held, Pair(1.0, 2.0, 0.5, 3.0), PeakTorqueCurve(80.0, 1.0, 0.0)) == pytest.approx(75.0)
+    assert reserve(part, gears._replace(no_load=3.0), PeakTorqueCurve(80.0, 150.0, 0.2)) == pytest.approx(47.0)

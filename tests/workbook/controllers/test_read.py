@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.motion.pieces import turned
+from engine.motion.pieces import shifted_profile
 from workbook.controllers import described
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.handing import automatic, reread, tabulated
@@ -200,7 +200,7 @@ def test_a_motion_that_hands_over_at_speed_comes_back_as_it_was(run, tmp_path, n
 
 
 def test_a_cycle_that_begins_on_the_way_is_a_machine_with_a_shift(run, axes, tmp_path) -> None:
-    one, later = target("csv"), turned(axes[1].profile, 250.0)
+    one, later = target("csv"), shifted_profile(axes[1].profile, 250.0)
     text = one.write(Handed(tabulated(one, replace(axes[1], profile=later), 40), "late", ("x in °, y in mm;",), UNITS))
     (tmp_path / "late.csv").write_text(text, "utf-8")
     code, _, err = run("read", "late.csv", "--from", "csv", "-o", "late.toml")

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from engine.timing import Switch, differing
+from engine.timing import Switch, compare_switches
 from tests.workbook.controllers.examples import TEXT
 from workbook.build import build
 from workbook.controllers.claims import TARGETS
@@ -116,12 +116,12 @@ def test_random_switches_are_read_back(edges, across):
 
 def test_a_switch_that_differs_is_told_by_edge_and_share():
     meant = Switch("V", ((20.0, 95.0),), 360.0)
-    assert differing(meant, Switch("V", ((20.0, 95.5),), 360.0)) == (2, 0.5, 95.0, 0.5)
-    assert differing(meant, Switch("V", ((350.0, 95.0),), 360.0)) == (2, 30.0, 20.0, 30.0)
-    assert differing(meant, Switch("V", (), 360.0)).largest == np.inf
-    assert differing(meant, Switch("V", ((20.0, 50.0), (50.0, 95.0)), 360.0)) == (2, 0.0, 20.0, 0.0)
+    assert compare_switches(meant, Switch("V", ((20.0, 95.5),), 360.0)) == (2, 0.5, 95.0, 0.5)
+    assert compare_switches(meant, Switch("V", ((350.0, 95.0),), 360.0)) == (2, 30.0, 20.0, 30.0)
+    assert compare_switches(meant, Switch("V", (), 360.0)).largest == np.inf
+    assert compare_switches(meant, Switch("V", ((20.0, 50.0), (50.0, 95.0)), 360.0)) == (2, 0.0, 20.0, 0.0)
     with pytest.raises(ValueError, match="expected the same"):
-        differing(meant, Switch("V", (), 1.0))
+        compare_switches(meant, Switch("V", (), 1.0))
 
 
 def outcome(text, one):

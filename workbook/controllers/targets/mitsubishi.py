@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from engine.cams.certificate import equal
+from engine.cams.certificate import equal_steps
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 from workbook.controllers.table import Table
@@ -38,7 +38,7 @@ def read(text: str) -> Table:
 
 def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return the ratios of a motion at equal steps: the stroke is the farthest that it goes from where it begins."""
-    places = equal(of, len(x))
+    places = equal_steps(of, len(x))
     if places[0] != 0.0:
         raise TargetError(f"x begins at {places[0]:.9g}; expected 0, where the first ratio is")
     y = of.at(places).y

@@ -6,7 +6,7 @@ import numpy as np
 
 from engine.drive import Load
 from engine.drive.drive_points import DrivePoints
-from engine.drive.motor import Falling, Motor, reserve
+from engine.drive.motor import Motor, TorqueFall, reserve
 from engine.flying.cut import LONGER, SAME_LENGTH, Beyond, Cut, Tool, flying_saw, rotary_drum
 from engine.flying.pieces import cycle_of, furthest, train_of
 from engine.laws import Dwell, Law
@@ -109,7 +109,7 @@ class ToolDrive:
         self.gears = self.before.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
         self.motor = Motor(*(float(one[self.pair[0]]) for one in of))
-        self.falling = Falling(*self.before.curve(self.pair[0])[1:])
+        self.falling = TorqueFall(*self.before.curve(self.pair[0])[1:])
         limits = reducers.max_input_speed, self.before.grid.most_output_torque, reducers.max_mean_torque
         found = [float(one[self.pair[1]]) for one in limits]
         self.limits = [0.0 if np.isinf(one) else one for one in found]  # of the reducer; 0: none

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.motion.shifted import LOST, gap_size, least_gap, meets_least, turned
+from engine.motion.shifted import LOST, gap_size, least_gap, meets_least, place_in_cycle
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import Said, amount
@@ -79,8 +79,8 @@ class Apart:
         room, near, pieces = one.machine.room, one.machine.near, one.pieces.pieces
         begins = filled([shown(piece.begin, DEGREE) for piece in pieces], room, TURN)
         halves = filled([shown(piece.duration, DEGREE) / 2.0 for piece in pieces], room)
-        found = [turned(begin, one.axis.given.shift, TURN, near) for begin in begins]
-        return found, [turned(at + half, 0.0, TURN, near) for at, half in zip(found, halves, strict=True)]
+        found = [place_in_cycle(begin, one.axis.given.shift, TURN, near) for begin in begins]
+        return found, [place_in_cycle(at + half, 0.0, TURN, near) for at, half in zip(found, halves, strict=True)]
 
     @cached_property
     def angles(self) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 from engine.laws.base import Array
 from engine.laws.polynomials import BoundaryLine, BoundaryPolynomial
 from engine.motion import Motion, Phase
-from engine.motion.joining import EndedPhase
+from engine.motion.joining import BoundaryPhase
 from engine.motion.pieces import MotionPiece, motion_pieces
 
 POINTS = np.linspace(0.0, 1.0, 201)  # where a piece is looked at for its extremes, as shares of its duration
@@ -20,7 +20,7 @@ def at_points(piece: MotionPiece, order: int) -> Array:
 
 
 @dataclass(frozen=True)
-class MeasuredPhase(EndedPhase):
+class MeasuredPhase(BoundaryPhase):
     """A phase with prescribed ends whose extremes are those of its ``parts`` at points.
 
     The velocity, acceleration and jerk of a law of two pulses are exact by the heights of its pulses.
@@ -65,12 +65,12 @@ class MeasuredMotion(Motion):
 
 def measured(motion: Motion) -> Motion:
     """Return a motion with the extremes at points; itself where no phase has prescribed ends."""
-    if not any(isinstance(phase, EndedPhase) for phase in motion.phases):
+    if not any(isinstance(phase, BoundaryPhase) for phase in motion.phases):
         return motion
     pieces = motion_pieces(motion)
 
     def of(k: int, phase: Phase) -> Phase:
-        if not isinstance(phase, EndedPhase):
+        if not isinstance(phase, BoundaryPhase):
             return phase
         parts = tuple(piece for piece in pieces if piece.phase == k)
         return MeasuredPhase(phase.law, phase.lift, phase.duration, phase.origin, phase.scale, parts)

@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from engine.drive.results import Energy, Means, means, peaks, together
+from engine.drive.results import Energy, MeanBusPower, mean_bus_power, peak_bus_power, total_bus_power
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.rows import total
@@ -34,10 +34,10 @@ class Mains:
 
     def __init__(self, drives: Sequence[DriveView], entered: PowerEntry) -> None:
         self.drives, self.entered, self.over, eta = drives, entered, drives[0].one.machine.over, entered.efficiency
-        self.each = [means(Energy(*one.energy), one.driven.drive_cycle.time, eta) for one in drives]
-        self.alone = together(self.each)
+        self.each = [mean_bus_power(Energy(*one.energy), one.driven.drive_cycle.time, eta) for one in drives]
+        self.alone = total_bus_power(self.each)
         most = [(one.points.top(one.points.power), -one.points.top(-one.points.power)) for one in drives]
-        tops = [peaks(*powers, eta) for powers in most]
+        tops = [peak_bus_power(*powers, eta) for powers in most]
         self.size = max(1e-3, sum(max(one) for one in tops))  # how large all together grow
         self.mains, self.resistor = np.array(tops).T  # the peaks of each without a bus
 
@@ -55,7 +55,7 @@ class Mains:
         self.net = float(bus @ [one.net for one in self.each])  # used up on the way, in the mean
         taken = max(float(self.weights @ np.maximum(self.sum, 0.0)), self.net, 0.0)
         several = bus.sum() != 1.0  # one drive by its points, more by the samples
-        self.common = Means(taken, taken - self.net) if several else self.each[int(bus.argmax())]
+        self.common = MeanBusPower(taken, taken - self.net) if several else self.each[int(bus.argmax())]
 
         self.off = bus * np.maximum(self.mains - self.drawn.max(axis=1), self.resistor + self.drawn.min(axis=1))
         self.added = float(max(bus @ self.mains - self.peak, bus @ self.resistor - self.burnt_peak))
@@ -74,8 +74,8 @@ def supply(bus: Mains) -> list[Quantity]:
         result("about_peak_off", "… may be higher by", "", "kW", "=bus_off+0", kw(bus.missed), "between samples",
                scale=size),
         result("about_bus_year", "Energy a year", "E", "kWh", f"=bus_year+{beside.format('mains')}*power_hours",
-               shown(together([bus.common, *others]).energy_a_year(hours), KWH), "on a common DC bus", scale=size,
-               format=YEAR),
+               shown(total_bus_power([bus.common, *others]).energy_a_year(hours), KWH), "on a common DC bus",
+               scale=size, format=YEAR),
         result("about_year", "… each drive alone", "E", "kWh", "=power_year",
                shown(bus.alone.energy_a_year(hours), KWH), scale=size, format=YEAR),
     ]  # fmt: skip

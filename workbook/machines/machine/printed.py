@@ -61,7 +61,7 @@ def printed_sheet(book: Book, view: DriveView) -> None:
     m, drive, hardest = driven.mechanism, replace(driven.train.drive, method="document"), driven.axis.hardest
     values = [
         m.at_motor(m.load.inertia, m.last, "document"), m.inertia("document"), drive.total_inertia,
-        m.driving(m.load.friction), m.driving(m.load.torque), m.driving(float(m.load.resisting(1.0))),
+        *map(m.driving_torque, (m.load.friction, m.load.torque, float(m.load.resisting(1.0)))),
         driven.fastest * driven.axis.speed, view.speed, m.ratio * hardest,
         *(float(drive.torque(a, 1.0)) for a in (hardest, 0.0, -hardest)), view.points.rms_torque, driven.left,
     ]  # fmt: skip

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 
-from engine.cams.interpolation import Seen, composed
-from engine.motion.pieces import CamProfile, profile_of_motion, turned
+from engine.cams.interpolation import FunctionValues, composed
+from engine.motion.pieces import CamProfile, profile_of_motion, shifted_profile
 from engine.timing import Switch, turn_time
 from workbook.book.declare import Book, Quantity, again, result
 from workbook.book.summary import summary_sheet, summed_up
@@ -175,7 +175,7 @@ def axes(machine: AnyMachine) -> list[CamAxis]:
 def profile(one: MovingAxis, y: float) -> CamProfile:
     """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
     unshifted = profile_of_motion(one.motion, one.over.shown(shown(1.0, DEGREE)), y)
-    return turned(unshifted, one.typed.shift, one.motion.lifts_sum * y)
+    return shifted_profile(unshifted, one.typed.shift, one.motion.lifts_sum * y)
 
 
 def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
@@ -188,7 +188,7 @@ def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
     if driven.linkage is None:
         return replace(load, profile=profile(one, shown(driven.mechanism.ratio, DEGREE)), y_unit="°")
     linkage, degrees = driven.linkage, shown(driven.reducer.ratio, DEGREE)
-    angle = composed(profile(one, 1.0), lambda y: Seen(*(degrees * each for each in linkage.shaft(y))))
+    angle = composed(profile(one, 1.0), lambda y: FunctionValues(*(degrees * each for each in linkage.shaft(y))))
     return replace(load, profile=angle, y_unit="°")
 
 

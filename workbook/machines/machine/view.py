@@ -9,7 +9,7 @@ import numpy as np
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.motion import Motion, MotionValues, Phase
-from engine.motion.joining import Joined, Rates, joined
+from engine.motion.joining import JoinedMotion, Rates, join_phases
 from engine.motion.shifted import Shifted, Unshifted
 from engine.timing import shaft_speed, turn_time
 from workbook.entries.abscissa import ANGLE, Abscissa
@@ -73,7 +73,7 @@ class MovingAxis:
         return {self.entered[i]: rates for i, rates in passed(self.given.phases).items()}
 
     @cached_property
-    def joined(self) -> Joined:
+    def joined(self) -> JoinedMotion:
         """The motion, with what its phases take from their neighbours: rests are among these.
 
         A phase lasts what its end is later than its begin as both are entered: of places in rad that would lose digits.
@@ -88,7 +88,7 @@ class MovingAxis:
         spans = si(np.diff([*(begin for *_, begin in steps), last]), DEGREE).tolist()
         made = [Phase(law, si(lift, self.unit), span) for (law, lift, _), span in zip(steps, spans, strict=True)]
         start, begin = si(steps[0][2], DEGREE), si(self.given.position, self.unit)
-        return joined(made, self.passed, self.given.repeats, start, begin)
+        return join_phases(made, self.passed, self.given.repeats, start, begin)
 
     @property
     def closes(self) -> bool:
@@ -137,9 +137,9 @@ class MovingAxis:
         return self.rate(max((m.y2_max * self.speed**2 for m in self.moves.values()), default=0.0))
 
     @property
-    def lack(self) -> float:
+    def missing_lift(self) -> float:
         """The most that a law leaves of its lift."""
-        return max(abs(phase.lack) for phase in self.motion.phases)
+        return max(abs(phase.missing_lift) for phase in self.motion.phases)
 
 
 class Whole:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from engine.laws.base import Array
 from engine.motion import Motion
-from engine.motion.pieces import Scaled
+from engine.motion.pieces import ScaledLaw
 from engine.overlap.picture import LANE_SHARE, lane
 from engine.overlap.schedule import pieces_of_parts, size_of_parts, whole_turn
 from engine.timing import FULL_TURN
@@ -73,7 +73,7 @@ def joints_of(rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry,
     return Joints.of(rows, motion, asked)
 
 
-def rows_of(at: Cells, parts: Sequence[Scaled], pieces: Pieces) -> PieceRows:
+def rows_of(at: Cells, parts: Sequence[ScaledLaw], pieces: Pieces) -> PieceRows:
     """Return the pieces of the transfer, or of a tool in a schedule, from its arrival."""
     return rows_of_parts(at, parts, pieces_of_parts(parts), pieces, FULL_TURN)
 
@@ -198,7 +198,7 @@ def tool_pieces(sheet: Sheet, station: Station, pieces: Pieces) -> Joints:
 
 
 def phases(
-    sheet: Sheet, title: str, names: tuple[str, ...], parts: tuple[Scaled, ...], rows: PieceRows, **formulas: list[str]
+    sheet: Sheet, title: str, names: tuple[str, ...], parts: Sequence[ScaledLaw], rows: PieceRows, **formulas: list[str]
 ) -> None:
     """Declare the phases of a motion over the master angle; ``formulas`` are those of the columns, a row each."""
     size, degrees = size_of_parts(parts), [shown(part.duration, DEGREE) for part in parts]
@@ -213,8 +213,8 @@ def phases(
         calc("span", "duration", "δ", "rad", "=RADIANS([angle])", [part.duration for part in parts]),
         calc("begin", "begins at", "", "°", formulas["begin"], [shown(part.x, DEGREE) for part in parts]),
         calc("y0", "start position", "y_0", "m", formulas["y0"], [part.y for part in parts], scale=size(0)),
-        calc("v", "greatest velocity", "y'", "m/rad", VELOCITY, [part.fastest for part in parts]),
-        calc("a", "greatest acceleration", "y''", "m/rad²", ACCELERATION, [part.hardest for part in parts]),
+        calc("v", "greatest velocity", "y'", "m/rad", VELOCITY, [part.max_velocity for part in parts]),
+        calc("a", "greatest acceleration", "y''", "m/rad²", ACCELERATION, [part.max_acceleration for part in parts]),
         *phase_columns(rows),
     )  # fmt: skip
     sheet.rows(pieces_in_all(rows))

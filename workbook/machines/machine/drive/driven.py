@@ -9,13 +9,13 @@ import numpy as np
 
 from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.drivetrain import Brake, Drivetrain, Window
 from engine.drive.limits import LimitChecks, Limits
 from engine.drive.mechanisms import slides
 from engine.drive.mechanisms.slides import Arm, ByAngle, crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
-from engine.drive.motor import Falling, TorqueCurve
+from engine.drive.motor import TorqueCurve, TorqueFall
 from engine.drive.results import DriveResults
-from engine.drive.train import Brake, Train, Window
 from workbook.fields.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.latest import latest
 from workbook.machines.machine.chain import AxisPart
@@ -99,7 +99,7 @@ class Driven:
         self.called = f"Drive {entered.called}"
         self.given, self.holding, load = entered.mechanism, entered.motor.holding, entered.load
         self.catalogued_falling = falling_of(entered.motor.name, products)
-        self.falling = self.catalogued_falling if products.knows_falling else Falling()
+        self.falling = self.catalogued_falling if products.knows_falling else TorqueFall()
         self.motor_used, self.reducer = motor_in_use(entered, products), reducer_in_use(entered, products)
         self.motor, self.left = self.motor_used.motor, left_of(entered.motor)
 
@@ -123,7 +123,7 @@ class Driven:
         self.brake = Brake(brake.torque, si(brake.closing + brake.opening, MS)) if brake else Brake()
         used = self.motor_used.inertia, self.given.method, self.holding, self.reducer.no_load_torque
         drive = Drive(self.mechanism, *used, self.motor_used.copper, self.brake)
-        self.train = Train(drive, self.linkage, load.viscous or 0.0, self.windows, self.by_angle)
+        self.train = Drivetrain(drive, self.linkage, load.viscous or 0.0, self.windows, self.by_angle)
 
     @property
     def back_efficiency(self) -> float:

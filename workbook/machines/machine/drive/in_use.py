@@ -6,7 +6,7 @@ from typing import NamedTuple, TypeVar
 
 from engine.drive import Motor, derating
 from engine.drive.limits import ReducerLimits
-from engine.drive.motor import Falling
+from engine.drive.motor import TorqueFall
 from workbook.book.declare import Quantity, calc, check, entries_of, given
 from workbook.fields.texts import place_of
 from workbook.fields.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
@@ -112,13 +112,13 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
     return MotorInUse(row, *used, losses, si(losses, KW) / rated**2)
 
 
-def falling_of(name: str, products: Products) -> Falling:
+def falling_of(name: str, products: Products) -> TorqueFall:
     """Return how the peak torque of a motor of the catalogue falls; of one that is entered, not at all."""
     found = named(products.motors, name)
     if found is None or found.full_torque_to is None or found.end_torque is None:
-        return Falling()
+        return TorqueFall()
     knee, fastest = si(found.full_torque_to, RPM), si(found.max_speed, RPM)
-    return Falling.between(knee, found.peak_torque, fastest, found.end_torque)
+    return TorqueFall.between(knee, found.peak_torque, fastest, found.end_torque)
 
 
 def left_of(motor: AxisMotor) -> float:

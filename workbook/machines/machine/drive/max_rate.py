@@ -6,7 +6,7 @@ With T_s the torque without motion and I = T − T_s, a rate √x times the pres
 import math
 from collections.abc import Iterable, Sequence
 
-from engine.drive.drive_points import LEAST_USE, by_cycles, line, squares
+from engine.drive.drive_points import LEAST_USE, by_cycles, continuous_line, mean_squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import Said, Sentence, bound
 from workbook.fields.units import RPM, shown
@@ -50,8 +50,8 @@ LIMITS = {
 def rates_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the means that the highest rate hangs on, and up to which rate each limit is held."""
     points, size = view.points, view.scales.torque**2
-    own, mixed, growing = squares(points)
-    stall, fall, near, half = line(points, view.driven.motor)
+    own, mixed, growing = mean_squares(points)
+    stall, fall, near, half = continuous_line(points, view.driven.motor)
     sheet.heading("Workings: the highest rate", ABOUT)
     sheet.rows(
         calc("@stand", "Mean of T_s²", "A_s", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),

@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.drive_points import Between, DrivePoints, between, shares
+from engine.drive.drive_points import DrivePoints, Interpolation, interpolation_at, limit_uses
 from engine.drive.motor import LimitCheck, Reserve, reserve
-from engine.drive.quadrature import Cycle, LoadPoints
+from engine.drive.quadrature import LoadPoints, QuadratureCycle
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
@@ -65,19 +65,19 @@ class DriveView:
         self.time = driven.drive_cycle.time  # of a cycle (s)
         self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour
         told = (like.cycle.pieces, like.cycle.near) if like else (list(one.pieces.pieces), one.axis.motion.tolerance)
-        self.cycle: Cycle = Cycle(driven.drive_cycle, *told)
+        self.cycle: QuadratureCycle = QuadratureCycle(driven.drive_cycle, *told)
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
         self.points = DrivePoints(self.load)
         turns = abs(driven.mechanism.ratio) * driven.fastest * driven.axis.speed  # by the laws' own peaks
         self.speed = self.points.size(self.points.speed) if self.varies else turns  # the largest of the motor (rad/s)
         limits = driven.motor, driven.reducer.limits, driven.falling, 1.0 / self.time
-        self.shares = shares(self.points, self.speed, *limits)  # of each limit, by its name
+        self.shares = limit_uses(self.points, self.speed, *limits)  # of each limit, by its name
 
     @cached_property
-    def between(self) -> Between:
+    def between(self) -> Interpolation:
         """Where the samples of the sheet Cycle lie between the points."""
         told = self.driven.axis.told(self.one.machine.samples).x
-        return between(self.load.x, told, self.cycle.near)
+        return interpolation_at(self.load.x, told, self.cycle.near)
 
     @cached_property
     def sampled(self) -> tuple[Array, Array]:

@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.limits import factor_at
+from engine.drive.limits import cycle_factor_at
 from engine.drive.motor import continuous
-from engine.drive.results import Energy, Means, means
+from engine.drive.results import Energy, MeanBusPower, mean_bus_power
 from engine.laws.base import Array
-from engine.selection.point_load import DriveBatch, Extremes, Gears, Limits, PointLoad, shares_of
+from engine.selection.point_load import DriveBatch, Extremes, MotorLimits, PairArrays, PointLoad, shares_of
 from engine.timing import shaft_speed, turn_time
 from workbook.fields.units import KG_CM2, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive import in_use
@@ -86,11 +86,11 @@ class Studied:
         return np.array([figure(base) for base in self.bases])[self.rates.places]
 
     @cached_property
-    def gears(self) -> Gears:
+    def gears(self) -> PairArrays:
         """Motors with their reducers."""
         used = self.reducers_used
         inertia = self.motors_used["inertia"] + (used["inertia"] + self.bases[0].driven.beside_motor)
-        return Gears(*self._lined(inertia, used["ratio"], used["efficiency"], used["no_load_torque"]))
+        return PairArrays(*self._lined(inertia, used["ratio"], used["efficiency"], used["no_load_torque"]))
 
     def _lined(self, *values: Any) -> list[Any]:
         """Return arrays with a value for each design."""
@@ -102,7 +102,7 @@ class Studied:
         *limits, _, places = self._lined(*map(self.motors_used.get, names), self.gears.ratio, self.rates.places)
         for k, load in enumerate(self.loads):
             some = np.flatnonzero(places == k)
-            many = DriveBatch(load, Gears(*(v[some] for v in self.gears)), Limits(*(v[some] for v in limits)))
+            many = DriveBatch(load, PairArrays(*(v[some] for v in self.gears)), MotorLimits(*(v[some] for v in limits)))
             each.append((some, made(self.bases[k].time, many)))
         order = np.argsort(np.concatenate([some for some, _ in each]), kind="stable")
         return [np.concatenate(values)[order] for values in zip(*(found for _, found in each), strict=True)]
@@ -164,7 +164,9 @@ class Studied:
         """Largest output torque of the reducer at its cycles an hour (Nm); 0 for none."""
         used = self.reducers_used
         full = np.where(used["full_cycles"] == 0.0, FULL_CYCLES, used["full_cycles"])
-        return np.asarray(used["peak_torque"] / factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"]))
+        return np.asarray(
+            used["peak_torque"] / cycle_factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"])
+        )
 
     @property
     def time(self) -> Any:
@@ -172,9 +174,9 @@ class Studied:
         return cycles(self.rates)
 
     @cached_property
-    def mains(self) -> Means:
+    def mains(self) -> MeanBusPower:
         """Mean powers from the mains and in the resistor (W)."""
-        return means(self.works, self.time, self.machine.power.efficiency)
+        return mean_bus_power(self.works, self.time, self.machine.power.efficiency)
 
     @cached_property
     def designs(self) -> list[Chosen]:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.results import together
+from engine.drive.results import total_bus_power
 from engine.motion.joining import shortfalls
 from workbook.fields.texts import place_of
 from workbook.fields.units import KW, shown
@@ -118,7 +118,7 @@ def checks_of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
 
 def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
     """Return the results of all drives together."""
-    whole = cache(lambda: together([one.mains for one in drives]))
+    whole = cache(lambda: total_bus_power([one.mains for one in drives]))
 
     def binding() -> Any:
         rates = np.array(np.broadcast_arrays(*(one.highest[0] for one in drives)))

@@ -159,7 +159,7 @@ def faults(one: AxisRows) -> list[Quantity]:
         calc("early", "begins too early", "", "", EARLY.format(over.after, over.told("0-[gap]")), "", source=NO_FAULT),
         *([beyond(over)] if over.measured else []),
         calc("lack", "jump of y", "Δy", one.axis.base, own(one, "", lacking),
-             filled([p.lack for p in one.axis.phases], one.rows), source="at its end: the law's lack"),
+             filled([p.missing_lift for p in one.axis.phases], one.rows), source="at its end: the law's lack"),
     ]  # fmt: skip
 
 
@@ -200,7 +200,7 @@ def axis_checks(sheet: Sheet, one: AxisRows) -> None:
         none_in("early", "follows", "no phase begins before the one above ends"),
         *([none_in("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []),
         check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{lift}", motion.complete,
-              says=amount(lack, shown(axis.lack, axis.unit), "a lift lacks ", f" {unit}")),
+              says=amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}")),
         room_check(f"{t}_room", one.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
         *(one.ends.checks(t, f"{label}: ") if one.ends else []),
         one.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),

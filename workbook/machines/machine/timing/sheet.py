@@ -134,7 +134,7 @@ def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
              [si(a.given.position, a.unit) for a in axes], source="conversion"),
         calc("lift", "greatest lift", "h", unit, each(axes, "(MAX(MAX([{0}.h]),0-MIN([{0}.h])))"), most),
         calc("lack", "largest jump of y", "Δy", unit, each(axes, "(MAX(MAX([{0}.lack]),0-MIN([{0}.lack])))"),
-             [shown(a.lack, a.unit) for a in axes], scale=max(most) or 1.0),
+             [shown(a.missing_lift, a.unit) for a in axes], scale=max(most) or 1.0),
         calc("gap", "ends from its begin", "", unit, each(axes, gap), [shown(a.motion.gap, a.unit) for a in axes],
              scale=max(most) or 1.0),
     )  # fmt: skip

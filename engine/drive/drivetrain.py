@@ -105,7 +105,7 @@ class Window:
         return math.isclose(lasts, cycle) or (x - self.begin) % cycle < lasts % cycle
 
 
-class Motion3(NamedTuple):
+class LoadMotion(NamedTuple):
     """Position, speed and acceleration of a load (m or rad, per s)."""
 
     y: Array
@@ -129,7 +129,7 @@ class Force(NamedTuple):
     level: float
     by_angle: ByAngle | None = None
 
-    def at(self, motion: Motion3) -> Array:
+    def at(self, motion: LoadMotion) -> Array:
         """Return the force of a motion; of a load by angle the torque at its axis, x' F and the weight of an arm."""
         y, v, a = motion
         if self.by_angle is None:
@@ -139,7 +139,7 @@ class Force(NamedTuple):
         return np.asarray(first * force + self.by_angle.weight(y))
 
 
-class Weights(NamedTuple):
+class TorqueCoefficients(NamedTuple):
     """The torque of a shaft (Nm): ``force`` · F/φ' + ``inertia`` · φ̈, φ the angle of the mechanism's own shaft."""
 
     force: float
@@ -147,7 +147,7 @@ class Weights(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Train:
+class Drivetrain:
     """A drive, and what it does not know of itself. Raises ValueError for what cannot be."""
 
     drive: Drive
@@ -163,7 +163,7 @@ class Train:
         if self.linkage and last.ratio != 1.0:
             raise ValueError(f"{last.name}: ratio is {last.ratio:g} before a {self.linkage.name}; expected 1")
 
-    def shaft(self, load: Motion3, within: float | None = None) -> ShaftMotion:
+    def shaft(self, load: LoadMotion, within: float | None = None) -> ShaftMotion:
         """Return the motion of the mechanism's own shaft, φ̇ = φ' ẏ, φ̈ = φ'' ẏ² + φ' ÿ, as :meth:`Linkage.shaft`."""
         first, second = self.ratio(load.y, within)
         return ShaftMotion(first, first * load.v, second * load.v**2 + first * load.a)
@@ -202,15 +202,17 @@ class Train:
         level = math.fsum(float(load.resisting(direction)) for load in loads)
         return Force(m.on_shaft(m.last), self.viscous, level, self.by_angle)
 
-    def weights(self, factors: Sequence[float]) -> list[Weights]:
+    def torque_coefficients(self, factors: Sequence[float]) -> list[TorqueCoefficients]:
         """Return the torques of shafts but the load's, from the motor's with its inertia, by each stage's factor."""
         m = self.drive.mechanism
         last = m.last - 1
-        found = [Weights(factors[last], m.on_shaft(last))]
+        found = [TorqueCoefficients(factors[last], m.on_shaft(last))]
         for k in reversed(range(last)):
             stage, behind = m.stages[k], found[0]
             through = factors[k] / stage.ratio
             turns = math.prod(one.ratio for one in m.stages[k:last])
-            found.insert(0, Weights(through * behind.force, through * behind.inertia + m.on_shaft(k) * turns))
+            found.insert(
+                0, TorqueCoefficients(through * behind.force, through * behind.inertia + m.on_shaft(k) * turns)
+            )
         own = self.drive.motor_inertia * self.gear
-        return [Weights(found[0].force, found[0].inertia + own), *found[1:]]
+        return [TorqueCoefficients(found[0].force, found[0].inertia + own), *found[1:]]

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.given import LONGER, QUINTIC, SEAM, Found, Points, fastest, may_be, part, precision, rate_at, splined
+from engine.cams.cam_points import LONGER, QUINTIC, SEAM, CamPoints, FoundPhase, precision, splined
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
@@ -22,7 +22,7 @@ STEP = 1e-4  # of the interval between points, to see how a break's place matter
 MOST = 8  # quintics in place of a part that is one law no longer
 
 
-class Side(NamedTuple):
+class EndLine(NamedTuple):
     """A line that a curved phase meets, y and y' at ``x``; ``fixed`` where it meets nothing, at that x alone."""
 
     x: float
@@ -32,13 +32,13 @@ class Side(NamedTuple):
     fixed: bool = False
 
 
-def joined(of: Points, rebuilt: CamProfile, near: float) -> tuple[list[Found], bool]:
+def phases_at_speed(of: CamPoints, rebuilt: CamProfile, near: float) -> tuple[list[FoundPhase], bool]:
     """Return the phases of a movement between rests, or from a table's begin or to its end, that meet at speed.
 
     The other is whether each is a line or a law as it is meant. Where a part between lines keeps to no law, it is
     parted into quintics with y' and y'' where they meet, or into splines; empty where there would be too many.
     """
-    found: list[Found] = []
+    found: list[FoundPhase] = []
     known = True
     runs = _straight_runs(of, near)
     edges = [0, *(k for run in runs for k in run), len(of.x) - 1]
@@ -49,11 +49,11 @@ def joined(of: Points, rebuilt: CamProfile, near: float) -> tuple[list[Found], b
             continue
         if k % 2:
             lift = float(of.y[end] - of.y[begin])
-            found.append(Found(law("LIN"), float(of.x[begin]), float(of.x[end]), float(of.y[begin]), lift, 0.0))
+            found.append(FoundPhase(law("LIN"), float(of.x[begin]), float(of.x[end]), float(of.y[begin]), lift, 0.0))
             continue
         sides = _beside(of, rebuilt, runs, begin), _beside(of, rebuilt, runs, end)
-        inner = part(of, begin, end)
-        fits = (_fitted(law, inner, sides, near) for law in laws if may_be(law, inner))
+        inner = of.part(begin, end)
+        fits = (_fitted(law, inner, sides, near) for law in laws if inner.identifies(law))
         one = next(filter(None, fits), None)
         made = [one] if one else _quintics(quintic, inner, rebuilt, sides, near)
         made = made or splined(inner, rebuilt, (sides[0].v, sides[1].v), max(of.thinned, near))
@@ -64,7 +64,7 @@ def joined(of: Points, rebuilt: CamProfile, near: float) -> tuple[list[Found], b
     return _settled(found), known
 
 
-def _settled(found: Sequence[Found]) -> list[Found]:
+def _settled(found: Sequence[FoundPhase]) -> list[FoundPhase]:
     """Return phases whose lines begin and end where their neighbours do."""
     kept = list(found)
     for k, one in enumerate(found):
@@ -77,7 +77,7 @@ def _settled(found: Sequence[Found]) -> list[Found]:
     return kept
 
 
-def _straight_runs(of: Points, near: float) -> list[tuple[int, int]]:
+def _straight_runs(of: CamPoints, near: float) -> list[tuple[int, int]]:
     """Return from which to which point a table runs along lines."""
     x, y, h = of.x, of.y, np.diff(of.x)
     slope = np.diff(y) / h
@@ -85,7 +85,7 @@ def _straight_runs(of: Points, near: float) -> list[tuple[int, int]]:
     if of.v is not None:
         off = np.maximum(np.abs(of.v[:-1] - slope), np.abs(of.v[1:] - slope))
         flat = off <= 1e-9 * size + np.minimum(4.0 * near / h, RATES * size)
-        return [(k, k + 1) for k in np.flatnonzero(flat).tolist()] if flat.sum() < 2 else grown(flat)
+        return [(k, k + 1) for k in np.flatnonzero(flat).tolist()] if flat.sum() < 2 else true_runs(flat)
     bend = np.abs(y[1:-1] - (y[:-2] + (y[2:] - y[:-2]) * (x[1:-1] - x[:-2]) / (x[2:] - x[:-2]))) <= near
     around = np.pad(h, 1)
 
@@ -94,17 +94,17 @@ def _straight_runs(of: Points, near: float) -> list[tuple[int, int]]:
         beside = float(max(around[begin], around[end + 1]))
         return 0.0 < LONGER * beside < float(h[begin:end].min())
 
-    runs = grown(np.append(bend, False) | np.append(False, bend))
+    runs = true_runs(np.append(bend, False) | np.append(False, bend))
     return [run for run in runs if run[1] - run[0] >= SHORTEST or sparse(*run)]
 
 
-def grown(flat: NDArray[np.bool_]) -> list[tuple[int, int]]:
+def true_runs(flat: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Return from which to which point intervals that follow one another are flat."""
     edges = np.flatnonzero(np.diff(np.pad(flat.astype(np.int8), 1)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
-def _beside(of: Points, rebuilt: CamProfile, runs: Sequence[tuple[int, int]], k: int) -> Side:
+def _beside(of: CamPoints, rebuilt: CamProfile, runs: Sequence[tuple[int, int]], k: int) -> EndLine:
     """Return what a curved phase meets at a point: a line, a rest, or at an end of the table what it has there."""
 
     def slope(begin: int, end: int) -> float:
@@ -113,25 +113,25 @@ def _beside(of: Points, rebuilt: CamProfile, runs: Sequence[tuple[int, int]], k:
     last = len(of.x) - 1
     met = next((slope(*run) for run in runs if k in run), None)
     if met is not None or not ((k == 0 and of.begins) or (k == last and of.ends)):
-        return Side(float(of.x[k]), float(of.y[k]), met or 0.0)
+        return EndLine(float(of.x[k]), float(of.y[k]), met or 0.0)
     free = _rates(of, rebuilt, k)._replace(fixed=True)
     if of.begins and of.ends:  # the line that a table ends with may go on at its begin, and the other way round
         across = next((slope(*run) for run in runs if (run[1] == last if k == 0 else run[0] == 0)), np.inf)
-        if abs(across - free.v) <= SEAM * fastest(of):
+        if abs(across - free.v) <= SEAM * of.fastest:
             return free._replace(v=across, a=0.0)
     return free
 
 
-def _rates(of: Points, rebuilt: CamProfile, k: int) -> Side:
+def _rates(of: CamPoints, rebuilt: CamProfile, k: int) -> EndLine:
     """Return y, y' and y'' at a point: the table's own, or those of what rebuilds it."""
     x, y, last = float(of.x[k]), float(of.y[k]), k == len(of.x) - 1
     if (of.begins and k == 0) or (of.ends and last):
-        return Side(x, y, *(of.seam or rate_at(of, -1 if last else 0)))
+        return EndLine(x, y, *(of.seam or of.rate_at(-1 if last else 0)))
     at = rebuilt.at(of.x[k : k + 1], left=last)
-    return Side(x, y, float(at.y1[0] if of.v is None else of.v[k]), float(at.y2[0] if of.a is None else of.a[k]))
+    return EndLine(x, y, float(at.y1[0] if of.v is None else of.v[k]), float(at.y2[0] if of.a is None else of.a[k]))
 
 
-def _made(one: BoundaryLaw, places: Sequence[float], sides: tuple[Side, Side]) -> Found | None:
+def _made(one: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndLine]) -> FoundPhase | None:
     """Return a law between two places, with the velocities of its sides; None where it cannot have these."""
     begin, end = places
     first, last = (s.y if s.fixed else s.y + s.v * (x - s.x) for s, x in zip(sides, places, strict=True))
@@ -143,16 +143,16 @@ def _made(one: BoundaryLaw, places: Sequence[float], sides: tuple[Side, Side]) -
         found, _ = law_with_ends(one, BoundaryValues(last - first, sides[0].v * d, sides[1].v * d, a0, a1))
     except EndError:
         return None
-    return Found(found, begin, end, first, last - first, 0.0)
+    return FoundPhase(found, begin, end, first, last - first, 0.0)
 
 
-def _fitted(one: BoundaryLaw, of: Points, sides: tuple[Side, Side], near: float) -> Found | None:
+def _fitted(one: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], near: float) -> FoundPhase | None:
     """Return a law with its begin and its end where the points want them, by least squares; None if it misses."""
     step = np.diff(of.x)[[0, -1]]
     free = np.array([not side.fixed for side in sides])
     free &= len(of.x) >= free.sum() + 2
 
-    def made(moved: Array) -> Found | None:
+    def made(moved: Array) -> FoundPhase | None:
         """Return the law with its free ends moved by so much; None where it cannot have these, or moves too far."""
         by = np.zeros(2)
         by[free] = moved
@@ -161,14 +161,14 @@ def _fitted(one: BoundaryLaw, of: Points, sides: tuple[Side, Side], near: float)
     def off(moved: Array) -> Array:
         return found.off(of) if (found := made(moved)) else np.full(len(of.x), np.inf)
 
-    moved = nearest(off, np.zeros(int(free.sum())), step[free], near)
+    moved = gauss_newton(off, np.zeros(int(free.sum())), step[free], near)
     found = None if moved is None else made(moved)
     if found is None or not rates_agree(found, of):
         return None
     return replace(found, residual=float(np.abs(found.off(of)).max()))
 
 
-def nearest(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
+def gauss_newton(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
     """Return figures that are off by at most ``near``, by Gauss and Newton, no turn beyond ``steps``; else None."""
     missed: list[float] = []
     moves = np.diag(np.where(np.isfinite(steps), STEP * steps, 1.0))
@@ -188,7 +188,7 @@ def nearest(off: Callable[[Array], Array], fit: Array, steps: Array, near: float
     return None
 
 
-def rates_agree(one: Found, of: Points, typical: Callable[[Array], float] = np.max) -> bool:
+def rates_agree(one: FoundPhase, of: CamPoints, typical: Callable[[Array], float] = np.max) -> bool:
     """Whether y' and y'' of the points are the phase's, where the table has them; y'' at its end is the next one's."""
     d = one.end - one.begin
     at = one.law.evaluate(np.clip((of.x - one.begin) / d, 0.0, 1.0))
@@ -202,10 +202,10 @@ def rates_agree(one: Found, of: Points, typical: Callable[[Array], float] = np.m
 
 
 def _quintics(
-    quintic: BoundaryLaw, of: Points, rebuilt: CamProfile, sides: tuple[Side, Side], most: float
-) -> list[Found]:
+    quintic: BoundaryLaw, of: CamPoints, rebuilt: CamProfile, sides: tuple[EndLine, EndLine], most: float
+) -> list[FoundPhase]:
     """Return polynomials of degree 5 from point to point, at most :data:`MOST`."""
-    found: list[Found] = []
+    found: list[FoundPhase] = []
     k, last = 0, len(of.x) - 1
     here = sides[0]
     while k < last:
@@ -215,7 +215,7 @@ def _quintics(
             there = sides[1] if middle == last else _rates(of, rebuilt, middle)
             ends = here._replace(fixed=True), there._replace(fixed=True)
             one = _made(quintic, (here.x, there.x), ends)
-            missed = float(np.abs(one.off(part(of, k, middle))).max()) if one else np.inf
+            missed = float(np.abs(one.off(of.part(k, middle))).max()) if one else np.inf
             if one and missed <= most:
                 best, low = (replace(one, residual=missed), there), middle
             else:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.certificate import parted
+from engine.cams.certificate import subdivided
 from engine.cams.interpolation import spline
 from engine.laws import Law
 from engine.laws.base import Array
@@ -23,7 +23,7 @@ AT_SPEED = 1e-3  # of the fastest: what is slower rests
 SEAM = 1e-2  # of the fastest: so alike are begin and end of a cycle that goes on as it began, as few points tell them
 
 
-class Points(NamedTuple):
+class CamPoints(NamedTuple):
     """A table of points, which may begin or end on the way."""
 
     x: Array
@@ -35,6 +35,40 @@ class Points(NamedTuple):
     ends: bool = False  # likewise
     thinned: float = 0.0  # how far a spline may be from what keeps to no law
     seam: tuple[float, float] | None = None  # y' and y'' where the cycle goes on as it began
+
+    def part(self, begin: int, end: int) -> "CamPoints":
+        """Return the table from one of its points to another, both counted from 0."""
+        inside = slice(begin, end + 1)
+        v, a = (None if rates is None else rates[inside] for rates in (self.v, self.a))
+        begins, ends = self.begins and begin == 0, self.ends and end == len(self.x) - 1
+        return self._replace(x=self.x[inside], y=self.y[inside], v=v, a=a, begins=begins, ends=ends)
+
+    @property
+    def fastest(self) -> float:
+        """The largest |y'| of the chords from point to point."""
+        return float(np.abs(np.diff(self.y) / np.diff(self.x)).max())
+
+    def identifies(self, law: Law) -> bool:
+        """Whether so many points tell a law: two with y' and y'' tell a polynomial of degree 5, and no other."""
+        return len(self.x) > 2 or self.a is None or law.code == QUINTIC
+
+    def rate_at(self, side: int) -> tuple[float, float]:
+        """Return y' and y'' at the begin (0) or the end (-1): the table's own, else of a polynomial through points."""
+        some = slice(0, FEW) if side == 0 else slice(-FEW, None)
+        v, a = _polynomial_rates(self.x[some] - self.x[side], self.y[some])
+        return v if self.v is None else float(self.v[side]), a if self.a is None else float(self.a[side])
+
+    def moves_at(self, side: int) -> bool:
+        """Whether the table begins (0) or ends (-1) at speed."""
+        return abs(self.rate_at(side)[0]) > AT_SPEED * self.fastest
+
+    def rates_across(self) -> tuple[float, float] | None:
+        """Return y' and y'' where the cycle goes on as it began, by the points on either side; None where it stops."""
+        if self.v is not None or abs(self.rate_at(0)[0] - self.rate_at(-1)[0]) > SEAM * self.fastest:
+            return None
+        half = FEW // 2 + 1
+        x, y = (np.concatenate([row[-half:-1] - row[-1], row[:half] - row[0]]) for row in (self.x, self.y))
+        return _polynomial_rates(x, y)
 
 
 def precision(y: Array) -> float:
@@ -50,50 +84,11 @@ def precision(y: Array) -> float:
     return size * (2.0**-24 if single else 2.0**-50)
 
 
-def part(of: Points, begin: int, end: int) -> Points:
-    """Return a table from one of its points to another."""
-    inside = slice(begin, end + 1)
-    v, a = (None if one is None else one[inside] for one in (of.v, of.a))
-    begins, ends = of.begins and begin == 0, of.ends and end == len(of.x) - 1
-    return of._replace(x=of.x[inside], y=of.y[inside], v=v, a=a, begins=begins, ends=ends)
-
-
-def may_be(one: Law, of: Points) -> bool:
-    """Whether a law can be told from so few points: two with y' and y'' are a polynomial of degree 5, and no other."""
-    return len(of.x) > 2 or of.a is None or one.code == QUINTIC
-
-
 def _polynomial_rates(x: Array, y: Array) -> tuple[float, float]:
     """Return y' and y'' at x = 0 of a polynomial through points."""
     width = float(np.abs(x).max())
     c = np.linalg.lstsq(np.polynomial.polynomial.polyvander(x / width, len(x) - 1), y, rcond=None)[0]
     return float(c[1]) / width, 2.0 * float(c[2]) / width**2 if len(c) > 2 else 0.0
-
-
-def rate_at(of: Points, side: int) -> tuple[float, float]:
-    """Return y' and y'' at the begin (0) or the end (-1) of a table: its own, or of a polynomial through its points."""
-    some = slice(0, FEW) if side == 0 else slice(-FEW, None)
-    v, a = _polynomial_rates(of.x[some] - of.x[side], of.y[some])
-    return v if of.v is None else float(of.v[side]), a if of.a is None else float(of.a[side])
-
-
-def moves_at(of: Points, side: int) -> bool:
-    """Whether a table begins (0) or ends (-1) on the way."""
-    return abs(rate_at(of, side)[0]) > AT_SPEED * fastest(of)
-
-
-def fastest(of: Points) -> float:
-    """Return the largest y' from point to point."""
-    return float(np.abs(np.diff(of.y) / np.diff(of.x)).max())
-
-
-def seam(of: Points) -> tuple[float, float] | None:
-    """Return y' and y'' where a cycle goes on as it began, by the points on either side; None where it does not."""
-    if of.v is not None or abs(rate_at(of, 0)[0] - rate_at(of, -1)[0]) > SEAM * fastest(of):
-        return None
-    half = FEW // 2 + 1
-    x, y = (np.concatenate([one[-half:-1] - one[-1], one[:half] - one[0]]) for one in (of.x, of.y))
-    return _polynomial_rates(x, y)
 
 
 LEVEL = 0.01  # of the reach: a movement that comes back so near to where it began is told as two
@@ -102,7 +97,7 @@ MOST_PHASES = 20
 
 
 @dataclass(frozen=True)
-class Found:
+class FoundPhase:
     """A phase that was found: a law from x to x and from y by a lift."""
 
     law: Law
@@ -134,7 +129,7 @@ class Found:
             return 0.0, 0.0
         return self.law.ends.both("v")[side] / span, self.law.ends.both("a")[side] / span**2
 
-    def off(self, of: Points) -> Array:
+    def off(self, of: CamPoints) -> Array:
         """Return by how much points are off it, or the line that it meets beyond an end that is prescribed."""
         xi = (of.x - self.begin) / (self.end - self.begin)
         inside = np.clip(xi, 0.0, 1.0)
@@ -142,7 +137,7 @@ class Found:
         return np.asarray(self.y + self.scale * (self.law.s(inside) + np.where(xi < 0.0, *ends) * (xi - inside)) - of.y)
 
 
-def splined(of: Points, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[Found]:
+def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
     """Return splines one after the other that are at most ``most`` from the points; none where too many are needed.
 
     ``slopes`` are y' at both ends, what rebuilds the table has it at any place between, and where the table has y',
@@ -150,15 +145,15 @@ def splined(of: Points, rebuilt: CamProfile, slopes: tuple[float, float], most: 
     its middle if a hundred points do not do.
     """
     if of.v is not None:
-        x = parted(of.x, BETWEEN)
+        x = subdivided(of.x, BETWEEN)
         of = of._replace(x=x, y=rebuilt.at(x, left=True).y, v=None, a=None)
-    found: list[Found] = []
+    found: list[FoundPhase] = []
     left = [(0, len(of.x) - 1, slopes)]
     while left:
         begin, end, ends = left.pop()
         y = of.y[begin : end + 1]
         comes_back = bool(abs(y[-1] - y[0]) <= LEVEL * np.ptp(y))
-        one = None if comes_back else _thinned(part(of, begin, end), ends, most)
+        one = None if comes_back else _thinned(of.part(begin, end), ends, most)
         if one:
             found.append(one)
             continue
@@ -171,7 +166,7 @@ def splined(of: Points, rebuilt: CamProfile, slopes: tuple[float, float], most: 
     return found
 
 
-def _thinned(of: Points, slopes: tuple[float, float], most: float) -> Found | None:
+def _thinned(of: CamPoints, slopes: tuple[float, float], most: float) -> FoundPhase | None:
     """Return the spline through as few of the points as keep the others within ``most``; None if 100 do not do."""
     begin, end = float(of.x[0]), float(of.x[-1])
     lift, span = float(of.y[-1] - of.y[0]), end - begin
@@ -192,9 +187,9 @@ def _thinned(of: Points, slopes: tuple[float, float], most: float) -> Found | No
     points = zip(((of.x[inner] - begin) / span).tolist(), ((of.y[inner] - of.y[0]) / lift).tolist(), strict=True)
     one, other = (slope * span / lift for slope in slopes)
     law = Spline(((0.0, 0.0), *points, (1.0, 1.0)), (one, other))
-    return Found(law, begin, end, float(of.y[0]), lift, float(_misses(of, kept, slopes).max()), known=False)
+    return FoundPhase(law, begin, end, float(of.y[0]), lift, float(_misses(of, kept, slopes).max()), known=False)
 
 
-def _misses(of: Points, kept: NDArray[np.intp], slopes: tuple[float, float]) -> Array:
+def _misses(of: CamPoints, kept: NDArray[np.intp], slopes: tuple[float, float]) -> Array:
     """Return how far each point is from the spline through those that are kept."""
     return np.abs(spline(of.x[kept], of.y[kept], slopes).at(of.x).y - of.y)
