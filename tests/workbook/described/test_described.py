@@ -121,8 +121,7 @@ def test_the_schema_explains_units():
 
 
 def test_the_page_is_up_to_date():
-    """Else run python -m docs.description."""
-    assert PAGE.read_text(encoding="utf-8") == page()
+    assert PAGE.read_text(encoding="utf-8") == page(), "run python -m docs.description"
 
 
 def test_new_writes_a_description_and_its_schema_and_overwrites_nothing(tmp_path, capsys):
