@@ -19,9 +19,11 @@ from tests.functions.edges import edge_cases
 from workbook.functions import publish
 from workbook.functions.addin.motion_functions import library
 from workbook.functions.addin.motion_functions.cells import parameters
+from workbook.functions.addin.motion_functions.law import Refused
 from workbook.functions.addin.motion_functions.library import LAWS, OWN_WIDTH
 from workbook.functions.declared import CODES, FUNCTIONS, PARAMETERS
 from workbook.laws.own import OWN_ENTRIES
+from workbook.laws.registry import FAMILY
 from workbook.template import FOLDER
 
 OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-in has
@@ -249,11 +251,36 @@ def test_the_types_were_made_from_what_is_declared():
 
 @pytest.mark.parametrize("code", CODES)
 def test_the_add_in_knows_the_law(code):
-    assert code == "OWN" or len(LAWS[code].delivered) == PARAMETERS[code], f"laws.py delivers {code} otherwise"
+    assert code == "OWN" or len(LAWS[code].delivered) == PARAMETERS[code], f"library.py delivers {code} otherwise"
     for p in known(code):
         made, one = engine_law(code, p), library.law(code, parameters(code, p))
         for xi in (0.0, 0.07, 0.3, 0.5, 0.81, 1.0):
             assert one.at(xi) == pytest.approx(made.evaluate(xi), rel=1e-12, abs=1e-12), (code, p, xi)
+
+
+def refuses(make, error):
+    """Whether a call raises this error."""
+    try:
+        make()
+    except error:
+        return True
+    return False
+
+
+@pytest.mark.parametrize("value", [-0.1, 0.0, 0.5, 1.0, 1.1])
+@pytest.mark.parametrize("code", [code for code, count in PARAMETERS.items() if count])
+def test_the_add_in_refuses_the_parameters_that_the_law_refuses(code, value):
+    page, entered = FAMILY[code], FAMILY[code].entries()
+    numbers = page.numbers(entered)
+    for k, (parameter, one) in enumerate(zip(page.parameters, numbers, strict=True)):
+        row = [*numbers[:k], value, *numbers[k + 1 :]]
+        if isinstance(one, str) or not any(row):  # zeros alone: as delivered
+            continue
+        field, _, index = parameter.key.partition(".")
+        changed = {field: [*row] if index else value}
+        by_law = refuses(lambda changed=changed: page.made(entered.model_copy(update=changed)), ValueError)
+        by_add_in = refuses(lambda row=row: library.law(code, parameters(code, (tuple(row),))), Refused)
+        assert by_add_in == by_law, f"{code}, {parameter.key} of {value}: see domains in library.py"
 
 
 def test_the_add_in_knows_no_other_law():

@@ -25,8 +25,16 @@ PARAMETERS = {code: len(FAMILY[code].parameters) for code in CODES if code != "O
 """codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of pieces"""
 SAID = {code: Text(*one["says"]) for one in TEXTS["takes"] for code in one["codes"]}
 TAKES = {code: SAID[code] for code in (*LAWS, "OWN") if code in SAID}  # what each law takes that takes anything
-if wrong := [code for code, count in PARAMETERS.items() if code not in LAWS or (code in SAID) != bool(count)]:
-    raise IncompleteError(f"motion_functions/library.py lacks {', '.join(wrong)}, or functions.toml what they take")
+for wrong, said in (
+    ({*PARAMETERS} - {*LAWS}, "LAWS of motion_functions/library.py has no entry"),
+    ({code for code, count in PARAMETERS.items() if count} - {*SAID}, "functions.toml does not say what it takes"),
+    (
+        {code for code, count in PARAMETERS.items() if not count} & {*SAID},
+        "functions.toml says what it takes, which is nothing",
+    ),
+):
+    if wrong:
+        raise IncompleteError(f"{', '.join(sorted(wrong))}: {said}")
 
 
 class Argument(NamedTuple):

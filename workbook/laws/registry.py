@@ -21,7 +21,7 @@ def page_of(law: type[Law], pages: Sequence[Page]) -> Page:
     """Return the page of a law; raise IncompleteError where it has none, or half of one."""
     page = next((page for page in pages if page.law.code == law.code), None)
     if page is None:
-        raise IncompleteError(f"no page of workbook/laws/pages is of the law {law.code}")
+        raise IncompleteError(f"no page in FILES of workbook/laws/registry.py is of the law {law.code}")
     if page.pieces:  # else they are what is entered
         require_complete(page)
     return page

@@ -1,10 +1,15 @@
 """A stage of a law is none, or lasts: what lasts less is refused by the design and by the cells alike."""
 
+from contextlib import suppress
+
 import pytest
 
+from engine.laws.base import BREAK_TOLERANCE
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import MACHINE, composed
+from workbook.laws import family
 from workbook.laws.family import LEAST_STAGE
+from workbook.laws.registry import FAMILY
 
 SAID = "a stage lasts less than 0.0001 of the rise; expected that, or none"
 
@@ -50,3 +55,33 @@ def test_what_lasts_less_is_told_by_law(least):
     value = computed(MACHINE, machine)
     said = [text for text in value("checks", "says") if text]
     assert len([text for text in said if SAID in text]) == len(entries(least))
+
+
+def near_bounds(page):
+    """The laws of a page with one parameter half the least stage from a bound of its entry, the others as delivered."""
+    for name in page.fields:
+        kinds = page.entries.model_fields[name].metadata
+        limits = [getattr(kind, end, None) for kind in kinds for end in ("ge", "gt", "le", "lt")]
+        for value in (limit + side * LEAST_STAGE / 2 for limit in limits if limit is not None for side in (-1, 1)):
+            with suppress(ValueError):
+                yield page.made(page.entries.model_validate({name: value}))
+
+
+UNTOLD = pytest.mark.xfail(strict=True, reason="its page tells nothing of brief stages")
+
+
+@pytest.mark.parametrize(
+    "code", [pytest.param(code, marks=UNTOLD if code in ("MSN", "SRT") else ()) for code, page in FAMILY.items()
+             if page.pieces and page.parameters]
+)  # fmt: skip
+def test_a_page_of_stages_that_may_be_brief_says_so_in_entries_and_cells(code, monkeypatch):
+    page, asked = FAMILY[code], []
+    monkeypatch.setattr(family, "too_brief", lambda *given: asked.append(given) or iter(()))
+    assert list(page.entries().design_faults()) == []
+    told = {
+        "too_brief in design_faults of its entries": bool(asked),
+        "BRIEF among its checks": family.BRIEF in page.checks,
+    }
+    durations = {piece.duration for one in near_bounds(page) for piece in one.monotone_pieces()}
+    if any(told.values()) or any(BREAK_TOLERANCE < d < LEAST_STAGE for d in durations):
+        assert [what for what, there in told.items() if not there] == [], f"what the page of {code} lacks"

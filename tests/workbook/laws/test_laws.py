@@ -62,7 +62,7 @@ def test_the_page_of_the_workbooks_names_the_sheet_of_every_law(code):
 
 def test_a_law_without_a_page_is_named():
     assert page_of(Cubic, PAGES).law is Cubic
-    with pytest.raises(IncompleteError, match=r"no page of workbook/laws/pages is of the law CUB"):
+    with pytest.raises(IncompleteError, match=r"no page in FILES of .*/registry.py is of the law CUB"):
         page_of(Cubic, [page for page in PAGES if page.law.code != "CUB"])
 
 

@@ -1,11 +1,11 @@
 """The Comparison sheet: curves of up to four laws, and every law with what it costs."""
 
 from engine.laws.inverse import DERIVATIVES, joint_code
-from engine.laws.piece import POWERS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
 from workbook.law_sheets.page import finite
+from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES
 from workbook.machines.laws.view import Compared
 
@@ -161,7 +161,7 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
     def rate(name: str, i: int, at_end: bool) -> Quantity:
         words = f"{RATES[name]} at its {'end' if at_end else 'begin'}"
         values = [(row.at.end if at_end else row.at.begin)[i] for row in rows]
-        formula = at_place(name, at_end, view.stack.second_sine)
+        formula = at_place(name, at_end, view.stack)
         return calc(
             f"{name}{int(at_end)}", words, f"{name}_{int(at_end)}", "", formula, values, scale=max(map(abs, values))
         )
@@ -198,14 +198,14 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
     )  # fmt: skip
 
 
-def at_place(name: str, at_end: bool, second: bool) -> str:
+def at_place(name: str, at_end: bool, stack: Pieces) -> str:
     """Return the formula of v, a or j at the begin of a piece, or at its end."""
     if name == "v":
         return "=INDEX(piece_v,[q])" + ("+INDEX(piece_dv,[q])" if at_end else "")
     order = ORDERS[name]
     text = f"INDEX(piece_c{order},[q])"
     if at_end:
-        text = polynomial(f"INDEX(piece_{'d' * order}ddy,[q],0)", "[u]", POWERS, order)
-    for n in ("", "2") if second else ("",):
+        text = polynomial(f"INDEX(piece_{'d' * order}ddy,[q],0)", "[u]", stack.room, order)
+    for n in ("", "2") if stack.second_sine else ("",):
         text += SINES[name].format(n=n, x=f"[x{n}]" if at_end else f"INDEX(piece_phi{n},[q])")
     return f"={text}"

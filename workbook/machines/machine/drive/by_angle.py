@@ -1,7 +1,5 @@
 """A load that follows the angle of its axis, in cells: a slide on a press crank, the weight of a swinging arm."""
 
-from typing import Any
-
 import numpy as np
 
 from engine.drive.mechanisms.slides import PressCrank as Crank
@@ -10,7 +8,7 @@ from workbook.book.declare import Quantity, calc, check, entries_of
 from workbook.book.sentence import amount, quoted
 from workbook.entries.phase import TURN
 from workbook.fields.units import shown
-from workbook.machines.machine.drive.driven import Driven, as_a
+from workbook.machines.machine.drive.driven import SHORT, Driven, as_a
 from workbook.machines.machine.drive.mechanisms import slides
 from workbook.machines.machine.drive.mechanisms.page import Column, constant_sizes
 from workbook.machines.machine.drive.view import DriveView
@@ -40,13 +38,6 @@ def crank_sizes(driven: Driven) -> list[Quantity]:
 
 
 ROWS = crank_entries, crank_sizes
-
-
-def varied(i: int, k: int) -> dict[str, Any]:
-    """Return other sizes for the i-th axis in the k-th variation."""
-    crank = 20.0 + 9 * k + i
-    return {"crank_radius": crank, "rod_length": crank * (5.0 - 0.5 * k), "start_angle": 50.0 * k,
-            "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3]}  # fmt: skip
 
 
 def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
@@ -93,5 +84,5 @@ def checks(view: DriveView) -> list[Quantity]:
                   f"ABS({cell}/360-ROUND({cell}/360,0))<=check_zero", ends_in_place(driven),
                   "whole turns, or none", says=amount(cell, travel, "it ends ", " ° from where it begins"))  # fmt: skip
     fits = check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", crank.fits, True,
-                 crank.holds, f":linked{i}", quoted(PressCrank.APART))  # fmt: skip
+                 crank.holds, f":linked{i}", quoted(SHORT))  # fmt: skip
     return [fits, whole] if view.slides else [whole]

@@ -36,6 +36,12 @@ from workbook.machines.machine.view import MovingAxis
 T = TypeVar("T")
 SHAFTS = ("motor", "mechanism")
 FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
+SHORT = "the rod is not longer than crank and offset: the crank cannot turn round"
+APART = {
+    "press crank": SHORT,
+    "crank-slider": SHORT,
+    "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
+}  # what is said of sizes that do not go together
 
 
 def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
@@ -54,12 +60,11 @@ def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
         case CrankSlider():
             crank, rod, offset, start = mm(given.crank_radius, given.rod_length, given.offset, given.start)
             return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", start)
-    raise TypeError(f"linkage_of makes no linkage of a {given.kind}")
+    raise ValueError(f"a {given.kind} has a constant ratio")
 
 
-def by_angle_of(given: MechanismEntry) -> ByAngle:
-    """Return what a slide does by the angle of its axis. Raises ValueError for sizes that cannot be."""
-    given = as_a(PressCrank, given)
+def press_of(given: PressCrank) -> slides.PressCrank:
+    """Return the press crank that is entered. Raises ValueError for sizes that cannot be."""
     crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
     return slides.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
 
@@ -100,8 +105,8 @@ class Driven:
 
         self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
         self.by_angle: ByAngle | None = None
-        if self.given.SLIDES:
-            self.by_angle = by_angle_of(self.given)
+        if isinstance(self.given, PressCrank):
+            self.by_angle = press_of(self.given)
         elif load.arm:
             weight = load.arm.mass * machine.gravity * si(load.arm.radius, MM)
             self.by_angle = Arm(weight, si(load.arm.angle, DEGREE))
