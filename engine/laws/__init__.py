@@ -1,7 +1,7 @@
-"""The motion laws: a line a family in the catalogue, in the order of their numbers in a workbook.
+"""The motion laws: one class for each family, listed in the catalogue in the order of their numbers in a workbook.
 
-What a workbook needs of each stands in :mod:`workbook.laws.pages`. All else (the stack of pieces, drop-downs,
-variations, tests) goes through the catalogue.
+:mod:`workbook.laws.pages` holds what a workbook needs of each. Everything else (tables of pieces, drop-downs,
+variations, tests) iterates over the catalogue.
 """
 
 from collections.abc import Sequence
@@ -43,11 +43,11 @@ def _key(name: str) -> str:
 def by_name(laws: Sequence[type[Law]]) -> dict[str, type[Law]]:
     """Return the laws by code, name and aliases; raise ValueError where one name means two laws."""
     found: dict[str, type[Law]] = {}
-    for one in laws:
-        for key in {_key(name) for name in (one.code, one.name, *one.aliases)}:
+    for family in laws:
+        for key in {_key(name) for name in (family.code, family.name, *family.aliases)}:
             if key in found:
-                raise ValueError(f"{key!r} names two laws: {found[key].__name__} and {one.__name__}")
-            found[key] = one
+                raise ValueError(f"{key!r} names two laws: {found[key].__name__} and {family.__name__}")
+            found[key] = family
     return found
 
 
@@ -60,24 +60,24 @@ def law(name: str, **parameters: Any) -> Law:
     Parameters
     ----------
     name : str
-        Its code, name or alias, in capitals or not.
+        Code, name or alias of the law; upper and lower case are the same.
     **parameters
-        Those of the law's class.
+        Fields of the law's class, dimensionless.
 
     Returns
     -------
     Law
-        The law, made with its parameters.
+        The law with these parameters.
 
     Raises
     ------
     UnknownLawError
-        For a name that is not in the catalogue; it lists the known laws.
+        If the catalogue has no law of this name; the message lists the known laws.
     ValueError
-        What the law itself raises for its parameters.
+        If the law's class rejects a parameter.
     """
     found = _KNOWN.get(_key(name))
     if found is None:
-        known = ", ".join(f"{one.code} ({one.name})" for one in CATALOGUE)
+        known = ", ".join(f"{family.code} ({family.name})" for family in CATALOGUE)
         raise UnknownLawError(f"no law is named {name!r}; expected one of {known}")
     return found(**parameters)

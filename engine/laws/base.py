@@ -1,4 +1,4 @@
-"""What laws are told in: s, v, a and j, coefficients, how near counts as the same, what numbers have to be."""
+"""Basis of all laws: their values and coefficients, tolerances at breaks, and checks of numbers."""
 
 import math
 from dataclasses import dataclass
@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 BREAK_TOLERANCE = 2e-9
-"""A sample this near to a break, in units of ξ, counts as on it: twice what a look-up may hang on.
+"""Distance from a break, in units of ξ, within which a sample counts as on the break.
 
-The cells look up the same sum of ξ and tolerance, and spreadsheet programs take numbers for equal that differ by
-1e-12 or more: so rounding decides neither here nor there on which side of a jump a sample lies.
+The cells add the same tolerance to ξ before they look up a stage, and spreadsheet programs take numbers that differ by
+about 1e-12 for equal. So rounding chooses the side of a jump neither in the engine nor in the cells.
 
 Laws are right-continuous: at a break they have the value of the later stage, at ξ = 1 the left limit.
 """
-ROUNDING = 1e-12  # By so much of its range an abscissa may lie outside it.
+ROUNDING = 1e-12  # share of its range by which an abscissa may lie outside
 Array = NDArray[np.float64]
 Real = TypeVar("Real", float, Array)
 
@@ -31,15 +31,15 @@ class Kinematics(NamedTuple, Generic[Real]):
 
 @dataclass(frozen=True)
 class Coefficients:
-    """Extremes of a law for unit rise and unit time; one-sided limits at breaks count."""
+    """Dimensionless extremes of a law for unit rise and unit time; one-sided limits at breaks count."""
 
     cv: float  # C_v = max |v|
     ca_max: float  # largest a
     ca_min: float  # lowest a, negative
     ca_rms: float  # C_a,rms = sqrt(∫ a² dξ)
-    cj: float  # C_j = max |j|; infinite where a jumps, also at the ends against rest
-    va_max: float  # largest v·a: the greatest power that an inertia asks for
-    va_min: float  # lowest v·a: the greatest power that an inertia gives back, negative
+    cj: float  # C_j = max |j|; infinite if a jumps within the law, or at its ends from or to rest
+    va_max: float  # largest v·a: factor of the largest power that accelerates an inertia
+    va_min: float  # lowest v·a: factor of the largest power that an inertia returns, negative
 
     @property
     def ca(self) -> float:
@@ -53,12 +53,12 @@ class Coefficients:
 
     @property
     def loss(self) -> float:
-        """C_a,rms²/12: copper loss of a pure inertia, against the cubic's, the least between two rests."""
+        """C_a,rms²/12: copper loss of a pure inertia over that of the cubic, the least loss between two rests."""
         return self.ca_rms**2 / 12.0
 
 
 def stage_of(xi: Array, starts: Array) -> NDArray[np.intp]:
-    """Return the stage of each ξ: the last that begins at or before it; ξ = 1 is in the last that lasts."""
+    """Return the number of the stage at each ξ, by the ξ at which stages begin; ξ = 1 is in the last that lasts."""
     reached = np.minimum(xi + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
     return np.searchsorted(starts, reached, side="right") - 1
 
@@ -71,13 +71,13 @@ def require_finite(**quantities: float) -> None:
 
 
 def unwrap(given: object, arrays: list[NDArray[Any]]) -> Any:
-    """Return arrays as Python numbers if a plain number was given, as they are otherwise."""
+    """Return arrays as Python numbers if ``given`` is a plain number, else unchanged."""
     scalar = np.ndim(given) == 0 and not isinstance(given, np.ndarray)  # type: ignore[arg-type]
     return [array.item() for array in arrays] if scalar else arrays
 
 
 def require_within(name: str, x: Array, low: float, high: float, tolerance: float) -> None:
-    """Raise ValueError where x holds NaN, or lies outside [low, high] by more than the tolerance."""
+    """Raise ValueError if x holds NaN, or a value outside [low, high] by more than the tolerance."""
     if not x.size:
         return
     least, greatest = float(x.min()), float(x.max())  # NaN, if there is one

@@ -1,4 +1,4 @@
-"""What a movement has to meet at its two ends, and which laws can."""
+"""Boundary values of a movement (velocity, acceleration, jerk at its ends), and the laws that can meet them."""
 
 from dataclasses import astuple, dataclass, replace
 from typing import ClassVar
@@ -7,25 +7,25 @@ from engine.laws.base import require_finite
 from engine.laws.family import Law
 
 NAMES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
-STILL = 1e-9  # of the law's own scale: a velocity or an acceleration below this is rounding
-ROUNDING = 1e-12  # of a stroke or a velocity: two of them that differ by less are the same
+STILL = 1e-9  # share of the law's largest velocity or acceleration below which a value counts as 0
+ROUNDING = 1e-12  # share of a stroke or a velocity by which equal values may differ
 
 
 class EndError(ValueError):
-    """A law cannot begin or end as the movement asks."""
+    """Boundary values that a law cannot meet."""
 
 
 @dataclass(frozen=True)
 class BoundaryValues:
-    """Stroke; velocity, acceleration, jerk at begin and end, per unit of ξ: y' δ, y'' δ², y''' δ³. All are finite."""
+    """Stroke and derivatives by ξ at both ends, in the unit of the stroke. Raises ValueError unless all are finite."""
 
     stroke: float = 1.0
-    v0: float = 0.0
-    v1: float = 0.0
-    a0: float = 0.0
-    a1: float = 0.0
-    j0: float = 0.0
-    j1: float = 0.0
+    v0: float = 0.0  # velocity at the begin: y' δ of a phase of the duration δ
+    v1: float = 0.0  # and at the end
+    a0: float = 0.0  # acceleration at the begin: y'' δ²
+    a1: float = 0.0  # and at the end
+    j0: float = 0.0  # jerk at the begin: y''' δ³
+    j1: float = 0.0  # and at the end
 
     def __post_init__(self) -> None:
         require_finite(stroke=self.stroke, v0=self.v0, v1=self.v1, a0=self.a0, a1=self.a1, j0=self.j0, j1=self.j1)
@@ -37,17 +37,17 @@ class BoundaryValues:
 
     @property
     def at_rest(self) -> bool:
-        """Whether nothing but a stroke is asked for."""
+        """Whether velocity, acceleration and jerk are 0 at both ends."""
         return not any(self.values[1:])
 
     @property
     def straight(self) -> bool:
-        """Whether a straight line meets them: what a curve would add to it is rounding."""
+        """Whether a straight line meets all values, but for rounding."""
         bent = any(self.values[3:]) or abs(self.v1 - self.v0) > ROUNDING * abs(self.v0)
         return not bent and abs(self.stroke - self.v0) <= ROUNDING * abs(self.stroke)
 
     def both(self, quantity: str) -> tuple[float, float]:
-        """Return the values of ``quantity`` (v, a or j) at begin and end."""
+        """Return the values of a quantity ("v", "a" or "j") at begin and end."""
         return getattr(self, f"{quantity}0"), getattr(self, f"{quantity}1")
 
 
@@ -55,7 +55,7 @@ REST = BoundaryValues()
 
 
 class BoundaryLaw(Law):
-    """A law whose ends may be prescribed, a field of each: by default of unit stroke between rests, else s(1) is it."""
+    """A law with boundary values, its field ``ends``: s(1) is their stroke; by default it rises by 1 between rests."""
 
     TAKES: ClassVar[str] = "v"
 
@@ -63,32 +63,35 @@ class BoundaryLaw(Law):
 
     @property
     def entry_velocity(self) -> float:
-        """The velocity that it begins with."""
+        """Velocity at ξ = 0."""
         return self.ends.v0
 
     @property
     def takes(self) -> str:
-        """The quantities that may be prescribed at its ends: of v, a, j."""
+        """The quantities that may be prescribed at the ends: letters of "vaj"."""
         return self.TAKES
 
     @property
     def fixes_ends(self) -> bool:
-        """Whether it keeps the velocities that it has at its ends, whatever is beside it."""
+        """Whether the law sets its end velocities by itself, whatever its neighbours are."""
         return False
 
     def between(self, ends: BoundaryValues) -> "BoundaryLaw":
-        """Return the law between these ends, with their stroke; raise EndError, with the reason, if it has none."""
+        """Return the law with these boundary values; raise EndError, with the reason, if it cannot meet them."""
         require_ends(self, ends, self.takes)
         return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
 
     def with_open_ends(self, begin: bool, end: bool) -> "BoundaryLaw":
-        """Return the law where nothing precedes it (``begin``) or follows it (``end``): most laws rest there."""
+        """Return the law for no phase before it (``begin``) or after it (``end``); most laws then rest at that end."""
         del begin, end
         return self
 
 
 def law_with_ends(law: Law, ends: BoundaryValues) -> tuple[Law, float]:
-    """Return any law between two ends, and what its s, v, a, j are to be multiplied by; raise EndError if it cannot."""
+    """Return a law with boundary values, and the factor for its s, v, a and j; raise EndError if it cannot meet them.
+
+    The factor is the stroke of a law between rests, else 1: then the law has the stroke in itself.
+    """
     if ends.at_rest:
         return law, ends.stroke
     if isinstance(law, BoundaryLaw):
@@ -98,7 +101,7 @@ def law_with_ends(law: Law, ends: BoundaryValues) -> tuple[Law, float]:
 
 
 def require_ends(law: Law, ends: BoundaryValues, takes: str) -> None:
-    """Raise EndError for the first end that is asked of a law but not among what it takes (of v, a, j)."""
+    """Raise EndError for the first boundary value other than 0 of a quantity that is not in ``takes``, of "vaj"."""
     for quantity, name in NAMES.items():
         for verb, value in zip(("begin", "end"), ends.both(quantity), strict=True):
             if value and quantity not in takes:
@@ -113,13 +116,13 @@ def _reason(takes: str) -> str:
 
 
 def kind(v: float, a: float) -> str:
-    """Return VDI 2143's R rest, G constant velocity, U reversal or B general, by v and a in units of their peaks."""
+    """Return the kind of end by VDI 2143, for v and a over their peaks: R rest, G constant v, U reversal, B general."""
     moves, accelerates = abs(v) > STILL, abs(a) > STILL
     return ("B" if accelerates else "G") if moves else ("U" if accelerates else "R")
 
 
 def kinds(law: Law) -> tuple[str, str]:
-    """Return the kinds of end, of R, G, U and B, that a law can have at its begin and at its end."""
+    """Return the kinds of end that a law can have at its begin and at its end, as letters of "RGUB"."""
     scale = law.coefficients
     begin, end = (kind(at.v / (scale.cv or 1.0), at.a / (scale.ca or 1.0)) for at in (law.start, law.end))
     if not isinstance(law, BoundaryLaw):

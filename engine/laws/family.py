@@ -1,4 +1,4 @@
-"""What every motion law offers: s, v, a, j over ξ in [0, 1], coefficients, names and source; all by its pieces."""
+"""The base class of motion laws: s, v, a, j over ξ in [0, 1], coefficients, names and source, all by its pieces."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -12,11 +12,11 @@ from engine.laws.base import ROUNDING, Array, Coefficients, Kinematics, Real, re
 from engine.laws.ladder import coefficients_of
 from engine.laws.piece import POWERS, Piece, PlacedPiece, placed_pieces
 
-BLOCK = 8192  # samples evaluated at a time, so that what lies between stays in the cache
+BLOCK = 8192  # samples evaluated at a time, so that intermediate arrays stay in the processor's cache
 
 
 class Vendors(NamedTuple):
-    """What a law is called where cams are made, with its number there; empty where there is none, or none is sure.
+    """Names of a law in vendors' cam editors, with its number there; empty if there is none or the match is unsure.
 
     Sources: simatic-ax/lcamhdl, LCamHdl_ProfileConstants; Beckhoff Infosys, MC_MotionFunctionType; CODESYS, segment
     types of SM3_CamBuilder; SEW 27800520, aCamSegment.
@@ -29,7 +29,7 @@ class Vendors(NamedTuple):
 
 
 class Law(ABC):
-    """A motion law s(ξ) of ξ = t/t_a in [0, 1], from s = 0: it states names, source and pieces; all else follows."""
+    """A motion law s(ξ), ξ = t/t_a from 0 to 1, from s(0) = 0: a family states names, source and pieces."""
 
     code: ClassVar[str]  # three letters
     name: ClassVar[str]
@@ -39,33 +39,33 @@ class Law(ABC):
 
     @abstractmethod
     def as_pieces(self) -> tuple[Piece, ...]:
-        """Return the law as pieces, each a polynomial and a sine: what the cells of its page must hold."""
+        """Return the law as pieces, each a polynomial and sines; the cells of its page hold the same."""
 
     def monotone_pieces(self) -> tuple[Piece, ...]:
-        """Return the pieces cut where the acceleration is largest or lowest: it is monotone on each.
+        """Return the pieces, cut where the acceleration is largest or lowest, so that it is monotone on each.
 
-        Sines are cut at their quarters, polynomials at their peaks. What is entered piece by piece, and a polynomial
-        between prescribed ends, stays as it is.
+        Sines are cut at quarter turns, polynomials at their peaks. Laws that are entered piece by piece, and
+        polynomials with boundary values, are not cut.
         """
         return self.as_pieces()
 
     @property
     def entry_velocity(self) -> float:
-        """The velocity that it begins with."""
+        """Velocity at ξ = 0."""
         return 0.0
 
     @property
     def adjacent_accelerations(self) -> tuple[float, float]:
-        """The accelerations beside it: where it has others at its ends, a jumps."""
+        """Accelerations before ξ = 0 and after ξ = 1; a jumps at an end where the law's own differs."""
         return 0.0, 0.0
 
     @cached_property
     def breaks(self) -> tuple[float, ...]:
-        """Every ξ between 0 and 1 at which the formula changes, in order; a stage of no duration repeats one."""
+        """Every ξ between 0 and 1 at which the formula changes, in order; a piece without duration repeats one."""
         return tuple(accumulate(piece.duration for piece in self.as_pieces()[:-1]))
 
     def evaluate(self, xi: Real) -> Kinematics[Real]:
-        """Return s, v, a, j at ξ: floats of a number, else arrays of ξ's shape. Raises ValueError outside 0 to 1."""
+        """Return s, v, a, j at ξ: floats for a number, else arrays of ξ's shape. Raises ValueError outside 0 to 1."""
         x = np.asarray(xi, dtype=np.float64)
         require_within("xi", x, 0.0, 1.0, ROUNDING)
         flat = x.reshape(-1)
@@ -80,8 +80,8 @@ class Law(ABC):
     def _block(self, xi: Array) -> Sequence[Array]:
         """Return s, v, a, j of a flat array of ξ in [0, 1].
 
-        With ± for pieces from the begin and from the end, u their own time and x = ωu + φ,
-        s = S0 ± (u (S1 + Σ c_i uⁱ⁺¹/((i + 1)(i + 2))) − Σ P/ω² sin x).
+        The sign ± is + for pieces placed from the begin and − for those placed from the end. With u, the time since
+        that end of a piece, and x = ωu + φ, s = S0 ± (u (S1 + Σ c_i uⁱ⁺¹/((i + 1)(i + 2))) − Σ P/ω² sin x).
         """
         starts, columns, powers = self._table
         sign, origin, s0, s1, *more = columns.take(stage_of(xi, starts), axis=1) if len(starts) > 1 else columns
@@ -102,14 +102,14 @@ class Law(ABC):
 
     @property
     def _placed(self) -> tuple[list[PlacedPiece], list[PlacedPiece], float]:
-        """The pieces told from the begin, those told backwards from the end, which it then meets exactly, and s(1)."""
+        """Pieces placed from ξ = 0; pieces placed backwards from ξ = 1, where the law is then exact; s(1)."""
         return placed_pieces(self.as_pieces(), self.entry_velocity), [], 1.0
 
     @cached_property
     def _table(self) -> tuple[Array, Array, int]:
         """Begins of the pieces; columns of ±1, origin, S0, S1, the powers in use, and P, 1/ω, ω, φ of the sines in use.
 
-        A piece from the end at the time t is s(1) − s'(t), of what s' is of the law told backwards.
+        A piece placed from the end is s(1) − r(1 − ξ), r the position of the reversed law.
         """
         early, back, end = self._placed
         pieces = [*early, *(late := back[::-1])]
@@ -135,7 +135,7 @@ class Law(ABC):
         return self.evaluate(xi).a
 
     def j(self, xi: Real) -> Real:
-        """Return the jerk j = da/dξ, within the stages: a jump of a adds no value."""
+        """Return the jerk j = da/dξ within the pieces; a jump of a adds no value."""
         return self.evaluate(xi).j
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What is asked of a law: when it has reached a share of its rise, where it is fastest, how smooth it is."""
+"""The inverse ξ(s) of a law, exact and by points; its fastest instant; its continuity at the joints of its pieces."""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -11,11 +11,11 @@ from engine.laws.family import Law
 from engine.laws.ladder import acceleration, zeros
 from engine.laws.piece import Piece, begins, gains, placed_pieces
 
-KNOTS = 65  # a stage, between which a height is first located
-STEPS = 120
-LAST_DIGITS = 4e-16  # of ξ: within them rounding of s turns the steps to and fro
-BACKWARDS = 1e-9  # a velocity below minus this, in units of the mean velocity, is a motion backwards
-INSIDE = 1e-9  # of a stage: what is nearer to its end is at it
+KNOTS = 65  # points of each stage, between which a height is first located
+STEPS = 120  # of Newton's method, at most
+LAST_DIGITS = 4e-16  # of ξ: smaller steps come from the rounding of s
+BACKWARDS = 1e-9  # share of the mean velocity: a law that is slower than minus this moves backwards
+INSIDE = 1e-9  # share of a stage: a place nearer to its end counts as the end
 
 
 def breaks(law: Law) -> Array:
@@ -37,7 +37,7 @@ def velocity_extremes(law: Law) -> Array:
 
 
 def velocity_peak(law: Law) -> float:
-    """Return the first ξ at which v is at its largest; of a uniform stage, its begin."""
+    """Return the first ξ at which v is largest; the begin of a stage at constant velocity."""
     xi = velocity_extremes(law)
     v = law.v(xi)
     return float(xi[np.argmax(v >= v.max() - 1e-12 * abs(v.max()))])
@@ -45,17 +45,31 @@ def velocity_peak(law: Law) -> float:
 
 @lru_cache(maxsize=256)
 def is_monotone(law: Law) -> bool:
-    """Whether the law never moves backwards."""
+    """Return whether the law never moves backwards."""
     return bool(law.v(velocity_extremes(law)).min() >= -BACKWARDS)
 
 
 def inverse(law: Law, s: Real) -> Real:
-    """Return ξ with s(ξ) = s, for any law that never moves backwards: a float of a number, an array of an array.
+    """Return ξ with s(ξ) = s, by Newton's method between two bounds that close in, to the last digits of s.
 
-    Newton's method between two bounds that close in, to the last digits of s: the error of ξ is that of s
-    over the velocity v(ξ). Where the law stands at s, the first such ξ; the end values give 0 and 1.
-    Raises ValueError where s is not a number from 0 to the law's end value, for a law that moves backwards
-    and for a dwell. Replaces the reading of a table in S2, 'Cycloid Cam Profile Analysis' (38 % at 44 %).
+    Source: S2, 'Cycloid Cam Profile Analysis', which reads the inverse from a table (38 % of the rise at 44 %).
+
+    Parameters
+    ----------
+    law : Law
+        A law that never moves backwards and is no dwell.
+    s : float or array
+        Positions from 0 to s(1), in units of the lift.
+
+    Returns
+    -------
+    float or array
+        Of the shape of ``s``; the first ξ if the law rests at s. Its error is that of s over the velocity v(ξ).
+
+    Raises
+    ------
+    ValueError
+        For another law, or a position outside the range.
     """
     wanted = np.asarray(s, dtype=np.float64)
     flat = wanted.reshape(-1)
@@ -91,38 +105,38 @@ def _solve(law: Law, s: Array) -> Array:
 
 
 class LawPiece(NamedTuple):
-    """A piece of a law, and the ξ at which it begins."""
+    """A piece of a law at its place."""
 
     piece: Piece
-    begin: float
+    begin: float  # ξ
 
 
 def law_pieces(law: Law, whole: bool = False) -> list[LawPiece]:
-    """Return the pieces of a law that begin before its end: monotone ones, or ``whole``, not cut at peaks."""
+    """Return the pieces of a law that begin before its end, cut at peaks of the acceleration unless ``whole``."""
     pieces = law.as_pieces() if whole else law.monotone_pieces()
-    found = [LawPiece(*both) for both in zip(pieces, begins(pieces), strict=True)]
-    return [one for one in found if one.begin <= 1.0 - BREAK_TOLERANCE]
+    placed = zip(pieces, begins(pieces), strict=True)
+    return [LawPiece(piece, begin) for piece, begin in placed if begin <= 1.0 - BREAK_TOLERANCE]
 
 
 INTERVALS = 96  # between points, at most
-HEIGHT = 1e-6  # of the rise: how near to a height the law is at the time found
-REST = 1e-5  # a velocity below this, in units of the mean velocity, is too slow for a correction
+HEIGHT = 1e-6  # of the rise: error in height of the inverse by points
+REST = 1e-5  # share of the mean velocity: next to a slower point the inverse is not corrected
 
 
 class InversionPoints(NamedTuple):
-    """Points of a law: arrays of the length INTERVALS + 1; spare ones are its end."""
+    """Points of a law between which it is inverted: arrays of shape (INTERVALS + 1,); spare rows repeat ξ = 1."""
 
     n: int  # intervals on each piece
     piece: Array  # number of the piece, from 1
-    share: Array  # of the piece's duration
-    xi: Array
-    s: Array
-    v: Array
+    share: Array  # of the piece's duration, 0 to 1
+    xi: Array  # ξ of the point
+    s: Array  # position there
+    v: Array  # velocity there
 
 
 @lru_cache(maxsize=256)
 def inversion_points(law: Law) -> InversionPoints:
-    """Return the points of a law, as many on each of its pieces: of n, the i-th at the share (1 − cos(πi/n))/2."""
+    """Return the points of a law, n on each of its monotone pieces: the i-th at the share (1 − cos(πi/n))/2 of it."""
     pieces = law_pieces(law)
     n, k = INTERVALS // len(pieces), np.arange(INTERVALS + 1)
     piece = np.minimum(k // n + 1, len(pieces))
@@ -134,28 +148,28 @@ def inversion_points(law: Law) -> InversionPoints:
 
 
 class PointInversion(NamedTuple):
-    """Between which points heights lie, and the share of time of each: arrays."""
+    """Steps of the inverse by points, for heights: arrays of the heights' shape."""
 
-    heights: Array
-    point: Array  # the last point that is not above, from 1
+    heights: Array  # s, 0 to 1
+    point: Array  # number of the last point that is not above the height, from 1
     low: InversionPoints  # that point
-    high: InversionPoints  # and the next
-    over: Array  # of the height over that of the lower point
-    acceleration: Array  # as if it were constant from one to the other
-    near: Array  # the share of time by it
-    s: Array  # height there
-    v: Array  # velocity there
-    correction: Array  # what is missing of the height over the velocity there; 0 beside a point at rest
+    high: InversionPoints  # the next point
+    over: Array  # height above the lower point
+    acceleration: Array  # taken as constant between the two points
+    near: Array  # ξ by this acceleration
+    s: Array  # the law's position at ``near``
+    v: Array  # the law's velocity there
+    correction: Array  # of ξ: (height − s)/v; 0 beside a point at rest
 
     @property
     def xi(self) -> Array:
-        """The share of time; that of heights 0 and 1 is exact."""
+        """ξ of each height, corrected; exact at the heights 0 and 1."""
         inner = (self.heights > 0.0) & (self.heights < 1.0)
         return np.where(inner, self.near + self.correction, self.heights)
 
 
 def point_inversion(law: Law, heights: Array) -> PointInversion:
-    """Return where a law reaches heights: u = 2Δs/(v + √(v² + 2aΔs)) between points, then what is missing over v."""
+    """Return when a law reaches heights: u = 2Δs/(v + √(v² + 2aΔs)) after a point, then one step of Newton's method."""
     points = inversion_points(law)
     k = np.searchsorted(points.s, np.minimum(heights + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE), side="right") - 1
     low, high = (points._replace(xi=points.xi[i], s=points.s[i], v=points.v[i]) for i in (k, k + 1))
@@ -172,31 +186,31 @@ def point_inversion(law: Law, heights: Array) -> PointInversion:
 
 
 def inverse_by_points(law: Law, heights: Array) -> Array:
-    """Return the shares of time at which a law has reached heights, by its points: :data:`HEIGHT` off in height."""
+    """Return ξ at which a law reaches heights, by its points: to :data:`HEIGHT` of the rise."""
     return point_inversion(law, heights).xi
 
 
-JUMP = 1e-9  # of the law's C_v, of a and j of its C_a: a smaller jump is rounding
-SMOOTH = 3  # derivatives of s that are looked at: v, a and j
+JUMP = 1e-9  # of C_v for a jump of v, of C_a for one of a or j: a smaller jump is rounding
+SMOOTH = 3  # order of the highest derivative of s that is examined: v, a and j
 DERIVATIVES = ("position", "velocity", "acceleration", "jerk")  # names of s and its derivatives
 Rates = tuple[float, ...]  # v, a, j
 
 
 class LawJoint(NamedTuple):
-    """The begin of a piece of a law, or of the rest behind it."""
+    """The joint at which a piece of a law, or the rest after the law, begins."""
 
-    duration: float  # d, of the piece
-    angles: tuple[float, float]  # ωd + φ of both sines, at its end
-    begin: Rates  # rates there
-    end: Rates  # and at its end
-    before: int  # the last piece before it that lasts, from 1; 0 is rest
-    jump: Rates  # of the rates
-    order: int  # the highest continuous derivative of s, up to 3; 3 of a piece that does not last
-    outer: bool  # at an end of the law
+    duration: float  # d of the piece, in units of ξ
+    angles: tuple[float, float]  # ωd + φ of both sines at the end of the piece (rad)
+    begin: Rates  # v, a, j of the piece at the joint
+    end: Rates  # v, a, j at the end of the piece
+    before: int  # number of the last piece of any duration before it, from 1; 0 is rest
+    jump: Rates  # of v, a, j at the joint
+    order: int  # of the highest continuous derivative of s, up to 3; 3 for a piece without duration
+    outer: bool  # whether the joint is an end of the law
 
 
 def law_joints(law: Law, pieces: Sequence[Piece]) -> tuple[LawJoint, ...]:
-    """Return where each of a law's pieces begins, and the rest behind the last one, which lasts 1."""
+    """Return the joints at which each of a law's pieces begins, and the rest after the last one, of duration 1."""
     found: list[LawJoint] = []
     scales = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca
     before, ended = 0, (0.0, 0.0, 0.0)
@@ -216,12 +230,13 @@ def law_joints(law: Law, pieces: Sequence[Piece]) -> tuple[LawJoint, ...]:
 
 
 def continuity(law: Law) -> tuple[int, int]:
-    """Return the highest derivative of s that is continuous, up to 3: at the ends against rest, and between them."""
-    found = law_joints(law, law.as_pieces())
-    ends, inside = (min([SMOOTH, *(one.order for one in found if one.outer == outer)]) for outer in (True, False))
+    """Return the order of the highest continuous derivative of s, up to 3: at the ends next to rest, and inside."""
+    joints = law_joints(law, law.as_pieces())
+    ends = min([SMOOTH, *(joint.order for joint in joints if joint.outer)])
+    inside = min([SMOOTH, *(joint.order for joint in joints if not joint.outer)])
     return ends, inside
 
 
-def joint_code(number: int, one: LawJoint) -> int:
-    """Return what tells law, end and order of a meeting in one number: 8 · number + 4 at an end + order."""
-    return 8 * number + 4 * one.outer + one.order
+def joint_code(number: int, joint: LawJoint) -> int:
+    """Return one number for law, end and order of a joint: 8 · number of the law + 4 at an end + order."""
+    return 8 * number + 4 * joint.outer + joint.order

@@ -1,4 +1,7 @@
-"""Every zero of a polynomial plus a sine, by its derivatives; where v, a, j and v·a of pieces are stationary."""
+"""All zeros of a polynomial plus sines, found through its derivatives; extremes of s, v, a, j and v·a of pieces.
+
+The *ladder* is the row of derivatives of a function: between two neighbouring zeros of f' there is at most one of f.
+"""
 
 import itertools
 import math
@@ -14,8 +17,8 @@ from numpy.typing import NDArray
 from engine.laws.base import Array, Coefficients
 from engine.laws.piece import Piece, Sine, cut, gains, placed_pieces
 
-STEPS = 100  # of Newton's method, or of halving where that leaves the bracket: to the last digit
-CELLS = 64  # a half turn, in which two sines together are searched: they have no ladder
+STEPS = 100  # of Newton's method, or of halving if a step leaves the bracket: to the last digit
+CELLS = 64  # parts of a half turn in which the sum of two sines is searched, as no derivative of it is simpler
 
 
 @dataclass(frozen=True)
@@ -33,7 +36,7 @@ class Curve:
         return value + sum(p * math.sin(w * u + phi) for p, w, phi in self.sines)
 
     def at(self, u: Array) -> Array:
-        """Return f at places."""
+        """Return f at an array of u."""
         value = np.zeros(np.shape(u))
         for c in reversed(self.c):
             value = value * u + c
@@ -54,11 +57,11 @@ def trimmed(f: Curve) -> Curve:
 
 
 def zeros(f: Curve, d: float) -> list[float]:
-    """Return every u from 0 to d at which f changes its sign, rising.
+    """Return every u from 0 to d at which f changes its sign, in rising order.
 
-    Between two neighbouring zeros of f' the function is monotone and has at most one zero, so that nothing rests
-    on how dense a search is: a polynomial of degree n with a sine needs n + 1 rungs down to the sine alone, whose
-    zeros are (kπ − φ)/ω. Two sines without a polynomial are searched in cells.
+    Between two neighbouring zeros of f' the function is monotone and has at most one zero, so no zero is missed. A
+    polynomial of degree n plus a sine takes n + 1 derivatives down to the sine alone, whose zeros are (kπ − φ)/ω.
+    The sum of two sines is searched in cells.
     """
     f = trimmed(f)
     if not f.c and len(f.sines) < 2:
@@ -100,15 +103,15 @@ def root(f: Curve, slope: Curve, low: float, high: float) -> float:
     return u
 
 
-PARTS = 256
+PARTS = 256  # of a bracket, in one round
 
 
 def narrowed(positive: Callable[[Array], NDArray[np.bool_]], low: Array, high: Array, rounds: int) -> Array:
     """Return the points at which ``positive`` changes within brackets, to 256^-rounds of each bracket.
 
-    ``positive`` takes and returns arrays of shape (n,) and differs at the ends of each bracket; where it changes
-    more than once in a bracket, the first change that its samples show is taken. Sampling a whole bracket costs
-    hardly more than halving it, and is worth eight halvings.
+    ``positive`` takes and returns arrays of shape (n,) and differs at the ends of each bracket. If it changes more
+    than once in a bracket, the first change among its samples counts. One array of 256 samples costs hardly more than
+    a single one, and narrows a bracket as far as eight halvings.
     """
     share = np.linspace(0.0, 1.0, PARTS + 1)
     each = np.arange(low.size)
@@ -122,23 +125,23 @@ def narrowed(positive: Callable[[Array], NDArray[np.bool_]], low: Array, high: A
     return 0.5 * (low + high)
 
 
-POWER_CELLS = 512  # at least, in which the power of a piece with sines is searched for changes of sign
+POWER_CELLS = 512  # least number of parts of a piece with sines in which its power v·a is searched for extremes
 ROUNDS = 4  # of narrowing a cell: a stationary value is then right to the last digit
-JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
-EDGE = 1e-7  # of a piece: a peak so near to its end lies at it
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
+JUMP = 1e-9  # share of the largest acceleration: a smaller jump is rounding
+EDGE = 1e-7  # share of a piece: a peak that is nearer to its end counts as the end
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)  # of Gauss and Legendre, on [−1, 1]
 
 
 def acceleration(piece: Piece) -> Curve:
-    """Return a(u) of a piece as a curve of no higher degree than it has; a sine that does not turn is a constant."""
+    """Return a(u) of a piece as a curve of the least degree; a sine of ω = 0 becomes part of the constant."""
     still = sum(p * math.sin(phi) for p, w, phi in piece.sines if w == 0.0)
     return trimmed(Curve((piece.c[0] + still, *piece.c[1:]), tuple(sine for sine in piece.sines if sine[1])))
 
 
 def stationary_power_points(piece: Piece, v0: float) -> list[float]:
-    """Return where v·a of a piece that is entered with velocity ``v0`` is stationary.
+    """Return every u at which v·a of a piece is stationary, ``v0`` its velocity at the begin.
 
-    Of a polynomial by the ladder; of a piece with sines where the slope a² + v j changes its sign between samples.
+    Zeros of a polynomial's slope are exact. In a piece with sines the slope a² + v j is sampled for changes of sign.
     """
     a = acceleration(piece)
     if not a.sines:
@@ -158,21 +161,21 @@ def stationary_power_points(piece: Piece, v0: float) -> list[float]:
 
 
 def stationary_points(piece: Piece) -> list[float]:
-    """Return where v, a or j of a piece is stationary, by the ladder of derivatives, which misses none; in no order."""
+    """Return every u at which v, a or j of a piece is stationary, in no order."""
     a = acceleration(piece)
     j = a.derivative()
     return [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
 
 
 def at_peaks(piece: Piece) -> list[Piece]:
-    """Return the parts of a piece between which its acceleration is largest or lowest."""
+    """Return the parts of a piece, cut where its acceleration is largest or lowest."""
     d = piece.duration
     peaks = [u / d for u in zeros(acceleration(piece).derivative(), d)] if d else []
     return cut(piece, [share for share in peaks if EDGE < share < 1.0 - EDGE])
 
 
 def turning_points(piece: Piece, v0: float) -> list[float]:
-    """Return where v, a polynomial with sines as a is, changes its sign."""
+    """Return every u at which the velocity of a piece changes its sign, ``v0`` being that at its begin."""
     a = acceleration(piece)
     still = v0 + sum(p / w * math.cos(phi) for p, w, phi in a.sines)
     turned = tuple((-p / w, w, phi + math.pi / 2.0) for p, w, phi in a.sines)
@@ -182,26 +185,30 @@ def turning_points(piece: Piece, v0: float) -> list[float]:
 def values_by_piece(
     pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
 ) -> list[tuple[Array, Array, Array, Array]]:
-    """Return s, v, a, j of each piece that lasts: at its begin, inside, at its end; ``v0`` is the first velocity."""
+    """Return s, v, a, j of each piece of any duration at its begin, at the u of ``inside``, and at its end.
+
+    ``v0`` is the velocity at the begin of the first piece; ``inside`` takes a piece and the velocity at its begin.
+    """
     found = []
-    for one in placed_pieces(pieces, v0):
-        if one.piece.duration > 0.0:
-            u = np.array([0.0, *inside(one.piece, one.v), one.piece.duration])
-            s, v, a, j = gains(u, np.array(one.piece.row)[:, None])
-            found.append((one.s + one.v * u + s, one.v + v, a, j))
+    for placed in placed_pieces(pieces, v0):
+        if placed.piece.duration > 0.0:
+            u = np.array([0.0, *inside(placed.piece, placed.v), placed.piece.duration])
+            s, v, a, j = gains(u, np.array(placed.piece.row)[:, None])
+            found.append((placed.s + placed.v * u + s, placed.v + v, a, j))
     return found
 
 
 @lru_cache(maxsize=1_000)
 def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:
-    """Return the coefficients of pieces one after the other, entered with the velocity ``v0``.
+    """Return the coefficients of consecutive pieces that begin with the velocity ``v0``.
 
-    C_j is infinite where a jumps between pieces that last, or from ``a0`` at the begin or to ``a1`` at the end.
+    C_j is infinite if a jumps between pieces of any duration, or from ``a0`` before the first or to ``a1`` after the
+    last.
     """
     found = values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
     _, v, a, j = np.concatenate(found, axis=1)
-    before = np.array([a0, *(one[2][-1] for one in found)])
-    after = np.array([*(one[2][0] for one in found), a1])
+    before = np.array([a0, *(accelerations[-1] for _, _, accelerations, _ in found)])
+    after = np.array([*(accelerations[0] for _, _, accelerations, _ in found), a1])
     jumps = np.abs(before - after).max() > JUMP * np.abs(a).max()
     return Coefficients(
         cv=float(np.abs(v).max()), ca_max=float(a.max()), ca_min=float(a.min()),
@@ -211,7 +218,7 @@ def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0,
 
 
 def square_integral(piece: Piece) -> float:
-    """Return ∫a² over a piece by Gauss-Legendre, exact for the polynomial, on at most half a turn of ωu."""
+    """Return ∫a² du over a piece by Gauss-Legendre on parts of at most half a turn of ωu; exact for a polynomial."""
     fastest = max((abs(w) for _, w, _ in piece.sines), default=0.0)
     parts = 1 + int(fastest * piece.duration / math.pi)
     width = piece.duration / parts
@@ -221,7 +228,7 @@ def square_integral(piece: Piece) -> float:
 
 
 class Extremes(NamedTuple):
-    """Lowest and largest v, a and j; of j where a does not jump."""
+    """Lowest and largest v, a and j; jumps of a do not count in j."""
 
     v: tuple[float, float]
     a: tuple[float, float]
@@ -230,13 +237,13 @@ class Extremes(NamedTuple):
 
 @lru_cache(maxsize=1_000)
 def reach_of(pieces: tuple[Piece, ...], v0: float) -> tuple[float, float]:
-    """Return the lowest and the highest position of pieces one after the other, from 0 with the velocity ``v0``."""
-    s = np.concatenate([one[0] for one in values_by_piece(pieces, v0, turning_points)])
+    """Return the lowest and the highest position of consecutive pieces, from s = 0 with the velocity ``v0``."""
+    s = np.concatenate([positions for positions, *_ in values_by_piece(pieces, v0, turning_points)])
     return float(s.min()), float(s.max())
 
 
 @lru_cache(maxsize=1_000)
 def extremes_of(pieces: tuple[Piece, ...], v0: float) -> Extremes:
-    """Return the extremes of pieces one after the other, entered with the velocity ``v0``: exact, of any shape."""
+    """Return the exact extremes of consecutive pieces that begin with the velocity ``v0``."""
     _, *rates = np.concatenate(values_by_piece(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
     return Extremes(*((float(x.min()), float(x.max())) for x in rates))

@@ -1,4 +1,4 @@
-"""Laws of pulses with edges of a sine: MTP, MTS, MSN, SCC, HAC, SGS."""
+"""Laws of two pulses with edges of a quarter sine: MTP, MTS, MSN, SCC, HAC, SGS."""
 
 import math
 from dataclasses import dataclass, replace
@@ -25,9 +25,9 @@ CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)
 class ModifiedTrapezoidal(PulseLaw):
     """Seven stages: a = A sin(πu/2d1), A, A cos(πu/2d3), 0, −B sin(πu/2d5), −B, −B cos(πu/2d7).
 
-    ``durations`` are the seven shares of the rise: not negative, of sum 1 (within 1e-9), neither the first three nor
-    the last three all zero; else ValueError. With k = 2/π, m = k d1 + d2 + k d3 and n = k d5 + d6 + k d7, A m = B n =
-    C_v and A = 1/(S_a + m d4 + S_d m/n), where S_a and S_d are the travels of the two lobes for unit acceleration.
+    With k = 2/π, m = k d1 + d2 + k d3 and n = k d5 + d6 + k d7, A m = B n = C_v and A = 1/(S_a + m d4 + S_d m/n), where
+    S_a and S_d are the travels of the two pulses for unit acceleration. Raises ValueError unless the shares are 0 or
+    more, sum to 1 (within 1e-9), and neither the first three nor the last three are all 0.
     """
 
     code = "MTP"
@@ -36,7 +36,7 @@ class ModifiedTrapezoidal(PulseLaw):
     source = "S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'"
     vendors = Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)")
 
-    durations: tuple[float, ...] = CLASSIC
+    durations: tuple[float, ...] = CLASSIC  # d1 to d7, shares of the time
     ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
@@ -53,9 +53,8 @@ CLASSIC_PULSE = sine_edged(0.25, 0.5, 0.25)
 class TrapezoidByShare(PulseLaw):
     """The pulses ¼-½-¼ of the modified trapezoid over λ and over 1 − λ; or one of them cut off at a reversal.
 
-    ``share`` is λ, between 0 and 1. At a ``reversal``, "start" or "end" (else "none"), the pulse stands at its
-    height: ``edge`` of its duration, from 0 to 1, is a quarter of a sine at the inner end, the rest constant.
-    Else ValueError. The vendors do not publish ``edge``; with ½ and λ = ½ both pulses are of one height.
+    At a reversal the pulse is constant at the law's end, and falls to 0 on a quarter sine at its inner end. Vendors do
+    not publish ``edge``; with ½ and λ = ½ both pulses have the same height. Raises ValueError outside the ranges below.
     Source: LCamHdl, ProfileTypes, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D; SolidWorks, modified trapezoid (⅛, ⅜, ⅝, ⅞).
     """
 
@@ -66,9 +65,9 @@ class TrapezoidByShare(PulseLaw):
     vendors = Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)")
     STAGES = (0, 1, 2, 4, 5, 6)
 
-    share: float = 0.5
-    reversal: Literal["none", "start", "end"] = "none"
-    edge: float = 0.5
+    share: float = 0.5  # λ, between 0 and 1
+    reversal: Literal["none", "start", "end"] = "none"  # the end that turns round
+    edge: float = 0.5  # share of the pulse at a reversal that is a quarter sine, 0 to 1
     ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
@@ -84,7 +83,7 @@ class TrapezoidByShare(PulseLaw):
 
 
 N = 2.0 * math.pi**2 / (4.0 + math.pi)
-LATE = (3.0 * math.pi - 4.0) / (4.0 * math.pi)  # κ of the pulse told backwards
+LATE = (3.0 * math.pi - 4.0) / (4.0 * math.pi)  # κ' of the pulse reversed in time
 
 
 @dataclass(frozen=True)
@@ -121,10 +120,10 @@ class ModifiedSine(PulseLaw):
 
     @classmethod
     def with_deceleration(cls, deceleration: float, ends: BoundaryValues) -> "ModifiedSine":
-        """Return the classic law whose second pulse has the height B, by its share λ: the option Ca* of a cam editor.
+        """Return the classic law whose share λ makes the second pulse B high: the option Ca* of cam editors.
 
-        μ = [N(H − v0) − π(v1 − v0)/2]/[B + Nκ'(v1 − v0)], κ' = (3π − 4)/4π, N = 2π²/(4 + π). Raises EndError where no
-        share between 0 and 1 does. Source: LCamHdl, types, 'Ca*'; CODESYS, SM3_CamBuilder, ModifiedSine.
+        μ = [N(H − v0) − π(v1 − v0)/2]/[B + Nκ'(v1 − v0)], κ' = (3π − 4)/4π, N = 2π²/(4 + π), with B by ξ². Raises
+        EndError if no share between 0 and 1 does. Source: LCamHdl, types, 'Ca*'; CODESYS, SM3_CamBuilder, ModifiedSine.
         """
         gained = ends.v1 - ends.v0
         over = deceleration + N * LATE * gained
@@ -138,7 +137,7 @@ class ModifiedSine(PulseLaw):
 class SineConstantCosine(PulseLaw):
     """Norton's family: sine edges at the dwells, constants, cosine edges inside, and a part at constant velocity.
 
-    The shares b, c, d and e sum to 1 (within 1e-9), else ValueError. With λ = ½ and e = 0,
+    Raises ValueError unless the shares b, c, d and e sum to 1 (within 1e-9). With λ = ½ and e = 0,
     C_a = 4π²/[(π² − 8)(b² − d²) − 2π(π − 2)b + π²]. It contains constant acceleration (0, 1, 0), the modified trapezoid
     (¼, ½, ¼), simple harmonic (0, 0, 1), modified sine (¼, 0, ¾) and cycloidal motion (½, 0, ½).
     """
@@ -208,9 +207,9 @@ class HarmonicCombination(PulseLaw):
 
 @dataclass(frozen=True)
 class SineStraightSine(PulseLaw):
-    """A quarter of a cosine over cλ, a straight line over 1 − c, a quarter of a sine over c(1 − λ).
+    """A quarter cosine over cλ, a straight line over 1 − c, a quarter sine over c(1 − λ), for a motion to and fro.
 
-    V = π/(π − (π − 2)c). It begins and ends with an acceleration: it is meant for reversals.
+    V = π/(π − (π − 2)c). Its acceleration is not 0 at the ends, so a dwell beside it makes a jump.
     """
 
     code = "SGS"

@@ -1,4 +1,4 @@
-"""Pieces of a law, a(u) = polynomial(u) + sines: their integrals, what is carried from piece to piece, where ξ lies."""
+"""Pieces of a law, a(u) = polynomial(u) + sines: their integrals, their places in a law, cuts and reversal."""
 
 import itertools
 import math
@@ -19,15 +19,19 @@ Sine = tuple[float, float, float]  # P, ω, φ of P sin(ωu + φ)
 
 @dataclass(frozen=True)
 class Piece:
-    """a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂), u from its begin."""
+    """A piece of a law: a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂), u from its begin.
 
-    duration: float  # share of the rise, 0 or more, else ValueError
-    c: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)  # c0 to c3, c4 or c5, else ValueError
+    All is dimensionless, for a rise of 1 in the time 1. Raises ValueError for a negative duration, a number of
+    coefficients other than 4 to 6, and numbers that are not finite.
+    """
+
+    duration: float  # share of the law's time
+    c: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)  # c0 to c3, c4 or c5
     amplitude: float = 0.0  # P
-    omega: float = 0.0  # ω
+    omega: float = 0.0  # ω, rad per unit of ξ
     phase: float = 0.0  # φ (rad)
-    amplitude2: float = 0.0  # P₂, of the one law that has two sines
-    omega2: float = 0.0  # ω₂
+    amplitude2: float = 0.0  # P₂; only DHM has two sines
+    omega2: float = 0.0  # ω₂, rad per unit of ξ
     phase2: float = 0.0  # φ₂ (rad)
 
     def __post_init__(self) -> None:
@@ -42,7 +46,7 @@ class Piece:
 
     @property
     def both(self) -> tuple[Sine, Sine]:
-        """P, ω, φ of either sine."""
+        """P, ω, φ of both sines."""
         return (self.amplitude, self.omega, self.phase), (self.amplitude2, self.omega2, self.phase2)
 
     @property
@@ -52,7 +56,7 @@ class Piece:
 
     @property
     def row(self) -> tuple[float, ...]:
-        """c0 … c5, then P, ω, sin φ, cos φ of either sine: what :func:`gains` needs."""
+        """c0 … c5, then P, ω, sin φ, cos φ of both sines, as :func:`gains` takes them."""
         c = self.c + (0.0,) * (POWERS - len(self.c))
         return (*c, *(x for p, w, phi in self.both for x in (p, w, math.sin(phi), math.cos(phi))))
 
@@ -76,7 +80,7 @@ def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Arr
     """Return ∬a, ∫a, a and da/du from the coefficients of a polynomial and the P, ω, sin φ, cos φ of sines.
 
     With h = ωu/2 and m, n the sine and cosine of φ + h, the integrals of a sine are
-    ∫ = u m sin h/h and ∬ = u² (sin φ (sin h/h)²/2 + cos φ (2h − sin 2h)/(2h)²): right for ω = 0 too.
+    ∫ = u m sin h/h and ∬ = u² (sin φ (sin h/h)²/2 + cos φ (2h − sin 2h)/(2h)²); they hold for ω = 0 too.
     """
     s, v, a, j = (np.zeros_like(u) for _ in range(4))
     for i in range(len(c) - 1, -1, -1):
@@ -98,27 +102,27 @@ def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Arr
 
 
 class PlacedPiece(NamedTuple):
-    """A piece at its place in a law: its begin ξ_k, s_k and v_k there, and what s and v gain over it.
+    """A piece at its place in a law.
 
-    The position on a piece is S0 + u (S1 + polynomial) − P/ω² sin(ωu + φ), its velocity S1 + polynomial −
-    P/ω cos(ωu + φ), of two sines less both: one formula each for every piece of every law.
+    The position on it is S0 + u (S1 + polynomial) − Σ P/ω² sin(ωu + φ), the velocity S1 + polynomial −
+    Σ P/ω cos(ωu + φ), summed over its sines: one formula each for every piece of every law.
     """
 
     piece: Piece
-    begin: float
-    s: float
-    v: float
-    ds: float
-    dv: float
+    begin: float  # ξ_k
+    s: float  # position s_k at the begin
+    v: float  # velocity v_k at the begin
+    ds: float  # gain of s over the piece
+    dv: float  # gain of v over the piece
 
     @property
     def amplitudes(self) -> list[tuple[float, float, float]]:
-        """P/ω², P/ω and P ω of either sine, the amplitudes in position, velocity and jerk; 0 without a frequency."""
+        """Amplitudes P/ω², P/ω and P ω of both sines in position, velocity and jerk; the first two are 0 if ω = 0."""
         return [(p / w**2, p / w, p * w) if w > 0.0 else (0.0, 0.0, p * w) for p, w, _ in self.piece.both]
 
     @property
     def constants(self) -> tuple[float, float]:
-        """S0 = s_k + P/ω² sin φ and S1 = v_k + P/ω cos φ, with those of both sines."""
+        """S0 = s_k + Σ P/ω² sin φ and S1 = v_k + Σ P/ω cos φ over both sines."""
         sines = [(s, v, phi) for (s, v, _), (_, _, phi) in zip(self.amplitudes, self.piece.both, strict=True)]
         return (
             self.s + sum(s * math.sin(phi) for s, _, phi in sines),
@@ -127,12 +131,12 @@ class PlacedPiece(NamedTuple):
 
 
 def begins(pieces: Sequence[Piece]) -> list[float]:
-    """Return ξ_k at which each piece begins, at most 1."""
+    """Return the ξ at which each piece begins, at most 1."""
     return [min(xi, 1.0) for xi in itertools.accumulate((piece.duration for piece in pieces[:-1]), initial=0.0)]
 
 
 def placed_pieces(pieces: Sequence[Piece], v: float = 0.0) -> list[PlacedPiece]:
-    """Return pieces one after the other, from s = 0 with a velocity, with s and v at their begins."""
+    """Return consecutive pieces at their places in a law that begins at s = 0 with the velocity ``v``."""
     if not pieces:
         return []
     durations, rows = np.array([piece.duration for piece in pieces]), np.array([piece.row for piece in pieces]).T
@@ -145,12 +149,12 @@ def placed_pieces(pieces: Sequence[Piece], v: float = 0.0) -> list[PlacedPiece]:
 
 
 class Located(NamedTuple):
-    """Where abscissae lie among the pieces of a law: piece (from 0), u from its begin, ωu + φ of both sines (rad)."""
+    """Places of abscissae among the pieces of a law, arrays of one shape."""
 
-    piece: NDArray[np.intp]
-    u: Array
-    angle: Array
-    angle2: Array
+    piece: NDArray[np.intp]  # number of the piece, from 0
+    u: Array  # ξ since its begin
+    angle: Array  # ωu + φ of its first sine (rad)
+    angle2: Array  # of its second sine (rad)
 
 
 def located(pieces: Sequence[Piece], xi: Array) -> Located:
@@ -164,20 +168,20 @@ def located(pieces: Sequence[Piece], xi: Array) -> Located:
 
 
 def lag(h: Array, sin: Array, cos: Array) -> Array:
-    """Return (2h − sin 2h)/(2h)²; by its series where the difference would lose digits."""
+    """Return (2h − sin 2h)/(2h)², for small h by its series, as the difference would lose digits."""
     y = 4.0 * h * h
     series = h / 3.0
     term = np.ones_like(h)
     for divisor in (210.0, 156.0, 110.0, 72.0, 42.0, 20.0):
         term = 1.0 - y / divisor * term
-    direct = (h - sin * cos) / np.maximum(0.5 * y, 0.5)  # a floor that is never reached where it counts
+    direct = (h - sin * cos) / np.maximum(0.5 * y, 0.5)  # the floor only avoids 0/0, where the series is used
     return np.where(y < 1.0, series * term, direct)
 
 
 def scaled_piece(piece: Piece, height: float, time: float) -> Piece:
     """Return a piece with its accelerations times ``height`` and its duration times ``time``.
 
-    c_i becomes height c_i/timeⁱ, P height P, ω ω/time; φ stays. Raises ValueError unless the time is positive.
+    c_i becomes height c_i/timeⁱ, P becomes height P, ω becomes ω/time; φ stays. Raises ValueError unless time > 0.
     """
     if not time > 0.0:
         raise ValueError(f"the time is {time:g}; expected more than 0")
@@ -193,7 +197,7 @@ def scaled_piece(piece: Piece, height: float, time: float) -> Piece:
 
 
 def cut(piece: Piece, shares: Sequence[float]) -> list[Piece]:
-    """Return the parts of a piece between these shares of its duration, each with its own u.
+    """Return the parts of a piece between these shares of its duration, each with u from its own begin.
 
     c'_i = Σ_{k ≥ i} c_k C(k, i) u₀ᵏ⁻ⁱ, φ' = φ + ω u₀ from the begin u₀ of a part.
     """
@@ -211,7 +215,7 @@ def cut(piece: Piece, shares: Sequence[float]) -> list[Piece]:
 
 
 def backwards(piece: Piece) -> Piece:
-    """Return a piece with the acceleration a'(u) = −a(d − u): a rise told from its end is a rise.
+    """Return a piece reversed in time, with the acceleration a'(u) = −a(d − u), so that a rise stays a rise.
 
     c'_i = −(−1)ⁱ Σ_{k ≥ i} c_k C(k, i) dᵏ⁻ⁱ, P' = P, ω' = ω, φ' = −(ωd + φ).
     """
@@ -225,10 +229,10 @@ def backwards(piece: Piece) -> Piece:
 
 
 def shifted(c: Sequence[float], i: int, d: float) -> float:
-    """Return the i-th coefficient of a polynomial told from d on."""
+    """Return the i-th coefficient of the polynomial Σ c_k xᵏ in powers of x − d: Σ_{k ≥ i} c_k C(k, i) dᵏ⁻ⁱ."""
     return sum(c[k] * math.comb(k, i) * d ** (k - i) for k in range(i, len(c)))
 
 
 def reversed_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
-    """Return the pieces of the same movement told backwards: rest to velocity for velocity to rest."""
+    """Return the pieces of the movement reversed in time: from rest to a velocity for from a velocity to rest."""
     return tuple(map(backwards, reversed(pieces)))

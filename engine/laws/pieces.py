@@ -1,4 +1,4 @@
-"""The engineer's own law, piece by piece (OWN): as it is entered, and scaled so that it ends at s = 1 and at rest."""
+"""The engineer's own law, piece by piece (OWN), as entered and normalized to end at s = 1 and at rest."""
 
 import math
 from collections.abc import Sequence
@@ -18,10 +18,10 @@ POLYNOMIAL_345 = (Piece(1.0, (0.0, 60.0, -180.0, 120.0)),)
 
 @dataclass(frozen=True)
 class PieceLaw(Law):
-    """A law given by its acceleration, piece by piece; s and v are carried on from s = v = 0.
+    """A law given by its acceleration, piece by piece; s and v are integrated from s = v = 0.
 
-    The durations of the pieces sum to 1 (within 1e-9), else ValueError; by default it is the polynomial 3-4-5. Whether
-    the law ends at s = 1 and at rest is the engineer's affair: see ``end``.
+    The default is the polynomial 3-4-5. The law need not end at s = 1 and at rest: see ``end``, :func:`normalized`.
+    Raises ValueError unless the durations of the pieces sum to 1 (within 1e-9).
     """
 
     code = "OWN"
@@ -39,14 +39,15 @@ class PieceLaw(Law):
 
     @cached_property
     def _rows(self) -> tuple[Array, int]:
-        """Columns of begin, s, v, the powers in use, and P, ω, sin φ, cos φ of the sines in use; how many powers."""
-        rows = np.array([one.piece.row for one in placed_pieces(self.pieces)]).T
-        where = np.array([(one.begin, one.s, one.v) for one in placed_pieces(self.pieces)]).T
+        """Columns of begin, s, v, the powers in use, and P, ω, sin φ, cos φ of the sines in use; number of powers."""
+        places = placed_pieces(self.pieces)
+        rows = np.array([place.piece.row for place in places]).T
+        where = np.array([(place.begin, place.s, place.v) for place in places]).T
         powers = int(np.flatnonzero(rows[:POWERS].any(axis=1)).max(initial=-1)) + 1
         return np.vstack([where, rows[:powers], *(rows[k : k + 4] for k in SINES if rows[k].any())]), powers
 
     def _block(self, xi: Array) -> Sequence[Array]:
-        """Return s, v, a, j of a flat array of ξ in [0, 1]: right for sines of any frequency."""
+        """Return s, v, a, j of a flat array of ξ in [0, 1], exact for sines of any frequency."""
         table, powers = self._rows
         begin, s0, v0, *row = table[:, :1] if table.shape[1] == 1 else table.take(stage_of(xi, table[0]), axis=1)
         u = xi - begin
@@ -58,59 +59,58 @@ class PieceLaw(Law):
         return self.pieces
 
 
-NONE = 1e-12  # a velocity gained by a piece below this is none, in units of the largest that any piece could gain
-ALIKE = 1e-6  # a travel below this is none, in the same units, and a determinant below this, in units of their square
+NONE = 1e-12  # share of the velocity that any piece could gain at most: a smaller gain counts as 0
+ALIKE = 1e-6  # the same for a travel, and for a determinant as a share of the square
 
 
 class Misses(NamedTuple):
-    """By how much a law misses: s(1) − 1 and v(1)."""
+    """The errors of a law at its end, dimensionless."""
 
-    s: float
-    v: float
+    s: float  # s(1) − 1
+    v: float  # v(1)
 
 
 def misses(pieces: Sequence[Piece]) -> Misses:
-    """Return by how much pieces, one after the other from rest, miss the rise 1 and rest at its end."""
+    """Return by how much consecutive pieces, from rest, miss the rise 1 and rest at the end."""
     last = placed_pieces(pieces)[-1]
     return Misses(last.s + last.ds - 1.0, last.v + last.dv)
 
 
 class Groups(NamedTuple):
-    """What the pieces that gain velocity add to s(1) and v(1), and what those that lose it; each one's gains."""
+    """The pieces in two groups, those that gain velocity (+) and those that lose it (−); see :func:`normalized`."""
 
-    gained: list[tuple[float, float]]
-    sizes: list[float]
-    slows: list[bool]
-    s1: float
-    v1: float
-    s2: float
-    v2: float
-    least: float  # a velocity below which none is gained
-    under: float  # S⁺ V⁻ − S⁻ V⁺
-    least_under: float  # a determinant below which there is none
-    factors: tuple[float, float]  # α and β; 0 where none do
-    mends: bool  # whether both factors are positive, one beside the other
+    gained: list[tuple[float, float]]  # what each piece adds to s(1) and v(1)
+    sizes: list[float]  # bound of the velocity that each piece could gain
+    slows: list[bool]  # whether each piece loses velocity
+    s1: float  # S⁺, sum over the first group
+    v1: float  # V⁺
+    s2: float  # S⁻, sum over the second group
+    v2: float  # V⁻
+    least: float  # a smaller gain of velocity counts as 0
+    under: float  # determinant S⁺ V⁻ − S⁻ V⁺
+    least_under: float  # a smaller determinant counts as 0
+    factors: tuple[float, float]  # α and β; 0 if there are none
+    mends: bool  # whether both factors are positive and of similar size
 
 
 def groups(pieces: Sequence[Piece]) -> Groups:
-    """Return the pieces in two groups, those that lose velocity apart."""
+    """Return the sums of the pieces that gain and of those that lose velocity, and the factors that normalize them."""
     whole, sizes = math.fsum(piece.duration for piece in pieces), [_size(piece) for piece in pieces]
-    found = [(one.ds - one.v * one.piece.duration + one.dv * (whole - one.begin - one.piece.duration), one.dv)
-             for one in placed_pieces(pieces)]  # fmt: skip
+    found = []
+    for place in placed_pieces(pieces):
+        left = whole - place.begin - place.piece.duration
+        found.append((place.ds - place.v * place.piece.duration + place.dv * left, place.dv))
     largest = max(sizes, default=0.0)
     least, least_under = NONE * largest, ALIKE * largest**2
     slows = [v < -least for _, v in found]
-    s1, v1, s2, v2 = (
-        math.fsum(one[i] for one, slow in zip(found, slows, strict=True) if slow == side)
-        for side in (False, True)
-        for i in (0, 1)
-    )
+    grouped = [[gain for gain, slow in zip(found, slows, strict=True) if slow == side] for side in (False, True)]
+    (s1, v1), (s2, v2) = ([math.fsum(s for s, _ in group), math.fsum(v for _, v in group)] for group in grouped)
     under = s1 * v2 - s2 * v1
     if any(slows) or v1 > least:
         factors = (v2 / under, -v1 / under) if abs(under) > least_under else (0.0, 0.0)
     else:
-        one = 1.0 / s1 if s1 > ALIKE * largest else 0.0
-        factors = one, one
+        common = 1.0 / s1 if s1 > ALIKE * largest else 0.0
+        factors = common, common
     mends = min(factors) > ALIKE * max(factors)
     return Groups(found, sizes, slows, s1, v1, s2, v2, least, under, least_under, factors, mends)
 
@@ -118,9 +118,9 @@ def groups(pieces: Sequence[Piece]) -> Groups:
 def normalized(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     """Return the pieces with c0 … c5 and P scaled so that the law ends at s = 1 and at rest.
 
-    All pieces that gain velocity have one factor α, all that lose it another, β: with S and V what either group
-    adds to s(1) and v(1), α S⁺ + β S⁻ = 1 and α V⁺ + β V⁻ = 0. Where v(1) = 0 already, both are 1/s(1).
-    Raises ValueError where no positive factors do: a law that only speeds up, or moves away from its rise.
+    All pieces that gain velocity are multiplied by α, all that lose it by β. With S and V, what each group adds to
+    s(1) and v(1), α S⁺ + β S⁻ = 1 and α V⁺ + β V⁻ = 0. If v(1) = 0 already, both are 1/s(1).
+    Raises ValueError if there are no positive factors: for a law that only speeds up, or moves away from its rise.
     """
     found = groups(pieces)
     if not found.mends:
@@ -134,6 +134,6 @@ def normalized(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
 
 
 def _size(piece: Piece) -> float:
-    """Return no less than the largest |a| of a piece times its duration."""
+    """Return an upper bound of max |a| · duration of a piece."""
     powers = sum(abs(c) * piece.duration**i for i, c in enumerate(piece.c))
     return piece.duration * (powers + abs(piece.amplitude) + abs(piece.amplitude2))

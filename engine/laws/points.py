@@ -1,7 +1,7 @@
-"""An own law by nine points of Gauss and Lobatto on each of its pieces: how the cells work out its coefficients.
+"""An own law by nine Gauss-Lobatto points on each of its pieces, as the cells compute its coefficients.
 
-Peaks are those of the points, or of the parabola by the slopes at two neighbours between which the slope changes its
-sign; the RMS is by the points' weights. What is true is in :mod:`engine.laws.ladder`.
+Peaks are the largest values at the points, or of the parabola between two points at which the slopes have different
+signs; the RMS is the weighted sum over the points. :mod:`engine.laws.ladder` has the exact coefficients.
 """
 
 import math
@@ -22,16 +22,16 @@ from engine.laws.pieces import PieceLaw
 
 
 class PieceEnds(NamedTuple):
-    """The acceleration at both ends of a piece; what the pieces so far have reached; the jump from there."""
+    """Dimensionless accelerations at the ends of a piece."""
 
     begin: float
     end: float
-    reached: float
-    jump: float
+    reached: float  # at the end of the last piece of any duration, up to this one
+    jump: float  # |a| by which the acceleration jumps at the begin; 0 of a piece without duration
 
 
 def piece_ends(pieces: Sequence[Piece]) -> list[PieceEnds]:
-    """Return accelerations at the ends of pieces that follow rest; one of no duration neither jumps nor counts."""
+    """Return the accelerations at the ends of consecutive pieces that follow rest."""
     found, reached = [], 0.0
     for piece in pieces:
         begin, end = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])[2].tolist()
@@ -40,18 +40,17 @@ def piece_ends(pieces: Sequence[Piece]) -> list[PieceEnds]:
     return found
 
 
-POINTS = 9  # of a piece, both its ends among them
-SAME = 1e-9  # of ξ: places no farther apart are one; of v: speeds; of a: a smaller jump is none
+POINTS = 9  # of a piece, with both its ends
+SAME = 1e-9  # difference of ξ, v or a below which two values count as equal
 _BASIS = Legendre.basis(POINTS - 1)
 _NODES = np.array([-1.0, *_BASIS.deriv().roots(), 1.0])
-SHARES: Array = (_NODES + 1.0) / 2.0  # of a piece's duration
-WEIGHTS: Array = 1.0 / (POINTS * (POINTS - 1) * _BASIS(_NODES) ** 2)
-"""of the points in an integral over the piece, 1 in all"""
-SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}  # what has extremes, with its slope
+SHARES: Array = (_NODES + 1.0) / 2.0  # places of the points, as shares of a piece's duration
+WEIGHTS: Array = 1.0 / (POINTS * (POINTS - 1) * _BASIS(_NODES) ** 2)  # of the points in a mean over the piece; sum 1
+SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}  # quantity and its derivative by ξ
 
 
 class Points:
-    """The points of a law on its pieces, spare ones and all, in arrays."""
+    """The points of a law on all its pieces, those without duration too: arrays of 9 values a piece, dimensionless."""
 
     def __init__(self, pieces: Sequence[Piece]) -> None:
         self.pieces = tuple(pieces)
@@ -70,14 +69,14 @@ class Points:
         self.rates = {"s": s0 + v0 * self.u + s, "v": v, "a": a, "j": j, "b": b, "va": v * a, "g": a * a + v * j}
 
     def crosses(self, what: str) -> NDArray[np.bool_]:
-        """Return of each point whether the slope changes its sign between the point before it, on its piece, and it."""
+        """Return for each point whether the slope changes its sign since the point before it on the same piece."""
         slope = self.rates[SLOPES[what]]
         return np.asarray((self.share > 0.0) & (np.roll(slope, 1) * slope < 0.0) & (self.part > 0.0))
 
     def local_extremes(self, what: str) -> Array:
-        """Return the extreme just before each point, or the value there; 0 on a piece that does not last.
+        """Return the extreme between each point and the one before it, else the value there; 0 without duration.
 
-        Between two points with the values f and the slopes g that extreme is
+        With the values f and the slopes g at the two points the extreme is
         (g₀ f₁ − g₁ f₀ − g₀ g₁ (u₁ − u₀)/2)/(g₀ − g₁).
         """
         f, g = self.rates[what], self.rates[SLOPES[what]]
@@ -88,13 +87,13 @@ class Points:
         return np.where(self.part > 0.0, found, 0.0)
 
     def extremes(self, what: str) -> tuple[float, float]:
-        """Return the lowest and the largest, that of the rest beside the law among them: 0."""
+        """Return the lowest and the largest value of a quantity of :data:`SLOPES`; 0 counts, the value at rest."""
         found = self.local_extremes(what)
         return min(0.0, float(found.min())), max(0.0, float(found.max()))
 
     @cached_property
     def fastest_xi(self) -> Array:
-        """ξ of each point, or of the extreme just before it, where v is largest; 1 where it is not."""
+        """ξ of each point, or of the extreme just before it, at which v is largest; 1 at all others."""
         a = self.rates["a"]
         crosses = self.crosses("v")
         over = np.where(crosses, a - np.roll(a, 1), 1.0)
@@ -109,7 +108,7 @@ class Points:
 
     @property
     def wrong_way(self) -> Array:
-        """By how much v falls before its largest, or rises behind it, from each point to the next."""
+        """Decrease of v before its peak, or increase after it, from the point before to each point; else 0."""
         v, crest = self.rates["v"], self.local_extremes("v")
         before = np.roll(v, 1)
         falls, rises = np.maximum(before, crest) - v, v - np.maximum(before, crest)
@@ -118,10 +117,10 @@ class Points:
 
     @property
     def coefficients(self) -> Coefficients:
-        """The law's coefficients as the points have them."""
+        """The law's coefficients by the points."""
         v, a, j, va = (self.extremes(what) for what in ("v", "a", "j", "va"))
         at = piece_ends(self.pieces)
-        jump = max(max(one.jump for one in at), abs(at[-1].reached))
+        jump = max(*(end.jump for end in at), abs(at[-1].reached))
         return Coefficients(
             cv=max(v[1], -v[0]), ca_max=a[1], ca_min=a[0],
             ca_rms=math.sqrt(float(np.sum(self.part * self.rates["a"] ** 2))),
@@ -130,7 +129,7 @@ class Points:
 
 
 class PointedLaw(PieceLaw):
-    """An own law whose coefficients are those by its points, as a workbook has them; :class:`PieceLaw` has the true."""
+    """An own law with the coefficients by its points, as in a workbook; those of :class:`PieceLaw` are exact."""
 
     @cached_property
     def points(self) -> Points:
@@ -139,22 +138,22 @@ class PointedLaw(PieceLaw):
 
     @cached_property
     def coefficients(self) -> Coefficients:
-        """Those by its points."""
+        """The coefficients by the points."""
         return self.points.coefficients
 
 
 def reach(law: Law) -> tuple[float, float]:
-    """Return the lowest and the highest position of a law; of one by points, as these have them."""
+    """Return the lowest and the highest position of a law: exact, of a :class:`PointedLaw` by its points."""
     return law.points.extremes("s") if isinstance(law, PointedLaw) else reach_of(law.as_pieces(), law.start.v)
 
 
 def slowest(law: Law) -> float:
-    """Return the lowest velocity of a law; of one by points, as these have it."""
-    return (
-        law.points.extremes("v")[0] if isinstance(law, PointedLaw) else extremes_of(law.as_pieces(), law.start.v).v[0]
-    )
+    """Return the lowest velocity of a law: exact, of a :class:`PointedLaw` by its points."""
+    if isinstance(law, PointedLaw):
+        return law.points.extremes("v")[0]
+    return extremes_of(law.as_pieces(), law.start.v).v[0]
 
 
 def fastest(law: Law) -> float:
-    """Return the first ξ at which v of a law is largest; of one by points, as these have it."""
+    """Return the first ξ at which v of a law is largest: exact, of a :class:`PointedLaw` by its points."""
     return law.points.peak if isinstance(law, PointedLaw) else velocity_peak(law)

@@ -1,4 +1,4 @@
-"""Polynomials between prescribed ends: cubic (y, v), quintic (y, v, a) and septic (y, v, a, j): CUB, PO5, PO7."""
+"""Polynomials by boundary values of v (CUB, cubic), of v and a (PO5, quintic) and of v, a and j (PO7, septic)."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -16,7 +16,10 @@ Table = tuple[tuple[int, ...], ...]
 
 @dataclass(frozen=True)
 class BoundaryPolynomial(BoundaryLaw):
-    """The least polynomial that meets the ends: ``TABLE`` times stroke, v0, v1, a0, a1, j0, j1 is c0, c1 … of a(ξ)."""
+    """The polynomial of least degree that meets boundary values.
+
+    ``TABLE``, a row for each of c0, c1 … of a(ξ), times the column stroke, v0, v1, a0, a1, j0, j1 gives them.
+    """
 
     TABLE: ClassVar[Table]
 
@@ -30,7 +33,7 @@ class BoundaryPolynomial(BoundaryLaw):
 
     @property
     def adjacent_accelerations(self) -> tuple[float, float]:
-        """Those that it begins and ends with: also where they follow from stroke and velocities."""
+        """The law's own accelerations at its ends, also those that follow from stroke and velocities."""
         return self.start.a, self.end.a
 
     def as_pieces(self) -> tuple[Piece, ...]:
@@ -39,7 +42,7 @@ class BoundaryPolynomial(BoundaryLaw):
 
 
 class BoundaryLine(BoundaryPolynomial):
-    """y'' = 0: what any law becomes between ends that a straight line meets."""
+    """A straight line, y'' = 0, in place of any law whose boundary values it meets."""
 
     code = "LIN"
     name = "Straight line"
@@ -47,9 +50,9 @@ class BoundaryLine(BoundaryPolynomial):
 
 
 class BoundaryCubic(BoundaryPolynomial):
-    """c0 = 6H − 4v0 − 2v1, c1 = −12H + 6(v0 + v1): of all motions between these ends that of least ∫a².
+    """c0 = 6H − 4v0 − 2v1, c1 = −12H + 6(v0 + v1): the motion of least ∫a² with these boundary values.
 
-    Its acceleration at the ends follows from stroke and velocities, and counts as asked for in C_j.
+    Its accelerations at the ends follow from stroke and velocities; C_j counts no jump there.
     Source: LCamHdl, ProfileTypes, POLY_3; TwinCAT, POLYNOM3_VV.
     """
 
@@ -85,10 +88,10 @@ class BoundarySeptic(BoundaryPolynomial):
 
 @dataclass(frozen=True)
 class HalvedPolynomial(HalvedLaw):
-    """Two halves of a symmetric polynomial, S: s = 2λ S(ξ/2λ) up to ξ = λ, s = 1 − 2μ S((1 − ξ)/2μ) from there.
+    """Two halves of a symmetric polynomial S: s = 2λ S(ξ/2λ) up to ξ = λ, then s = 1 − 2μ S((1 − ξ)/2μ), μ = 1 − λ.
 
-    The halves meet on the diagonal, s(λ) = λ, with the polynomial's own C_v and a = 0. With λ = ½ it is the
-    polynomial, and only then are its ends prescribed: by the polynomial of the same degree.
+    The halves meet at s(λ) = λ, with the polynomial's C_v and a = 0. With λ = ½ the law is the polynomial; only
+    then may it have boundary values, which the polynomial of the same degree meets.
     """
 
     ends = REST
@@ -96,11 +99,11 @@ class HalvedPolynomial(HalvedLaw):
 
     @property
     def takes(self) -> str:
-        """What the polynomial takes; nothing where a share shifts it."""
+        """The quantities of the polynomial's boundary values; none if λ is not ½."""
         return self.ENDED.TAKES if self.share == 0.5 else ""
 
     def between(self, ends: BoundaryValues) -> BoundaryPolynomial:
-        """Return the polynomial of this degree between these ends; EndError where a share shifts the law."""
+        """Return the polynomial of this degree with these boundary values; raise EndError if λ is not ½."""
         require_ends(self, ends, self.ENDED.TAKES)
         if self.share != 0.5:
             raise EndError(

@@ -1,4 +1,4 @@
-"""Pulses of acceleration, and laws of two pulses and a cruise: from one velocity to the greatest, and on to another."""
+"""Pulses of acceleration, and laws of two pulses with a cruise at constant velocity between them."""
 
 import math
 from abc import abstractmethod
@@ -19,10 +19,10 @@ SUM_TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Pulse:
-    """An acceleration p(x) of peak 1 over x from 0 to 1, nowhere negative, told from where the law begins, or ends."""
+    """An acceleration p(x) of peak 1 over x from 0 to 1, nowhere negative; x counts from the nearer end of the law."""
 
-    pieces: tuple[Piece, ...]  # from the outer end; a stage without length is among them
-    mirrored: tuple[Piece, ...]  # those of p(1 − x), from the inner end
+    pieces: tuple[Piece, ...]  # from the law's end inwards, with those without duration
+    mirrored: tuple[Piece, ...]  # those of p(1 − x)
 
     @cached_property
     def gain(self) -> float:
@@ -32,13 +32,13 @@ class Pulse:
 
     @cached_property
     def lead(self) -> float:
-        """κ = ∫(1 − x)p dx/w: the travel from rest, for unit velocity gained."""
+        """κ = ∫(1 − x)p dx/W: the travel from rest for unit velocity gained."""
         last = placed_pieces(self.pieces)[-1]
         return (last.s + last.ds) / self.gain
 
 
 def sine_edged(rise: float, flat: float, fall: float) -> Pulse:
-    """Return sin(πx/2d1), 1, cos(πx/2d3), each from the begin of its stage.
+    """Return the pulse sin(πx/2d1), 1, cos(πx/2d3) over the shares d1, d2, d3, x from the begin of each stage.
 
     Raises ValueError unless the shares are 0 or more and sum to 1.
     Source: S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'.
@@ -47,12 +47,12 @@ def sine_edged(rise: float, flat: float, fall: float) -> Pulse:
 
 
 def linear_edged(rise: float, flat: float, fall: float) -> Pulse:
-    """Return x/t1, 1, 1 − x/t3 from the begin of each stage: a ramp with limited jerk; see :func:`sine_edged`."""
+    """Return the pulse x/d1, 1, 1 − x/d3, a ramp of velocity with limited jerk; else as :func:`sine_edged`."""
     return _edged((rise, flat, fall), sine=False)
 
 
 def _edged(shares: tuple[float, float, float], sine: bool) -> Pulse:
-    """Return a pulse of an edge up, a constant, an edge down; backwards it has these exchanged."""
+    """Return a pulse of a rising edge, a constant and a falling edge."""
     if not (min(shares) >= 0.0 and abs(sum(shares) - 1.0) <= SUM_TOLERANCE):
         raise ValueError(f"the shares of a pulse are {shares}; expected three, none negative, of sum 1")
     return Pulse(_stages(*shares, sine), _stages(*shares[::-1], sine))
@@ -67,13 +67,13 @@ def _stages(rise: float, flat: float, fall: float, sine: bool) -> tuple[Piece, .
 
 
 def polynomial_pulse(*c: float) -> Pulse:
-    """Return Σ c_i xⁱ, which is of peak 1 and nowhere negative: the half of a symmetric polynomial law."""
+    """Return the pulse Σ c_i xⁱ, which must have the peak 1 and be nowhere negative."""
     piece = Piece(1.0, c + (0.0,) * (4 - len(c)))
-    return Pulse((piece,), (Piece(1.0, tuple(-one for one in backwards(piece).c)),))
+    return Pulse((piece,), (Piece(1.0, tuple(-mirrored for mirrored in backwards(piece).c)),))
 
 
-HALF_SINE = Pulse(ONE := (Piece(1.0, amplitude=1.0, omega=math.pi),), ONE)
-"""sin πx: two quarter sines that are one piece. Source: S3, 'CIC'"""
+_HALF_SINE = (Piece(1.0, amplitude=1.0, omega=math.pi),)
+HALF_SINE = Pulse(_HALF_SINE, _HALF_SINE)  # sin πx in one piece. Source: S3, 'CIC'
 FALLING_SINE = sine_edged(0.0, 0.0, 1.0)
 CONSTANT = polynomial_pulse(1.0)
 LINE_DOWN = polynomial_pulse(1.0, -1.0)  # the half of a cubic
@@ -84,14 +84,14 @@ HALF_4567 = polynomial_pulse(*(c / (42.0 / (5.0 * math.sqrt(5.0))) for c in (0.0
 
 
 def require_share(name: str, value: float, ends: bool = False) -> None:
-    """Raise ValueError unless a share is a number between 0 and 1, or with ``ends`` one of these."""
+    """Raise ValueError unless a share is between 0 and 1; with ``ends`` it may be 0 or 1."""
     require_finite(**{name: value})
     if not (0.0 < value < 1.0 or (ends and 0.0 <= value <= 1.0)):
         raise ValueError(f"{name} is {value:g}; expected a share {'from 0 to 1' if ends else 'between 0 and 1'}")
 
 
 def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
-    """Return seven shares of sum 1 as floats; raise ValueError for a negative one, or a pulse of no time."""
+    """Return seven shares of sum 1 as floats; raise ValueError for a negative one, or a pulse without duration."""
     durations = tuple(float(d) for d in given)
     if len(durations) != 7:
         raise ValueError(f"{len(durations)} durations are given; expected seven")
@@ -107,26 +107,25 @@ def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
 
 
 class TwoPulses(NamedTuple):
-    """A pulse over T₁, a cruise over T_c, and a pulse told backwards over T₂; the times sum to 1."""
+    """A pulse, a cruise and a second pulse, reversed in time; the times are shares of the law's and sum to 1."""
 
     rise: Pulse
-    rise_time: float
-    cruise: float
-    fall: Pulse
-    fall_time: float
+    rise_time: float  # T₁
+    cruise: float  # T_c
+    fall: Pulse  # x from the end of the law
+    fall_time: float  # T₂
 
 
 class Edge(NamedTuple):
-    """The edge on which a pulse falls to 0: the velocity v2 at its begin, the velocity g gained on it.
+    """The edge on which a pulse falls to 0.
 
     On a quarter sine v = v2 + g sin x and a = A cos x; on a straight line v = v2 + g(1 − y²) and a = A y.
-    ``at`` is sin x, or y, where v·a is greatest: 2g sin²x + v2 sin x = g, or 3g y² = v2 + g, at most 1.
     """
 
-    velocity: float
-    gain: float
-    sine: bool
-    at: float
+    velocity: float  # v2, at its begin
+    gain: float  # g, of velocity over the edge
+    sine: bool  # whether it is a quarter sine
+    at: float  # sin x, or y, at which v·a is largest: 2g sin²x + v2 sin x = g, or 3g y² = v2 + g, at most 1
 
     @classmethod
     def of(cls, pulse: Pulse, size: float) -> "Edge":
@@ -139,20 +138,19 @@ class Edge(NamedTuple):
 
 
 class PulseLaw(BoundaryLaw):
-    """From v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H.
+    """A law from v0 to V during T₁, at V during T_c, from V to v1 during T₂, over the stroke H.
 
     With::
 
         V = [H − v0 T₁ (1 − κ₁) − v1 T₂ (1 − κ₂)] / (κ₁ T₁ + T_c + κ₂ T₂)
-        A = (V − v0)/(w₁ T₁)      B = (V − v1)/(w₂ T₂)
+        A = (V − v0)/(W₁ T₁)      B = (V − v1)/(W₂ T₂)
 
-    w = ∫p and κ = ∫(1 − x)p dx/w of each pulse, the second told backwards. A and B are the heights of the
-    pulses, a = A p and then a = −B p, and may have either sign: the travel T (v + κ (V − v)) of the pulses and V T_c
-    add up to H.
+    W = ∫p dx and κ = ∫(1 − x)p dx/W belong to each pulse, the second reversed in time. A and B are the heights of the
+    pulses, a = A p and then a = −B p, of either sign: the travels T (v + κ (V − v)) of the pulses and V T_c of the
+    cruise add up to H.
     """
 
-    STAGES: ClassVar[tuple[int, ...] | None] = None
-    """which of the pieces of first pulse, cruise and second pulse the family has; all by default"""
+    STAGES: ClassVar[tuple[int, ...] | None] = None  # numbers of its pieces among pulse, cruise, pulse; None: all
 
     @abstractmethod
     def _pulses(self) -> TwoPulses:
@@ -165,10 +163,10 @@ class PulseLaw(BoundaryLaw):
 
     @property
     def lobes(self) -> tuple[tuple[float, float], ...]:
-        """Velocity gained, and travel from rest, of each pulse of unit height over its time: w T and κ w T²."""
+        """W T and κ W T² of each pulse: the velocity it gains and its travel from rest, for the height 1."""
         c = self.pulses
         sides = (c.rise, c.rise_time), (c.fall, c.fall_time)
-        return tuple((p.gain * time, p.lead * (p.gain * time) * time) for p, time in sides)
+        return tuple((pulse.gain * time, pulse.lead * (pulse.gain * time) * time) for pulse, time in sides)
 
     @cached_property
     def top(self) -> float:
@@ -189,13 +187,13 @@ class PulseLaw(BoundaryLaw):
 
     @property
     def inner_edges(self) -> tuple[Edge, Edge]:
-        """The edges of both pulses next to V, told from either end: where v·a of a law between rests is greatest."""
+        """The edges of both pulses next to the cruise, on which v·a of a law between rests is largest."""
         c = self.pulses
         return Edge.of(c.rise, self.acceleration * c.rise_time), Edge.of(c.fall, self.deceleration * c.fall_time)
 
     @property
     def early(self) -> int:
-        """How many of its monotone pieces are of the first pulse."""
+        """Number of the monotone pieces of the first pulse."""
         return sum(len(parts) for k, parts in self._stages(at_peaks) if k < len(self.pulses.rise.pieces))
 
     def as_pieces(self) -> tuple[Piece, ...]:
@@ -203,12 +201,12 @@ class PulseLaw(BoundaryLaw):
         return tuple(piece for _, parts in self._stages(lambda piece: [piece]) for piece in parts)
 
     def monotone_pieces(self) -> tuple[Piece, ...]:
-        """Return the same, each pulse cut at its peak: at shares of its time, so between prescribed ends too."""
+        """Return the same, each pulse cut at its peak; boundary values do not shift the cuts."""
         return tuple(piece for _, parts in self._stages(at_peaks) for piece in parts)
 
     @property
     def _placed(self) -> tuple[list[PlacedPiece], list[PlacedPiece], float]:
-        """The first pulse and the cruise, which has V exactly, from the begin; the second pulse from the end."""
+        """The first pulse and the cruise, at exactly V, from the begin; the second pulse from the end; the stroke."""
         c, e = self.pulses, self.ends
         rise = [scaled_piece(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
         fall = [scaled_piece(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces]
@@ -217,7 +215,7 @@ class PulseLaw(BoundaryLaw):
         return [*early, cruise._replace(s=travel, v=self.top)], placed_pieces(fall, e.v1), e.stroke
 
     def _stages(self, parted: Callable[[Piece], list[Piece]]) -> list[tuple[int, list[Piece]]]:
-        """Return the stages that the family has, by number, in parts."""
+        """Return the number and the parts of each stage that the family has."""
         c = self.pulses
         sides = (c.rise.pieces, self.acceleration, c.rise_time), (c.fall.mirrored, -self.deceleration, c.fall_time)
         rise, fall = (
@@ -229,7 +227,7 @@ class PulseLaw(BoundaryLaw):
 
 
 def pulses_of(durations: tuple[float, ...], edged: Callable[[float, float, float], Pulse]) -> TwoPulses:
-    """Return the pulses of an edge, a constant, an edge, a cruise, and the same mirrored, with these durations."""
+    """Return two pulses with edges and the cruise between them, of the durations of seven stages."""
     d1, d2, d3, d4, d5, d6, d7 = durations
     up, down = d1 + d2 + d3, d5 + d6 + d7
     return TwoPulses(edged(d1 / up, d2 / up, d3 / up), up, d4, edged(d7 / down, d6 / down, d5 / down), down)

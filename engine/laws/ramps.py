@@ -1,4 +1,4 @@
-"""Laws whose velocity rises on a ramp, stays, and falls on a ramp: TVP, SRT, SCV."""
+"""Laws whose velocity rises on a ramp, stays constant, and falls on a ramp: TVP, SRT, SCV."""
 
 import math
 from dataclasses import dataclass
@@ -21,12 +21,12 @@ from engine.laws.pulse_law import (
 
 @dataclass(frozen=True)
 class RampedLaw(PulseLaw):
-    """A pulse up to ``rise_end``, the same from ``fall_start`` on: 0 < rise_end ≤ fall_start < 1, else ValueError."""
+    """A law of one pulse at either end. Raises ValueError unless 0 < rise_end ≤ fall_start < 1."""
 
     HALF: ClassVar[Pulse]
 
-    rise_end: float
-    fall_start: float
+    rise_end: float  # ξ at which the first pulse ends
+    fall_start: float  # ξ at which the second pulse begins
 
     def __post_init__(self) -> None:
         require_finite(rise_end=self.rise_end, fall_start=self.fall_start)
@@ -82,21 +82,21 @@ HALVINGS = 200
 
 
 class Limits(NamedTuple):
-    """Greatest velocity, acceleration, deceleration, and jerk while speeding up and while slowing down."""
+    """Limits of a motion, all above 0, in any units of length and time (as m/s, m/s², m/s³)."""
 
     velocity: float
     acceleration: float
     deceleration: float
-    jerk_up: float
-    jerk_down: float
+    jerk_up: float  # while speeding up
+    jerk_down: float  # while slowing down
 
 
 @dataclass(frozen=True)
 class SCurve(PulseLaw):
-    """Seven stages: j = A/t1, 0, −A/t3, 0, −B/t5, 0, B/t7: each ramp of velocity with a jerk of its own.
+    """Seven stages, j = A/d1, 0, −A/d3, 0, −B/d5, 0, B/d7: each ramp of velocity with its own jerk.
 
-    Without limits of jerk it is the trapezoid of S1. ``durations`` are shares of the time, of sum 1 (within 1e-9), none
-    negative, neither the first three nor the last three all zero; else ValueError.
+    With d1 = d3 = d5 = d7 = 0 it is the trapezoid of S1. Raises ValueError unless the shares are 0 or more, sum to 1
+    (within 1e-9), and neither the first three nor the last three are all 0.
     """
 
     code = "SCV"
@@ -115,7 +115,7 @@ class SCurve(PulseLaw):
 
     @classmethod
     def of_shares(cls, ramp: float, jerk: float) -> Self:
-        """Return the symmetric curve of ramps of 0 < ``ramp`` ≤ ½, the share 0 ≤ ``jerk`` ≤ 1 of each under jerk."""
+        """Return the symmetric curve of ramps of 0 < ``ramp`` ≤ ½ of the time, under jerk in 0 ≤ ``jerk`` ≤ 1 of it."""
         if not (0.0 < ramp <= 0.5 and 0.0 <= jerk <= 1.0):
             raise ValueError(f"ramp is {ramp:g} and jerk {jerk:g}; expected 0 < ramp <= 0.5 and 0 <= jerk <= 1")
         edge, flat = jerk * ramp / 2.0, (1.0 - jerk) * ramp
@@ -125,8 +125,8 @@ class SCurve(PulseLaw):
     def of_limits(cls, stroke: float, limits: Limits) -> tuple[Self, float]:
         """Return the quickest curve within the limits over a stroke, and its time, in the limits' units.
 
-        A ramp to V takes V/A + A/J, or 2√(V/J) where A is never reached, and travels half of V times that; where both
-        ramps travel farther than the stroke, V is lowered until they do not. Raises ValueError unless all are positive.
+        A ramp to V takes V/A + A/J, or 2√(V/J) if A is never reached, and travels V/2 times that. If both ramps travel
+        farther than the stroke, V is lowered until they do not. Raises ValueError unless all figures are positive.
         """
         if not min(stroke, *limits) > 0.0:
             raise ValueError(f"the stroke is {stroke:g} and the limits {tuple(limits)}; expected them positive")
@@ -151,6 +151,6 @@ class SCurve(PulseLaw):
 
 
 def _ramp(velocity: float, acceleration: float, jerk: float) -> tuple[float, float]:
-    """Return how long the jerk lasts on each side of a ramp from rest, and the constant acceleration between."""
+    """Return the time under jerk on each side of a ramp from rest, and the time at constant acceleration between."""
     edge = min(acceleration / jerk, math.sqrt(velocity / jerk))
     return edge, max(velocity / (jerk * edge) - edge, 0.0)

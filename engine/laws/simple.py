@@ -1,4 +1,4 @@
-"""Laws of no pulse (DWL, LIN), of one over the share λ and the same backwards (ACS, CIC, SHM), of two sines (DHM)."""
+"""Laws without pulses (DWL, LIN), of one pulse and its mirror image (ACS, CIC, SHM), and of two sines (DHM)."""
 
 import math
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ class Dwell(Law):
 
 @dataclass(frozen=True)
 class StraightLine(Law):
-    """s = ξ; v = 1: constant velocity. Against rest the velocity jumps, which its coefficients do not count."""
+    """s = ξ, v = 1: constant velocity. Next to a dwell the velocity jumps, which its coefficients do not count."""
 
     code = "LIN"
     name = "Straight line"
@@ -41,13 +41,13 @@ class StraightLine(Law):
 
     @property
     def entry_velocity(self) -> float:
-        """The velocity 1."""
+        """Velocity at ξ = 0: 1."""
         return 1.0
 
 
 @dataclass(frozen=True)
 class HalvedLaw(PulseLaw):
-    """A pulse over the share λ of the time, and the same backwards over the rest."""
+    """A pulse over the share λ of the time, and its mirror image over the rest."""
 
     STAGES = (0, 2)
     HALF: ClassVar[Pulse]
@@ -117,7 +117,7 @@ FROM_REST = Piece(1.0, amplitude=PEAK, omega=math.pi, phase=COSINE, amplitude2=-
 class DoubleHarmonic(Law):
     """s = sin⁴(πξ/2), from rest to a reversal: a = (π²/2)(cos πξ − cos 2πξ).
 
-    At its end v = 0 and a = −π²: its mirror image has to follow, never a dwell. Its begin is as smooth as that of the
+    At its end v = 0 and a = −π², so its mirror image has to follow, never a dwell. It begins as smoothly as the
     polynomial 4-5-6-7.
     """
 

@@ -1,4 +1,4 @@
-"""Points joined by a cubic spline (SPL): the law, and its solution row by row as a table of cells has it."""
+"""Points joined by a cubic spline (SPL): the law, and its solution row by row, as a table of cells has it."""
 
 import itertools
 import math
@@ -15,8 +15,8 @@ from engine.laws.family import Vendors
 from engine.laws.inverse import velocity_peak
 from engine.laws.piece import Piece
 
-MOST = 100
-NARROWEST = 1e-6  # of the time, between two points
+MOST = 100  # points
+NARROWEST = 1e-6  # least step of ξ between two points
 Point = tuple[float, float]
 Slopes = tuple[float | None, float | None]
 EXAMPLE: tuple[Point, ...] = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1.0, 1.0))
@@ -24,7 +24,11 @@ EXAMPLE: tuple[Point, ...] = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85)
 
 @dataclass(frozen=True)
 class Spline(BoundaryLaw):
-    """The cubic spline in moments: v and a are continuous, a is linear between two points. TwinCAT: CubicSpline."""
+    """The cubic spline through points: v and a are continuous, a is linear between two points.
+
+    Raises ValueError for fewer than 2 or more than 100 points, points that do not rise in ξ from (0, 0) to (1, 1), and
+    numbers that are not finite.
+    """
 
     code = "SPL"
     name = "Cubic spline"
@@ -32,9 +36,9 @@ class Spline(BoundaryLaw):
     source = "the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline"
     vendors = Vendors(twincat="CubicSpline (MC3: 11)")
 
-    points: tuple[Point, ...] = EXAMPLE  # 2 to 100 (ξ, s), of rising ξ, from (0, 0) to (1, 1), else ValueError
-    slopes: Slopes = (None, None)  # entered velocities at the ends; None: the neighbouring phase's, 0 beside a dwell
-    natural: tuple[bool, bool] = (False, False)  # which ends are free: a = 0 there, and no velocity
+    points: tuple[Point, ...] = EXAMPLE  # (ξ, s)
+    slopes: Slopes = (None, None)  # entered velocities at the ends; None: the neighbouring phase's, 0 next to a dwell
+    natural: tuple[bool, bool] = (False, False)  # whether each end is natural: a = 0, and v follows
     ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
@@ -52,17 +56,17 @@ class Spline(BoundaryLaw):
 
     @property
     def fixes_ends(self) -> bool:
-        """Whether both ends are settled by itself: by an entered slope, or as natural ones."""
+        """Whether both ends have an entered slope or are natural."""
         return all(free or slope is not None for free, slope in zip(self.natural, self.slopes, strict=True))
 
     @cached_property
     def moments(self) -> Array:
-        """Acceleration a at each point."""
+        """Acceleration at each point."""
         return tridiagonal(*self.system)
 
     @cached_property
     def system(self) -> tuple[Array, Array, Array, Array]:
-        """The equations of the moments: below, on and above the diagonal, and their right sides.
+        """The tridiagonal equations of the accelerations at the points: lower, main and upper diagonal, right side.
 
         With the steps d_k = ξ_{k+1} − ξ_k and the slopes m_k between the points, d_{k−1} a_{k−1} + 2(d_{k−1} + d_k) a_k
         + d_k a_{k+1} = 6(m_k − m_{k−1}), and at an end with the slope v, 2 d_0 a_0 + d_0 a_1 = 6(m_0 − v).
@@ -85,13 +89,13 @@ class Spline(BoundaryLaw):
 
     @cached_property
     def knots(self) -> tuple[Array, Array]:
-        """ξ and s of the points, with the stroke."""
+        """ξ of the points, and their s times the stroke."""
         xi, s = np.array(self.points).T
         return xi, s * self.ends.stroke
 
     @cached_property
     def table(self) -> Array:
-        """ξ, s, v, a and j at the begin of each interval, in columns."""
+        """ξ, s, v, a and j at the begin of each interval: shape (5, n − 1) for n points."""
         (xi, s), a = self.knots, self.moments
         d = np.diff(xi)
         v = np.diff(s) / d - d * (2.0 * a[:-1] + a[1:]) / 6.0
@@ -99,11 +103,11 @@ class Spline(BoundaryLaw):
 
     @property
     def entry_velocity(self) -> float:
-        """The velocity at the first point."""
+        """Velocity at the first point."""
         return float(self.table[2, 0])
 
     def as_pieces(self) -> tuple[Piece, ...]:
-        """Return one cubic an interval."""
+        """Return one cubic for each interval."""
         d = np.diff(self.knots[0])
         return tuple(
             Piece(float(t), (float(a), float(j), 0.0, 0.0)) for t, a, j in zip(d, *self.table[3:], strict=True)
@@ -124,7 +128,7 @@ def _require(points: Sequence[Point]) -> None:
 
 
 def eliminate_forward(below: Array, diagonal: Array, above: Array, right: Array) -> tuple[list[float], ...]:
-    """Return forward elimination of a tridiagonal system of dominant diagonal: shares, pivots, right sides."""
+    """Return multipliers, pivots and right sides of a diagonally dominant tridiagonal system, eliminated forward."""
     d, x, shares = diagonal.tolist(), right.tolist(), [0.0]
     for k, (low, high) in enumerate(zip(below.tolist(), above.tolist(), strict=True)):
         share = low / d[k]
@@ -135,7 +139,7 @@ def eliminate_forward(below: Array, diagonal: Array, above: Array, right: Array)
 
 
 def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Array:
-    """Return x of a tridiagonal system: forward elimination, then back substitution."""
+    """Return the solution of a diagonally dominant tridiagonal system by Gaussian elimination."""
     _, d, x = eliminate_forward(below, diagonal, above, right)
     x[-1] /= d[-1]
     for k in range(len(d) - 2, -1, -1):
@@ -144,13 +148,13 @@ def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Ar
 
 
 WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
-STILL = 1e-9  # of the largest velocity: one below this is none
-EQUAL = 1e-12  # of the largest velocity: peaks that differ by less are equal
-SAME = 1e-9  # of ξ: places no farther apart are one
+STILL = 1e-9  # share of the largest velocity below which a velocity counts as 0
+EQUAL = 1e-12  # share of the largest velocity by which equal peaks may differ
+SAME = 1e-9  # difference of ξ below which two places are the same
 
 
 def rising_zeros(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Array, still: float) -> Array:
-    """Return u at which v rises through 0 on each interval; 0 where it does not by more than ``still``."""
+    """Return u at which v rises through 0 on each interval, from below −``still`` to above ``still``; else 0."""
     rises = ((v < -still) & (high > still)) | ((v1 > still) & (low < -still))
     root = np.sqrt(np.maximum(0.0, a**2 - 2.0 * j * v))
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -159,34 +163,34 @@ def rising_zeros(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Arra
 
 @dataclass(frozen=True)
 class SplineTable:
-    """A spline in a table of ``rows``, of which the first are its points; its extremes interval by interval.
+    """A spline as a table of cells has it: a row for each point, then spare rows; with its extremes by interval.
 
-    On an interval a is linear and W = a² − 2 j v the same everywhere: so v turns where a = 0, v = 0 where a = ±√W, and
-    v·a is stationary where a = ±√(W/3), and is ∓W a/(3j) there.
+    On an interval a is linear and W = a² − 2 j v constant. So v is extreme where a = 0, v = 0 where a = ±√W, and v·a is
+    stationary where a = ±√(W/3), with the value −W a/(3j).
     """
 
     law: Spline
-    rows: int
+    rows: int  # of the table, spare ones included
 
     @property
     def used(self) -> int:
-        """How many points it has."""
+        """Number of points."""
         return len(self.law.points)
 
     @property
     def slopes(self) -> tuple[float, float]:
-        """The slopes entered, 0 where none is."""
+        """The entered slopes, 0 if none is entered."""
         first, last = self.law.slopes
         return first or 0.0, last or 0.0
 
     def filled(self, values: Sequence[Any] | Array, spare: Any) -> list[Any]:
-        """Return a column of the table, with ``spare`` in the rows that are left."""
+        """Return a column of the table, with ``spare`` in the spare rows."""
         column = np.asarray(values).tolist()
         return [*column, *[spare] * (self.rows - len(column))]
 
     @cached_property
     def solved(self) -> dict[str, list[Any]]:
-        """What is solved at each point, by column: forward from the first, ``back`` from the last."""
+        """Columns of the elimination, a value for each point: forward from the first, ``back`` from the last."""
         below, _, above, right = self.law.system
         shares, pivots, rights = eliminate_forward(*self.law.system)
         xi, s = self.law.knots
@@ -207,7 +211,7 @@ class SplineTable:
 
     @cached_property
     def intervals(self) -> dict[str, Array]:
-        """The interval that begins in each row, by column; behind the last point one of no duration."""
+        """Columns of the interval that begins in each row; from the last point on intervals without duration."""
         (xi, s), moments, end, rates = self.law.knots, self.law.moments, self.law.end, self.law.table
         velocities = [*rates[2], end.v]
         begun = {
@@ -239,12 +243,12 @@ class SplineTable:
 
     @property
     def still(self) -> float:
-        """A velocity below which there is none."""
+        """Velocity below which the law counts as at rest."""
         return STILL * self.law.coefficients.cv
 
     @property
     def fastest_xi(self) -> Array:
-        """The first ξ of each interval at which v is the largest of all; 1 where it is nowhere."""
+        """The first ξ of each interval at which v reaches its peak over the law; 1 of an interval without the peak."""
         xi, d, v, a, a1, high = (self.intervals[name] for name in ("xi", "d", "v", "a", "a1", "v_high"))
         top = high.max() - EQUAL * abs(high.max())
         over = np.where((a > 0.0) & (a1 < 0.0), a - a1, 1.0)
@@ -258,7 +262,7 @@ class SplineTable:
 
     @property
     def wrong_way(self) -> Array:
-        """By how much v falls before its peak, or rises after it, at once, interval by interval."""
+        """Decrease of v before its peak, or increase after it, within each interval; else 0."""
         xi, d, v, v1, low, high = (self.intervals[name] for name in ("xi", "d", "v", "v1", "v_low", "v_high"))
         falls, rises = np.maximum(v - low, high - v1), np.maximum(high - v, v1 - low)
         step = np.where(xi + d <= self.peak + SAME, falls, np.where(xi >= self.peak - SAME, rises, 0.0))
