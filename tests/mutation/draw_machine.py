@@ -11,7 +11,7 @@ from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.time_based import in_units_of
-from workbook.motion.asked import Smoothness, within
+from workbook.motion.requirements import Smoothness, within
 
 SHAPED = {name for name in MOVING if name != "OWN"}
 

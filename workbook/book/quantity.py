@@ -13,7 +13,7 @@ from openpyxl.utils import get_column_letter
 
 from workbook.book.chart import in_scope
 from workbook.book.rows import as_rows, filled
-from workbook.book.sentence import Said, Sentence, quoted
+from workbook.book.sentence import CheckSentence, Sentence, quoted
 
 if TYPE_CHECKING:
     from workbook.book.sheet import Sheet
@@ -125,14 +125,14 @@ def constant(name: str, label: str, symbol: str, unit: str, value: Any, source: 
 
 
 def check(
-    name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str | Said = ""
+    name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str | CheckSentence = ""
 ) -> Quantity:
     """Return a check: a cell that says OK where ``condition``, a formula without =, is TRUE, and FAIL where it is not.
 
     Whether it is ``ok`` comes by other means. Where it fails, the cell beside it ``says`` why: a formula without =,
     with what it gives where the check mirrors no ``rule`` of the entries.
     """
-    text, said = says if isinstance(says, Said) else (says, "")
+    text, said = says if isinstance(says, CheckSentence) else (says, "")
     return Quantity(name, label, "", "", "check", f'=IF({condition},"OK","FAIL")', "OK" if ok else "FAIL",
                     source=source, rule=rule, says=text, said=said)  # fmt: skip
 

@@ -46,39 +46,39 @@ def first_text(texts: str) -> str:
     return f'MATCH("?*",{texts},0)'
 
 
-class Said(NamedTuple):
+class CheckSentence(NamedTuple):
     """The sentence of a check where it fails: the formula of it, and what that gives by the engine."""
 
     says: str
     said: str
 
-    def then(self, other: Self) -> "Said":
+    def then(self, other: Self) -> "CheckSentence":
         """Return this sentence with another behind it."""
-        return Said("&".join(filter(None, [self.says, other.says])), self.said + other.said)
+        return CheckSentence("&".join(filter(None, [self.says, other.says])), self.said + other.said)
 
 
-NOTHING = Said("", "")
+NOTHING = CheckSentence("", "")
 
 
-def amount(cell: str, value: float, before: str, after: str) -> Said:
+def amount(cell: str, value: float, before: str, after: str) -> CheckSentence:
     """Return a sentence on the amount that a formula without = gives, rounded for people, between words."""
     return around(shown(cell), rounded(value), before, after)
 
 
-def bound(cell: str, value: float, before: str, after: str) -> Said:
+def bound(cell: str, value: float, before: str, after: str) -> CheckSentence:
     """Return a sentence on an amount of at least 0 up to which something holds: to one decimal, rounded down."""
     # less than 0.05 is taken off, so that a whole amount such as 200 lies at no edge of the rounding
     said = f"{round(max(0.0, value - 0.0499), 1):.15g}"
     return around(f"ROUND(MAX(0,{cell}-0.0499),1)", said, before, after)
 
 
-def around(shows: str, shown: str, before: str, after: str) -> Said:
+def around(shows: str, shown: str, before: str, after: str) -> CheckSentence:
     """Return a sentence of what a formula shows between words."""
     texts = [before and quoted(before), shows, after and quoted(after)]
-    return Said("&".join(filter(None, texts)), f"{before}{shown}{after}")
+    return CheckSentence("&".join(filter(None, texts)), f"{before}{shown}{after}")
 
 
-def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Said:
+def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> CheckSentence:
     """Return a sentence on a value above its limit, by formulas and engine: what it is, and by how much too large."""
     one = amount(cell, value, "", f" {unit}, ")
     return one.then(amount(f"{cell}-{limit}", value - most, "", f" {unit} too much"))

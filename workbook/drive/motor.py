@@ -6,14 +6,14 @@ The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and
 from engine.drive.motor import CORNERS, LimitCorners, Motor, Reserve
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
-from workbook.book.sentence import NOTHING, Said, amount, exceeding
+from workbook.book.sentence import NOTHING, CheckSentence, amount, exceeding
 from workbook.fields.units import RPM, shown
 
 RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"  # colours in the plane of speed and torque
 PEAKS = "MAX(@tmax,0-@tmin)"
 
 
-def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quantity]:
+def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> list[Quantity]:
     """Return the checks of RMS torque, peak torque and speed; ``mends`` says, behind what fails, what would mend it."""
     found = (("rms", "RMS torque within the continuous torque", "@rms", "@continuous", "Nm", 1.0, reserve.rms_torque),
              ("peak", "peak torque within the motor's", PEAKS, "@motor_peak", "Nm", 1.0, reserve.peak_torque),
@@ -25,14 +25,16 @@ def limit_checks(reserve: Reserve, of: str, mends: Said = NOTHING) -> list[Quant
     ]  # fmt: skip
 
 
-def below_curve(of: str, falls: float, spare: float, mends: Said = NOTHING) -> Quantity:
+def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTHING) -> Quantity:
     """Return the check that the torque stays below a curve that falls (Nm s), of which so much is to spare (Nm)."""
     says = amount("0-@spare", -spare, "", " Nm more than the motor has at its speed").then(mends)
     return check("@ok_curve", f"{of}: torque below the motor's curve", "OR(@fall=0,@spare>=0)",
                  not falls or spare >= 0.0, says=says)  # fmt: skip
 
 
-def within_reducer(of: str, *found: tuple[str, str, str, bool, float, float], mends: Said = NOTHING) -> list[Quantity]:
+def within_reducer(
+    of: str, *found: tuple[str, str, str, bool, float, float], mends: CheckSentence = NOTHING
+) -> list[Quantity]:
     """Return checks of a reducer's limits: which, its cells, whether it is met, value and limit as shown."""
     units = {"torque": "Nm", "mean torque": "Nm", "speed": "rpm"}
     names = {"torque": "peak", "mean torque": "mean", "speed": "speed"}

@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 
 from workbook.entries import rules
 from workbook.entries.machine import Design, Fault, Machine, Replaced
-from workbook.fields.types import DesignError, TogetherError
+from workbook.fields.types import DesignError, DesignFaultsError
 from workbook.laws.entries import key_of
 
 M = TypeVar("M", bound=Machine)
@@ -74,7 +74,7 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
     """Return the faults of numbers (beyond bounds, missing, at odds) that one of pydantic's tells; None for others."""
     key, rule = keys_of(model, fault["loc"])
     cause = fault.get("ctx", {}).get("error")
-    if isinstance(cause, TogetherError):
+    if isinstance(cause, DesignFaultsError):
         return [of_rule(key, error) for error in cause.found]
     if key.startswith("sizes") or fault["type"] == "extra_forbidden":
         return None

@@ -54,7 +54,7 @@ class DesignError(EntryError):
         self.rule, self.fits = rule, fits
 
 
-class TogetherError(ValueError):
+class DesignFaultsError(ValueError):
     """All that does not go together below one model."""
 
     def __init__(self, found: list[DesignError]) -> None:
@@ -75,5 +75,5 @@ class Model(BaseModel):
     def _goes_together(self) -> Self:
         found = list(self.design_faults())
         if found:
-            raise TogetherError(found)
+            raise DesignFaultsError(found)
         return self

@@ -18,7 +18,7 @@ from workbook.motion.pieces import POSITION, finding, sampled
 TITLE = "Export"
 
 
-class Later(NamedTuple):
+class ShiftCells(NamedTuple):
     """By how much a motion is later than its pieces say: the cells that tell it, and the engine's figures."""
 
     by: str
@@ -38,7 +38,7 @@ class Exportable(NamedTuple):
     unit: tuple[float, float]  # what one of the motion's x and y is in them
     turned: str  # the formula of that for y
     size: Callable[[int], float]  # how large each derivative grows
-    later: Later | None = None
+    later: ShiftCells | None = None
     scope: str = ""  # what the names of its cells begin with
     over: Abscissa = ANGLE  # what a motion in degrees is shown over
 

@@ -14,8 +14,8 @@ from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
 from workbook.book.sentence import spelled
 from workbook.fields.units import DEGREE, shown
-from workbook.motion.asked import CROWDED, ROOM_RULE
 from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, last_before, of_law
+from workbook.motion.requirements import CROWDED, ROOM_RULE
 
 TITLE = "The motion as pieces"
 ABOUT = (

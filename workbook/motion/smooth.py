@@ -10,11 +10,11 @@ from engine.motion.joining import JUMP, ORDERS, Joint, Rates, joints, scales_of,
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
-from workbook.book.sentence import Said, Sentence, figure
+from workbook.book.sentence import CheckSentence, Sentence, figure
 from workbook.fields.units import DEGREE, shown
-from workbook.motion.asked import ABOUT, Asked, in_time, timed
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import at_begin, at_place, place_columns
+from workbook.motion.requirements import ABOUT, RequiredSmoothness, in_time, timed
 
 RATES = ("v", "a", "j")
 NOTHING: dict[str, Any] = {  # what is told of a jump, by the names of its cells, where nothing jumps
@@ -33,12 +33,17 @@ class Joints:
     """
 
     def __init__(
-        self, rows: PieceRows, asked: Asked, found: Sequence[Joint], scales: Rates, phases: Sequence[Phase] = ()
+        self,
+        rows: PieceRows,
+        asked: RequiredSmoothness,
+        found: Sequence[Joint],
+        scales: Rates,
+        phases: Sequence[Phase] = (),
     ) -> None:
         self.rows, self.asked, self.found, self._scales, self._phases = rows, asked, tuple(found), scales, phases
 
     @classmethod
-    def of(cls, rows: PieceRows, motion: Motion, asked: Asked) -> Self:
+    def of(cls, rows: PieceRows, motion: Motion, asked: RequiredSmoothness) -> Self:
         """Return the joints of a motion of phases."""
         scales = scales_of(motion)
         found = joints(rows.pieces, scales, asked.smooth, asked.periodic)
@@ -243,7 +248,12 @@ class Joints:
         head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
         said = f"{asked.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
         return check(
-            name, label, f"{asked.order}_piece=0", not self._worst, ABOUT, says=Said(f"{head}{asked.order}_says", said)
+            name,
+            label,
+            f"{asked.order}_piece=0",
+            not self._worst,
+            ABOUT,
+            says=CheckSentence(f"{head}{asked.order}_says", said),
         )
 
     def _told(self) -> dict[str, Any]:

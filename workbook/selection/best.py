@@ -9,8 +9,8 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.fields.units import PER_RPM, RPM, shown
-from workbook.selection.choosing import BEST, Choosing, rms_of, torque_of
 from workbook.selection.grids import DASH
+from workbook.selection.pair_selection import BEST, PairSelection, rms_of, torque_of
 
 
 def at(column: str, place: str) -> str:
@@ -23,7 +23,7 @@ def there(formula: str, none: str = "0") -> str:
     return f"=IF([place]<=@count,{formula},{none})"
 
 
-def best_table(sheet: Sheet, view: Choosing) -> None:
+def best_table(sheet: Sheet, view: PairSelection) -> None:
     """Declare the list of the best pairs."""
     pairs, found = view.ranked[:BEST], view.listed
     torque = max([view.own.peak, *(one.peak for one in found), 1e-3])
@@ -63,7 +63,7 @@ def best_table(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
-def order_table(sheet: Sheet, view: Choosing) -> None:
+def order_table(sheet: Sheet, view: PairSelection) -> None:
     """Declare which pairs the best are: the smallest keys, and the rows of the catalogue that these tell."""
     pairs, across = view.ranked[:BEST], view.rooms[1]
     sheet.row += 1
@@ -82,7 +82,7 @@ def order_table(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
-def figures(view: Choosing) -> list[Quantity]:
+def figures(view: PairSelection) -> list[Quantity]:
     """Return the columns of a pair's figures, and of what it leaves below its motor's curve."""
     pairs, m = view.ranked[:BEST], view.motors
     each = [view.grid.pair(*pair) for pair in pairs]
@@ -127,7 +127,7 @@ def figures(view: Choosing) -> list[Quantity]:
 NAMED = 6  # pairs that a chart shows
 
 
-def uses(sheet: Sheet, view: Choosing) -> None:
+def uses(sheet: Sheet, view: PairSelection) -> None:
     """Declare the points of the chart, of the drive's pair the last: left of its edge where there is no pair."""
     pairs = view.ranked[:NAMED]
     names = filled([f"{view.motors.names[m]} + {view.reducers.names[r]}" for m, r in pairs], NAMED, "–")

@@ -12,13 +12,13 @@ from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.fields.units import RPM, shown
-from workbook.selection.choosing import AS_ENTERED, MIXED, SQUARE, Choosing, rms_of
 from workbook.selection.grids import DASH, LARGE, continuous, of, wanted, weak
+from workbook.selection.pair_selection import AS_ENTERED, MIXED, SQUARE, PairSelection, rms_of
 
 OWN = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}
 
 
-def chosen(sheet: Sheet, view: Choosing) -> None:
+def chosen(sheet: Sheet, view: PairSelection) -> None:
     """Declare the named drive, what its reducer makes of the load, its motor and reducer; all that may be named."""
     number = "MATCH(@axis,[@drives.axis],0)" if len(view.shafts) > 1 else "COUNT([@drives.k])"
     taken = "INDEX([@drives.{}],@no)" if len(view.shafts) > 1 else "[@drives.{}.1]"  # no single cell is looked up alike
@@ -48,7 +48,7 @@ def chosen(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
-def points_table(sheet: Sheet, view: Choosing) -> None:
+def points_table(sheet: Sheet, view: PairSelection) -> None:
     """Declare the points of the named drive."""
     shaft, load, of = view.shaft, view.load.points, view.shaft.by_point
     behind, rows = shaft.torque, list(range(1, shaft.rows * POINTS + 1))
@@ -75,7 +75,7 @@ GROUP = 5  # drives among which one formula chooses
 
 
 def named(
-    view: Choosing, column: str, label: str, symbol: str, unit: str, values: Array, whole: str = "{}", **more: Any
+    view: PairSelection, column: str, label: str, symbol: str, unit: str, values: Array, whole: str = "{}", **more: Any
 ) -> list[Quantity]:
     """Return the column of a figure, within ``whole``, of the named drive; of many, one for each group before it."""
     names = [f"INDEX({one.columns}_{column},[k])" for one in view.shafts]
@@ -100,7 +100,7 @@ NAMED = '=IF([@drives.{0}.same]=0,"{1}",INDEX([{2}.name],MAX(1,[@drives.{0}.same
 ABOUT = "Behind the reducer that the drive has, whose own limits are checked on the sheet of the drive."
 
 
-def every_drive(sheet: Sheet, view: Choosing) -> None:
+def every_drive(sheet: Sheet, view: PairSelection) -> None:
     """Declare the table of all drives: the pair of each, and the motors that can do it behind its reducer."""
     drives = view.every_drive
     motors, reducers = zip(*(one.held_names for one in drives), strict=True)
@@ -122,7 +122,7 @@ def every_drive(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
-def motors_by_drives(sheet: Sheet, view: Choosing) -> None:
+def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:
     """Declare what each motor has to do behind the reducer of each drive, and what it fails first."""
     drives, each = view.every_drive, [one.behind_own for one in view.every_drive]
     loads(sheet, view)
@@ -140,7 +140,7 @@ def motors_by_drives(sheet: Sheet, view: Choosing) -> None:
         matrix(sheet, view, f"all_{name}", title, formula, [getattr(one, figure)[:, 0] for one in each], spare, **more)
 
 
-def loads(sheet: Sheet, view: Choosing) -> None:
+def loads(sheet: Sheet, view: PairSelection) -> None:
     """Declare what the reducer of each drive makes of its load."""
     drives, least = view.every_drive, view.given.least_speed_margin
     product, square = max(one.shaft.product for one in drives), max(one.shaft.torque**2 for one in drives)
@@ -175,7 +175,7 @@ def loads(sheet: Sheet, view: Choosing) -> None:
     )  # fmt: skip
 
 
-def place_of(view: Choosing, motor: int) -> int:
+def place_of(view: PairSelection, motor: int) -> int:
     """Return a number by which motors are in the order of their rated torque, then of the catalogue."""
     return int(view.grid.smaller[motor]) * view.rooms[0] + motor + 1
 
@@ -186,7 +186,7 @@ def of_drive(formula: str) -> str:
 
 
 def matrix(
-    sheet: Sheet, view: Choosing, name: str, title: str, formula: Callable[[int], str], values: list[NDArray[Any]],
+    sheet: Sheet, view: PairSelection, name: str, title: str, formula: Callable[[int], str], values: list[NDArray[Any]],
     spare: Any, **more: Any,
 ) -> None:  # fmt: skip
     """Declare a table of motors down and drives across."""
@@ -213,7 +213,7 @@ def share(n: int) -> str:
     return f"IF({of('on')}=1,{rms}/({continuous(f'[@behind.mean.{n}]')}*[@behind.left.{n}]),0)"
 
 
-def peak(n: int, drive: Choosing) -> str:
+def peak(n: int, drive: PairSelection) -> str:
     """Return the formula of the peak torque of the motor of a row: the drive's torque with this motor's inertia."""
     torque, acceleration = (f"{drive.shaft.columns}_{column}" for column in ("T", "al"))
     other = f"({of('jm')}-[@drives.held_jm.{n}])*[@behind.turn.{n}]"

@@ -12,7 +12,7 @@ from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.fields.units import PER_RPM, RPM, shown
 from workbook.selection.catalogue import FULL_CYCLES
-from workbook.selection.choosing import MIXED, SQUARE, Choosing, rms_of, torque_of
+from workbook.selection.pair_selection import MIXED, SQUARE, PairSelection, rms_of, torque_of
 
 LARGE = "large"  # beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing
 DASH = '0.0##;-0.0##;"–"'
@@ -22,7 +22,7 @@ NOTE = (
 )
 
 
-def grids(sheet: Sheet, view: Choosing) -> None:
+def grids(sheet: Sheet, view: PairSelection) -> None:
     """Declare what pairs fail or not, what they use of the rated torque, and their peak torques."""
     g = view.grid
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
@@ -38,7 +38,7 @@ def grids(sheet: Sheet, view: Choosing) -> None:
 
 
 def grid(
-    sheet: Sheet, view: Choosing, name: str, title: str, formula: Callable[[int], str], values: NDArray[Any],
+    sheet: Sheet, view: PairSelection, name: str, title: str, formula: Callable[[int], str], values: NDArray[Any],
     spare: Any = 0.0, **more: Any,
 ) -> None:  # fmt: skip
     """Declare a table of the pairs: a row a motor, a column a reducer below its name; ``spare`` where there is none."""
@@ -110,7 +110,7 @@ def verdict(c: int) -> str:
     return f'IF({of("on")}*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
 
 
-def products(sheet: Sheet, view: Choosing) -> None:
+def products(sheet: Sheet, view: PairSelection) -> None:
     """Declare what the catalogue says of motors and reducers, what each makes of the axis, and what pairs sort by."""
     sheet.heading("Workings: motors, reducers, and what pairs are sorted by")
     names = ",".join(f'(@rank="{one}")*{n}' for n, one in enumerate(RANKS, 1))
@@ -123,7 +123,7 @@ def products(sheet: Sheet, view: Choosing) -> None:
          keys, "–", format="General")  # fmt: skip
 
 
-def key(view: Choosing, c: int) -> str:
+def key(view: PairSelection, c: int) -> str:
     """Return the formula of what a pair is sorted by: what it is ranked by, the lowest first, and its place."""
     balance, inertia = f"[@reducers.balance.{c}]", f"({of('jm')}+[@reducers.jt.{c}])"
     match = f"MAX({balance}/{inertia},{inertia}*[@reducers.unit.{c}])^0.5"
@@ -136,7 +136,7 @@ def key(view: Choosing, c: int) -> str:
 MASSLESS = 3  # ranks that need neither mass nor cost
 
 
-def weighed(view: Choosing, table: str, room: int, mass: Any, cost: Any) -> list[Quantity]:
+def weighed(view: PairSelection, table: str, room: int, mass: Any, cost: Any) -> list[Quantity]:
     """Return the columns of mass or cost of products, as pairs are ranked by it, and of whether that is given.
 
     Where pairs are ranked by the smallest motor, of motors those that are smaller count in place of these.
@@ -166,7 +166,7 @@ MOTOR_COLUMNS = (
 )  # figures of every motor: column here, words, unit, column of the catalogue, and what is made of that
 
 
-def motors(sheet: Sheet, view: Choosing) -> None:
+def motors(sheet: Sheet, view: PairSelection) -> None:
     """Declare the motors of the catalogue, 0 in spare rows."""
     m, n = view.motors, view.rooms[0]
     figures = m.inertia, m.rated_torque, m.peak_torque, shown(m.max_speed, RPM)
@@ -208,7 +208,7 @@ CYCLE_FACTOR = (
 )  # of a reducer of the catalogue: what its largest torque counts over at the cycles of the axis
 
 
-def reducers(sheet: Sheet, view: Choosing) -> None:
+def reducers(sheet: Sheet, view: PairSelection) -> None:
     """Declare the reducers of the catalogue, 0 in spare rows, and what each makes of the axis."""
     r, g, n = view.reducers, view.grid, view.rooms[1]
     given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque

@@ -1,13 +1,13 @@
 """The sheets Selection, Pairs and Catalogue: motors by reducers for the axis that is named, within limits, ranked."""
 
 from workbook.book.declare import FIRST, Book, Sheet, calc, check, columns_of, given, result
-from workbook.book.sentence import Said
+from workbook.book.sentence import CheckSentence
 from workbook.selection.best import best_table, chart, order_table, uses
 from workbook.selection.catalogue import FALLING, HALF
-from workbook.selection.choosing import Choosing, rms_of
 from workbook.selection.drives import chosen, every_drive, motors_by_drives, points_table
 from workbook.selection.entries import UNCHOSEN, Products, SelectionSizes
 from workbook.selection.grids import grids, products
+from workbook.selection.pair_selection import PairSelection, rms_of
 
 TITLE = "Selection"
 SOURCE = 100  # characters of the column of sources, the same in both tables; it is not printed
@@ -27,7 +27,7 @@ ENTRIES = (
 """what a usable pair holds: cell, entry, words, symbol and a note"""
 
 
-def selection_sheet(book: Book, view: Choosing, axis: str = "") -> None:
+def selection_sheet(book: Book, view: PairSelection, axis: str = "") -> None:
     """Declare the sheets of the best pairs and of all; ``axis`` is the entry that names one of several shafts."""
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: usable pairs, best first.")
     with sheet.scoped("sel_"):
@@ -55,7 +55,7 @@ def selection_sheet(book: Book, view: Choosing, axis: str = "") -> None:
         order_table(pairs, view)
 
 
-def entries(sheet: Sheet, view: Choosing, axis: str) -> None:
+def entries(sheet: Sheet, view: PairSelection, axis: str) -> None:
     """Declare the axis, what pairs are ranked by, what a usable one holds, and what the axis asks for."""
     s = view.given
     sheet.heading("Enter", ABOUT)
@@ -84,7 +84,7 @@ def entries(sheet: Sheet, view: Choosing, axis: str) -> None:
     )  # fmt: skip
 
 
-def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
+def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
     """Declare what is proposed, and what the pair does that the drive has."""
     pair = None if view.proposed is None else view.ranked[view.proposed]
     first = "INDEX([@best.{0}],MATCH(1,[@best.holds],0))"
@@ -107,7 +107,7 @@ def outcome(sheet: Sheet, view: Choosing, axis: str) -> None:
                  "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis", True, rule=":chosen",
                  says=f'"{UNCHOSEN}"&@axis')] if axis else []),
         check("@ok", "Selection: a motor and a reducer fit", "SUM([@best.holds])>0", pair is not None,
-              says=Said("@message", message))
+              says=CheckSentence("@message", message))
     )  # fmt: skip
     sheet.heading("The pair that the drive has")
     (motor, reducer), own, torque = view.held_names, view.own, max(view.own.peak, 1e-3)

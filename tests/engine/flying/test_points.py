@@ -18,7 +18,7 @@ from engine.selection.pair_matrix import PairMatrix, Requirements
 from engine.selection.point_load import PointLoad
 from engine.selection.task import ratio_ranges
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
-from workbook.selection.choosing import engine_motors, engine_reducers
+from workbook.selection.pair_selection import engine_motors, engine_reducers
 
 DRUM, LOAD = rotary_drum(3, 0.12, radians(30)), Load(0.02)
 SMOOTH = ("ACS", "TVP", "CIC", "CUB", "MTP", "SHM", "MSN", "PO5", "PO7")

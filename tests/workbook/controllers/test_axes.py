@@ -6,9 +6,9 @@ import pytest
 from engine.motion.pieces import CamProfile
 from workbook.fields.units import DEGREE, MM
 from workbook.law_sheets.library import laws
-from workbook.machines.flying.view import Flying
-from workbook.machines.machine.view import Whole
-from workbook.machines.overlap.view import Overlapping
+from workbook.machines.flying.view import CutterView
+from workbook.machines.machine.view import MachineView
+from workbook.machines.overlap.view import OverlapView
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -40,14 +40,14 @@ def test_the_cutting_machines_axes_are_its_motions() -> None:
     machine, axes = described("cutting-machine")
     assert [axis.name for axis in axes] == ["MC01", "MC02", "MC03"]
     x = np.linspace(0.5, 359.5, 77)
-    for axis, meant in zip(axes, Whole(machine, laws(machine.laws)).axes, strict=True):
+    for axis, meant in zip(axes, MachineView(machine, laws(machine.laws)).axes, strict=True):
         same(axis.profile, x, meant.motion.at(x * DEGREE), DEGREE, MM)
 
 
 @pytest.mark.parametrize("name", ["flying-cutter", "flying-cutter-saw"])
 def test_a_tool_goes_with_the_line_and_its_shaft_by_the_radius(name: str) -> None:
     machine, (tool, shaft) = described(name)
-    view = Flying(machine, laws(machine.laws))
+    view = CutterView(machine, laws(machine.laws))
     x = np.linspace(0.01, 0.99, 77) * view.cut.cycle_time
     same(tool.profile, x, view.cut.at(x), y_unit=MM)
     same(shaft.profile, x, [np.array(one) / view.tool.radius for one in view.cut.at(x)], y_unit=DEGREE)
@@ -56,7 +56,7 @@ def test_a_tool_goes_with_the_line_and_its_shaft_by_the_radius(name: str) -> Non
 @pytest.mark.parametrize("name", ["indexing-overlap", "indexing-overlap-stations"])
 def test_a_tool_is_told_by_the_angle_of_the_master_shaft(name: str) -> None:
     machine, (transfer, *tools) = described(name)
-    view = Overlapping(machine, laws(machine.laws))
+    view = OverlapView(machine, laws(machine.laws))
     x = np.linspace(0.5, 359.5, 77)
     same(transfer.profile, x, [view.transfer.travel(x * DEGREE)], y_unit=MM)
     for axis, station in zip(tools, view.stations, strict=True):

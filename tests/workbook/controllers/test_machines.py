@@ -15,7 +15,7 @@ from workbook.controllers.target import Handed
 from workbook.errors import TargetError
 from workbook.fields.units import DEGREE, shown, si
 from workbook.law_sheets.library import laws
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.view import MachineView
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
@@ -39,7 +39,7 @@ def random_machine(seed):
 
 
 def whole(machine):
-    return Whole(machine, laws(machine.laws)).axes
+    return MachineView(machine, laws(machine.laws)).axes
 
 
 def closed(one, x):

@@ -12,7 +12,7 @@ from tests.workbook.cells import disagreeing, entered
 from workbook.errors import InputError
 from workbook.judging.report import Report
 from workbook.judging.verify import judge
-from workbook.law_sheets.shelf import LawShelf
+from workbook.law_sheets.book_laws import BookLaws
 from workbook.laws.entries import LONGEST
 from workbook.reading.descriptions import checked, counted, write_machine
 from workbook.reading.entries import Entries
@@ -52,7 +52,7 @@ def refused(laws, *used):
 def test_two_laws_of_one_family_move_two_axes_of_one_book():
     made = machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "hard")
     assert [axis.phases[k].law for axis, k in zip(made.axes, (0, 1), strict=False)] == ["MTP soft", "Hard"]
-    laws = LawShelf(made.laws, made.sizes).laws
+    laws = BookLaws(made.laws, made.sizes).laws
     assert laws["MTP soft"].durations == tuple(SOFT["durations"]) != laws["Hard"].durations
     wrong, count = disagreeing(MACHINE, made)
     assert wrong == []

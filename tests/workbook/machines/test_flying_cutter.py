@@ -11,7 +11,7 @@ from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
-from workbook.machines.flying.view import Flying
+from workbook.machines.flying.view import CutterView
 from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
@@ -136,7 +136,7 @@ def test_the_stroke_of_a_saw_is_right_to_a_thousandth_with_every_law(law):
     machine["laws"]["OWN"]["pieces"] = RISING
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
     given = TEMPLATE.model.model_validate(machine)
-    exact = Flying(given, laws(given.laws)).cut.stroke
+    exact = CutterView(given, laws(given.laws)).cut.stroke
     assert value("fly_stroke") == pytest.approx(1e3 * exact, rel=1e-3)
     assert TEMPLATE.truths(given) == []
     assert (value("fly_limit"), value("fly_does")) == (0, "reverses")

@@ -7,7 +7,7 @@ from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
-from workbook.machines.overlap.view import Overlapping
+from workbook.machines.overlap.view import OverlapView
 from workbook.reading.descriptions import checked, read_machine
 from workbook.templates import TEMPLATES
 
@@ -134,7 +134,7 @@ def test_the_table_of_margins_is_the_engine_s_schedule_of_each():
     value = computed(TEMPLATE, described())
     for margin, angle, ratio in zip(*(value("tool1_margins", c) for c in ("margin", "in", "ratio")), strict=True):
         machine = described(passage__margin=margin)
-        (station,) = Overlapping(machine, laws(machine.laws)).stations
+        (station,) = OverlapView(machine, laws(machine.laws)).stations
         assert angle == pytest.approx(station.as_set.angle_in * 57.29577951308232, rel=1e-9)
         before, _, after = station.peaks
         assert ratio == pytest.approx(before / after, rel=1e-9)

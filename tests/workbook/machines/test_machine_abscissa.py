@@ -69,7 +69,7 @@ def test_every_cell_is_the_engines_and_what_is_entered_comes_back(over):
     data = description(phases, LINE, {"export": 7}, over=over, unit="mm", closes="open", position=-3.5, shift=7.0)
     data["axes"].append(description(TO_AND_FRO, name="Other", position=4.0)["axes"][0])
     data |= {"switches": [{"name": "Valve", "on": [[10.0, 20.0], [90.0, 5.0]]}], "export": {"axis": 1}}
-    data["clearances"] = [{"name": "Apart", "first": "Axis", "second": "Other", "least": -1000.0}]
+    data["clearances"] = [{"name": "ClearanceView", "first": "Axis", "second": "Other", "least": -1000.0}]
     machine = checked(MACHINE, data, counted)
     assert machine.design.faults == ()
     assert disagreeing(MACHINE, machine)[0] == []

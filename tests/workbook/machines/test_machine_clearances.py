@@ -10,11 +10,11 @@ from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
-from workbook.law_sheets.shelf import LawShelf
+from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine import exact
-from workbook.machines.machine.clearances import Apart
-from workbook.machines.machine.motion_tables import AxisRows
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.clearances import ClearanceView
+from workbook.machines.machine.motion_tables import AxisTables
+from workbook.machines.machine.view import MachineView
 
 PUNCH = axis(1, (30, 90, 20.0, "CIC"), (150, 210, -20.0, "CIC"))
 FEED = axis(2, (60, 140, 50.0, "MTP"), (200, 280, -50.0, "MTP"), shift=12.5)
@@ -30,10 +30,10 @@ def machine(*clearances, axes=(PUNCH, FEED, ARM), **sizes):
 
 def views(given):
     """The engine's view of the clearances."""
-    shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
-    whole = Whole(given, shelf.laws)
-    rows = [AxisRows(whole, one, shelf.stack) for one in whole.axes]
-    return [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)]
+    book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))
+    whole = MachineView(given, book_laws.laws)
+    rows = [AxisTables(whole, one, book_laws.stack) for one in whole.axes]
+    return [ClearanceView(one, k, rows) for k, one in enumerate(given.clearances, 1)]
 
 
 def sampled(one, count):

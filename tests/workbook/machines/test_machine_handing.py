@@ -10,7 +10,7 @@ from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.view import MachineView
 from workbook.reading.descriptions import checked, counted
 from workbook.templates import TEMPLATES
 
@@ -34,7 +34,7 @@ def axis(name, *phases, **more):
 
 
 def machine(*axes, **sizes):
-    data = {"template": "machine", "title": "Handing over", "master": {"rate": 60.0}, "axes": list(axes)}
+    data = {"template": "machine", "title": "AxisHandover over", "master": {"rate": 60.0}, "axes": list(axes)}
     return checked(
         MACHINE, data | {"laws": {code: {"family": code} for code in NAMED}, "sizes": SMALL | sizes}, counted
     )
@@ -99,7 +99,7 @@ def test_random_phases_come_to_what_the_engine_says(seed):
 
 
 def results(one):
-    whole = Whole(one, laws(one.laws))
+    whole = MachineView(one, laws(one.laws))
     return DriveResults(Driven(whole.axes[0], one).results.drive_cycle)
 
 

@@ -15,9 +15,9 @@ from tests.workbook.machines.test_machine_forces import RISE, small
 from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, MOTOR, ROCKER, TABLE, linked
 from workbook.fields.units import KW
 from workbook.law_sheets.library import laws
-from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.drive_entries import PowerEntry
+from workbook.machines.machine.view import MachineView
 
 PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
          {"start": 150.0, "stop": 230.0, "force": -400.0, "resists": "always"}]  # fmt: skip
@@ -33,7 +33,7 @@ def machine(axes=AXES, power=POWER):
 
 def together(made):
     """The drives of a machine at its rate, by the engine's search over their cycles."""
-    axes = Whole(made, laws(made.laws)).axes
+    axes = MachineView(made, laws(made.laws)).axes
     drive_cycles = tuple(Driven(one, made).results.drive_cycle for one in axes if one.given.rate is None)
     return Drivetrains(drive_cycles, made.power.efficiency)
 
@@ -193,7 +193,7 @@ def test_the_bus_against_power_from_differentiated_positions():
     screw = driven(*RISE, load={"mass": 8.0, "viscous": 300.0}, shift=77.0)
     made = mixed(crank, screw)
     value = computed(TEMPLATE, made)
-    one, other = Whole(made, laws(made.laws)).axes
+    one, other = MachineView(made, laws(made.laws)).axes
     time = np.linspace(0.0, value("timing_cycle"), 60001)
     y, z = (axis.at(2 * math.pi * time / time[-1]).y for axis in (one, other))
     inner = math.sqrt((0.2 - 0.05) ** 2 - 0.01**2) + 0.015

@@ -7,8 +7,8 @@ from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import small
 from workbook.build import build, failing
 from workbook.judging.verify import verify
-from workbook.machines.machine.chain import UNTOLD
 from workbook.machines.machine.drive.max_rate import LIMITS as LIMITS_OF_RATE
+from workbook.machines.machine.drive_entries import UNTOLD
 from workbook.machines.machine.exact import drives_of, exact_highest
 from workbook.reading.descriptions import checked, read_machine
 from workbook.selection.catalogue_files import committed_motors, committed_reducers

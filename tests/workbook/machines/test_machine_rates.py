@@ -14,13 +14,13 @@ from tests.workbook.machines.test_machine_linked import CRANK, ROCKER
 from tests.workbook.machines.test_machine_linked import small as linked_small
 from tests.workbook.machines.test_machine_tables import table
 from tests.workbook.machines.test_machine_viscous import SCREW, lossy
-from workbook.law_sheets.shelf import LawShelf
+from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import Master
 from workbook.machines.machine.exact import exact_highest, rates
-from workbook.machines.machine.motion_tables import AxisRows
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.motion_tables import AxisTables
+from workbook.machines.machine.view import MachineView
 
 CHECKS = {
     "motor speed": "speed", "reducer input speed": "reducer_speed", "peak torque": "peak",
@@ -135,9 +135,9 @@ def test_the_axis_that_binds_is_named():
 
 def drives_of(given):
     """The drives of a machine at the points of their cycles."""
-    shelf = LawShelf(given.laws, given.sizes, bool(given.laws.of("LIN")))
-    whole = Whole(given, shelf.laws)
-    return [DriveView(AxisRows(whole, axis, shelf.stack), Driven(axis, given)) for axis in whole.axes]
+    book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))
+    whole = MachineView(given, book_laws.laws)
+    return [DriveView(AxisTables(whole, axis, book_laws.stack), Driven(axis, given)) for axis in whole.axes]
 
 
 @pytest.mark.parametrize("number", [*range(4), *nights(200)])

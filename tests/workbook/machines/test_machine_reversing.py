@@ -24,7 +24,7 @@ from tests.workbook.machines.test_machine_handing import (
 from tests.workbook.machines.test_machine_rates import drives_of
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.view import MachineView
 from workbook.reading.descriptions import checked, counted
 
 SEPTIC = (phase(0.0, 90.0, 30.0, "PO7"), STEP, phase(130.0, 300.0, -50.0, "PO7"))
@@ -67,7 +67,7 @@ def moved(phases, **more):
 
 def course_of(one):
     """The drive of a machine's first axis over its motion."""
-    axis = Whole(one, laws(one.laws)).axes[0]
+    axis = MachineView(one, laws(one.laws)).axes[0]
     return replace(Driven(axis, one).results.drive_cycle, motion=axis.motion)
 
 

@@ -20,7 +20,7 @@ from tests.workbook.machines.test_machine_rates import CHECKS
 from workbook.fields.units import KW
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.view import MachineView
 from workbook.reading.descriptions import checked
 
 G = 9.81
@@ -102,7 +102,7 @@ def test_cells_mirrored_motion_and_other_units(request, number):
 
 def work(made):
     """Work of all that resists the first axis over a cycle (J), from its positions at edges of phases and windows."""
-    axis = Whole(made, laws(made.laws)).axes[0]
+    axis = MachineView(made, laws(made.laws)).axes[0]
     load, late = axis.given.load, axis.given.shift
     weight, slope = load.mass * G, math.radians(load.slope)
     edges = [late, *(late + at for phase in axis.given.phases for at in (phase.start, phase.stop))]
@@ -157,7 +157,7 @@ def near(drawn, value):
 def limited(drawn, data):
     """The same machine with limits near to what its drive asks for."""
     made = valid(data)
-    found = Driven(Whole(made, laws(made.laws)).axes[0], made).results
+    found = Driven(MachineView(made, laws(made.laws)).axes[0], made).results
     rpm, behind = found.speed.peak * 30 / math.pi, found.shaft_torque(1).peak
     axis = data["axes"][0]
     motor = {"rated_torque": near(drawn, found.rms_torque), "peak_torque": near(drawn, found.torque.peak),

@@ -14,10 +14,10 @@ from tests.workbook.composed import composed as one_axis
 from workbook.build import build, inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.law_sheets.shelf import LawShelf
+from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine import extremes
 from workbook.machines.machine.exact import MOTION, extremes_of
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.view import MachineView
 
 IN_STEP = tomllib.loads((Path(__file__).parent / "in_step.toml").read_text(encoding="utf-8"))
 SMALL = {"cycle": 36, "law": 4}
@@ -204,7 +204,7 @@ def test_no_sample_is_beyond_the_extremes_of_its_phases(seed):
 @pytest.mark.parametrize("seed", [*range(30), *nights(600)])
 def test_extremes_at_points_are_as_exact_as_their_sheet_states(seed):
     machine = drawn(seed)
-    (axis,) = Whole(machine, LawShelf(machine.laws, machine.sizes, True).laws).axes
+    (axis,) = MachineView(machine, BookLaws(machine.laws, machine.sizes, True).laws).axes
     assert list(extremes_of(axis)) == []
     for exact, found in zip(axis.joined.motion.reaches, axis.motion.reaches, strict=True):
         assert found == pytest.approx(exact, abs=MOTION * (exact[1] - exact[0]) + 1e-12)
@@ -212,7 +212,7 @@ def test_extremes_at_points_are_as_exact_as_their_sheet_states(seed):
 
 def test_an_extreme_that_points_miss_is_told(monkeypatch):
     machine = composed([("PO5", 10.0, 100.0), ("LIN", 40.0, 100.0), ("PO5", -50.0, 160.0)])
-    (axis,) = Whole(machine, LawShelf(machine.laws, machine.sizes, True).laws).axes
+    (axis,) = MachineView(machine, BookLaws(machine.laws, machine.sizes, True).laws).axes
     monkeypatch.setattr(extremes, "POINTS", extremes.POINTS[::50])
     assert any("row 3: the greatest velocity is " in line for line in extremes_of(axis))
 

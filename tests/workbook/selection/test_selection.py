@@ -19,8 +19,8 @@ from workbook.build import build, described, inputs
 from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
-from workbook.law_sheets.shelf import LawShelf
-from workbook.machines.flying.view import Flying, ToolDrive
+from workbook.law_sheets.book_laws import BookLaws
+from workbook.machines.flying.view import CutterView, ToolDrive
 from workbook.reading.descriptions import read_machine
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.catalogue_files import (
@@ -79,8 +79,8 @@ def machine(**choice):
 
 
 def drive(given):
-    shelf = LawShelf(given.laws, given.sizes)
-    return ToolDrive(Flying(given, shelf.laws), given.selection, given.sizes)
+    book_laws = BookLaws(given.laws, given.sizes)
+    return ToolDrive(CutterView(given, book_laws.laws), given.selection, given.sizes)
 
 
 @pytest.mark.parametrize(("rank", "named"), [(rank, k % 2) for k, rank in enumerate(RANKS)])

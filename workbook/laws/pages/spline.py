@@ -12,7 +12,7 @@ from engine.laws import Law, Piece
 from engine.laws.spline import EQUAL, EXAMPLE, MOST, NARROWEST, Spline, SplineTable
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import Said, figure, spelled
+from workbook.book.sentence import CheckSentence, figure, spelled
 from workbook.fields.types import DesignError, Model, Number, Share
 from workbook.laws.family import BEHIND, ENTRIES, REACHES, LawCheck, LawSheet, Page
 
@@ -132,7 +132,7 @@ class SplinePage(Page):
 
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the points, and that of the law's end."""
-        says = Said('"s(1) = "&ROUND([@samples.s.last],9)', "s(1) = 1")
+        says = CheckSentence('"s(1) = "&ROUND([@samples.s.last],9)', "s(1) = 1")
         end = check("@ends", f"{one.called} ends at s = 1", REACHES, True, says=says)
         return [*super().verdicts(one, sizes)[:-1], end]
 

@@ -6,10 +6,10 @@ from engine.flying.pieces import cut_joints, cut_parts, cut_pieces, rates_of
 from workbook.book.declare import Book, Sheet, calc, constant, result
 from workbook.fields.units import DEGREE, MM, RPM, shown
 from workbook.laws.sampling import Pieces
-from workbook.machines.flying.view import Flying
-from workbook.motion.asked import Asked
+from workbook.machines.flying.view import CutterView
 from workbook.motion.cells import Cells, PieceRows, last_before, rows_of_parts
 from workbook.motion.pieces import ABOUT, POSITION, finding, phase_table_columns, pieces_in_all, pieces_table, sampled
+from workbook.motion.requirements import RequiredSmoothness
 from workbook.motion.smooth import Joints
 
 AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "m", "s", drifts=True, opens=True)
@@ -18,26 +18,26 @@ PARTS = ("moves by its law", "waits", "moves on", "works at line speed")
 WHERE = "The parts of the cycle: beside the law the tool moves at line speed, which stands in the column drift."
 
 
-def rows_of(machine: Flying, stack: Pieces) -> PieceRows:
+def rows_of(machine: CutterView, stack: Pieces) -> PieceRows:
     """Return the pieces of the tool's motion."""
     cut, parts = machine.cut, cut_parts(machine.cut)
     begun = [part.first for part in parts]
     return rows_of_parts(AT, [part.scaled for part in parts], cut_pieces(cut), stack, cut.cycle_time, begun)
 
 
-def joints_of(machine: Flying, rows: PieceRows) -> Joints:
+def joints_of(machine: CutterView, rows: PieceRows) -> Joints:
     """Return the joints of the tool's pieces, and how smooth it must be."""
     smooth, cut = machine.given.smoothness, machine.cut
     largest = ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
     units = tuple((f'"{unit}"', unit) for unit in ("m/s", "m/s²", "m/s³"))
-    asked = Asked(
+    asked = RequiredSmoothness(
         smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS, quickest=f"[{AT.phases}.rate.1]"
     )
     found = cut_joints(cut, smooth)
     return Joints(rows, asked, found, rates_of(cut))
 
 
-def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
+def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces) -> None:
     """Declare the sheet."""
     sheet = book.sheet("Cycle", "The tool over one cycle: it re-positions first, then works at line speed.")
     cut, t = machine.cut, machine.times
@@ -67,7 +67,7 @@ def cycle_sheet(book: Book, machine: Flying, rows: PieceRows, stack: Pieces) -> 
     motion_tables(sheet, machine, rows, stack)
 
 
-def motion_tables(sheet: Sheet, machine: Flying, rows: PieceRows, stack: Pieces) -> None:
+def motion_tables(sheet: Sheet, machine: CutterView, rows: PieceRows, stack: Pieces) -> None:
     """Declare the parts of the cycle, and the pieces of the tool's motion."""
     sheet.heading("Workings: the tool's motion as pieces", ABOUT)
     sheet.note(WHERE)

@@ -10,7 +10,7 @@ from workbook.entries.machine import Exporting
 from workbook.entries.phase import TURN
 from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
-from workbook.motion.asked import Smoothness, settle
+from workbook.motion.requirements import Smoothness, settle
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 DRUM = "drum"

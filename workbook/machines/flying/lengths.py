@@ -7,7 +7,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.fields.units import MM, shown
 from workbook.machines.flying.entries import DRUM
-from workbook.machines.flying.view import Flying
+from workbook.machines.flying.view import CutterView
 from workbook.machines.flying.view import does as what
 
 IS_DRUM = f'fly_kind="{DRUM}"'
@@ -18,7 +18,7 @@ def waits(length: str, way: str) -> str:
     return f'AND({IS_DRUM},{way}="standstill",{length}>fly_limit)'
 
 
-def lengths_columns(machine: Flying, cuts: Sequence[Cut], length: str, way: str) -> list[Quantity]:
+def lengths_columns(machine: CutterView, cuts: Sequence[Cut], length: str, way: str) -> list[Quantity]:
     """Return what each cut asks for; ``length`` and ``way`` are the references to its length and its strategy."""
 
     def of(name: str, unit: float = 1.0) -> list[float]:
@@ -51,7 +51,7 @@ def lengths_columns(machine: Flying, cuts: Sequence[Cut], length: str, way: str)
     ]  # fmt: skip
 
 
-def lengths_sheet(book: Book, machine: Flying) -> None:
+def lengths_sheet(book: Book, machine: CutterView) -> None:
     """Declare the sheet: charts, then the table of product lengths."""
     sheet = book.sheet("Lengths", "Speeds, accelerations and load factor over the product length, at this line speed.")
     e, n = machine.given.lengths, machine.sizes.lengths
@@ -89,7 +89,7 @@ def lengths_sheet(book: Book, machine: Flying) -> None:
     sheet.print_columns = 20
 
 
-def line(book: Book, machine: Flying, cuts: Sequence[Cut]) -> None:
+def line(book: Book, machine: CutterView, cuts: Sequence[Cut]) -> None:
     """Declare the lines at the product entered, at L_0 and at L_p,lim, as drawn in the charts."""
     low, high = min(c.speed_range[0] for c in cuts), max(c.speed_range[1] for c in cuts)
     peak, beta = max(c.max_acceleration for c in cuts), max(machine.task(c).load_factor for c in cuts)
@@ -114,7 +114,7 @@ def line(book: Book, machine: Flying, cuts: Sequence[Cut]) -> None:
     )  # fmt: skip
 
 
-def cases(sheet: Sheet, machine: Flying) -> None:
+def cases(sheet: Sheet, machine: CutterView) -> None:
     """Declare the cases that the product length decides between, and both ways with one too long to keep moving."""
     e, limit = machine.given, machine.limit
     tool, whole = shown(machine.tool.tool_length, MM), shown(machine.tool.design_length, MM)

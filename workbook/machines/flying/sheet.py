@@ -11,16 +11,16 @@ from workbook.book.sentence import amount
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown, si
 from workbook.law_sheets.library import NamedLaw
 from workbook.machines.flying.lengths import IS_DRUM, cases, waits
-from workbook.machines.flying.view import LEAST_CV, Flying, does
-from workbook.motion.asked import ABOUT as CONTINUOUS
+from workbook.machines.flying.view import LEAST_CV, CutterView, does
 from workbook.motion.pieces import ROOM
+from workbook.motion.requirements import ABOUT as CONTINUOUS
 from workbook.motion.smooth import Joints
 
 WAITS = waits("fly_length", "fly_beyond")
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 
 
-def cutter_sheet(book: Book, machine: Flying, joints: Joints, stroke: float, laws: Sequence[NamedLaw]) -> None:
+def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float, laws: Sequence[NamedLaw]) -> None:
     """Declare the sheet; ``stroke`` (m) is the tool's by the points of its drive."""
     sheet = book.sheet("Cutter", "The tool works at line speed, and makes up for the product's length in between.")
     entries(sheet, machine)
@@ -46,7 +46,7 @@ def cutter_sheet(book: Book, machine: Flying, joints: Joints, stroke: float, law
     sheet.print_columns = 24
 
 
-def entries(sheet: Sheet, machine: Flying) -> None:
+def entries(sheet: Sheet, machine: CutterView) -> None:
     """Declare what the engineer enters."""
     entry = entries_of(machine.given, "cutter")
     sheet.heading("Enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft.")
@@ -77,7 +77,7 @@ def entries(sheet: Sheet, machine: Flying) -> None:
     )  # fmt: skip
 
 
-def cycle(sheet: Sheet, machine: Flying) -> None:
+def cycle(sheet: Sheet, machine: CutterView) -> None:
     """Declare the case and the cycle's times and lengths."""
     cut, tool = machine.cut, machine.tool
     sheet.rows(
@@ -104,7 +104,7 @@ def cycle(sheet: Sheet, machine: Flying) -> None:
     )  # fmt: skip
 
 
-def kinematics(sheet: Sheet, machine: Flying, stroke: float) -> None:
+def kinematics(sheet: Sheet, machine: CutterView, stroke: float) -> None:
     """Declare speeds, accelerations and travel, and what the motor and its reducer are chosen by."""
     cut, (low, high), task = machine.cut, machine.cut.speed_range, machine.task(machine.cut)
     slowest, fastest = (shown(v / machine.tool.radius, RPM) for v in cut.speed_range)
@@ -149,7 +149,7 @@ def kinematics(sheet: Sheet, machine: Flying, stroke: float) -> None:
     )  # fmt: skip
 
 
-def verdicts(sheet: Sheet, machine: Flying, joints: Joints, by_points: float) -> None:
+def verdicts(sheet: Sheet, machine: CutterView, joints: Joints, by_points: float) -> None:
     """Declare the checks."""
     cut, limits = machine.cut, machine.given.limits
     fastest, hardest = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration
@@ -192,7 +192,7 @@ def verdicts(sheet: Sheet, machine: Flying, joints: Joints, by_points: float) ->
     )  # fmt: skip
 
 
-def geometry(machine: Flying) -> list[Quantity]:
+def geometry(machine: CutterView) -> list[Quantity]:
     """Return angles and lengths in step with the line and of the re-positioning, and what the law is by figures."""
     tool, law = machine.tool, machine.law.coefficients
     lengths = (tool.design_length, tool.tool_length, tool.repositioning_length)
@@ -226,7 +226,7 @@ def geometry(machine: Flying) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def superimposed(machine: Flying) -> list[Quantity]:
+def superimposed(machine: CutterView) -> list[Quantity]:
     """Return the motion on top of the line's: its case, time and displacement, and where the drum waits."""
     cut = machine.cut
     return [

@@ -10,17 +10,17 @@ from workbook.book.sentence import rounded
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
+from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
 from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, single_humped, vary_laws, varying
-from workbook.law_sheets.shelf import LAW_SIZES, LawShelf
 from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
 from workbook.machines.flying.entries import DRUM, FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
 from workbook.machines.flying.ratios import RatiosSheet
 from workbook.machines.flying.sheet import cutter_sheet
-from workbook.machines.flying.view import Flying, ToolDrive, check
-from workbook.motion.asked import smoothness_for
+from workbook.machines.flying.view import CutterView, ToolDrive, check
 from workbook.motion.exported import Exportable, export_sheet
+from workbook.motion.requirements import smoothness_for
 from workbook.offered import CamAxis
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import vary_selection
@@ -31,8 +31,8 @@ STROKE = 1e-3  # by which share the sheet states that the stroke may be off
 
 def declare(given: FlyingCutter) -> Book:
     """Declare the book."""
-    shelf = LawShelf(given.laws, given.sizes)
-    view = Flying(given, shelf.laws)
+    book_laws = BookLaws(given.laws, given.sizes)
+    view = CutterView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     cut, book.sizes = view.cut, view.scales
     fastest, beta = shown(cut.max_angular_speed, RPM), view.task(cut).load_factor
@@ -46,16 +46,16 @@ def declare(given: FlyingCutter) -> Book:
                cut.max_angular_acceleration),
         result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta),
     ])  # fmt: skip
-    rows = rows_of(view, shelf.stack)
+    rows = rows_of(view, book_laws.stack)
     drive = ToolDrive(view, given.selection, given.sizes)
-    cutter_sheet(book, view, joints_of(view, rows), drive.stroke, shelf.named)
+    cutter_sheet(book, view, joints_of(view, rows), drive.stroke, book_laws.named)
     lengths_sheet(book, view)
-    cycle_sheet(book, view, rows, shelf.stack)
+    cycle_sheet(book, view, rows, book_laws.stack)
     drive_sheet(book, drive, rows)
     selection_sheet(book, drive.choosing())
     RatiosSheet(drive).declare(book)
     catalogue_sheet(book, given.selection, given.sizes)
-    shelf.sheets(book)
+    book_laws.sheets(book)
     shaft = shown(cut.tool.angle(1.0), DEGREE)
     export_sheet(book, given, [
         Exportable(name, f'="{name}"', rows, ("s", y, f"{y}/s", f"{y}/s²"), (1.0, one), times, cut.size)
@@ -67,7 +67,7 @@ def declare(given: FlyingCutter) -> Book:
 
 def axes(machine: FlyingCutter) -> list[CamAxis]:
     """Return the tool along its path, and the shaft that drives it; both go on from where a cycle ends."""
-    cut = Flying(machine, laws(machine.laws)).cut
+    cut = CutterView(machine, laws(machine.laws)).cut
     pieces, end, shaft = cut_pieces(cut, whole=True), cut.cycle_time, shown(cut.tool.angle(1.0), DEGREE)
     return [
         CamAxis("tool", profile_of(pieces, end, y=shown(1.0, MM)), "s", "mm"),
@@ -77,7 +77,7 @@ def axes(machine: FlyingCutter) -> list[CamAxis]:
 
 def truths(given: FlyingCutter) -> list[str]:
     """Return a line on the stroke, where its points are farther off than the sheet states."""
-    view = Flying(given, LawShelf(given.laws, given.sizes).laws)
+    view = CutterView(given, BookLaws(given.laws, given.sizes).laws)
     told, exact = ToolDrive(view, given.selection, given.sizes).stroke, view.cut.stroke
     if abs(told - exact) <= STROKE * exact:
         return []

@@ -24,8 +24,8 @@ from workbook.fields.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_HOUR, PER
 from workbook.law_sheets.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
-from workbook.selection.choosing import Choosing, Figure, Shaft, asked, figures
 from workbook.selection.entries import Selection, SelectionSizes
+from workbook.selection.pair_selection import Figure, PairSelection, Shaft, asked, figures
 
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
@@ -43,7 +43,7 @@ def tool_of(given: CutterEntry) -> Tool:
     return flying_saw(si(given.saw.tool_length, MM), si(given.saw.lead, MM_PER_TURN))
 
 
-class Flying:
+class CutterView:
     """The engine's view: tool and load, the cut entered, its cycle, and cuts of other lengths."""
 
     def __init__(self, machine: FlyingCutter, library: dict[str, Law]) -> None:
@@ -91,7 +91,7 @@ class Flying:
 class ToolDrive:
     """The tool's shaft behind a motor and its reducer: those that are named, else the proposed ones. SI units."""
 
-    def __init__(self, machine: Flying, chosen: Selection, sizes: SelectionSizes) -> None:
+    def __init__(self, machine: CutterView, chosen: Selection, sizes: SelectionSizes) -> None:
         self.machine, self.chosen, self.sizes = machine, chosen, sizes
         cut, load, scales = machine.cut, machine.load, machine.scales
         bare = cycle_of(cut, train_of(cut, load)).points()
@@ -100,7 +100,7 @@ class ToolDrive:
         hardest = float(np.abs(bare.shaft_acceleration).max())
         self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
         self.cycles = "3600/fly_tc", shown(1.0 / cut.cycle_time, PER_HOUR)  # an hour: the formula, and the figure
-        self.before = Choosing(chosen, sizes, [self._shaft([*BEFORE, Figure("cycles", "", "", *self.cycles)])])
+        self.before = PairSelection(chosen, sizes, [self._shaft([*BEFORE, Figure("cycles", "", "", *self.cycles)])])
 
         ranked, motors, reducers = self.before.ranked, self.before.motors, self.before.reducers
         m, r = ranked[self.before.proposed or 0] if ranked else (0, 0)  # the first of all where no pair can do it
@@ -137,7 +137,7 @@ class ToolDrive:
         return Shaft("shaft", 1, '="shaft"', "tool", self.machine.room, self.asked, "ABS({})*30/PI()", self.turning,
                      self.torque, figures)  # fmt: skip
 
-    def choosing(self) -> Choosing:
+    def choosing(self) -> PairSelection:
         """Return the choice of motor and reducer, with the pair in use."""
         motor, gears, (m, r) = self.motor, self.gears, self.pair
         rows = figures("drive_", asked(self.asked, self.turning, self.torque), {
@@ -156,7 +156,7 @@ class ToolDrive:
             "held_nmax": ("@motor_nmax", shown(motor.max_speed, RPM)), "held_row": ("@motor_row", m + 1),
             "held_gear": ("@reducer_row", r + 1), "turns": ("1", 1.0),
         })  # fmt: skip
-        return Choosing(self.chosen, self.sizes, [self._shaft(rows)])
+        return PairSelection(self.chosen, self.sizes, [self._shaft(rows)])
 
 
 def mean(one: str, other: str, where: str = "") -> str:

@@ -7,7 +7,7 @@ from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
 from workbook.law_sheets.page import finite
 from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES
-from workbook.machines.laws.view import Compared
+from workbook.machines.laws.view import ComparedLaws
 
 CURVES = range(1, MOST_CURVES + 1)
 NAMES = {"s": "Position", "v": "Velocity", "a": "Acceleration", "j": "Jerk"}
@@ -33,7 +33,7 @@ ORDERED = (
 )
 
 
-def comparison_sheet(book: Book, view: Compared) -> None:
+def comparison_sheet(book: Book, view: ComparedLaws) -> None:
     """Declare the sheet: the laws to draw and their curves, the table of all laws, then samples and joints."""
     sheet = book.sheet("Comparison", "Every law of the book side by side: curves, coefficients, and what each costs.")
     sheet.heading("Enter: up to four laws, whose curves are drawn over one another")
@@ -73,7 +73,7 @@ def draw(sheet: Sheet) -> None:
     sheet.row = BELOW + BELOW - TOP + 1
 
 
-def costs(sheet: Sheet, view: Compared) -> None:
+def costs(sheet: Sheet, view: ComparedLaws) -> None:
     """Declare the table of all laws with their coefficients, costs and continuity."""
     laws, found = view.moving, [one.law.coefficients for one in view.moving]
 
@@ -115,7 +115,7 @@ def costs(sheet: Sheet, view: Compared) -> None:
     )  # fmt: skip
 
 
-def names_sheet(book: Book, view: Compared) -> None:
+def names_sheet(book: Book, view: ComparedLaws) -> None:
     """Declare the sheet that says what the laws are called by those who make controllers."""
     sheet = book.sheet("Names", "What the laws are called in the libraries of controllers, as far as it is sure.")
     sheet.widths |= dict.fromkeys(range(FIRST + 1, FIRST + 1 + len(VENDORS)), 34.0)
@@ -131,7 +131,7 @@ def names_sheet(book: Book, view: Compared) -> None:
     )  # fmt: skip
 
 
-def samples(sheet: Sheet, view: Compared) -> None:
+def samples(sheet: Sheet, view: ComparedLaws) -> None:
     """Declare what the curves are called and the numbers by which they are found, and each sampled in a table."""
     sheet.rows(
         *(calc(f"curve{i}_name", f"Name of curve {i}", "", "",
@@ -154,7 +154,7 @@ def samples(sheet: Sheet, view: Compared) -> None:
         sheet.row += 1
 
 
-def joints_table(sheet: Sheet, view: Compared) -> None:
+def joints_table(sheet: Sheet, view: ComparedLaws) -> None:
     """Declare the table of joints: rates at both ends of each piece, what jumps before it, and what stays smooth."""
     rows = view.joints
 
@@ -168,8 +168,8 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
 
     sheet.table(
         "joints", "Pieces of each law, and the rest behind it", len(rows),
-        calc("law", "law", "", "", "=INDEX(law_code,[no])", [row.one.name for row in rows]),
-        constant("no", "number", "", "", [row.one.number for row in rows], format="0"),
+        calc("law", "law", "", "", "=INDEX(law_code,[no])", [row.law.name for row in rows]),
+        constant("no", "number", "", "", [row.law.number for row in rows], format="0"),
         constant("k", "piece", "k", "", [row.k for row in rows], format="0"),
         calc("q", "piece row", "q", "", PIECE, [row.row for row in rows], "on the sheet Laws", format="0"),
         calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", [row.at.duration for row in rows]),
@@ -186,13 +186,13 @@ def joints_table(sheet: Sheet, view: Compared) -> None:
                [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
           for i, (name, words) in enumerate(RATES.items())),
         calc("ca", "largest |a| of its law", "C_a", "",
-             "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [row.one.law.coefficients.ca for row in rows]),
+             "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [row.law.law.coefficients.ca for row in rows]),
         calc("order", "highest continuous derivative", "", "",
              ORDERED, [row.at.order for row in rows], "0 s, 1 v, 2 a, 3 j", format="0"),
         calc("outer", "is an end of the law", "", "", "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)",
              [int(row.at.outer) for row in rows], format="0"),
         calc("code", "law, end and order", "", "", "=8*[no]+4*[outer]+[order]",
-             [joint_code(row.one.number, row.at) for row in rows], "8 · number + 4 at an end + order", format="0"),
+             [joint_code(row.law.number, row.at) for row in rows], "8 · number + 4 at an end + order", format="0"),
         calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", [row.first for row in rows],
              format="0"),
     )  # fmt: skip

@@ -5,18 +5,18 @@ from typing import Any
 from workbook.book.declare import Book, calc, result
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
+from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
 from workbook.law_sheets.library import SIX, factors, law_for, vary_laws, varying
-from workbook.law_sheets.shelf import LAW_SIZES, LawShelf
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 from workbook.machines.laws.sheet import comparison_sheet, names_sheet
-from workbook.machines.laws.view import Compared
+from workbook.machines.laws.view import ComparedLaws
 from workbook.template import Template, finish
 
 
 def declare(given: MotionLaws) -> Book:
     """Declare the book."""
-    shelf = LawShelf(given.laws, given.sizes)
-    view = Compared(given, shelf.named, shelf.stack)
+    book_laws = BookLaws(given.laws, given.sizes)
+    view = ComparedLaws(given, book_laws.named, book_laws.stack)
     book = Book(given.template, given.title, limit=limits(type(given)))
     about = "Motion laws side by side: coefficients, curves over one another, and what each costs."
     summary_sheet(book, given, about, [
@@ -28,7 +28,7 @@ def declare(given: MotionLaws) -> Book:
     ])  # fmt: skip
     comparison_sheet(book, view)
     names_sheet(book, view)
-    shelf.sheets(book)
+    book_laws.sheets(book)
     return finish(book, ("S1", "S3"))
 
 

@@ -11,17 +11,17 @@ from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 
 
-class Joined(NamedTuple):
+class JointRow(NamedTuple):
     """A row of the table of joints: a law, the number of its piece, where that begins, and its row in the stack."""
 
-    one: NamedLaw
+    law: NamedLaw
     k: int
     at: LawJoint
     row: int  # counted from 1: behind the last piece of a law the dwell's
     first: int  # the row of the law's first piece in the table of joints, counted from 1
 
 
-class Compared:
+class ComparedLaws:
     """The laws of a book, those that are drawn at ``xi``, those compared (all but the dwell), and where pieces meet."""
 
     def __init__(self, machine: MotionLaws, laws: list[NamedLaw], stack: Pieces) -> None:
@@ -33,12 +33,12 @@ class Compared:
         self.moving = [one for one in laws if not isinstance(one.law, Dwell)]
         self.xi = np.arange(self.sizes.cycle + 1) / self.sizes.cycle
         self.smooth = [continuity(one.law) for one in self.moving]  # the order of each at its ends and between them
-        self.joints: list[Joined] = []  # the begin of each piece of each law, and of the rest behind it
+        self.joints: list[JointRow] = []  # the begin of each piece of each law, and of the rest behind it
         for one in self.moving:
             pieces, begun, first = stack.pieces[one.number], stack.first[one.number], len(self.joints) + 1
             for k, at in enumerate(law_joints(one.law, pieces), 1):
                 row = begun + k - 1 if k <= len(pieces) else stack.first[1]
-                self.joints.append(Joined(one, k, at, row, first))
+                self.joints.append(JointRow(one, k, at, row, first))
 
     def least(self, figure: str) -> float:
         """Return the least of a coefficient among the laws whose acceleration does not jump; 0 where there is none."""

@@ -9,13 +9,13 @@ from engine.laws.base import Array
 from engine.motion.shifted import LOST, gap_size, least_gap, meets_least, place_in_cycle
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import Said, amount
+from workbook.book.sentence import CheckSentence, amount
 from workbook.entries.phase import TURN
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import ClearanceEntry
-from workbook.machines.machine.from_names import clearance_name
-from workbook.machines.machine.motion_tables import AxisRows
+from workbook.machines.machine.file_layout import clearance_name
+from workbook.machines.machine.motion_tables import AxisTables
 from workbook.motion.pieces import finding, sampled
 
 ABOUT = (
@@ -44,14 +44,14 @@ class Lowest(NamedTuple):
     angle: Array
 
 
-class Apart:
+class ClearanceView:
     """A clearance: its gap over the cycle, in the unit of the first axis; angles in degrees of the master shaft.
 
     ``name`` is that of the cell that tells what it is called, and of which axes it is; ``scales`` are what a position
     of each axis in m or rad is multiplied by, ``terms`` these with the motions, ``size`` how large the gap grows.
     """
 
-    def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisRows]) -> None:
+    def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisTables]) -> None:
         self.given, self.number = given, number
         names = [one.axis.given.name for one in rows]
         places = [(place_of(name, names), name) for name in (given.first, given.second)]
@@ -144,7 +144,7 @@ class Apart:
         return meets_least(self.least, self.given.least, self.size)
 
 
-def clearances_sheet(book: Book, apart: list[Apart]) -> None:
+def clearances_sheet(book: Book, apart: list[ClearanceView]) -> None:
     """Declare the sheet, where there are clearances."""
     if not apart:
         return
@@ -162,7 +162,7 @@ def clearances_sheet(book: Book, apart: list[Apart]) -> None:
     sheet.print_columns, sheet.folded = PRINTED, PRINTED + 1
 
 
-def table(sheet: Sheet, apart: list[Apart]) -> None:
+def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
     """Declare what is entered, and the least gaps."""
     over, units, axes = apart[0].over, {one.unit for one in apart}, [[rows.axis for rows in one.rows] for one in apart]
     unit = units.pop() if len(units) == 1 else "mm, °"
@@ -205,7 +205,7 @@ def table(sheet: Sheet, apart: list[Apart]) -> None:
                       one.given.name, align="left") for one in apart))  # fmt: skip
 
 
-def kept(one: Apart) -> Quantity:
+def kept(one: ClearanceView) -> Quantity:
     """Return the check of a clearance."""
     n, after, unit = one.number, one.over.after, one.unit
     gap, entered, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
@@ -213,14 +213,14 @@ def kept(one: Apart) -> Quantity:
     says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
     said = f"{round(one.over.shown(one.place), AT):.15g}{after}; expected at least {one.given.least:.15g} {unit}"
     return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", f"{gap}>={entered}-check_zero*[gaps.size.{n}]",
-                 one.kept, says=Said(says, f"{one.given.name}{place.said}{said}"))  # fmt: skip
+                 one.kept, says=CheckSentence(says, f"{one.given.name}{place.said}{said}"))  # fmt: skip
 
 
-def at_angles(one: Apart, angles: Array) -> list[Quantity]:
+def at_angles(one: ClearanceView, angles: Array) -> list[Quantity]:
     """Return the columns of both axes at angles of the column theta: cycles begun, piece, u, position; and the gap."""
     found, n = [], one.number
     for rows, mark, of, y in zip(one.rows, MARKS, OF, one.positions(angles), strict=True):
-        axis, told = rows.axis, rows.axis.told(si(angles, DEGREE))
+        axis, told = rows.axis, rows.axis.unshifted(si(angles, DEGREE))
         late, place = f"[axes_taken.late.{axis.number}]", sampled(rows.pieces, 0, mark)
         own = f"({place})*1000" if axis.given.unit == "mm" else f"DEGREES({place})"
         found += [
@@ -237,7 +237,7 @@ def at_angles(one: Apart, angles: Array) -> list[Quantity]:
                          source="offset + factor · position + factor · position")]  # fmt: skip
 
 
-def least(sheet: Sheet, one: Apart) -> None:
+def least(sheet: Sheet, one: ClearanceView) -> None:
     """Declare the positions of both axes, and the gap, at the lowest of the points and at that of the parabolas."""
     first = f"INDEX([clear{one.number}_points.{{}}],MATCH(1,[clear{one.number}_points.{{}}],0))".format
     place = f"=IF([k]=1,{first('theta', 'nearest')},{first('angle', 'near')})"
@@ -249,7 +249,7 @@ def least(sheet: Sheet, one: Apart) -> None:
     )  # fmt: skip
 
 
-def points(sheet: Sheet, one: Apart) -> None:
+def points(sheet: Sheet, one: ClearanceView) -> None:
     """Declare the gap and its slope at points of the cycle, and the lowest point of the parabola before each."""
     n, angles, low = one.number, one.angles, one.lowest
     at, size, first = f"[clear{n}_cuts.begina:middleb]", one.size, "=IF([k]=1,0,{})"
@@ -282,7 +282,7 @@ def points(sheet: Sheet, one: Apart) -> None:
     )  # fmt: skip
 
 
-def cuts(sheet: Sheet, one: Apart) -> None:
+def cuts(sheet: Sheet, one: ClearanceView) -> None:
     """Declare where the pieces of both axes begin and have their middle, from 0 to 360°."""
     columns, room = [], one.rows[0].machine.room
     for end, (rows, mark, of) in enumerate(zip(one.rows, MARKS, OF, strict=True)):

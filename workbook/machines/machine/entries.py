@@ -13,14 +13,14 @@ from workbook.fields.texts import Text, place_of, require_distinct
 from workbook.fields.types import (
     ANGLE_TOLERANCE,
     DesignError,
+    DesignFaultsError,
     EntryError,
     Model,
     NotNegative,
     Number,
     Positive,
-    TogetherError,
 )
-from workbook.machines.machine import chain
+from workbook.machines.machine import drive_entries
 from workbook.machines.machine.entries_beside import (
     MOST_CLEARANCES,
     MOST_SWITCHES,
@@ -31,7 +31,7 @@ from workbook.machines.machine.entries_beside import (
     spelled,
 )
 from workbook.machines.machine.mechanism import Mechanism, Table
-from workbook.motion.asked import AT_REST, CROWDED, ROOM_RULE, Smoothness, counts, settle
+from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, counts, settle
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
 
 MOST_AXES = 24
@@ -74,10 +74,10 @@ class Axis(Model):
         default=None, description="A document whose printed figures a sheet of its own has beside those of the drive"
     )
     mechanism: Mechanism | None = None
-    load: chain.AxisLoad = chain.AxisLoad()
-    parts: list[chain.AxisPart] = []  # noqa: RUF012 - frozen
-    motor: chain.AxisMotor | None = None
-    reducer: chain.Reducer = chain.Reducer()
+    load: drive_entries.AxisLoad = drive_entries.AxisLoad()
+    parts: list[drive_entries.AxisPart] = []  # noqa: RUF012 - frozen
+    motor: drive_entries.AxisMotor | None = None
+    reducer: drive_entries.Reducer = drive_entries.Reducer()
     _built: str | None = PrivateAttr(default=None)
 
     @property
@@ -105,7 +105,9 @@ class Axis(Model):
             raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
         slides = self.mechanism is not None and self.mechanism.SLIDES
         moved = f"a {self.mechanism.kind}" if slides and self.mechanism else f"an axis in {self.unit}"
-        for name in (*chain.TURNING_LOAD, "arm") if slides or self.unit == "mm" else chain.TRAVELLING_LOAD:
+        for name in (
+            (*drive_entries.TURNING_LOAD, "arm") if slides or self.unit == "mm" else drive_entries.TRAVELLING_LOAD
+        ):
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of {moved}; expected none")
         return self
@@ -152,9 +154,9 @@ class AnyMachine(Exporting):
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
     switches: Annotated[list[SwitchEntry], Field(max_length=MOST_SWITCHES)] = []  # noqa: RUF012 - frozen
     clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
-    power: chain.PowerEntry = chain.PowerEntry()
+    power: drive_entries.PowerEntry = drive_entries.PowerEntry()
     gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
-    selection: chain.Choice = chain.Choice()
+    selection: drive_entries.Choice = drive_entries.Choice()
     sizes: MachineSizes = MachineSizes()
 
     @classmethod
@@ -167,7 +169,7 @@ class AnyMachine(Exporting):
         for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
             require_distinct((one.name for one in getattr(self, key)), kind, f"{key}.{{}}.name")
         require_axes(self.clearances, [axis.name for axis in self.axes])
-        if self.power != chain.PowerEntry() and not any(axis.motor for axis in self.axes):
+        if self.power != drive_entries.PowerEntry() and not any(axis.motor for axis in self.axes):
             raise EntryError("power", "no axis has a drive; expected none")
         if self.gravity != type(self).model_fields["gravity"].default and not self.weighs:
             raise EntryError("gravity", "no axis with a drive has a weight; expected none")
@@ -176,7 +178,7 @@ class AnyMachine(Exporting):
         if name is not None and not driven:
             raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has a drive")
         if name is not None and place_of(name, driven) < 0:
-            raise TogetherError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", driven[0])])
+            raise DesignFaultsError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", driven[0])])
         for i, axis in enumerate(self.axes):
             for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):
                 name = getattr(getattr(axis, entry), "name", "")
@@ -199,7 +201,7 @@ class AnyMachine(Exporting):
                 said, rule = CROWDED.format(count, space), ROOM_RULE.format(i + 1)
                 found.append(DesignError(f"axes.{i}.phases", said, rule, still))
         if found:
-            raise TogetherError(found)
+            raise DesignFaultsError(found)
         return self
 
     def built_as(self, names: Mapping[str, str]) -> None:

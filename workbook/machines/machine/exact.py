@@ -6,24 +6,24 @@ from collections.abc import Iterator
 from engine.drive.limits import highest_rate
 from workbook.book.sentence import rounded
 from workbook.fields.units import PER_MINUTE, RPM, shown
-from workbook.law_sheets.shelf import LawShelf
-from workbook.machines.machine.clearances import Apart
+from workbook.law_sheets.book_laws import BookLaws
+from workbook.machines.machine.clearances import ClearanceView
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.motion_tables import AxisRows
-from workbook.machines.machine.view import MovingAxis, Whole
+from workbook.machines.machine.motion_tables import AxisTables
+from workbook.machines.machine.view import MachineView, MovingAxis
 
 RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 1e-3, 1e-3, 5e-4
 """by which share the sheets state that T_rms, peaks, energies, the highest rate, a least gap and the extremes of phases
 that meet at speed may be off"""
 
 
-def axes_of(machine: AnyMachine) -> list[AxisRows]:
+def axes_of(machine: AnyMachine) -> list[AxisTables]:
     """Return the axes of a machine as its book has them."""
-    shelf = LawShelf(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
-    whole = Whole(machine, shelf.laws)
-    return [AxisRows(whole, axis, shelf.stack) for axis in whole.axes]
+    book_laws = BookLaws(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
+    whole = MachineView(machine, book_laws.laws)
+    return [AxisTables(whole, axis, book_laws.stack) for axis in whole.axes]
 
 
 def drives_of(machine: AnyMachine) -> Iterator[DriveView]:
@@ -61,7 +61,7 @@ def truths(machine: AnyMachine) -> list[str]:
     """Return a line for each result that is farther from the exact engine's than its sheet states, and on rates."""
     lines = [line for view in drives_of(machine) for line in (*results_of(view), *rate_of(view))]
     rows = axes_of(machine)
-    gaps = (gap_of(Apart(one, k, rows)) for k, one in enumerate(machine.clearances, 1))
+    gaps = (gap_of(ClearanceView(one, k, rows)) for k, one in enumerate(machine.clearances, 1))
     return [*lines, *filter(None, gaps), *(line for one in rows for line in extremes_of(one.axis))]
 
 
@@ -74,7 +74,7 @@ def extremes_of(axis: MovingAxis) -> Iterator[str]:
                 yield f"{axis.given.name} row {i}: the greatest {what} is {rounded(100.0 * (true / said - 1.0))} % more"
 
 
-def gap_of(one: Apart) -> str:
+def gap_of(one: ClearanceView) -> str:
     """Return the line on a least gap, empty where it is as exact as its sheet states."""
     exact, unit = one.exact, one.unit
     if abs(one.least - exact) <= GAP * one.change + 1e-9 * one.size:

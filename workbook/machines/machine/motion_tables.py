@@ -9,33 +9,33 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled, spread
 from workbook.latest import latest
 from workbook.laws.sampling import HIGH, LOW, Pieces
-from workbook.machines.machine.boundary.carried import carried, in_pieces, inside, kinds, peaks, points
-from workbook.machines.machine.boundary.handing import Handing, asked, taken
-from workbook.machines.machine.view import MovingAxis, Whole
-from workbook.motion.asked import Asked
+from workbook.machines.machine.boundary.curves import carried, in_pieces, inside, kinds, peaks, points
+from workbook.machines.machine.boundary.handover import AxisHandover, asked, taken
+from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.cells import Cells, PieceRows, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
+from workbook.motion.requirements import RequiredSmoothness
 from workbook.motion.smooth import RATES, Joints
 
 Figure = Callable[[int, Phase], Any]
 STEPS = "Steps of axis {}: its phases, and the rests between them"
 
 
-class AxisRows:
+class AxisTables:
     """An axis at its place in a book: its pieces in cells, and their joints.
 
     With its ``name``, that of the table of phases, all its tables begin; that one has so many ``rows``.
     """
 
-    def __init__(self, machine: Whole, axis: MovingAxis, stack: Pieces) -> None:
+    def __init__(self, machine: MachineView, axis: MovingAxis, stack: Pieces) -> None:
         self.axis, self.machine, self.name = axis, machine, f"axis{axis.number}"
-        self.rows = machine.machine.sizes.phases
+        self.rows = machine.given.sizes.phases
         self.steps = self.rows + self.rows + 1
         made = partial(rows_of, self.at, axis.motion, stack, self.steps, axis.places)
         self.pieces: PieceRows = latest("pieces", (axis.motion, self.steps, self.at), made)
         asked = self.asked
         self.joints = latest("joints", (self.pieces, asked), partial(Joints.of, self.pieces, axis.motion, asked))
-        self.ends = Handing(self.pieces, axis, machine.over) if machine.hands_over else None
+        self.ends = AxisHandover(self.pieces, axis, machine.over) if machine.hands_over else None
 
     @property
     def at(self) -> Cells:
@@ -47,13 +47,13 @@ class AxisRows:
         )  # fmt: skip
 
     @property
-    def asked(self) -> Asked:
+    def asked(self) -> RequiredSmoothness:
         """How smooth the axis must be."""
         t, i, over = self.name, self.axis.number, self.machine.over
         lift = over.lift(self.axis.given.unit)
         by_rad = tuple(self.at.unit(order) for order in range(1, len(RATES) + 1))
         units = over.rates(self.axis.given.unit) if over.measured else by_rad
-        return Asked(
+        return RequiredSmoothness(
             self.axis.given.smoothness, f"[axes.smooth.{i}]", f"{t}_order",
             (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), (f'"{over.after}"', over.after),
             tuple((f'"{unit}"', unit) for unit in units), (f"[axes.name.{i}]", self.axis.given.name),
@@ -62,7 +62,7 @@ class AxisRows:
         )  # fmt: skip
 
 
-def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
+def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
     """Declare the sheet of the motions as pieces."""
     sheet = book.sheet("Pieces", "Workings: the motion of each axis as steps and as pieces.")
     sheet.unprinted = True
@@ -82,7 +82,7 @@ def pieces_sheet(book: Book, axes: list[AxisRows]) -> None:
     sheet.print_columns = 20
 
 
-def steps_table(sheet: Sheet, one: AxisRows) -> None:
+def steps_table(sheet: Sheet, one: AxisTables) -> None:
     """Declare the steps: a rest before each phase and behind the last, of no length where there is none."""
     t, n, axis = one.name, one.rows, one.axis
     motion, base = axis.motion, axis.base
@@ -150,10 +150,10 @@ ABOUT_TAKEN = (
 )
 
 
-def place_boundaries(sheet: Sheet, axes: Sequence[Handing]) -> None:
+def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
 
-    def how(one: Handing) -> list[Quantity]:
+    def how(one: AxisHandover) -> list[Quantity]:
         return [*carried(one), *inside(one), *peaks(one)]
 
     sheet.heading(TAKEN, ABOUT_TAKEN)

@@ -11,8 +11,8 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.rows import total
 from workbook.book.sentence import amount
 from workbook.fields.units import KW, shown
-from workbook.machines.machine.chain import PowerEntry
 from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive_entries import PowerEntry
 
 KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
@@ -33,7 +33,7 @@ class Mains:
     """
 
     def __init__(self, drives: Sequence[DriveView], entered: PowerEntry) -> None:
-        self.drives, self.entered, self.over, eta = drives, entered, drives[0].one.machine.over, entered.efficiency
+        self.drives, self.entered, self.over, eta = drives, entered, drives[0].tables.machine.over, entered.efficiency
         self.each = [mean_bus_power(Energy(*one.energy), one.driven.drive_cycle.time, eta) for one in drives]
         self.alone = total_bus_power(self.each)
         most = [(one.points.top(one.points.power), -one.points.top(-one.points.power)) for one in drives]
@@ -196,7 +196,7 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
 
 def bus_table(sheet: Sheet, bus: Mains) -> None:
     """Declare the power of the bus at the samples of the cycle: each drive's, and their sum."""
-    machine, over = bus.drives[0].one.machine, bus.over
+    machine, over = bus.drives[0].tables.machine, bus.over
     rows = len(machine.angles)
     columns = [f"d{one.driven.number}" for one in bus.drives]
 

@@ -13,10 +13,10 @@ from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
-from workbook.machines.machine.from_names import switch_name
+from workbook.machines.machine.file_layout import switch_name
 from workbook.machines.machine.timing.phases import going_beyond
 from workbook.machines.machine.timing.sheet import LANE_SHARE
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.view import MachineView
 
 T = TypeVar("T")
 NUMBERS = range(1, TIMES + 1)
@@ -67,9 +67,9 @@ class Lane:
         return [*corners, (TURN, floor)]
 
 
-def switches_sheet(book: Book, machine: Whole) -> None:
+def switches_sheet(book: Book, machine: MachineView) -> None:
     """Declare the sheet, where there are switches."""
-    over, both = machine.over, zip(machine.machine.switches_turned, machine.machine.switches, strict=True)
+    over, both = machine.over, zip(machine.given.switches_turned, machine.given.switches, strict=True)
     lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(both, 1)]
     if not lanes:
         return
@@ -93,7 +93,7 @@ def switches_sheet(book: Book, machine: Whole) -> None:
     sheet.print_columns = 16
 
 
-def entries(sheet: Sheet, lanes: list[Lane], machine: Whole) -> None:
+def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
     """Declare the table of switches: a row each."""
     over = machine.over
     times = [

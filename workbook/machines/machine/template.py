@@ -14,20 +14,20 @@ from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, PER_MINUTE, shown, si
 from workbook.latest import latest
+from workbook.law_sheets.book_laws import LAW_SIZES, latest_laws
 from workbook.law_sheets.library import laws
-from workbook.law_sheets.shelf import LAW_SIZES, shelf_of
 from workbook.laws.sampling import Pieces
-from workbook.machines.machine.clearances import Apart, clearances_sheet
-from workbook.machines.machine.drive.behind import shaft_of
+from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
+from workbook.machines.machine.clearances import ClearanceView, clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reach import require_mechanisms
+from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import rates, truths
-from workbook.machines.machine.from_names import fixed, laid_out
-from workbook.machines.machine.in_short import NO_DRIVE, axes_in_short
-from workbook.machines.machine.motion_tables import AxisRows, pieces_sheet
+from workbook.machines.machine.file_layout import fixed, laid_out
+from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.studies.results import SCALING
@@ -35,44 +35,44 @@ from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
 from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timing_sheet
 from workbook.machines.machine.variations import variants
-from workbook.machines.machine.view import MovingAxis, Whole
+from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.exported import export_sheet
 from workbook.offered import CamAxis, CamSwitch
-from workbook.selection.choosing import Choosing
 from workbook.selection.page import catalogue_sheet, selection_sheet
+from workbook.selection.pair_selection import PairSelection
 from workbook.template import Other, Template, finish
 
 
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
-    shelf = shelf_of(given.laws, given.sizes, bool(given.laws.of("LIN")))
-    machine = Whole(given, shelf.laws)
+    book_laws = latest_laws(given.laws, given.sizes, bool(given.laws.of("LIN")))
+    machine = MachineView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    both = [driven(machine, axis, shelf.stack) for axis in machine.axes]
+    both = [driven(machine, axis, book_laws.stack) for axis in machine.axes]
     rows, drives = [one for one, _ in both], {one.axis.number: view for one, view in both if view}
     bus = Mains(list(drives.values()), given.power) if drives else None
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
     told = [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *(supply(bus) if bus else [])]
     sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", told)
-    axes_in_short(sheet, machine, drives)
+    axes_summary(sheet, machine, drives)
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
     for one in rows:
         if view := drives.get(one.axis.number):
             again(book, "drive sheets", (view, machine.near), partial(named_drive_sheet, book, view))
-    clearances_sheet(book, [Apart(one, k, rows) for k, one in enumerate(given.clearances, 1)])
+    clearances_sheet(book, [ClearanceView(one, k, rows) for k, one in enumerate(given.clearances, 1)])
     if bus:
         power_sheet(book, bus)
     if given.selection.axis is not None:
         shafts = [shaft_of(view) for view in drives.values()]
         number = place_of(given.selection.axis, [one.name for one in shafts])
-        selection_sheet(book, Choosing(given.selection, given.sizes, shafts, number), given.selection.axis)
+        selection_sheet(book, PairSelection(given.selection, given.sizes, shafts, number), given.selection.axis)
     catalogue_sheet(book, given.selection, given.sizes)
     for view in drives.values():
         if view.driven.entered.printed:
             printed_sheet(book, view)
-    shelf.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
+    book_laws.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     for one in rows:
         floor = len(rows) + len(given.switches) - one.axis.number
         again(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
@@ -83,14 +83,14 @@ def declare(given: AnyMachine) -> Book:
     return finish(book, ("S1", "S3", "S4"))
 
 
-def driven(machine: Whole, axis: MovingAxis, stack: Pieces) -> tuple[AxisRows, DriveView | None]:
+def driven(machine: MachineView, axis: MovingAxis, stack: Pieces) -> tuple[AxisTables, DriveView | None]:
     """Return an axis at its place in the book, and its drive; those of the latest book where they are the same."""
-    given = machine.machine
+    given = machine.given
     others = type(given), *(getattr(given, name) for name in type(given).model_fields if name != "axes")
     rest = latest("machines", others, lambda: others)
 
-    def made() -> tuple[AxisRows, DriveView | None]:
-        one = AxisRows(machine, axis, stack)
+    def made() -> tuple[AxisTables, DriveView | None]:
+        one = AxisTables(machine, axis, stack)
         return one, DriveView(one, Driven(axis, given)) if axis.given.mechanism and axis.given.motor else None
 
     one, view = latest("drives", (axis, rest), made)
@@ -98,9 +98,9 @@ def driven(machine: Whole, axis: MovingAxis, stack: Pieces) -> tuple[AxisRows, D
     return one, view
 
 
-def pace(machine: Whole) -> list[Quantity]:
+def pace(machine: MachineView) -> list[Quantity]:
     """Return the results of how fast the machine goes; where nothing tells that, of how long its cycle is."""
-    over, rate = machine.over, machine.machine.per_minute
+    over, rate = machine.over, machine.given.per_minute
     if not over.paced:
         return [result("about_cycle", "Length of a cycle", f"{over.symbol}_c", over.unit, "=timing_cycle", over.length)]
     return [result("about_rate", "Production rate", "N", "cycles/min", "=timing_rate", rate),
@@ -165,7 +165,7 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
 def axes(machine: AnyMachine) -> list[CamAxis]:
     """Return the axes of a machine as a controller can be given them."""
     found = []
-    for one in Whole(machine, laws(machine.laws)).axes:
+    for one in MachineView(machine, laws(machine.laws)).axes:
         given, repeats = one.given, one.given.repeats and one.closes
         told = CamAxis(given.name, profile(one, shown(1.0, one.unit)), machine.over.unit, given.unit, repeats)
         found.append(replace(told, shaft=partial(shaft, one, machine, told)) if given.motor else told)

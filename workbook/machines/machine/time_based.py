@@ -10,7 +10,7 @@ from workbook.entries.abscissa import Abscissa, Unit, measured
 from workbook.entries.phase import TURN, filling, forward
 from workbook.fields.types import ANGLE_TOLERANCE, CountsAs, DesignError, EntryError, Model, NotNegative, Positive
 from workbook.fields.units import PER_MINUTE, shown, si
-from workbook.machines.machine.chain import WINDOWS, AxisLoad, ForceWindow
+from workbook.machines.machine.drive_entries import WINDOWS, AxisLoad, ForceWindow
 from workbook.machines.machine.entries import MOST_AXES, AnyMachine, Axis, AxisPhase, following
 from workbook.machines.machine.entries_beside import KEYS, MOST_SWITCHES, TIMES, UNUSED, SwitchEntry, TimeOn, meeting
 

@@ -5,13 +5,13 @@ from typing import Any
 
 from engine.selection.pair_matrix import RANKS
 from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing, variations, vary_laws
-from workbook.machines.machine.chain import WINDOWS, falling
 from workbook.machines.machine.drive.mechanisms import LINKAGES
+from workbook.machines.machine.drive_entries import WINDOWS, falling
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, MECHANISMS, SLIDING
 from workbook.machines.machine.time_based import in_units_of
-from workbook.motion.asked import smoothness_for, within
+from workbook.motion.requirements import smoothness_for, within
 
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
 STRAIGHT = "=-1"  # of a page: how a straight line meets its neighbours

@@ -18,7 +18,7 @@ from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.latest import latest
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.extremes import measured
-from workbook.motion.asked import passed
+from workbook.motion.requirements import passed
 
 UNITS = {"mm": MM, "°": DEGREE}
 BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entries
@@ -110,7 +110,7 @@ class MovingAxis:
         """The motion as late as it is entered."""
         return Shifted(self.motion, si(self.given.shift, DEGREE))
 
-    def told(self, at: Array) -> Unshifted:
+    def unshifted(self, at: Array) -> Unshifted:
         """Return where samples lie in the motion as its phases tell it."""
         return self.shifted.unshifted(at)
 
@@ -142,7 +142,7 @@ class MovingAxis:
         return max(abs(phase.missing_lift) for phase in self.motion.phases)
 
 
-class Whole:
+class MachineView:
     """The engine's view of a machine.
 
     A turn lasts its ``time`` (s), at the ``speed`` of the master shaft (rad/s), over an abscissa that tells no time by
@@ -151,7 +151,7 @@ class Whole:
     """
 
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
-        self.machine, self.over, rate = machine, machine.over, si(machine.per_minute, PER_MINUTE)
+        self.given, self.over, rate = machine, machine.over, si(machine.per_minute, PER_MINUTE)
         self.time, self.speed, self.room = turn_time(rate), shaft_speed(rate), machine.sizes.motion_pieces or 0
         self.hands_over = bool(machine.laws.of("LIN"))
         self.angles = np.linspace(0.0, TURN, machine.sizes.cycle + 1)

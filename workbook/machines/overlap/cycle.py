@@ -12,10 +12,10 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.fields.units import DEGREE, MM, shown, si
 from workbook.laws.sampling import ACCELERATION, VELOCITY, Pieces
 from workbook.machines.overlap.entries import ToolEntry, TransferEntry
-from workbook.machines.overlap.view import Overlapping, Station
-from workbook.motion.asked import Asked
+from workbook.machines.overlap.view import OverlapView, Station
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
 from workbook.motion.pieces import ABOUT, POSITION, ROOM, finding, phase_columns, pieces_in_all, pieces_table, sampled
+from workbook.motion.requirements import RequiredSmoothness
 from workbook.motion.smooth import Joints
 
 TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
@@ -69,7 +69,9 @@ def joints_of(rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry,
     """Return the joints of a motion's pieces, and how smooth it must be; ``cell`` has its name."""
     largest = f"MAX([{rows.at.phases}.v])", f"MAX([{rows.at.phases}.a])"
     place, of = (f'"{after}"', after), (cell, given.name)
-    asked = Asked(given.smoothness, f"{scope}smooth", f"{scope}order", largest, place, UNITS, of, names=names)
+    asked = RequiredSmoothness(
+        given.smoothness, f"{scope}smooth", f"{scope}order", largest, place, UNITS, of, names=names
+    )
     return Joints.of(rows, motion, asked)
 
 
@@ -78,7 +80,7 @@ def rows_of(at: Cells, parts: Sequence[ScaledLaw], pieces: Pieces) -> PieceRows:
     return rows_of_parts(at, parts, pieces_of_parts(parts), pieces, FULL_TURN)
 
 
-def transfer_columns(machine: Overlapping, theta: Array, pieces: Pieces) -> list[Quantity]:
+def transfer_columns(machine: OverlapView, theta: Array, pieces: Pieces) -> list[Quantity]:
     """Return the travel of the transfer and its workings."""
     angle, rows = si(theta, DEGREE), rows_of(TRANSFER, machine.transfer.parts, pieces)
     return [
@@ -91,7 +93,7 @@ def transfer_columns(machine: Overlapping, theta: Array, pieces: Pieces) -> list
 ALLOWED = "=IF(AND([theta]>@begin+overlap_eps,[theta]<@end-overlap_eps),@clearance,@stroke)"
 
 
-def cycle_sheets(book: Book, machine: Overlapping, pieces: Pieces) -> None:
+def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     """Declare a sheet for each tool: travel, acceleration and clearance over one turn of the master shaft."""
     for station in machine.stations:
         i, whose = station.number, "" if machine.alone else f"Tool {station.number}: "
@@ -158,7 +160,7 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     )  # fmt: skip
 
 
-def transfer_pieces(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> Joints:
+def transfer_pieces(sheet: Sheet, machine: OverlapView, pieces: Pieces) -> Joints:
     """Declare the phases of the transfer and their pieces."""
     parts, moves = machine.transfer.parts, ("movement", "dwell")
     rows = rows_of(TRANSFER, parts, pieces)

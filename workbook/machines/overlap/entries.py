@@ -11,7 +11,7 @@ from workbook.entries.phase import TURN
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.fields.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
-from workbook.motion.asked import Smoothness, settle
+from workbook.motion.requirements import Smoothness, settle
 
 MOST_TOOLS = 6
 REST = 2  # pieces of a motion beside those of its laws: a tool's dwell and its rest

@@ -17,7 +17,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.book.sentence import amount
 from workbook.fields.units import MM, PERCENT, shown
 from workbook.laws.sampling import Pieces
-from workbook.machines.overlap.view import Overlapping
+from workbook.machines.overlap.view import OverlapView
 from workbook.motion.cells import FIRST, last_before
 
 ABOUT = (
@@ -27,7 +27,7 @@ ABOUT = (
 NEAR = "=IF([ds]<=break_eps,[x0],IF([wanted]>=[s1]-break_eps,[x1],[x0]+2*[ds]/([v0]+SQRT([v0]^2+2*[acc]*[ds]))))"
 
 
-class Wanted(NamedTuple):
+class InversionTable(NamedTuple):
     """The rows of one table: which of the laws in use, its heights s, and the columns that say where they come from."""
 
     name: str
@@ -44,7 +44,7 @@ class Wanted(NamedTuple):
         return self.law.s(point_inversion(self.law, self.s).xi) - self.s
 
 
-def inverse_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
+def inverse_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     """Declare the sheet: the laws in use and their points, then tables for the transfer and two for each tool."""
     sheet = book.sheet(
         "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
@@ -80,7 +80,7 @@ def inverse_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         points(sheet, one, pieces)
 
 
-def all_wanted(machine: Overlapping) -> list[Wanted]:
+def all_wanted(machine: OverlapView) -> list[InversionTable]:
     """Return what is asked of the laws: where the transfer leaves its place and comes to it, how far a tool may go."""
     shares: list[float] = []
     formulas, ends, of_tools = [], [], []
@@ -99,16 +99,16 @@ def all_wanted(machine: Overlapping) -> list[Wanted]:
                  f"=IF([k]=0,{scope}margin,INDEX([{scope}margins.margin],MAX([k],1)))", shown(margins, MM)),
         )  # fmt: skip
         of_tools += [
-            Wanted(f"{scope}inverse_in", f"{name}, way in", row_in, tool.law, gone, f"={formula}", head),
-            Wanted(f"{scope}inverse_out", f"{name}, way out, counted in reverse", row_out, tool.out, 1 - gone,
+            InversionTable(f"{scope}inverse_in", f"{name}, way in", row_in, tool.law, gone, f"={formula}", head),
+            InversionTable(f"{scope}inverse_out", f"{name}, way out, counted in reverse", row_out, tool.out, 1 - gone,
                    f"=1-{formula}", head),
         ]  # fmt: skip
     where = constant("k", "row", "k", "", list(range(len(ends)))), constant("what", "where", "", "", ends)
     moved, title = machine.transfer.law, "Transfer: where it is in the way"
-    return [Wanted("inverse_transfer", title, 1, moved, np.array(shares), formulas, where), *of_tools]
+    return [InversionTable("inverse_transfer", title, 1, moved, np.array(shares), formulas, where), *of_tools]
 
 
-def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
+def laws_in_use(sheet: Sheet, machine: OverlapView, pieces: Pieces) -> None:
     """Declare the laws: number, where their pieces stand, and how many points each piece has."""
     motions, cells, codes = ["transfer"], ["=overlap_law"], [machine.given.transfer.law]
     for station in machine.stations:
@@ -139,7 +139,7 @@ def laws_in_use(sheet: Sheet, machine: Overlapping, pieces: Pieces) -> None:
     sheet.row += 1
 
 
-def points(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
+def points(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     """Declare the points of one of the laws in use."""
     at, i, number = inversion_points(wanted.law), wanted.use, pieces.number(wanted.law)
     rows = [pieces.first[number] + p - 1 for p in at.piece]
@@ -159,7 +159,7 @@ def points(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
     sheet.row += 1
 
 
-def inversion(sheet: Sheet, wanted: Wanted, pieces: Pieces) -> None:
+def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     """Declare, for each height, its share of time; then the residual there."""
     law, found, i = wanted.law, point_inversion(wanted.law, wanted.s), wanted.use
     number, low, high = pieces.number(law), found.low, found.high

@@ -9,7 +9,7 @@ from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.fields.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
 from workbook.machines.overlap.cycle import ALLOWED, SCHEDULES, AtAngles, transfer_columns
-from workbook.machines.overlap.view import Overlapping
+from workbook.machines.overlap.view import OverlapView
 
 SAYS = '=IF([free]<0-inverse_bound*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'
 ACROSS = (
@@ -22,7 +22,7 @@ UPWARDS = "=IF([up]=1,[places.top.{0}],0-picture_plate*MAX([places.h]))"
 class States:
     """All parts at the angle entered, in both schedules: arrays over the tools, lengths in m."""
 
-    def __init__(self, machine: Overlapping, pieces: sampling.Pieces) -> None:
+    def __init__(self, machine: OverlapView, pieces: sampling.Pieces) -> None:
         self.theta = np.array([machine.given.view])
         angle, stations = si(self.theta, DEGREE), machine.stations
         self.pairs = [tuple(AtAngles(s, plan, self.theta, pieces) for plan in SCHEDULES) for s in stations]
@@ -39,7 +39,7 @@ class States:
         return [str(words) for words in np.where(colliding(self.free, self.strokes), "COLLISION", where)]
 
 
-def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> None:
+def picture_sheet(book: Book, machine: OverlapView, pieces: sampling.Pieces) -> None:
     """Declare the sheet."""
     sheet = book.sheet(
         "Picture", "All parts at one angle of the master shaft: change the angle and both pictures move."
@@ -56,7 +56,7 @@ def picture_sheet(book: Book, machine: Overlapping, pieces: sampling.Pieces) -> 
     sheet.print_columns = 16
 
 
-def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
+def outcome(sheet: Sheet, machine: OverlapView, states: States) -> None:
     """Declare what stands where at this angle, and place the two pictures side by side."""
     stations = machine.stations
     allowing = ALLOWED.replace("[theta]", "overlap_view")
@@ -89,7 +89,7 @@ def outcome(sheet: Sheet, machine: Overlapping, states: States) -> None:
     )  # fmt: skip
 
 
-def workings(sheet: Sheet, machine: Overlapping, states: States, pieces: sampling.Pieces) -> None:
+def workings(sheet: Sheet, machine: OverlapView, states: States, pieces: sampling.Pieces) -> None:
     """Declare the sizes of the parts, their laws at this angle, and the line that marks it in the diagrams."""
     stations, scene = machine.stations, machine.scene
     sheet.rows(
@@ -135,7 +135,7 @@ def workings(sheet: Sheet, machine: Overlapping, states: States, pieces: samplin
     )  # fmt: skip
 
 
-def outlines(sheet: Sheet, machine: Overlapping, states: States) -> None:
+def outlines(sheet: Sheet, machine: OverlapView, states: States) -> None:
     """Declare the outlines: at each station three walls of the transfer, seen in its frame; tools by their height."""
     numbers, walls, sides, ups = zip(*((s.number, *corner) for s in machine.stations for corner in WALLS), strict=True)
     outline = machine.scene.walls(states.moved)

@@ -7,8 +7,8 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, 
 from workbook.fields.units import DEGREE, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap import tool
-from workbook.machines.overlap.view import BACKWARDS, Overlapping
-from workbook.motion.asked import ABOUT as CONTINUOUS
+from workbook.machines.overlap.view import BACKWARDS, OverlapView
+from workbook.motion.requirements import ABOUT as CONTINUOUS
 
 BELOW_CHARTS = 45  # the row from which the sheet is free in its whole width
 RIGHT, SECOND = 11, 24  # the column of charts beside the entries, and the row of the second two
@@ -18,7 +18,7 @@ SEVERAL = "The transfer brings the parts and begins at 0°; each tool goes in, d
 APART = "The tools work at stations of their own: each meets the transfer, never another tool."
 
 
-def overlap_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
+def overlap_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     """Declare the sheet, and one for each of several tools."""
     sheet = book.sheet("Overlap", "How much longer a tool may take when it begins before the transfer has ended.")
     sheet.print_columns = 24 if machine.alone else 25
@@ -49,7 +49,7 @@ def overlap_sheet(book: Book, machine: Overlapping, pieces: Pieces) -> None:
         tool.declare(own, station, pieces, 5, 38)
 
 
-def sums(sheet: Sheet, machine: Overlapping) -> None:
+def sums(sheet: Sheet, machine: OverlapView) -> None:
     """Declare what several tools come to together."""
     sheet.heading("Results")
     sheet.rows(
@@ -99,7 +99,7 @@ def rising() -> Quantity:
                  "only a law that rises throughout can be inverted", ":rises", f'"{BACKWARDS}"')  # fmt: skip
 
 
-def workings(machine: Overlapping) -> tuple[Quantity, ...]:
+def workings(machine: OverlapView) -> tuple[Quantity, ...]:
     """Return the workings that all tools share."""
     return (
         calc("overlap_tc", "Time of one turn", "t_c", "s",
@@ -111,7 +111,7 @@ def workings(machine: Overlapping) -> tuple[Quantity, ...]:
     )  # fmt: skip
 
 
-def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
+def timing_diagrams(sheet: Sheet, machine: OverlapView, column: int) -> None:
     """Place both timing diagrams side by side: a lane for the transfer, and above it one for each tool."""
     top = len(machine.stations) + 1
     for left, title, lane in ((column, "one after the other", "lane_b"), (column + WIDE, "with overlap", "lane_a")):
@@ -123,7 +123,7 @@ def timing_diagrams(sheet: Sheet, machine: Overlapping, column: int) -> None:
         sheet.chart(chart, left, 5, WIDE, 18)
 
 
-def lines_of(machine: Overlapping, column: str) -> tuple[Series, ...]:
+def lines_of(machine: OverlapView, column: str) -> tuple[Series, ...]:
     """Return a line over the cycle for each tool, in the same colour in every chart; the transfer has the first."""
     return tuple(
         Series("=@name", "[@motions.theta]", f"[@motions.{column}]", color=COLOURS[s.number]).within(s.scope)

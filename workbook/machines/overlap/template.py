@@ -11,17 +11,17 @@ from workbook.book.summary import summary_sheet
 from workbook.entries.phase import TURN
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, shown
+from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
 from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, vary_laws, varying
-from workbook.law_sheets.shelf import LAW_SIZES, LawShelf
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import OF_TOOL, TRANSFER, cycle_sheets, rows_of
 from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet
 from workbook.machines.overlap.picture import picture_sheet
 from workbook.machines.overlap.sheet import overlap_sheet
-from workbook.machines.overlap.view import Overlapping, check, laid_out
-from workbook.motion.asked import smoothness_for
-from workbook.motion.exported import Exportable, Later, export_sheet
+from workbook.machines.overlap.view import OverlapView, check, laid_out
+from workbook.motion.exported import Exportable, ShiftCells, export_sheet
+from workbook.motion.requirements import smoothness_for
 from workbook.offered import CamAxis
 from workbook.template import Template, finish
 
@@ -31,8 +31,8 @@ UNITS = ("°", "mm", "mm/°", "mm/°²")
 
 def declare(given: IndexingOverlap) -> Book:
     """Declare the book."""
-    shelf = LawShelf(given.laws, given.sizes)
-    view = Overlapping(given, shelf.laws)
+    book_laws = BookLaws(given.laws, given.sizes)
+    view = OverlapView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     book.sizes = {"°": TURN}
     about = "Motions of one machine, one after the other and with overlap: how much the acceleration falls."
@@ -47,16 +47,16 @@ def declare(given: IndexingOverlap) -> Book:
         *([ratio] if view.alone else []),
         result("about_least", "Least clearance over the cycle", "", "mm", f"={of}_least", view.least),
     ])  # fmt: skip
-    overlap_sheet(book, view, shelf.stack)
-    picture_sheet(book, view, shelf.stack)
-    cycle_sheets(book, view, shelf.stack)
-    inverse_sheet(book, view, shelf.stack)
-    shelf.sheets(book)
-    export_sheet(book, given, exportables(view, shelf.stack))
+    overlap_sheet(book, view, book_laws.stack)
+    picture_sheet(book, view, book_laws.stack)
+    cycle_sheets(book, view, book_laws.stack)
+    inverse_sheet(book, view, book_laws.stack)
+    book_laws.sheets(book)
+    export_sheet(book, given, exportables(view, book_laws.stack))
     return finish(book, ("S2", "S1", "S3"))
 
 
-def exportables(view: Overlapping, pieces: Pieces) -> list[Exportable]:
+def exportables(view: OverlapView, pieces: Pieces) -> list[Exportable]:
     """Return the transfer and each tool as it is set, as the sheet Export may have them."""
     unit = shown(1.0, DEGREE), shown(1.0, MM)  # one of the pieces' x and y in these
     parts = view.transfer.parts
@@ -64,7 +64,7 @@ def exportables(view: Overlapping, pieces: Pieces) -> list[Exportable]:
                         size_of_parts(parts))]  # fmt: skip
     for station in view.stations:
         plan, rows = station.as_set, rows_of(OF_TOOL["a"], station.as_set.parts, pieces)
-        later = Later("[@schedules.there.3]", "overlap_eps", "", Shifted(plan.motion, plan.arrival).unshifted, 0.0)
+        later = ShiftCells("[@schedules.there.3]", "overlap_eps", "", Shifted(plan.motion, plan.arrival).unshifted, 0.0)
         found.append(Exportable(station.given.name, "=@name", rows, UNITS, unit, "*1000", size_of_parts(plan.parts),
                                 later, station.scope))  # fmt: skip
     return found
@@ -72,7 +72,7 @@ def exportables(view: Overlapping, pieces: Pieces) -> list[Exportable]:
 
 def axes(machine: IndexingOverlap) -> list[CamAxis]:
     """Return the transfer, which goes on every turn, and each tool as it is set."""
-    found, units = Overlapping(machine, laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
+    found, units = OverlapView(machine, laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
     made = [CamAxis("transfer", profile_of(pieces_of_parts(found.transfer.parts, True), FULL_TURN, *units), "°", "mm")]
     for one in found.stations:
         profile = profile_of(pieces_of_parts(one.as_set.parts, True), FULL_TURN, *units)

@@ -16,7 +16,7 @@ from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import SCHEDULES, AtAngles
 from workbook.machines.overlap.entries import LEAST
 from workbook.machines.overlap.view import Station
-from workbook.motion.asked import ABOUT as CONTINUOUS
+from workbook.motion.requirements import ABOUT as CONTINUOUS
 
 SHARES = {"in": "@split", "out": "(1-@split)"}  # of what is free for both ways
 CAPPED = "OR(@room*@split*@rest_in<@free_in,@room*(1-@split)*@rest_out<@free_out)"

@@ -24,7 +24,7 @@ SCOPE = "tool{}_"  # of the names of a tool's cells
 BACKWARDS = "a law moves backwards: see its sheet, or Laws"
 
 
-class Overlapping:
+class OverlapView:
     """The engine's view: transfer, a station for each tool; laws ``inverted`` by points, as on the sheet Inverse."""
 
     def __init__(
@@ -60,7 +60,7 @@ class Station:
     transfer's, ``blocked_rows`` those of the transfer's inverted law where it begins and ceases to be in the way.
     """
 
-    def __init__(self, machine: Overlapping, i: int, tool: ToolEntry) -> None:
+    def __init__(self, machine: OverlapView, i: int, tool: ToolEntry) -> None:
         p, library, row = tool.passage, machine.library, 2 * i + 2
         self.machine, self.given = machine, tool
         self.number, self.key, self.scope = i + 1, f"overlap.tools.{i}", SCOPE.format(i + 1)
@@ -119,7 +119,7 @@ def check(machine: IndexingOverlap) -> None:
         if abs(law.end.s - 1) > END_TOLERANCE:
             said = f"the law {name} ends at s = {law.end.s:g}; expected a law that ends at 1"
             raise DesignError(f"overlap.{entry}", said, "reaches", RISING[0])
-    for station in Overlapping(machine, library).stations:
+    for station in OverlapView(machine, library).stations:
         taken = sum(station.angles_set) + station.given.dwell
         if taken > TURN + ANGLE_TOLERANCE:
             name = "angle_in" if station.given.angle_in is not None else "angle_out"

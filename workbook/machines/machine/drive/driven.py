@@ -18,8 +18,8 @@ from engine.drive.motor import TorqueCurve, TorqueFall
 from engine.drive.results import DriveResults
 from workbook.fields.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.latest import latest
-from workbook.machines.machine.chain import AxisPart
 from workbook.machines.machine.drive.in_use import falling_of, left_of, motor_in_use, reducer_in_use
+from workbook.machines.machine.drive_entries import AxisPart
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import (
     LINKED,

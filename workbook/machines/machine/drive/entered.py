@@ -6,9 +6,9 @@ from workbook.book.rows import filled
 from workbook.book.sentence import first_text
 from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
 from workbook.fields.units import DEGREE, KG_CM2, shown
-from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.machines.machine.timing.phases import beyond
 
 TITLE = "Rotating parts: an inertia, or a cylinder's diameter, length and density; teeth of what is geared"
@@ -79,7 +79,7 @@ ACTS = "(([at]>=[@windows.from])*([at]<[@windows.from]+[@windows.span])+([at]+36
 
 def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
     """Declare the process forces over the cycle."""
-    driven, over = view.driven, view.one.machine.over
+    driven, over = view.driven, view.tables.machine.over
     found, unit = driven.windows, "N" if driven.travels else "Nm"
     until = f"MIN(360,{over.in_degrees('[stop]')})" if over.measured else "[stop]"
     column = columns_of(driven.axis.typed.load.windows, f"{key}.load.windows", WINDOWS)
@@ -115,7 +115,7 @@ def edge(view: DriveView, name: str, label: str, at: str, values: list[float]) -
 
 def windows_check(view: DriveView) -> Quantity:
     """Return the check that process forces end with the cycle, of which an entry says how long it is."""
-    over, i = view.one.machine.over, view.driven.number
+    over, i = view.tables.machine.over, view.driven.number
     words = "[@windows.beyond]"
     row = first_text(words)
     return check("@ok_windows", f"{view.driven.called}: no process force goes on beyond the cycle",

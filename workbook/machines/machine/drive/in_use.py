@@ -10,7 +10,7 @@ from engine.drive.motor import TorqueFall
 from workbook.book.declare import Quantity, calc, check, entries_of, given
 from workbook.fields.texts import place_of
 from workbook.fields.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
-from workbook.machines.machine.chain import NEEDED, UNTOLD, AxisMotor
+from workbook.machines.machine.drive_entries import NEEDED, UNTOLD, AxisMotor
 from workbook.machines.machine.entries import Axis
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Products

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 
 from engine.drive.drive_points import LEAST_USE, by_cycles, continuous_line, mean_squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
-from workbook.book.sentence import Said, Sentence, bound
+from workbook.book.sentence import CheckSentence, Sentence, bound
 from workbook.fields.units import RPM, shown
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 
@@ -136,7 +136,7 @@ def highest(view: DriveView) -> Sequence[Quantity]:
     ]  # fmt: skip
 
 
-def mends(view: DriveView) -> Said:
+def mends(view: DriveView) -> CheckSentence:
     """Return the sentence on the rate up to which the drive holds all limits."""
     most = view.highest.rate
     return bound("@highest", most if isinstance(most, float) else 0.0, "the drive holds all up to ", " cycles/min")

@@ -16,11 +16,11 @@ from workbook.book.rows import LEAST, NOT_ZERO, SHARES, WEIGHTS, filled
 from workbook.drive.motor import plane
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, RPM, shown
-from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive import brake, by_angle
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.motion.pieces import FROM_START, arguments, sampled
 
 PLACE: dict[str, Any] = {"scale": TURN, "format": "0.0##"}  # of angles of the cycle, in degrees
@@ -53,7 +53,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         constant("s", "share of it", "", "", list(SHARES) * view.rows),
         constant("w", "counts", "", "", list(WEIGHTS) * view.rows),
         *motion(view),
-        *([calc("y", "position", "y", axis.base, f"={sampled(view.one.pieces, 0)}", of(load.position),
+        *([calc("y", "position", "y", axis.base, f"={sampled(view.tables.pieces, 0)}", of(load.position),
                 scale=axis.motion.size(0))] if view.varies or view.driven.by_angle else []),
         calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX(@up,[iv]))", of(load.direction),
              format="0"),
@@ -80,7 +80,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
 
 def motion(view: DriveView) -> list[Quantity]:
     """Return the columns of the motion: place, powers of u, velocity and acceleration of the load."""
-    rows, load, axis = view.one.pieces, view.load, view.driven.axis
+    rows, load, axis = view.tables.pieces, view.load, view.driven.axis
     of = view.by_point
     numbers = np.array([one.piece for one in view.cycle.intervals])[:, None]
     pieces, base = view.cycle.pieces, axis.base
@@ -145,7 +145,7 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)] + [-n for n in steps]
     sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in steps]
     edge = f"IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
-    near = view.one.machine.near
+    near = view.tables.machine.near
     kept = [
         TURN if at > TURN - near or any(abs(at - one) < near for one in edges[:k]) else at for k, at in enumerate(edges)
     ]
@@ -236,7 +236,7 @@ CHART_COLUMN = 10
 def charts(sheet: Sheet, view: DriveView) -> None:
     """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
     sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=CHART_COLUMN, row=5, width=8, height=22)
-    over, places = view.one.machine.over, {"column": CHART_COLUMN, "width": 8, "height": 11}
+    over, places = view.tables.machine.over, {"column": CHART_COLUMN, "width": 8, "height": 11}
     drawn = [("Torque of the motor", "T [Nm]", "torque", "torque", " over the cycle", 28)]
     drawn += [("Angle of the mechanism's shaft", "φ [rad]", "angle", "phi", "", 40)] if view.varies else []
     for what, y, name, column, cycle, row in drawn:

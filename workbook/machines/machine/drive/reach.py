@@ -15,14 +15,14 @@ from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import UNSIZED, MechanismEntry, PressCrank, Table
-from workbook.machines.machine.view import Whole
+from workbook.machines.machine.view import MachineView
 
 WORDS = " reaches {} {}, {} {} beyond the {}"
 
 
 def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     """Declare by how much each phase leaves the reach."""
-    i, axis, n = view.driven.number, view.driven.axis, view.one.rows
+    i, axis, n = view.driven.number, view.driven.axis, view.tables.rows
     reaches = [axis.motion.reaches[k] for k in axis.entered]
     low, high, *ends = linkage.reach
     unit, size, named = axis.base, axis.motion.size(0), LINKAGES[view.driven.given.kind].ends
@@ -93,7 +93,7 @@ def require_mechanisms(machine: AnyMachine) -> None:
     """Raise DesignError for a mechanism that cannot be, or for the first phase that leaves its reach."""
     if not any(axis.mechanism and axis.mechanism.LARGE for axis in machine.axes):
         return
-    for axis in Whole(machine, laws(machine.laws)).axes:
+    for axis in MachineView(machine, laws(machine.laws)).axes:
         name, given, unit = axis.given.name, axis.given.mechanism, axis.given.unit
         if given is None or not given.LARGE:
             continue

@@ -3,11 +3,11 @@
 import math
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
-from workbook.book.sentence import Said
+from workbook.book.sentence import CheckSentence
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
-from workbook.machines.machine.drive import behind, brake, by_angle, in_use, max_rate
+from workbook.machines.machine.drive import brake, by_angle, in_use, max_rate, reducer_load
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
@@ -15,7 +15,7 @@ from workbook.machines.machine.drive.points import charts, cuts_table, intervals
 from workbook.machines.machine.drive.reach import linkage_checks, reach_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.workings import peaks_table, top, workings
-from workbook.machines.machine.from_names import kind_name
+from workbook.machines.machine.file_layout import kind_name
 from workbook.machines.machine.mechanism import SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
 
@@ -30,7 +30,7 @@ PEAKS = "to 0.5 %; exact at a constant ratio without viscous friction"
 
 def drive_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet."""
-    driven, sizes = view.driven, view.one.machine.machine.sizes
+    driven, sizes = view.driven, view.tables.machine.given.sizes
     linkage = LINKAGES.get(driven.given.kind)
     turning = by_angle.ROWS if view.slides else page.ROWS
     entered, sized = linkage[:2] if linkage else turning
@@ -58,7 +58,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         peaks_table(sheet, view)
         max_rate.rates_table(sheet, view)
         if view.asked:
-            behind.means(sheet, view)
+            reducer_load.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
         backward = min(0.0, float(view.cycle.direction.min()))
         corners = driven.motor.corners(backward, *driven.falling)
@@ -192,9 +192,9 @@ def checks(view: DriveView) -> list[Quantity]:
     """Return the checks of the drive: of its limits with what would mend them, and of what is entered."""
     driven, (torque, mean, speed) = view.driven, view.reducer_checks
     called, reducer = driven.called, driven.reducer
-    mends = Said('"; "&@mends', f"; {max_rate.mends(view).said}")
+    mends = CheckSentence('"; "&@mends', f"; {max_rate.mends(view).said}")
     level = check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed", "@drop=0",
-                  not driven.catalogued_falling.fall, says=Said(f'"{LEVEL}"', LEVEL))  # fmt: skip
+                  not driven.catalogued_falling.fall, says=CheckSentence(f'"{LEVEL}"', LEVEL))  # fmt: skip
     return [
         *limit_checks(view.reserve, called, mends=mends),
         *within_reducer(
@@ -204,6 +204,6 @@ def checks(view: DriveView) -> list[Quantity]:
         ),
         *(brake.checks(view) if view.brakes else ()), *in_use.checks(driven.number, called),
         below_curve(called, driven.falling.fall, view.spare, mends) if view.knows_falling else level,
-        *([windows_check(view)] if view.one.machine.over.measured else ()),
+        *([windows_check(view)] if view.tables.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),
     ]  # fmt: skip

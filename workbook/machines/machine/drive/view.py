@@ -15,9 +15,9 @@ from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
-from workbook.machines.machine.chain import WINDOWS
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.motion_tables import AxisRows
+from workbook.machines.machine.drive_entries import WINDOWS
+from workbook.machines.machine.motion_tables import AxisTables
 
 NONE_BINDS = "none"
 SETTLING, NEAR = 8, 1e-6
@@ -54,8 +54,8 @@ class DriveView:
     it is of the same load behind another motor or reducer.
     """
 
-    def __init__(self, one: AxisRows, driven: Driven, like: "DriveView | None" = None) -> None:
-        self.one, self.driven, machine, own = one, driven, one.machine.machine, driven.entered.rate
+    def __init__(self, one: AxisTables, driven: Driven, like: "DriveView | None" = None) -> None:
+        self.tables, self.driven, machine, own = one, driven, one.machine.given, driven.entered.rate
         self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, one.machine.room
         self.rows = self.room + self.steps - 1
         self.slides, self.varies = driven.given.SLIDES, driven.linkage is not None
@@ -76,7 +76,7 @@ class DriveView:
     @cached_property
     def between(self) -> Interpolation:
         """Where the samples of the sheet Cycle lie between the points."""
-        told = self.driven.axis.told(self.one.machine.samples).x
+        told = self.driven.axis.unshifted(self.tables.machine.samples).x
         return interpolation_at(self.load.x, told, self.cycle.near)
 
     @cached_property
@@ -86,7 +86,7 @@ class DriveView:
         lost = self.driven.motor_used.copper * torque**2
         if self.varies:
             return torque, torque * self.between.of(self.points.speed) + lost
-        moving = axis.motion.at_speed(axis.told(self.one.machine.samples).x, axis.speed)
+        moving = axis.motion.at_speed(axis.unshifted(self.tables.machine.samples).x, axis.speed)
         return torque, torque * self.driven.mechanism.ratio * moving.v + lost
 
     def by_interval(self, values: Array) -> list[float]:
@@ -178,5 +178,5 @@ def settled_highest(view: DriveView) -> Highest:
         if not isinstance(found.rate, float) or found.rate <= 0.0 or abs(found.rate - one.rate) <= NEAR * one.rate:
             break
         moved = axis.at_speed(axis.speed, axis.given.model_copy(update={"rate": found.rate}))
-        one = DriveView(view.one, Driven(moved, view.one.machine.machine))
+        one = DriveView(view.tables, Driven(moved, view.tables.machine.given))
     return found

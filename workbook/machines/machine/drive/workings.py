@@ -58,7 +58,7 @@ def losses(view: DriveView) -> list[Quantity]:
 
 def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     """Declare ratios, inertias and what resists, in S1's terms."""
-    driven, one = view.driven, view.one
+    driven, one = view.driven, view.tables
     m, load, size = driven.mechanism, driven.load, view.scales
     travels = driven.travels
     steady = "=@force+@mass*gravity*SIN(RADIANS(@slope))" if travels else "=@torque+0"

@@ -14,13 +14,13 @@ from engine.selection.point_load import DriveBatch, Extremes, MotorLimits, PairA
 from engine.timing import shaft_speed, turn_time
 from workbook.fields.units import KG_CM2, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive import in_use
-from workbook.machines.machine.drive.behind import load_of
 from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.reducer_load import load_of
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.mechanism import LINKED
-from workbook.machines.machine.motion_tables import AxisRows
+from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MovingAxis
 from workbook.offered import Column, Worked
 from workbook.selection.catalogue import FULL_CYCLES
@@ -30,11 +30,11 @@ ONE = Column([None], np.zeros(1, dtype=np.intp))  # of what does not differ
 Chosen = tuple[int, int, int]  # motor, reducer and rate of a design, by their places among those that differ
 
 
-class Studied:
+class DriveStudy:
     """The drive of an axis with many motors and reducers, at many rates (cycles/min)."""
 
     def __init__(
-        self, axis: MovingAxis, machine: AnyMachine, columns: Mapping[str, Column], rows: Callable[[], AxisRows]
+        self, axis: MovingAxis, machine: AnyMachine, columns: Mapping[str, Column], rows: Callable[[], AxisTables]
     ) -> None:
         self.axis, self.machine, self.products, self.rows = axis, machine, machine.selection, rows
         begin, own = f"axes.{axis.number - 1}", axis.given.rate
@@ -188,7 +188,7 @@ class Studied:
     def views(self) -> dict[Chosen, DriveView]:
         """The drive of each design at the points of its motion: those at one rate share their load."""
         bases = ((one, self.bases[one[2]]) for one in dict.fromkeys(self.designs))
-        return {one: DriveView(base.one, self.drive(*one), base) for one, base in bases}
+        return {one: DriveView(base.tables, self.drive(*one), base) for one, base in bases}
 
     @cached_property
     def highest(self) -> tuple[Array, Any]:
@@ -224,7 +224,7 @@ def in_words(ok: Any) -> Any:
     return np.where(ok, "OK", "FAIL")
 
 
-ASKED: dict[str, Callable[[Studied], Any]] = {
+ASKED: dict[str, Callable[[DriveStudy], Any]] = {
     "rate": lambda one: one.rates.each,
     "jtot": lambda one: shown(one.at_motor, KG_CM2),
     "inertias": lambda one: shares_of(one.at_motor, one.motors_used["inertia"]),
@@ -259,7 +259,7 @@ REDUCERS = {
     "reducer_full": "full_cycles", "reducer_fs": "cycle_factor", "reducer_mass": "mass", "reducer_cost": "cost",
 }  # fmt: skip
 """of motors and of reducers: the cells of their figures"""
-CHECKS: dict[str, Callable[[Studied], Any]] = {
+CHECKS: dict[str, Callable[[DriveStudy], Any]] = {
     "ok_rms": lambda one: one.rms <= one.continuous,
     "ok_peak": lambda one: one.extremes.peak <= one.motors_used["peak_torque"],
     "ok_speed": lambda one: one.speed <= one.motors_used["max_speed"],
@@ -276,7 +276,7 @@ def within(limits: Array, value: Any) -> Any:
     return (limits == 0.0) | (value <= limits)
 
 
-def results(one: Studied) -> Worked:
+def results(one: DriveStudy) -> Worked:
     """Return all results by name, each worked out when it is called."""
     asked = ASKED | ({"brake_load": lambda one: one.brake_load} if one.bases[0].brakes else {})
     asked |= {"spare": lambda one: one.extremes.spare} if one.products.knows_falling else {}
@@ -285,7 +285,7 @@ def results(one: Studied) -> Worked:
     return {f"drive{one.axis.number}_{name}": partial(figure, one) for name, figure in asked.items()}
 
 
-def checks(one: Studied) -> Worked:
+def checks(one: DriveStudy) -> Worked:
     """Return the checks of its sheet that entries do not decide."""
     driven = one.bases[0].driven
     found = CHECKS | ({"ok_back": lambda one: one.axis.motion.closes} if driven.given.kind in LINKED else {})

@@ -13,16 +13,16 @@ from workbook.fields.texts import place_of
 from workbook.fields.units import KW, shown
 from workbook.law_sheets.library import laws, named
 from workbook.laws.family import COEFFICIENTS
-from workbook.machines.machine.clearances import Apart
-from workbook.machines.machine.drive.behind import shaft_of
+from workbook.machines.machine.clearances import ClearanceView
+from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.power import KWH, Mains
 from workbook.machines.machine.studies import drives as each_drive
-from workbook.machines.machine.studies.drives import ONE, Studied, cycles, in_words
-from workbook.machines.machine.view import MovingAxis, Whole
+from workbook.machines.machine.studies.drives import ONE, DriveStudy, cycles, in_words
+from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.offered import Column, Results, Scaling, Worked
-from workbook.selection.choosing import Choosing
+from workbook.selection.pair_selection import PairSelection
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
 GROWTH = {"v": ("y1_max", 1), "a": ("y2_max", 2), "j": ("y3_max", 3), "rms": ("y2_rms", 2)}
@@ -37,7 +37,7 @@ def part(key: str) -> str:
 
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
-    whole, rows = Whole(machine, laws(machine.laws)), cache(partial(axes_of, machine))
+    whole, rows = MachineView(machine, laws(machine.laws)), cache(partial(axes_of, machine))
     rate = columns.get("master.rate", Column([machine.per_minute], ONE.places))
     faster = np.asarray(rate.each) / machine.per_minute
     found: Worked = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
@@ -54,11 +54,11 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         if machine.laws.of("LIN") and (ends := rows()[axis.number - 1].ends):
             checks |= {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")}
         if axis.given.mechanism and axis.given.motor:
-            drives.append(Studied(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
+            drives.append(DriveStudy(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
             found |= each_drive.results(drives[-1])
             checks |= each_drive.checks(drives[-1])
     for k, given in enumerate(machine.clearances, 1):
-        apart = cache(partial(lambda k, given: Apart(given, k, rows()), k, given))
+        apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
         found[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
         found[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
         checks[f"clear{k}_kept"] = partial(lambda apart: in_words(apart().kept), apart)
@@ -92,7 +92,7 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Worked, Worked]:
     }
 
 
-def checks_of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
+def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Worked:
     """Return the checks of all drives together: the bus, and the choice for the axis that is named for it."""
 
     def bus_fine() -> Any:
@@ -106,9 +106,9 @@ def checks_of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
 
         return in_words(np.array([fine(*design) for design in zip(*each, strict=True)]))
 
-    def chosen(one: Studied) -> Any:
+    def chosen(one: DriveStudy) -> Any:
         """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
-        each = (Choosing(machine.selection, machine.sizes, [shaft_of(base)]) for base in one.bases)
+        each = (PairSelection(machine.selection, machine.sizes, [shaft_of(base)]) for base in one.bases)
         return in_words(np.array([choice.proposed is not None for choice in each])[one.rates.places])
 
     axis, found = machine.selection.axis, {"bus_fine": bus_fine}
@@ -116,7 +116,7 @@ def checks_of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
     return found | ({"sel_ok": partial(chosen, named[0])} if named else {})
 
 
-def of_drives(machine: AnyMachine, drives: list[Studied]) -> Worked:
+def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Worked:
     """Return the results of all drives together."""
     whole = cache(lambda: total_bus_power([one.mains for one in drives]))
 

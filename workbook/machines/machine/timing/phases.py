@@ -14,10 +14,10 @@ from workbook.law_sheets.page import finite
 from workbook.laws import sampling
 from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
 from workbook.machines.machine.entries import OPEN_DRIVE
-from workbook.machines.machine.motion_tables import AxisRows
-from workbook.motion.asked import entries
+from workbook.machines.machine.motion_tables import AxisTables
 from workbook.motion.cells import RAISED
 from workbook.motion.pieces import room_check
+from workbook.motion.requirements import entries
 
 RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
     ("velocity", "vmax", VELOCITY, "C_v h/{}", lambda phase: phase.y1_max),
@@ -27,7 +27,7 @@ RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
 """by the order of the derivative: what it is, its greatest size in tables of steps, by the law, and its equation"""
 
 
-def phases_table(sheet: Sheet, one: AxisRows) -> None:
+def phases_table(sheet: Sheet, one: AxisTables) -> None:
     """Declare the phases of an axis; their geometric extremes are workings only of a machine without a rate."""
     measured, base = one.machine.over.measured, one.axis.base
     shown_as = calc if measured else result
@@ -45,7 +45,7 @@ def phases_table(sheet: Sheet, one: AxisRows) -> None:
     )  # fmt: skip
 
 
-def moving(one: AxisRows, figure: Callable[[Phase], float]) -> list[float | str]:
+def moving(one: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
     """Return a figure of each phase that moves, 0 of the others."""
     moves = one.axis.moves
     return [finite(figure(moves[k])) if k in moves else 0.0 for k in range(one.rows)]
@@ -56,12 +56,12 @@ def doubled(formula: str) -> str:
     return formula.replace(",[k])", ",2*[k])")
 
 
-def own(one: AxisRows, column: str, formula: str) -> str:
+def own(one: AxisTables, column: str, formula: str) -> str:
     """Return a formula of each phase: that of its own ends, if phases of the book hand over, or the law's."""
     return doubled(one.ends.own(column, formula)) if one.ends else formula
 
 
-def entered(one: AxisRows) -> list[Quantity]:
+def entered(one: AxisTables) -> list[Quantity]:
     """Return what kind of phase it is, its entries, the kinds of its ends if phases hand over, and where it ends."""
     over, axis, key, steps = one.machine.over, one.axis, f"axes.{one.axis.number - 1}.phases.*", f"{one.name}_steps"
 
@@ -94,7 +94,7 @@ def entered(one: AxisRows) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def extremes(one: AxisRows) -> list[Quantity]:
+def extremes(one: AxisTables) -> list[Quantity]:
     """Return what each movement comes to; over a cycle whose length is entered also how long it lasts."""
     axis, over, by = one.axis, one.machine.over, "t" if one.machine.over.paced else "δ"
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
@@ -120,11 +120,11 @@ def extremes(one: AxisRows) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def used(one: AxisRows) -> list[Quantity]:
+def used(one: AxisTables) -> list[Quantity]:
     """Return law, lift and angles of each phase as the cells compute with them."""
     n, phases, over, turned = one.rows, one.axis.phases, one.machine.over, one.axis.given.phases
     start, stop = over.in_degrees("[start]"), over.in_degrees("[stop]")
-    laws = filled([one.machine.machine.laws.number(p.law) for p in turned], n, 1)
+    laws = filled([one.machine.given.laws.number(p.law) for p in turned], n, 1)
     return [
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", LAW_NUMBER, laws, format="0"),
@@ -150,7 +150,7 @@ EARLY = (
 NO_FAULT, KINDS = "empty where it does not", "R rest, G velocity, U reversal, B both"
 
 
-def faults(one: AxisRows) -> list[Quantity]:
+def faults(one: AxisTables) -> list[Quantity]:
     """Return what is wrong with each phase, and the rest before it."""
     over, lacking = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
     return [
@@ -176,14 +176,14 @@ def going_beyond(last: str, over: Abscissa) -> str:
     return f'"goes to "&{at}&"{over.after}, "&{by}&"{over.after} beyond the cycle"'
 
 
-def gaps(one: AxisRows) -> list[float]:
+def gaps(one: AxisTables) -> list[float]:
     """Return how long the axis rests before each phase, in degrees; before the first spare row, behind the last."""
     phases, n = one.axis.given.phases, one.rows
     begins, ends = filled([p.start for p in phases], n, 360.0), [0.0, *filled([p.stop for p in phases], n, 360.0)]
     return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
 
-def axis_checks(sheet: Sheet, one: AxisRows) -> None:
+def axis_checks(sheet: Sheet, one: AxisTables) -> None:
     """Declare the checks of one axis; each calls it by its number, as it may get another name."""
     axis, t, i = one.axis, one.name, one.axis.number
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", one.machine.over

@@ -7,11 +7,11 @@ from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, 
 from workbook.entries.abscissa import TAKEN, in_unit
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import DEGREE, shown, si
-from workbook.machines.machine.from_names import switch_name, unit_name
-from workbook.machines.machine.motion_tables import AxisRows
+from workbook.machines.machine.file_layout import switch_name, unit_name
+from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.phases import axis_checks, phases_table
-from workbook.machines.machine.view import MovingAxis, Whole
-from workbook.motion.exported import Exportable, Later
+from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.motion.exported import Exportable, ShiftCells
 from workbook.motion.pieces import POSITION, finding, sampled
 
 LANE_SHARE = 0.8  # of the height of a lane that an axis takes. Source: S1, 'Timing diagram for a cutting machine'
@@ -27,14 +27,14 @@ CURVES = (
 EARLIER = "([theta]-@late-[p])*@lap"  # the travel of the turns that its phases have ended before
 
 
-def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
+def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> None:
     """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
     sheet = book.sheet("Timing", f"The axes over {machine.over.cycle}: phases, movements, timing diagram.")
     sheet.heading("Enter")
     weight = given(
-        "gravity", "Gravity", "g", "m/s²", machine.machine.gravity, "gravity", format="0.0####", source="of all drives"
+        "gravity", "Gravity", "g", "m/s²", machine.given.gravity, "gravity", format="0.0####", source="of all drives"
     )
-    sheet.rows(*pace(machine), *([weight] if machine.machine.weighs else []))
+    sheet.rows(*pace(machine), *([weight] if machine.given.weighs else []))
     columns = PHASE_MEASURED if machine.over.measured else PHASE
     columns += PASSING if any(one.ends is not None for one in axes) else 0
     draw_diagram(sheet, machine, columns)
@@ -62,9 +62,9 @@ def timing_sheet(book: Book, machine: Whole, axes: list[AxisRows]) -> None:
     sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
 
 
-def pace(machine: Whole) -> list[Quantity]:
+def pace(machine: MachineView) -> list[Quantity]:
     """Return the rows of a machine with a master shaft, or of one without."""
-    over, rate = machine.over, machine.machine.per_minute
+    over, rate = machine.over, machine.given.per_minute
     if not over.measured:
         return [
             given("timing_rate", "Production rate", "N", "cycles/min", rate, "master.rate", format="0.0##",
@@ -88,13 +88,13 @@ def pace(machine: Whole) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def units(machine: Whole, order: int = 0) -> str:
+def units(machine: MachineView, order: int = 0) -> str:
     """Return the units of the positions of all axes (order 0), or of a derivative, as they are shown."""
     each = dict.fromkeys(axis.given.unit for axis in machine.axes)
     return ", ".join((unit, *machine.over.rates(unit))[order] for unit in each)
 
 
-def axes_table(sheet: Sheet, machine: Whole, columns: int) -> None:
+def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
     """Declare the names of the axes, what each must do and what it comes to; shifts as taken behind so many columns."""
     axes, over, unit = machine.axes, machine.over, units(machine)
     size = max(shown(a.motion.size(0), a.unit) for a in axes)
@@ -146,9 +146,9 @@ def each(axes: list[MovingAxis], formula: str) -> list[str]:
     return [f"={text}*1000" if axis.given.unit == "mm" else f"=DEGREES({text})" for axis, text in texts]
 
 
-def draw_diagram(sheet: Sheet, machine: Whole, columns: int) -> None:
+def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
-    switches, over = len(machine.machine.switches), machine.over
+    switches, over = len(machine.given.switches), machine.over
     n = len(machine.axes) + switches
     lines = [curve(a, over.column, "lane") for a in machine.axes]
     lines += [
@@ -169,7 +169,7 @@ def curve(axis: MovingAxis, x: str, column: str) -> Series:
     return Series(f"=axis{i}_name", f"[cycle{i}.{x}]", f"[cycle{i}.{column}]")
 
 
-def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
+def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
     """Place the charts of position, velocity and acceleration: a row for travelling axes, one for turning axes."""
     sheet.heading("Position, velocity and acceleration over the cycle")
     over, moving = machine.over, dict.fromkeys(axis.given.unit for axis in machine.axes)
@@ -184,9 +184,9 @@ def draw_curves(sheet: Sheet, machine: Whole, columns: int) -> None:
         sheet.chart_row(*charts[:3], width=(columns + 2) // 3, height=18)
 
 
-def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
+def cycle_sheet(book: Book, machine: MachineView, one: AxisTables, floor: int) -> None:
     """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
-    over, axis, i, told = machine.over, one.axis, one.axis.number, one.axis.told(machine.samples)
+    over, axis, i, told = machine.over, one.axis, one.axis.number, one.axis.unshifted(machine.samples)
     title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
     unit, lowest, highest = axis.given.unit, f"[axes.low.{i}]", f"[axes.high.{i}]"
@@ -222,10 +222,10 @@ def cycle_sheet(book: Book, machine: Whole, one: AxisRows, floor: int) -> None:
     sheet.unprinted, sheet.widths = True, {FIRST: 14}
 
 
-def results(one: AxisRows) -> list[Quantity]:
+def results(one: AxisTables) -> list[Quantity]:
     """Return the motion of an axis in time, or by the abscissa whose length is entered alone."""
     axis, unit, over = one.axis, one.axis.given.unit, one.machine.over
-    timed = axis.motion.at_speed(axis.told(one.machine.samples).x, axis.speed)
+    timed = axis.motion.at_speed(axis.unshifted(one.machine.samples).x, axis.speed)
     y, lift = sampled(one.pieces, 0), over.lift(unit).shown
     rates = zip(CURVES[1:], over.symbols[1:], over.rates(unit), timed[1:], strict=True)
     return [
@@ -237,11 +237,11 @@ def results(one: AxisRows) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def exportable(one: AxisRows) -> Exportable:
+def exportable(one: AxisTables) -> Exportable:
     """Return an axis as the sheet Export may have it."""
     axis, i, unit, over = one.axis, one.axis.number, one.axis.given.unit, one.machine.over
     units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
-    later = Later(f"[axes_taken.late.{i}]", "eps", f"[axes.travel.{i}]", axis.told, axis.motion.lifts_sum)
+    later = ShiftCells(f"[axes_taken.late.{i}]", "eps", f"[axes.travel.{i}]", axis.unshifted, axis.motion.lifts_sum)
     return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, units,
                       (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
                       "*1000" if unit == "mm" else "*180/PI()", axis.motion.size, later, over=over)  # fmt: skip

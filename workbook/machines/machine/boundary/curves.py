@@ -19,7 +19,7 @@ from engine.motion.pieces import MotionPiece
 from engine.motion.shifted import LOST
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
-from workbook.machines.machine.boundary.handing import CARRIED, Handing
+from workbook.machines.machine.boundary.handover import CARRIED, AxisHandover
 from workbook.machines.machine.extremes import POINTS, at_points
 
 HERMITE = {
@@ -45,7 +45,7 @@ POSITION = "{0}*([c1]+{0}*([c2]+{0}*[c3]))+[A]*SIN([om]*{0}+[ph])"
 """of a piece of a pulse, whose acceleration is a straight line and a sine"""
 
 
-def carried(one: Handing) -> list[Quantity]:
+def carried(one: AxisHandover) -> list[Quantity]:
     """Return the columns of the halves of a law of two pulses, and of a polynomial Σ e_n ξⁿ, between their ends."""
     row, *phase = one.steps()
     mode = one.number("mode", "is carried out", f"=INDEX([{one.asked}.mode],[k])", lambda step: step.mode, CARRIED)
@@ -101,7 +101,7 @@ def horner(powers: int, order: int, xi: str) -> str:
     return text if order else f"{xi}*({text})"
 
 
-def kinds(one: Handing) -> list[Quantity]:
+def kinds(one: AxisHandover) -> list[Quantity]:
     """Return the columns of rates at both ends, and of their kinds: of what is settled there, else of the law's."""
     at = one.rows.at
     no, rate, *peaks = (f"INDEX([{at.phases}.{name}],[k])" for name in ("no", "rate", "y1", "y2"))
@@ -152,7 +152,7 @@ def points(book: Book, sheet: Sheet) -> None:
     book.name("gauss", xi_g="xi", w_g="w")
 
 
-def inside(one: Handing) -> list[Quantity]:
+def inside(one: AxisHandover) -> list[Quantity]:
     """Return the columns of the extremes of polynomials per unit of ξ, and the greatest velocity of two pulses."""
     size, powers = one.motion.size(0), one.rows.powers
     place = horner(powers, 0, "xi")
@@ -189,7 +189,7 @@ def inside(one: Handing) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def peaks(one: Handing) -> list[Quantity]:
+def peaks(one: AxisHandover) -> list[Quantity]:
     """Return the columns of the greatest velocity, acceleration and jerk, the RMS acceleration, and both positions."""
     at, both = one.rows.at, list(zip(one.handed, one.motion.reaches, strict=True))
     law, rate = f"INDEX({{0}},INDEX([{at.phases}.no],[k]))", f"INDEX([{at.phases}.rate],[k])"
@@ -226,7 +226,7 @@ def at_ends(piece: MotionPiece, order: int) -> list[float]:
     return [float(y) for y in piece.curves[order].at(np.array([0.0, piece.duration]))]
 
 
-def leaps(one: Handing) -> tuple[list[float], list[int]]:
+def leaps(one: AxisHandover) -> tuple[list[float], list[int]]:
     """Return what y'' is before each piece that lasts, in its phase (0 of the first), and whether it jumps there."""
     before, earlier, found = [0.0] * one.room, [], []
     for piece in one.rows.pieces:
@@ -237,7 +237,7 @@ def leaps(one: Handing) -> tuple[list[float], list[int]]:
     return earlier, found
 
 
-def jumps(one: Handing) -> list[int]:
+def jumps(one: AxisHandover) -> list[int]:
     """Return how often y'' jumps at the pieces of each step of two pulses, and at its end."""
     found = [0] * one.room
     for piece, leap in zip(one.rows.pieces, leaps(one)[1], strict=True):
@@ -248,7 +248,7 @@ def jumps(one: Handing) -> list[int]:
     return found
 
 
-def in_pieces(one: Handing, room: int) -> list[Quantity]:
+def in_pieces(one: AxisHandover, room: int) -> list[Quantity]:
     """Return the columns of the pieces' table: what pieces of laws of two pulses add to the extremes of their steps."""
     at, joints = one.rows.at, one.rows.at.pieces.replace("_pieces", "_joints")
     first = f"OR(INDEX([{joints}.n],[r])=1,INDEX([{joints}.from],[r])<>[p])"

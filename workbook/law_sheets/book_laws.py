@@ -30,7 +30,7 @@ LAW_SIZES = {
 }  # fmt: skip
 
 
-class LawShelf:
+class BookLaws:
     """The motion laws of a book: the engine's laws by name, and the stack of pieces in which sheets look them up."""
 
     def __init__(self, given: Laws, sizes: Sizes, hands_over: bool = False) -> None:
@@ -60,9 +60,9 @@ class LawShelf:
         laws_sheet(book, self.named, self.sizes, self.rows, self.stack, self.hands_over)
 
 
-def shelf_of(given: Laws, sizes: Sizes, hands_over: bool = False) -> LawShelf:
+def latest_laws(given: Laws, sizes: Sizes, hands_over: bool = False) -> BookLaws:
     """Return the laws of a book, those of the latest one where they are the same."""
-    return latest("laws", (given, sizes, hands_over), lambda: LawShelf(given, sizes, hands_over))
+    return latest("laws", (given, sizes, hands_over), lambda: BookLaws(given, sizes, hands_over))
 
 
 class Row(NamedTuple):

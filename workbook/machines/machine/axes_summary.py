@@ -8,7 +8,7 @@ from workbook.book.declare import Quantity, Sheet, calc, result
 from workbook.fields.units import PERCENT, RPM, shown
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.timing.sheet import units
-from workbook.machines.machine.view import MovingAxis, Whole
+from workbook.machines.machine.view import MachineView, MovingAxis
 
 WHOLE = 100.0  # % of a limit
 NO_DRIVE, ENTERED, MACHINES = "–", "as entered", "machine's"
@@ -16,7 +16,7 @@ NAMED = 'IF({0}motor_name="","' + ENTERED + '",{0}motor_name)'
 PEAK = "MAX({0}tmax,0-{0}tmin)"
 
 
-def axes_in_short(sheet: Sheet, machine: Whole, drives: Mapping[int, DriveView]) -> None:
+def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveView]) -> None:
     """Declare a row for each axis of the table ``axes``: its travel and rates, and its motor where there are drives."""
     axes, symbols = machine.axes, machine.over.symbols
     reaches = [[shown(end, axis.unit) for end in axis.motion.reach] for axis in axes]

@@ -16,7 +16,7 @@ from engine.motion.joining import Rates, agrees
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, calc, check, constant
 from workbook.book.rows import filled, spread
-from workbook.book.sentence import Said, first_text
+from workbook.book.sentence import CheckSentence, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.machines.machine.view import MovingAxis
 from workbook.motion.cells import PieceRows
@@ -32,7 +32,7 @@ DIFFERS = "IF(OR(ABS([ev]-[{0}])>check_zero*(ABS([ev])+ABS([{0}])),ABS([ea])>0),
 NONE = Rates()
 
 
-class Handing:
+class AxisHandover:
     """What the phases of an axis take from their neighbours; they stand in every second row of its steps.
 
     ``room`` are the rows of the table of steps; ``in_row`` has the number in the motion of the step of each used row.
@@ -115,9 +115,9 @@ class Handing:
         contrary = next((f"{axis} row {i}{BESIDE}" for i, one in self.phases if one.contrary), "")
         return [
             check(f"{name}_meets", f"{label}each law meets its neighbours", f"SUM([{self.asked}.cannot])=0", not fault,
-                  says=Said(f'{called}"&INDEX({texts},{first_text(texts)})', fault and f"{axis} {fault}")),
+                  says=CheckSentence(f'{called}"&INDEX({texts},{first_text(texts)})', fault and f"{axis} {fault}")),
             check(f"{name}_passes", f"{label}what is entered goes with straight lines and dwells", f"SUM({against})=0",
-                  not contrary, says=Said(f'{called}row "&MATCH(1,{against},0)/2&"{BESIDE}"', contrary)),
+                  not contrary, says=CheckSentence(f'{called}row "&MATCH(1,{against},0)/2&"{BESIDE}"', contrary)),
         ]  # fmt: skip
 
 
@@ -132,7 +132,7 @@ def reason(one: Handover) -> tuple[str, str, str]:
             RESTS if never else KEPT if one.end_mode == FIXED else ONLY)  # fmt: skip
 
 
-def asked(one: Handing) -> list[Quantity]:
+def asked(one: AxisHandover) -> list[Quantity]:
     """Return the columns of what each step takes."""
     way = f"=IF([span]>0,INDEX(law_way,INDEX([{one.rows.at.phases}.no],[k])),-1)"
     return [
@@ -150,7 +150,7 @@ def straight(step: Handover | None) -> int:
     return int(step is not None and step.end_mode == STRAIGHT)
 
 
-def beside(one: Handing) -> list[Quantity]:
+def beside(one: AxisHandover) -> list[Quantity]:
     """Return the columns of the steps beside each, if these are straight, and of what is entered for phases."""
     rows, table, around = [place + 1 for place in one.axis.places], one.asked, one.axis.given.repeats
     earlier = [max((row for row in rows if row < k), default=0) for k in range(1, one.room + 1)]
@@ -186,7 +186,7 @@ def beside(one: Handing) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def ends(one: Handing) -> list[Quantity]:
+def ends(one: AxisHandover) -> list[Quantity]:
     """Return the columns of velocity and acceleration at both ends, and whether these are settled."""
     later = f"INDEX([{one.asked}.{{}}],MAX([after],1))".format
     return [
@@ -210,7 +210,7 @@ def ends(one: Handing) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def carried_out(one: Handing) -> list[Quantity]:
+def carried_out(one: AxisHandover) -> list[Quantity]:
     """Return the columns of whether a straight line is against an entry, how a law is carried out, or why not."""
 
     def differs(step: Handover, line: Handover | None) -> int:
@@ -250,7 +250,7 @@ def carried_out(one: Handing) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def taken(one: Handing, room: int) -> list[Quantity]:
+def taken(one: AxisHandover, room: int) -> list[Quantity]:
     """Return the columns of the pieces' table that say what a piece takes over."""
     at = one.rows.at
 

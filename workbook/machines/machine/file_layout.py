@@ -7,7 +7,7 @@ from typing import Any
 from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.abscissa import in_unit
 from workbook.entries.phase import TURN
-from workbook.machines.machine import chain
+from workbook.machines.machine import drive_entries
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.entries_beside import ENDS, MOST_CLEARANCES, MOST_SWITCHES, ClearanceEntry, SwitchEntry
 from workbook.machines.machine.mechanism import MECHANISMS, some_mechanism
@@ -64,11 +64,11 @@ def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -
     """Return an axis with the unit, the drive and the load that a file has of one by its defined names."""
     kinds = [kind for kind in MECHANISMS if kind_name(number, kind) in names]
     viscous = 0.0 if f"drive{number}_viscous" in names else None
-    arm = chain.SwingingArm() if f"drive{number}_arm_mass" in names else None
-    brake = chain.MotorBrake(torque=1.0) if f"drive{number}_brake_torque" in names else None
-    motor = chain.AxisMotor(brake=brake, inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
+    arm = drive_entries.SwingingArm() if f"drive{number}_arm_mass" in names else None
+    brake = drive_entries.MotorBrake(torque=1.0) if f"drive{number}_brake_torque" in names else None
+    motor = drive_entries.AxisMotor(brake=brake, inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
     return axis.model_copy(update={
-        "unit": unit, "load": chain.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}), "parts": [],
+        "unit": unit, "load": drive_entries.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}), "parts": [],
         "rate": None, "printed": "S4" if f"drive{number}_printed" in names else None,
         "mechanism": some_mechanism(kinds[0]) if kinds else None, "motor": motor if kinds else None,
     })  # fmt: skip

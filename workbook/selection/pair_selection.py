@@ -153,7 +153,7 @@ class Figures(NamedTuple):
     spare: float
 
 
-class Choosing:
+class PairSelection:
     """The choice for the shaft that is named, or the only one.
 
     ``rooms`` are the rows and columns of the grid, ``pairs`` their number, ``rank`` that of what pairs are ranked by.
@@ -198,9 +198,9 @@ class Choosing:
         return sorted(yes, key=lambda k: (self.grid.smaller[k], k))
 
     @cached_property
-    def every_drive(self) -> list["Choosing"]:
+    def every_drive(self) -> list["PairSelection"]:
         """The choice for each shaft."""
-        return [Choosing(self.given, self.sizes, self.shafts, n) for n in range(len(self.shafts))]
+        return [PairSelection(self.given, self.sizes, self.shafts, n) for n in range(len(self.shafts))]
 
     @property
     def held_names(self) -> tuple[str, str]:

@@ -26,7 +26,7 @@ def smoothness_for(turn: int) -> str:
 
 
 @dataclass(frozen=True)
-class Asked:
+class RequiredSmoothness:
     """How smooth a motion must be, and how sentences tell of it: pairs are a formula, and the text that it gives."""
 
     smooth: Smoothness
@@ -45,14 +45,14 @@ class Asked:
     quickest: str = ""  # the formula of the greatest 1/δ by which jerks are measured: by default that of all phases
 
 
-def in_time(asked: Asked, degrees: str, size: str, order: str) -> tuple[str, str]:
+def in_time(asked: RequiredSmoothness, degrees: str, size: str, order: str) -> tuple[str, str]:
     """Return the formulas of a place and of a jump as sentences tell them."""
     if asked.speed is None:
         return degrees, size
     return f"RADIANS({degrees})/{asked.speed[0]}", f"{size}*{asked.speed[0]}^{order}{asked.lift[0]}"
 
 
-def timed(asked: Asked, x: float, size: float, order: int) -> tuple[float, float]:
+def timed(asked: RequiredSmoothness, x: float, size: float, order: int) -> tuple[float, float]:
     """Return them by the engine: x is in rad where they are told over time."""
     return (x, size) if asked.speed is None else (x / asked.speed[1], size * asked.speed[1] ** order / asked.lift[1])
 

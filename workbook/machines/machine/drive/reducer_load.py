@@ -9,7 +9,7 @@ from engine.selection.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
-from workbook.selection.choosing import Shaft, asked, figures
+from workbook.selection.pair_selection import Shaft, asked, figures
 
 DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
 BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
