@@ -1,4 +1,4 @@
-"""The master shaft of a timing diagram, and switches over its cycle: what they are, and how two of them differ."""
+"""The master shaft of a timing diagram, and switches over its cycle."""
 
 import math
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ def shaft_speed(rate: float) -> float:
     Parameters
     ----------
     rate : float, 1/s
-        n, cycles per second; finite and above 0.
+        n, cycles per second, finite and above 0.
 
     Returns
     -------
@@ -29,7 +29,7 @@ def shaft_speed(rate: float) -> float:
     Raises
     ------
     ValueError
-        For another rate.
+        If the rate is not finite and above 0.
     """
     if not (math.isfinite(rate) and rate > 0.0):
         raise ValueError(f"rate is {rate:g}; expected a finite number above 0")
@@ -37,17 +37,17 @@ def shaft_speed(rate: float) -> float:
 
 
 def turn_time(rate: float) -> float:
-    """Return the time of a turn, 1/n, in s, of n cycles per second. Raises ValueError as :func:`shaft_speed`."""
+    """Return the time 1/n of a turn (s) at n cycles per second. Raises ValueError as :func:`shaft_speed`."""
     return FULL_TURN / shaft_speed(rate)
 
 
 @dataclass(frozen=True)
 class Switch:
-    """A lane that is on or off over the cycle: a cylinder, a valve. Raises ValueError for times that overlap."""
+    """A lane that is on or off over the cycle: a cylinder, a valve. Raises ValueError for intervals that overlap."""
 
     name: str
-    on: tuple[tuple[float, float], ...]  # begin and end of each time; an end before its begin is in the next cycle
-    cycle: float = FULL_TURN
+    on: tuple[tuple[float, float], ...]  # begin and end of each interval; an end before its begin is in the next cycle
+    cycle: float = FULL_TURN  # in the same unit as the intervals
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "on", tuple((float(begin), float(end)) for begin, end in self.on))
@@ -60,7 +60,7 @@ class Switch:
                 raise ValueError(f"{self.name}: two times of being on overlap; expected one after the other")
 
     def at(self, x: Array) -> Array:
-        """Return 1 where it is on and 0 where it is off; where it switches, what comes after."""
+        """Return 1 where it is on and 0 where it is off; at an edge the state after it."""
         state = np.zeros(np.shape(x))
         for begin, end in self.on:
             state = np.maximum(state, (np.asarray(x) - begin) % self.cycle < self._time(begin, end))
@@ -73,50 +73,55 @@ class Switch:
 
     @property
     def total(self) -> float:
-        """What it is on for, in units of the cycle."""
+        """Time for which it is on in a cycle, in the unit of the cycle."""
         return math.fsum(self.spans)
 
     @property
     def spans(self) -> list[float]:
-        """How long each time of being on lasts."""
+        """Duration of each interval in which it is on."""
         return [self._time(begin, end) for begin, end in self.on]
 
     @property
     def bars(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
-        """From where to where each time of being on shows in the cycle: up to its end, and on from its begin."""
-        ends = [begin + span for (begin, _), span in zip(self.on, self.spans, strict=True)]
-        return [((begin, min(end, self.cycle)), (0.0, max(0.0, end - self.cycle)))
-                for (begin, _), end in zip(self.on, ends, strict=True)]  # fmt: skip
+        """Begin and end of two bars for each interval in a diagram: up to the cycle's end, and from its begin."""
+        found = []
+        for (begin, _), span in zip(self.on, self.spans, strict=True):
+            end = begin + span
+            found.append(((begin, min(end, self.cycle)), (0.0, max(0.0, end - self.cycle))))
+        return found
 
     def _time(self, begin: float, end: float) -> float:
         return self.cycle if end - begin == self.cycle else (end - begin) % self.cycle
 
 
-SAME = 1e-12  # of the cycle: edges so near to each other are one
+SAME = 1e-12  # share of the cycle: edges that are nearer to each other count as one
 
 
 class SwitchDifference(NamedTuple):
-    """How two switches differ, in units of the cycle."""
+    """The difference of two switches, in the unit of their cycle."""
 
-    edges: int  # of the switch that is meant
-    largest: float  # how far one is off at most; infinite without one of its kind on the other side
-    x: float  # where
-    duration: float  # for how long states differ
+    edges: int  # number of edges of the switch that is meant, on and off
+    largest: float  # distance of an edge from the nearest of its kind; infinite if there is none
+    x: float  # place of that edge
+    duration: float  # time for which the states differ
 
 
 def compare_switches(meant: Switch, found: Switch) -> SwitchDifference:
-    """Return how a switch differs from the one meant; always on has no edge. Raises ValueError for other cycles."""
+    """Return the difference of a switch from the one meant. Raises ValueError for different cycles."""
     if not math.isclose(meant.cycle, found.cycle):
         raise ValueError(f"the cycles are {meant.cycle:g} and {found.cycle:g}; expected the same")
     cycle = meant.cycle
-    marks = np.unique([0.0, cycle, *(x % cycle for one in (meant, found) for time in one.on for x in time)])
+    marks = np.unique([0.0, cycle, *(x % cycle for interval in (*meant.on, *found.on) for x in interval)])
     marks = marks[np.append(np.diff(marks) > SAME * cycle, True)]
     middles = 0.5 * (marks[1:] + marks[:-1])
     states = meant.at(middles), found.at(middles)
-    here, there = ([marks[:-1][np.diff(state, prepend=state[-1]) == way] for way in (1.0, -1.0)] for state in states)
-    off = [(float(np.minimum(way := np.abs(others - x), cycle - way).min(initial=math.inf)), float(x))
-           for one, other in zip(here, there, strict=True)
-           for places, others in ((one, other), (other, one)) for x in places]  # fmt: skip
-    largest, x = max(off, key=lambda one: one[0], default=(0.0, 0.0))
-    duration = float(np.diff(marks)[states[0] != states[1]].sum())
-    return SwitchDifference(sum(map(len, here)), largest, x, duration)
+    count, distances = 0, []  # of an edge to the nearest of its kind on the other side, with the edge
+    for step in (1.0, -1.0):  # edges on, then edges off
+        here, there = (marks[:-1][np.diff(state, prepend=state[-1]) == step] for state in states)
+        count += len(here)
+        for edges, others in ((here, there), (there, here)):
+            for edge in edges.tolist():
+                apart = np.abs(others - edge)
+                distances.append((float(np.minimum(apart, cycle - apart).min(initial=math.inf)), edge))
+    largest, x = max(distances, key=lambda found: found[0], default=(0.0, 0.0))
+    return SwitchDifference(count, largest, x, float(np.diff(marks)[states[0] != states[1]].sum()))

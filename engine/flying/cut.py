@@ -1,4 +1,4 @@
-"""A tool that goes round or comes back, and a cut: what a product length asks of it. Lengths in m along the line."""
+"""Flying cuts: a tool on a drum or a slide, and its motion for a product length. Lengths in m along the line."""
 
 import math
 from dataclasses import dataclass
@@ -14,17 +14,17 @@ from engine.laws.ladder import reach_of
 from engine.laws.piece import scaled_piece
 
 Beyond = Literal["standstill", "reversal"]
-SAME_LENGTH = 1e-12  # of the design length, the line speed: a smaller difference is none
-LONGER = 1.001  # times the tool length, the shortest product
+SAME_LENGTH = 1e-12  # share of the design length, or line speed, by which equal figures may differ
+LONGER = 1.001  # shortest product over the tool length
 
 
 @dataclass(frozen=True)
 class Tool:
-    """What carries the tool. Raises ValueError unless L_0 ≥ 0, L_T ≥ 0, R_t > 0, and L_T < L_0 where L_0 > 0."""
+    """A tool and its carrier. Raises ValueError unless L_0 ≥ 0, L_T ≥ 0, R_t > 0, and L_T < L_0 if L_0 > 0."""
 
-    design_length: float  # L_0, that it covers in a cycle; 0 of a tool that comes back
-    tool_length: float  # L_T, that it covers at line speed
-    radius: float  # R_t, metres per rad of its shaft
+    design_length: float  # L_0 (m), travel in a cycle at line speed; 0 of a tool that returns
+    tool_length: float  # L_T (m), travel at line speed while it works
+    radius: float  # R_t (m/rad of its shaft)
 
     def __post_init__(self) -> None:
         require(self.radius > 0.0, "radius", self.radius, "more than 0")
@@ -35,7 +35,7 @@ class Tool:
 
     @property
     def repositioning_length(self) -> float:
-        """L_R = L_0 − L_T; negative for a tool that comes back."""
+        """L_R = L_0 − L_T (m); negative for a tool that returns."""
         return self.design_length - self.tool_length
 
     def angle(self, length: float) -> float:
@@ -58,37 +58,50 @@ def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:
 
 
 def flying_saw(tool_length: float, metres_per_radian: float) -> Tool:
-    """Return a saw on a slide: in step with the line over L_T (m), then back; the motor's mean speed is zero.
+    """Return a saw on a slide: in step with the line over L_T (m), then back; the mean speed of the motor is 0.
 
-    A transmission ratio with a mean that is not zero makes it the case L_0 = 0 of the drum's equations: there is no
-    design length, h = −L_p, and the tool always reverses. ``metres_per_radian`` of the shaft that moves the slide:
-    1/(2πP) of a screw, the radius of a pinion. Source: S5, 'Systems where τ_gx,mean ≠ 0'.
+    It is the case L_0 = 0 of the drum's equations: h = −L_p, and the tool always reverses. ``metres_per_radian`` is the
+    travel of the slide by the angle of its shaft: 1/(2πP) of a screw of P turns a metre, the radius of a pinion.
+    Source: S5, 'Systems where τ_gx,mean ≠ 0'.
     """
     return Tool(0.0, tool_length, metres_per_radian)
 
 
 def require(holds: bool, name: str, value: float, expected: str) -> None:
-    """Raise ValueError, which says what was expected, unless the condition holds and the value is finite."""
+    """Raise ValueError, with what was expected, unless the condition holds and the value is finite."""
     if not (holds and math.isfinite(value)):
         raise ValueError(f"{name} is {value:g}; expected {expected}")
 
 
 class ToolMotion(NamedTuple):
-    """Motion of the tool along its path over a cycle: m, m/s, m/s², m/s³."""
+    """Motion of the tool along its path, arrays of one shape."""
 
-    position: Array
-    speed: Array
-    acceleration: Array
-    jerk: Array
+    position: Array  # m
+    speed: Array  # m/s
+    acceleration: Array  # m/s²
+    jerk: Array  # m/s³
 
 
 class Cut:
-    """A product length L_p (m) at line speed v_L (m/s), and what it asks of the tool, in the order of S5.
+    """The motion of a tool for one product length at one line speed, in the order of S5.
 
-    ``law`` is that of the superimposed motion. ``beyond`` says what a drum does with products longer than
-    ``limit_length``: come to a standstill, wait at the law's fastest instant and go on, or reverse. ``peak`` is the ξ
-    of that instant, or None for the first at which the law is exactly at its fastest. Raises ValueError unless
-    L_p > L_T and v_L > 0, and for a law that moves backwards or does not end at rest at 1.
+    Parameters
+    ----------
+    tool : Tool
+        The tool on its drum or slide.
+    product_length, line_speed : float, m and m/s
+        L_p and v_L.
+    law : Law
+        Law of the motion that is superimposed on the line speed, from rest to rest.
+    beyond : {"standstill", "reversal"}
+        Whether a drum waits at the law's fastest instant, or reverses, for products longer than ``limit_length``.
+    peak : float, optional
+        ξ of the fastest instant; by default the first exact one.
+
+    Raises
+    ------
+    ValueError
+        Unless L_p > L_T and v_L > 0, and for a law that moves backwards or does not end at 1 at rest.
     """
 
     def __init__(
@@ -104,25 +117,25 @@ class Cut:
             raise ValueError(f"{law.name}: expected a law that rises from rest at 0 to rest at 1")
         self.tool, self.product_length, self.line_speed, self.law = tool, product_length, line_speed, law
         cv, ca, ca_rms = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca_rms
-        self.rate = line_speed / product_length  # products a second
+        self.rate = line_speed / product_length  # 1/s
         self.cycle_time = product_length / line_speed  # t_C (s): eq. (4)
         self.tool_time = tool.tool_length / line_speed  # t_T (s)
         self.repositioning_time = (product_length - tool.tool_length) / line_speed  # t_R (s)
-        self.time_tolerance = BREAK_TOLERANCE * self.cycle_time  # a time (s) this near to an event counts as on it
+        self.time_tolerance = BREAK_TOLERANCE * self.cycle_time  # s; a time this near to an event counts as on it
         h, same = tool.design_length - product_length, SAME_LENGTH * tool.design_length
         self.displacement = h if abs(h) > same else 0.0  # h = L_0 − L_p (m), the dynamic displacement
-        # L_p,lim (m): longer, and a drum cannot but stop or reverse; of a tool that comes back it is below L_T
+        # L_p,lim (m): for longer products a drum has to stop or reverse; below L_T for a tool that returns
         self.limit_length = (cv * tool.design_length - tool.tool_length) / (cv - 1.0)
         self.waits = tool.design_length > 0.0 and beyond == "standstill" and product_length > self.limit_length
-        # of the law's motion: time (s), with a wait such that the tool just comes to a standstill, and displacement (m)
+        # time (s) and displacement (m) of the law; with a wait, those at which the tool just comes to a standstill
         self.moving_time, self.superimposed = self.repositioning_time, self.displacement
         if self.waits:
             self.moving_time = cv * tool.repositioning_length / ((cv - 1.0) * line_speed)
             self.superimposed = -line_speed * self.moving_time / cv
         self.waiting_time = self.repositioning_time - self.moving_time  # s
-        self.fastest = velocity_peak(law) if peak is None else peak  # ξ at which the law is fastest: there a drum waits
+        self.fastest = velocity_peak(law) if peak is None else peak  # ξ at which v of the law is largest: a drum waits
         begin = self.fastest * self.moving_time if self.waits else self.repositioning_time
-        self.wait = begin, begin + self.waiting_time  # standstill from and to (s); both t_R where it does not wait
+        self.wait = begin, begin + self.waiting_time  # begin and end of the standstill (s); both t_R without a wait
         self.speed_change = cv * self.superimposed / self.moving_time  # Δv_max (m/s), with the sign of h: eq. (10)
         ends = line_speed, line_speed + self.speed_change
         self.speed_range = min(ends), max(ends)  # m/s
@@ -135,9 +148,9 @@ class Cut:
         self.rms_angular_acceleration = self.rms_acceleration / tool.radius  # ω̇_L,rms (rad/s²): eq. (13)
 
     def fastest_line(self, max_speed: float, max_acceleration: float) -> float:
-        """Return the line speed (m/s) at which the shaft is at the first of its limits (rad/s, rad/s²).
+        """Return the line speed (m/s) at which the shaft reaches the first of its limits (rad/s, rad/s²).
 
-        Of one product and law, ω grows with v_L, ω̇ with v_L²: S5, eqs. (11), (12) with t_R = (L_p − L_T)/v_L.
+        For one product and law, ω grows with v_L and ω̇ with v_L²: S5, eqs. (11), (12) with t_R = (L_p − L_T)/v_L.
         """
         v, asked = self.line_speed, self.max_angular_acceleration
         by_speed = v * max_speed / self.max_angular_speed
@@ -145,14 +158,14 @@ class Cut:
 
     @property
     def stroke(self) -> float:
-        """Furthest less nearest position of the tool in a cycle (m): the slide's travel of a flying saw."""
+        """Range of the tool's positions over a cycle (m), the travel of a flying saw's slide."""
         places = self.at(np.array([0.0, self.repositioning_time, self.cycle_time])).position
         moved = tuple(scaled_piece(piece, self.superimposed, 1.0) for piece in self.law.as_pieces())
         turned = reach_of(moved, self.line_speed * self.moving_time) if self.reverses else ()
         return float(np.ptp([*places, *turned]))
 
     def at(self, time: ArrayLike) -> ToolMotion:
-        """Return the tool's motion at times from 0 to t_C (s); at an event what is behind it. Raises ValueError."""
+        """Return the tool's motion at times from 0 to t_C (s), else raise ValueError; at an event that after it."""
         t, near = np.asarray(time, dtype=np.float64), self.time_tolerance
         if t.size and not (t.min() >= -near and t.max() <= self.cycle_time + near):
             raise ValueError(f"time reaches from {t.min():g} to {t.max():g} s; expected 0 to {self.cycle_time:g} s")
@@ -168,6 +181,6 @@ class Cut:
         return ToolMotion(self.line_speed * t + moved, speed, *rates)
 
     def size(self, order: int) -> float:
-        """Return how large the n-th derivative of the tool's position is: v_L tⁿ⁻¹ and |h|/tⁿ, of t_m or t_C."""
+        """Return a scale of the n-th derivative of the tool's position (m/sⁿ): the larger of |h|/t_mⁿ and L_p/t_Cⁿ."""
         superimposed = abs(self.superimposed) / self.moving_time**order
         return max(superimposed, self.product_length / self.cycle_time**order)

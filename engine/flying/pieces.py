@@ -1,4 +1,4 @@
-"""The tool over a cycle as a table of pieces, and its shaft with a motor behind a reducer at points of each. SI units.
+"""The tool's motion over a cycle as a table of pieces, and the drive of its shaft at points of them. SI units.
 
 Source: S5, 'Model of dynamic system', T_M = (J_M/τ) ω̇_L + τ (T_L + J_L ω̇_L), and its step 7 for η and J_T.
 """
@@ -21,24 +21,24 @@ from engine.motion.pieces import MotionPiece, ScaledLaw, pieces_of
 
 
 class CutPart(NamedTuple):
-    """A part of the cycle: a motion by a law, besides a drift, of which it has some pieces; it begins at ``opens``."""
+    """A part of the cycle: some consecutive pieces of a law with a constant velocity superimposed."""
 
     scaled: ScaledLaw
-    opens: float
-    first: int  # its first piece of the law, from 0
-    taken: int
+    opens: float  # time at which the part begins (s)
+    first: int  # number of its first piece of the law, from 0
+    taken: int  # number of pieces
 
     def pieces(self, number: int, whole: bool = False) -> list[MotionPiece]:
-        """Return its pieces, as those of the part of a number."""
+        """Return its pieces, with ``number`` as that of their phase."""
         found = pieces_of(self.scaled, number, whole)[self.first : self.first + self.taken] if self.taken else []
         return [replace(piece, begin=max(piece.begin, self.opens)) for piece in found]
 
 
 def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart, CutPart]:
-    """Return the parts of a cycle: it moves by its law up to the wait, waits, moves on, and works at line speed.
+    """Return the parts of a cycle: the law up to the wait, the wait, the rest of the law, and the work at line speed.
 
-    The law that a wait interrupts goes on in the middle of a piece, later by the wait. Without a wait the first part
-    has all pieces of the law, the second and the third none; without a time to work, neither has the fourth.
+    A law interrupted by a wait resumes in the middle of a piece, later by the wait. Without a wait the first part has
+    all pieces of the law, the second and the third none; without working time the fourth has none.
     ``whole`` pieces are not cut where the acceleration is largest.
     """
     v, t, h, wait = cut.line_speed, cut.moving_time, cut.superimposed, cut.waiting_time
@@ -59,7 +59,7 @@ def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart,
 
 
 def cut_joints(cut: Cut, smooth: Smoothness) -> tuple[Joint, ...]:
-    """Return where the tool's pieces begin and what jumps there, by its speed, acceleration, and that over t_m."""
+    """Return the joints of the tool's pieces, with jumps beyond 1e-9 of :func:`rates_of`."""
     pieces = cut_pieces(cut)
     ends = [*(piece.begin for piece in pieces[1:]), cut.cycle_time]
     spans = [(piece.begin - piece.origin, end - piece.origin) for piece, end in zip(pieces, ends, strict=True)]
@@ -67,20 +67,20 @@ def cut_joints(cut: Cut, smooth: Smoothness) -> tuple[Joint, ...]:
 
 
 def rates_of(cut: Cut) -> Rates:
-    """Return the sizes of velocity, acceleration and jerk by which jumps are measured: m/s, m/s², m/s³."""
+    """Return the scales of velocity, acceleration and jerk by which jumps are measured: m/s, m/s², m/s³."""
     hardest = cut.max_acceleration
     return Rates(max(abs(v) for v in cut.speed_range), hardest, hardest / cut.moving_time)
 
 
 def cut_pieces(cut: Cut, whole: bool = False) -> list[MotionPiece]:
-    """Return the pieces of the tool's motion over the cycle, in m and s; ``whole`` as :func:`cut_parts` has it."""
+    """Return the pieces of the tool's motion over the cycle, in m and s; ``whole`` as in :func:`cut_parts`."""
     parts = enumerate(cut_parts(cut, whole))
     return [piece for number, part in parts for piece in part.pieces(number, whole)]
 
 
 @dataclass(frozen=True)
 class CutCycle(QuadratureCycle):
-    """The cycle of a cut: each piece of the tool's motion is an interval, those of no length too."""
+    """The cycle of a cut: each piece of the tool's motion is an interval, also one without duration."""
 
     still: float = 0.0  # speed up to which the tool counts as at rest (m/s)
 
@@ -93,7 +93,10 @@ class CutCycle(QuadratureCycle):
 
 
 def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Drivetrain:
-    """Return the tool's shaft with a load (kg m², Nm); ``pair`` is J_M + J_T, i, η and the reducer's no-load torque."""
+    """Return the drive of the tool's shaft with a load at the shaft (kg m², Nm).
+
+    ``pair`` holds J_M + J_T (kg m²), i, η and the no-load torque of the reducer (Nm).
+    """
     inertia, ratio, efficiency, no_load = pair
     radius, stage = cut.tool.radius, Stage("reducer", ratio, efficiency)
     shaft = Part("shaft", load.inertia, 1)
@@ -102,20 +105,21 @@ def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.
 
 
 def cycle_of(cut: Cut, train: Drivetrain) -> CutCycle:
-    """Return the cycle of a cut's shaft: nine points of each piece of the tool's motion."""
+    """Return the drive cycle of a cut's shaft, at nine points of each piece of the tool's motion."""
     pieces = cut_pieces(cut)
     drive_cycle = DriveCycle(train, MotionPieces(tuple(pieces), 0.0, cut.cycle_time))
     return CutCycle(drive_cycle, pieces, cut.time_tolerance, STANDSTILL * max(map(abs, cut.speed_range)))
 
 
 def furthest(load: LoadPoints, still: float) -> tuple[Array, Array]:
-    """Return the share of the step to each point at which the tool stands, and its position (m) there.
+    """Return the share of the step before each point at which the tool reverses, and its position (m) there.
 
-    Between two points of opposite speeds v_0, v_1 it stands at about x = v_0/(v_0 − v_1) of the step, at the position
-    of the cubic through both; else 0 and the position of the point itself. To 0.1 % of the stroke.
+    Between two points of opposite speeds v_0, v_1, both above ``still`` (m/s), it reverses at about x = v_0/(v_0 − v_1)
+    of the step, at the position of the cubic through both: to 0.1 % of the stroke. Else the share is 0, and the
+    position that of the point itself.
     """
-    s, v, t = (one.ravel() for one in (load.position, load.velocity, load.x))
-    s0, v0, step = (np.concatenate([one[:1], one[:-1]]) for one in (s, v, t))
+    s, v, t = (values.ravel() for values in (load.position, load.velocity, load.x))
+    s0, v0, step = (np.concatenate([values[:1], values[:-1]]) for values in (s, v, t))
     step = t - step
     turns = (v0 * v < 0.0) & (np.minimum(np.abs(v0), np.abs(v)) > still) & (step > 0.0)
     x = np.divide(v0, v0 - v, out=np.zeros(v.shape), where=turns)

@@ -1,4 +1,4 @@
-"""What a phase becomes of its law where its neighbours hand velocity over to it: halves of the law, or a polynomial."""
+"""Phases that take over velocity from their neighbours: as two halves of their law, as a polynomial, or as a line."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,13 +14,13 @@ from engine.motion.joining import BoundaryPhase, EndCondition, JoinedMotion, Rat
 from engine.motion.phase import Phase
 
 STRAIGHT, NEVER, PULSES, FIXED = -1, 0, 1, 2
-"""ways in which laws meet their neighbours: they have a velocity; take none; take one by the heights of two pulses;
-keep the velocities that they have at their ends"""
-LINE = 2  # of how a phase is carried out: its ends are those of a straight line
+"""how a law meets its neighbours: at its own constant velocity; only at rest; at any velocity by the heights of its two
+pulses; at its own end velocities"""
+LINE = 2  # mode of a phase whose boundary values a straight line meets
 
 
 def end_mode(law: Law) -> int:
-    """Return how a law meets its neighbours: as :data:`STRAIGHT` and so on, or by a polynomial of degree 3, 5 or 7."""
+    """Return how a law meets its neighbours: :data:`STRAIGHT` to :data:`FIXED`, or 3, 5, 7, a polynomial's degree."""
     if slope(Phase(law, 0.0, 1.0)) is not None:
         return STRAIGHT
     if isinstance(law, BoundaryLaw) and law.fixes_ends:
@@ -31,47 +31,47 @@ def end_mode(law: Law) -> int:
 
 
 def early_of(law: Law) -> int:
-    """Return how many pieces of a law are of its first pulse, if it meets its neighbours by pulses; else 0."""
+    """Return the number of pieces of the first pulse of a law of mode :data:`PULSES`; 0 of all others."""
     return law.early if end_mode(law) == PULSES and isinstance(law, PulseLaw) else 0
 
 
 @dataclass(frozen=True)
 class Handover:
-    """A phase as it is carried out, and what its neighbours ask of it."""
+    """A phase with its law as carried out, and the conditions at its ends."""
 
     phase: Phase
-    begin: EndCondition  # what is asked for there
-    end: EndCondition  # and at its end
-    kinds: tuple[str, str]
-    fault: str  # why it cannot have that, if so
-    entered: Rates | None = None  # for its begin
-    contrary: bool = False  # whether a straight line or a dwell at its begin has other rates
+    begin: EndCondition  # at its begin
+    end: EndCondition  # at its end
+    kinds: tuple[str, str]  # of begin and end by VDI 2143: letters of "RGUB"
+    fault: str  # why the law cannot meet the conditions; empty if it can
+    entered: Rates | None = None  # y', y'', y''' entered for its begin
+    contrary: bool = False  # whether a straight line or dwell at its begin has other rates than the entered
 
     @property
     def end_mode(self) -> int:
-        """How the law that is named meets its neighbours."""
+        """How its law meets its neighbours: see :func:`end_mode`."""
         return end_mode(self.phase.named)
 
     @property
     def slope(self) -> float:
-        """Slope y' of a straight line; 0 of all else."""
+        """Slope y' of a straight line; 0 of all other laws."""
         return slope(self.phase) or 0.0
 
     @property
     def ended(self) -> bool:
-        """Whether its ends are prescribed."""
+        """Whether it is carried out with boundary values."""
         return isinstance(self.phase, BoundaryPhase)
 
     @property
     def mode(self) -> int:
-        """How it is carried out: 0 as the law between rests, :data:`LINE`, else its :attr:`way`."""
+        """How it is carried out: 0 as the law between rests, :data:`LINE`, else its :attr:`end_mode`."""
         if not self.ended:
             return 0
         return LINE if isinstance(self.phase.law, BoundaryLine) else self.end_mode
 
     @cached_property
     def halves(self) -> tuple[float, float]:
-        """What the law that is named is multiplied by in either half, beside v0 and v1; 0 of a polynomial."""
+        """Factors of its law in both halves, in units of y, besides the end velocities; 0 of a polynomial."""
         made, law = self.phase.law, self.phase.named
         if not self.ended:
             return self.phase.lift, self.phase.lift
@@ -81,22 +81,22 @@ class Handover:
 
     @property
     def drifts(self) -> tuple[float, float]:
-        """The velocities that are added in either half; 0 of a law between rests."""
+        """Velocities y' that are added in both halves; 0 of a law between rests."""
         return (self.begin.required.v, self.end.required.v) if self.ended else (0.0, 0.0)
 
     @property
     def early(self) -> int:
-        """Pieces before its second pulse, of a law of two pulses; 0 of all else."""
+        """Number of pieces of the first pulse of a law of two pulses; 0 of all others."""
         return early_of(self.phase.named) if self.mode == PULSES else 0
 
     def base(self, late: bool, y: float) -> float:
-        """Return the position from which its law is counted in a half, ``y`` being the one that it begins at."""
+        """Return the position at which its law has s = 0 in the first or the ``late`` half; it begins at ``y``."""
         lift, drift = self.halves[1], self.drifts[1]
         return y + self.phase.lift - lift - drift * self.phase.duration if late else y
 
     @cached_property
     def powers(self) -> tuple[float, ...]:
-        """e0, e1, e2 … of y = Σ e_n ξⁿ from the begin of a polynomial with prescribed ends; 0 of all else."""
+        """e0, e1, e2 … of y = Σ e_n ξⁿ from the begin of a polynomial with boundary values; 0 of all others."""
         law = self.phase.law
         if not isinstance(law, BoundaryPolynomial):
             return (0.0,) * (POWERS + 2)
@@ -106,19 +106,19 @@ class Handover:
 
     @property
     def hermite(self) -> BoundaryValues:
-        """The ends of a polynomial, per unit of ξ; at rest and without a stroke of all else."""
+        """The boundary values of a polynomial; all 0 of all others."""
         law = self.phase.law
         return law.ends if isinstance(law, BoundaryPolynomial) else BoundaryValues(stroke=0.0)
 
     @property
     def reversing(self) -> float:
-        """Velocity y' between the two pulses; 0 of all else."""
+        """Velocity y' between two pulses with boundary values; 0 of all others."""
         law = self.phase.law
         return law.top / self.phase.duration if self.mode == PULSES and isinstance(law, PulseLaw) else 0.0
 
 
 def handovers(found: JoinedMotion, through: Mapping[int, Rates], periodic: bool) -> tuple[Handover, ...]:
-    """Return what each phase of a motion becomes of its law; ``through`` and ``periodic`` as it was joined."""
+    """Return the handover of each phase of a joined motion; ``through`` and ``periodic`` as in :func:`join_phases`."""
     slopes = [slope(phase) for phase in found.motion.phases]
     reasons = {fault.phase: fault.reason for fault in found.faults if slopes[fault.phase] is None}
 

@@ -1,4 +1,4 @@
-"""Phases that hand over at speed: what each end has to meet, which laws can, and every jump that is left."""
+"""Phases that meet at speed: the conditions at their ends, the laws that meet them, and every jump that is left."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,58 +16,58 @@ from engine.motion.pieces import MotionPiece, motion_pieces
 
 
 class Rates(NamedTuple):
-    """y', y'' and y''' at one place of a motion."""
+    """Derivatives by the abscissa at one place of a motion, in its units."""
 
-    v: float = 0.0
-    a: float = 0.0
-    j: float = 0.0
+    v: float = 0.0  # y'
+    a: float = 0.0  # y''
+    j: float = 0.0  # y'''
 
 
 @dataclass(frozen=True)
 class BoundaryPhase(Phase):
-    """A phase whose law has prescribed ends, and the lift in it; ``origin`` is the law named, ``scale`` times s."""
+    """A phase whose law has boundary values, the lift among them."""
 
-    origin: Law
+    origin: Law  # the entered law, between two rests
     scale: float = 1.0
 
     @property
     def named(self) -> Law:
-        """The law as it is named: between two rests."""
+        """The entered law, between two rests."""
         return self.origin
 
     @property
     def moves(self) -> bool:
-        """Whether it moves: also where it comes back to where it began."""
+        """Whether it moves: always, even if it returns to where it began."""
         return True
 
 
 class Fault(NamedTuple):
-    """A phase, counted from 0, whose law cannot have the ends that are asked for, or that an entry contradicts."""
+    """A phase whose law cannot meet its end conditions, or a straight line with other rates than those entered."""
 
-    phase: int
+    phase: int  # number, from 0
     reason: str
 
 
 class EndCondition(NamedTuple):
-    """One end of a phase."""
+    """The condition at one end of a phase."""
 
-    required: Rates  # what it has to meet
-    settled: bool  # whether that is settled
-    open: bool  # whether nothing lies beyond
+    required: Rates
+    settled: bool  # whether a neighbour or an entry determines the rates
+    open: bool  # whether there is neither a neighbour nor an entry
 
 
 @dataclass(frozen=True)
 class JoinedMotion:
-    """A motion of phases with the ends that their neighbours and the entries ask for."""
+    """A motion of phases that meet the conditions of their neighbours and of the entries."""
 
     motion: Motion
-    faults: tuple[Fault, ...]  # their laws are carried out between rests
+    faults: tuple[Fault, ...]  # curved phases among them keep their law between rests
     kinds: tuple[tuple[str, str], ...]  # of begin and end, by VDI 2143: R rest, G constant velocity, U reversal, B any
-    required: tuple[tuple[EndCondition, EndCondition], ...]  # what each is asked for
+    required: tuple[tuple[EndCondition, EndCondition], ...]  # at begin and end of each phase
 
 
 def slope(phase: Phase) -> float | None:
-    """Return y' of a phase that is a straight line, 0 of a dwell; None of a curved one."""
+    """Return y' of a phase that is a straight line or a dwell; None of a curved one."""
     if isinstance(phase.law, Dwell):
         return 0.0
     return phase.lift / phase.duration if isinstance(phase.law, StraightLine) else None
@@ -77,12 +77,26 @@ def join_phases(
     phases: Sequence[Phase], through: Mapping[int, Rates] | None = None, periodic: bool = True, start: float = 0.0,
     position: float = 0.0,
 ) -> JoinedMotion:  # fmt: skip
-    """Return the motion of phases, each of which meets its neighbours, across the end of the cycle too.
+    """Return the motion of phases, each of which meets its neighbours.
 
-    Beside a straight line or a dwell a curved phase takes its velocity, and no acceleration. Between two curved
-    phases ``through`` says what y', y'' and y''' are, by the number of the phase that begins there (of the last
-    end of a motion that is not periodic, the number of phases); else they are 0, or what the laws have of
-    themselves. Two straight lines keep their slopes: where these differ, the motion jumps.
+    Next to a straight line or a dwell a curved phase takes over the velocity, with no acceleration. Between two curved
+    phases the rates are those of ``through``, else 0 or the laws' own. Two straight lines keep their slopes.
+
+    Parameters
+    ----------
+    phases : sequence of Phase
+        In their order; their laws are between rests.
+    through : mapping of int to Rates, optional
+        Rates by the number of the phase that begins there, from 0; the number of phases stands for the last end.
+    periodic : bool
+        Whether the last phase meets the first.
+    start, position : float
+        Where the abscissa begins, and y there, in their units.
+
+    Returns
+    -------
+    JoinedMotion
+        The motion with a fault for each phase that cannot meet its conditions; no error is raised for these.
     """
     entered = dict(through or {})
     made, faults, kinds, asked = [], [], [], []
@@ -119,15 +133,15 @@ def _side(neighbour: Phase | None, entered: Rates | None) -> EndCondition:
 
 
 def _between(phase: Phase, begin: EndCondition, end: EndCondition) -> Phase:
-    """Return a curved phase between its ends; raise EndError if its law cannot have them."""
+    """Return a curved phase that meets its end conditions; raise EndError if its law cannot."""
     d, law = phase.duration, phase.law
-    one, other = begin.required, end.required
+    first, last = begin.required, end.required
     if isinstance(law, BoundaryLaw) and law.fixes_ends:
-        require_ends(law, BoundaryValues(a0=one.a, a1=other.a, j0=one.j, j1=other.j), "")  # it keeps its velocities
+        require_ends(law, BoundaryValues(a0=first.a, a1=last.a, j0=first.j, j1=last.j), "")  # it keeps its velocities
         return Phase(law, phase.lift, d)
     if isinstance(law, BoundaryLaw):
         law = law.with_open_ends(begin.open, end.open)
-    v, a, j = ((first * d**n, last * d**n) for n, (first, last) in enumerate(zip(one, other, strict=True), 1))
+    v, a, j = ((at0 * d**n, at1 * d**n) for n, (at0, at1) in enumerate(zip(first, last, strict=True), 1))
     ends = BoundaryValues(phase.lift, *v, *a, *j)
     made, _ = law_with_ends(law, ends)
     if ends.at_rest:
@@ -144,13 +158,13 @@ def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[st
 
 
 def agrees(rates: Rates, constant: float) -> bool:
-    """Whether rates are those of a straight line of a slope, but for rounding."""
+    """Return whether rates are those of a straight line of the slope ``constant``, but for rounding."""
     near = abs(rates.v - constant) <= STILL * (abs(rates.v) + abs(constant))
     return near and not rates.a and not rates.j
 
 
 def _kinds(phase: Phase, sides: tuple[EndCondition, EndCondition]) -> tuple[str, str]:
-    """Return the kinds of what is asked for at both ends; where nothing settles it, of what the law has there."""
+    """Return the kinds of the conditions at both ends; of the law itself at an end that is not settled."""
     v, a, d = phase.y1_max or 1.0, phase.y2_max or 1.0, phase.duration
     begin, end = (
         kind(side.required.v / v, side.required.a / a)
@@ -163,19 +177,19 @@ def _kinds(phase: Phase, sides: tuple[EndCondition, EndCondition]) -> tuple[str,
 
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 ORDERS: tuple[Smoothness, ...] = ("velocity", "acceleration", "jerk")
-JUMP = 1e-9  # of what a motion's jumps are measured by: a smaller one is rounding
+JUMP = 1e-9  # share of a motion's scale of a derivative: a smaller jump is rounding
 
 
 class Joint(NamedTuple):
-    """Where a piece of a motion begins. What does not last takes over what is before it."""
+    """The joint at which a piece of a motion begins. A piece without duration repeats the figures before it."""
 
-    x: float
-    piece_count: int  # pieces that last, up to here
-    phase: int  # that of the last of these
-    end: Rates  # its rates at its end
-    before: int  # phase of the one before
-    jump: Rates  # what jumps
-    order: int  # the least derivative asked for that jumps; 0 where none does
+    x: float  # abscissa
+    piece_count: int  # number of pieces of any duration up to here, this one included
+    phase: int  # number of the phase of the last of these, from 0
+    end: Rates  # at the end of the last of these
+    before: int  # number of the phase of the piece before it; −1 for a piece without duration
+    jump: Rates  # of y', y'' and y'''
+    order: int  # of the least derivative that jumps though it should not: 1 to 3; 0 if none does
 
     @property
     def size(self) -> float:
@@ -187,7 +201,11 @@ def joints(
     pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True,
     spans: Sequence[tuple[float, float]] = (),
 ) -> tuple[Joint, ...]:  # fmt: skip
-    """Return where pieces begin, cyclic if ``periodic``; ``spans`` are their begins and ends, where not whole."""
+    """Return the joints at which pieces begin; jumps of derivatives up to ``smooth`` count.
+
+    ``scales`` measure the jumps of y', y'' and y'''. With ``periodic`` the last piece precedes the first. ``spans`` are
+    the parts of the pieces that are used, from u to u; by default each is used whole.
+    """
     found: list[Joint] = []
     asked = ORDERS.index(smooth) + 1
     whole = spans or [(0.0, piece.duration) for piece in pieces]

@@ -19,8 +19,8 @@ ZERO_TOLERANCE = 1e-9  # of the largest lift: a smaller jump is none
 class Motion:
     """Phases one after the other: y = y_k + h s(ξ), y' = h v(ξ)/δ, y'' = h a(ξ)/δ², ξ = (x − x_k)/δ.
 
-    Each phase takes over the position where the lifts before have brought it. (S3's listing leaves that out, so that a
-    dwell after a rise would drop to 0.) Right-continuous at the edges; at the last edge the left limit.
+    Each phase begins at the sum of the lifts before it. (S3's listing lacks this sum, so a dwell after a rise would be
+    at 0.) The motion is right-continuous at the edges; at the last edge it has the left limit.
     Source: S3, function motionlaw.
 
     Parameters
@@ -28,16 +28,16 @@ class Motion:
     phases : sequence of Phase
         At least one.
     start : float
-        Where the abscissa begins, in its unit.
+        Abscissa of the begin, in its unit.
     position : float
-        y there, in the unit of the lifts.
+        y at the begin, in the unit of the lifts.
     edges : array, optional
-        Where the phases begin, and where the last one ends, if it is known more exactly than by their durations.
+        Abscissae of the begin of each phase and of the end, if they are known more exactly than by the durations.
 
     Raises
     ------
     ValueError
-        For no phases.
+        If there are no phases, or a number is not finite.
     """
 
     def __init__(
@@ -65,17 +65,17 @@ class Motion:
 
     @cached_property
     def total(self) -> float:
-        """Length of the abscissa."""
+        """Length of the abscissa, in its unit."""
         return float(self.edges[-1] - self.edges[0])
 
     @property
     def tolerance(self) -> float:
-        """How near to an edge counts as on it, in units of the abscissa."""
+        """Distance from an edge within which a place counts as on it, in units of the abscissa."""
         return BREAK_TOLERANCE * self.total
 
     @cached_property
     def lifts_sum(self) -> float:
-        """Sum of the lifts: the travel of a cycle."""
+        """Sum of the lifts, the travel of a cycle."""
         return float(sum(p.lift for p in self.phases))
 
     @cached_property
@@ -85,7 +85,7 @@ class Motion:
 
     @cached_property
     def ends(self) -> tuple[PhaseEnds, ...]:
-        """Each phase where it begins and ends: y_k + h s, h v/δ, h a/δ² of its law at ξ = 0 and 1."""
+        """y, y', y'', y''' at the begin and at the end of each phase, of its law at ξ = 0 and 1."""
         return tuple(
             PhaseEnds(*(scaled(phase, y, at) for at in (phase.law.start, phase.law.end)))
             for phase, y in zip(self.phases, self._begins.tolist(), strict=True)
@@ -108,21 +108,21 @@ class Motion:
 
     @property
     def reach(self) -> tuple[float, float]:
-        """The lowest and the highest position of the whole."""
+        """The lowest and the highest position of the motion."""
         return min(low for low, _ in self.reaches), max(high for _, high in self.reaches)
 
     @cached_property
     def y2_rms(self) -> float:
-        """Root of the mean of y''² over the whole, √(Σ y''²_rms δ / Σδ), exact by the laws' coefficients."""
+        """RMS of y'' over the motion, √(Σ y''²_rms δ / Σδ), exact by the laws' coefficients."""
         return math.sqrt(math.fsum(p.y2_rms**2 * p.duration for p in self.phases) / self.total)
 
     def size(self, order: int) -> float:
-        """Return the largest |h|/δⁿ of any phase; 1 where nothing moves."""
+        """Return the largest |h|/δⁿ of any phase for the order n; 1 if no phase moves."""
         return max((abs(p.lift) / p.duration**order for p in self.phases if p.lift), default=1.0)
 
     @property
     def gap(self) -> float:
-        """What a cycle does not close by: y(end) − y(begin)."""
+        """Error of closure, y(end) − y(begin)."""
         return self.ends[-1].end.y - self.ends[0].begin.y
 
     @property
@@ -136,7 +136,7 @@ class Motion:
         return all(abs(p.missing_lift) <= ZERO_TOLERANCE * self.peaks.y for p in self.phases)
 
     def at(self, x: Real) -> MotionValues[Real]:
-        """Return y, y', y'', y''' at x: floats of a number, else arrays. Raises ValueError outside the abscissa."""
+        """Return y, y', y'', y''' at x: floats for a number, else arrays. Raises ValueError outside the abscissa."""
         at = np.asarray(x, dtype=np.float64)
         flat = at.reshape(-1)
         require_within("x", flat, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)
@@ -151,51 +151,51 @@ class Motion:
         return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
 
     def at_speed(self, x: Real, speed: float) -> TimeValues[Real]:
-        """Return y, ẏ = y' w, ÿ = y'' w² and the jerk y''' w³ at x, of an abscissa at the constant speed w."""
+        """Return y, ẏ = y' w, ÿ = y'' w² and the jerk y''' w³ at x, w the constant speed of the abscissa (unit/s)."""
         y, y1, y2, y3 = self.at(x)
         return TimeValues(y, y1 * speed, y2 * speed**2, y3 * speed**3)
 
 
 class MotionSamples(NamedTuple):
-    """A motion sampled at equal steps of its abscissa."""
+    """A motion sampled at equal steps of its abscissa: arrays of shape (n,), in the units of the lists."""
 
     abscissa: Array
     y: Array
-    y1: Array
-    y2: Array
-    y3: Array
+    y1: Array  # y'
+    y2: Array  # y''
+    y3: Array  # y'''
 
 
 def motionlaw(
     laws: Sequence[str], lifts: Sequence[float], durations: Sequence[float], n: int,
     parameters: Sequence[Mapping[str, Any] | None] | None = None,
 ) -> MotionSamples:  # fmt: skip
-    """Return samples of the phases that three lists describe: S3's call in Python.
+    """Return samples of a motion whose phases are given by lists.
 
-    Source: S3, function motionlaw, its misprint mended (see :class:`engine.motion.Motion`).
+    Source: S3, function motionlaw, with its misprint corrected (see :class:`engine.motion.Motion`).
 
     Parameters
     ----------
     laws : sequence of str
-        Names of the catalogue, one a phase.
+        Names of the catalogue, one for each phase.
     lifts, durations : sequence of float
-        One a phase, in any unit of y and of the abscissa.
+        One for each phase, in any unit of y and of the abscissa.
     n : int
-        Samples at equal steps, at least 2.
+        Number of samples at equal steps, at least 2.
     parameters : sequence of mapping or None
-        What is handed to the law of each phase.
+        Parameters of each phase's law.
 
     Returns
     -------
     MotionSamples
-        Abscissa, y and its first three derivatives: arrays of shape (n,).
+        Abscissa, y and its first three derivatives.
 
     Raises
     ------
     UnknownLawError
-        For a name that is not in the catalogue.
+        If a name is not in the catalogue.
     ValueError
-        For lists of unequal length, fewer than two samples, or a phase that cannot be (it says which).
+        For lists of unequal length, fewer than two samples, or an impossible phase; the message says which.
     """
     given = {"laws": laws, "lifts": lifts, "durations": durations}
     if parameters is not None:

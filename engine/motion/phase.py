@@ -1,4 +1,4 @@
-"""A phase: a law carried out over a lift in a duration; what it comes to, and what jumps behind it."""
+"""A phase of a motion: a law over a lift in a duration, and its peaks."""
 
 from dataclasses import dataclass
 from typing import Generic, NamedTuple
@@ -8,30 +8,30 @@ from engine.laws.base import Kinematics, Real, require_finite
 
 
 class MotionValues(NamedTuple, Generic[Real]):
-    """Position y, geometric velocity y', acceleration y'' and jerk y''', per unit of the abscissa."""
+    """Position and its derivatives by the abscissa, in the units of the motion; floats, or arrays of one shape."""
 
-    y: Real
-    y1: Real
-    y2: Real
-    y3: Real
+    y: Real  # position
+    y1: Real  # geometric velocity y'
+    y2: Real  # geometric acceleration y''
+    y3: Real  # geometric jerk y'''
 
 
 class TimeValues(NamedTuple, Generic[Real]):
-    """Position y, velocity ẏ, acceleration ÿ and jerk in time."""
+    """Position and its derivatives by time, in the motion's unit of y and s; floats, or arrays of one shape."""
 
-    y: Real
-    v: Real
-    a: Real
-    j: Real
+    y: Real  # position
+    v: Real  # velocity ẏ
+    a: Real  # acceleration ÿ
+    j: Real  # jerk
 
 
 @dataclass(frozen=True)
 class Phase:
-    """A law, from rise 0 to rise 1, over a lift in a duration, in any units. Raises ValueError for what cannot be."""
+    """A law over a lift in a duration. Raises ValueError for figures outside the limits below."""
 
     law: Law
-    lift: float  # h, negative for a return, 0 in a dwell
-    duration: float  # δ, above 0
+    lift: float  # h, in any unit of y; negative for a return, 0 in a dwell
+    duration: float  # δ, in any unit of the abscissa; above 0
 
     def __post_init__(self) -> None:
         require_finite(lift=self.lift, duration=self.duration)
@@ -42,12 +42,12 @@ class Phase:
 
     @property
     def scale(self) -> float:
-        """What the law's s is multiplied by: the lift, h."""
+        """Factor of the law's s: the lift h."""
         return self.lift
 
     @property
     def named(self) -> Law:
-        """The law as it is named: between two rests."""
+        """The entered law, between two rests."""
         return self.law
 
     @property
@@ -62,7 +62,7 @@ class Phase:
 
     @property
     def missing_lift(self) -> float:
-        """What the law leaves of the lift, h (1 − s(1)): 0 of a law that ends at 1."""
+        """Part of the lift that the law does not reach, h (1 − s(1)); 0 of a law that ends at 1."""
         return self.lift - self.scale * self.law.end.s
 
     @property
@@ -82,26 +82,26 @@ class Phase:
 
     @property
     def y2_rms(self) -> float:
-        """Root of the mean of y''² over the phase, C_a,rms |h|/δ²."""
+        """RMS of y'' over the phase, C_a,rms |h|/δ²."""
         return self.law.coefficients.ca_rms * abs(self.scale) / self.duration**2
 
 
 class PhaseEnds(NamedTuple):
-    """A phase where it begins, and where it ends from within: y, y', y'', y'''."""
+    """y, y', y'', y''' of a phase at its ends."""
 
     begin: MotionValues[float]
-    end: MotionValues[float]
+    end: MotionValues[float]  # left limit
 
 
 def scaled(phase: Phase, y: float, at: Kinematics[Real]) -> MotionValues[Real]:
-    """Return what a phase that begins at y makes of its law at ξ."""
+    """Return the motion values of a phase that begins at ``y``, ``at`` those of its law at ξ."""
     d, per = phase.duration, phase.scale / phase.duration
     return MotionValues(y + phase.scale * at.s, per * at.v, per / d * at.a, per / d**2 * at.j)
 
 
-def numbered_phase(number: int, one: Law, lift: float, duration: float) -> Phase:
-    """Return a phase; a ValueError says its number."""
+def numbered_phase(number: int, law: Law, lift: float, duration: float) -> Phase:
+    """Return a phase; a ValueError names its number."""
     try:
-        return Phase(one, lift, duration)
+        return Phase(law, lift, duration)
     except ValueError as error:
         raise ValueError(f"phase {number}: {error}") from None

@@ -1,4 +1,4 @@
-"""A motion as one table of pieces, in its own units: a second route to y and its derivatives; in others, for cams."""
+"""A motion as a table of pieces: polynomials and sines in its own units, or in others as a cam profile."""
 
 import math
 from collections.abc import Sequence
@@ -21,15 +21,15 @@ from engine.motion.phase import MotionValues
 
 @dataclass(frozen=True)
 class MotionPiece:
-    """y(u) = c0 + c1 u + … + c7 u⁷ + Σ A sin(ωu + φ), two sines, in units of the motion."""
+    """A piece of a motion, y(u) = c0 + c1 u + … + c7 u⁷ + Σ A sin(ωu + φ), in units of the motion; φ in rad."""
 
-    phase: int  # counted from 0
-    number: int  # in its phase, counted from 0
-    begin: float  # it holds from here
-    duration: float
-    c: tuple[float, ...]
-    sines: tuple[Sine, ...]
-    origin: float  # of u: before ``begin`` where a motion goes on in the middle of a piece
+    phase: int  # number of its phase, from 0
+    number: int  # within its phase, from 0
+    begin: float  # abscissa
+    duration: float  # in units of the abscissa
+    c: tuple[float, ...]  # c0 to c7
+    sines: tuple[Sine, ...]  # A, ω, φ of two sines
+    origin: float  # abscissa at which u = 0; before ``begin`` if a motion resumes in the middle of a piece
 
     def at(self, u: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at u."""
@@ -45,14 +45,14 @@ class MotionPiece:
 
 
 class ScaledLaw(NamedTuple):
-    """A law over a lift ``h`` in a ``duration``, from ``y`` at ``x``, moving with the velocity ``drift`` besides."""
+    """A law over a lift in a duration, with a constant velocity superimposed; in any units of y and x."""
 
     law: Law
-    h: float
-    duration: float
-    x: float = 0.0
-    y: float = 0.0
-    drift: float = 0.0
+    h: float  # lift
+    duration: float  # δ
+    x: float = 0.0  # abscissa of its begin
+    y: float = 0.0  # position at its begin
+    drift: float = 0.0  # superimposed velocity
 
     @property
     def max_velocity(self) -> float:
@@ -66,12 +66,12 @@ class ScaledLaw(NamedTuple):
 
     @property
     def rate(self) -> float:
-        """1/δ; 0 of a phase that does not last."""
+        """1/δ; 0 if δ = 0."""
         return 1.0 / self.duration if self.duration else 0.0
 
 
 def pieces_of(scaled: ScaledLaw, phase: int = 0, whole: bool = False) -> list[MotionPiece]:
-    """Return the pieces of one phase, ``whole`` as in :func:`law_pieces`.
+    """Return the pieces of one phase, the ``phase``-th, from 0; ``whole`` as in :func:`law_pieces`.
 
     With s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
 
@@ -107,22 +107,22 @@ def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
 
 
 def shares(pieces: Sequence[MotionPiece], begin: float, end: float) -> list[float]:
-    """Return where each piece begins, as a share of the whole motion from ``begin`` to ``end``."""
+    """Return the begin of each piece as a share of the motion from ``begin`` to ``end``."""
     return [(piece.begin - begin) / (end - begin) for piece in pieces]
 
 
 class Located(NamedTuple):
-    """Where samples lie: which piece (from 0), u from its origin, and the argument ωu + φ of its first sine (rad)."""
+    """Places of samples in a table of pieces, arrays of one shape."""
 
-    piece: NDArray[np.intp]
-    u: Array
-    angle: Array
+    piece: NDArray[np.intp]  # number of the piece, from 0
+    u: Array  # abscissa from its origin
+    angle: Array  # ωu + φ of its first sine (rad)
 
 
 def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> Located:
-    """Return the piece of each x of a motion from ``begin`` to ``end``: the last that begins at or before it.
+    """Return the piece at each x of a motion from ``begin`` to ``end``: the last that begins at or before it.
 
-    What is nearer to a begin than :data:`BREAK_TOLERANCE` of the whole counts as on it; the end has the left limit.
+    An x less than :data:`BREAK_TOLERANCE` of the motion before a piece counts as in it; the end has the left limit.
     """
     reached = np.minimum((x - begin) / (end - begin) + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
     k = np.searchsorted(shares(pieces, begin, end), reached, side="right") - 1
@@ -141,17 +141,17 @@ def evaluated(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float)
     return MotionValues(*table)
 
 
-SAME = 1e-12  # of the cycle: breaks so near to each other are one
+SAME = 1e-12  # share of the cycle: breaks that are nearer to each other count as one
 
 
 @dataclass(frozen=True, eq=False)
 class CamProfile:
-    """y(x) in n pieces, y = Σ c_k u^k + Σ A sin(ωu + φ); outside its range the first and the last piece go on."""
+    """A cam y(x) in n pieces, y = Σ c_k u^k + Σ A sin(ωu + φ); the first and the last extend beyond the range."""
 
-    edges: Array  # n + 1 places in rising order
-    origins: Array  # n places from which u counts
-    c: Array  # n rows of powers
-    sines: Array  # n rows of sines, each A, ω, φ
+    edges: Array  # x of the breaks, rising: shape (n + 1,)
+    origins: Array  # x at which u = 0 on each piece: shape (n,)
+    c: Array  # c_0, c_1 …: shape (n, powers)
+    sines: Array  # A, ω, φ (rad) of each sine: shape (n, sines, 3)
 
     @property
     def total(self) -> float:
@@ -160,21 +160,21 @@ class CamProfile:
 
     @property
     def travel(self) -> float:
-        """What a cycle does not come back by, y(end) − y(begin)."""
+        """Travel of a cycle, y(end) − y(begin)."""
         begin, end = self.at(self.edges[:1]).y, self.at(self.edges[-1:], left=True).y
         return float(end[0] - begin[0])
 
     def index(self, x: Array, left: bool = False) -> NDArray[np.intp]:
-        """Return the piece at each x: the one that begins there, or with ``left`` the one that ends there."""
+        """Return the number of the piece at each x; at a break the one after it, or with ``left`` the one before it."""
         found = np.searchsorted(self.edges, x, side="left" if left else "right") - 1
         return np.clip(found, 0, len(self.origins) - 1)
 
     def at(self, x: Array, left: bool = False) -> MotionValues[Array]:
-        """Return y, y', y'', y''' at x: where it jumps what comes after, or with ``left`` what came before."""
+        """Return y, y', y'', y''' at x; at a jump the value after it, or with ``left`` the one before it."""
         return MotionValues(*(math.factorial(n) * row for n, row in enumerate(self.taylor(x, self.index(x, left), 4))))
 
     def taylor(self, x: Array, k: NDArray[np.intp], terms: int) -> Array:
-        """Return the first coefficients of y in powers of (x − place), a row a power, about places in pieces k."""
+        """Return the Taylor coefficients of y about each x, in the pieces k: shape (terms, x.size)."""
         u, c, sines = x - self.origins[k], self.c[k].T, self.sines[k]
         found = np.zeros((terms, x.size))
         for power in range(min(terms, len(c))):
@@ -191,38 +191,37 @@ class CamProfile:
 
 
 def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
-    """Return the pieces that last, up to ``end``, as a profile in units of which one of theirs is ``x`` and ``y``."""
-    lasting = [one for one in pieces if one.duration > 0.0]
-    ends = [*(one.begin for one in lasting[1:]), np.inf]
-    kept = [
-        one for one, after in zip(lasting, ends, strict=True) if after - one.begin > SAME * abs(end - lasting[0].begin)
-    ]
-    c = np.array([one.c for one in kept])
+    """Return the pieces of any duration, up to ``end``, as a profile in other units: one of theirs is ``x``, ``y``."""
+    lasting = [piece for piece in pieces if piece.duration > 0.0]
+    ends = [*(piece.begin for piece in lasting[1:]), np.inf]
+    least = SAME * abs(end - lasting[0].begin)
+    kept = [piece for piece, after in zip(lasting, ends, strict=True) if after - piece.begin > least]
+    c = np.array([piece.c for piece in kept])
     c = c * y / x ** np.arange(c.shape[1])
-    sines = np.array([one.sines for one in kept])
+    sines = np.array([piece.sines for piece in kept])
     sines[sines[:, :, 0] == 0.0] = 0.0
     sines = sines[:, sines.any(axis=(0, 2))] * [y, 1.0, 1.0] / [1.0, x, 1.0]
-    edges = np.array([*(one.begin for one in kept), end])
+    edges = np.array([*(piece.begin for piece in kept), end])
     last = int(np.flatnonzero(c.any(axis=0)).max(initial=0))
-    return CamProfile(edges * x, np.array([one.origin for one in kept]) * x, c[:, : last + 1], sines)
+    return CamProfile(edges * x, np.array([piece.origin for piece in kept]) * x, c[:, : last + 1], sines)
 
 
 def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProfile:
-    """Return a motion as a profile in other units, x and y of them a unit of its own."""
+    """Return a motion as a profile in other units: a unit of its abscissa is ``x`` of them, a unit of y is ``y``."""
     return profile_of(motion_pieces(motion, whole=True), float(motion.edges[-1]), x, y)
 
 
 def in_units(values: MotionValues[Real], x: float, y: float) -> MotionValues[Real]:
-    """Return a motion's values in other units, of which a unit of x and of y has so many."""
+    """Return a motion's values in other units: a unit of its abscissa is ``x`` of them, a unit of y is ``y``."""
     return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
 
 
 def shifted_profile(of: CamProfile, by: float, travel: float | None = None) -> CamProfile:
-    """Return the profile that a master sees which is ``by`` further on where it begins, over the same range.
+    """Return y(x − ``by``), the cycle later by an abscissa, over the same range.
 
-    What runs over the end of the cycle is parted there, and goes on from the cycle before by its ``travel``, the
-    profile's own unless told: a motion whose last law does not end at 1 jumps there to the sum of its lifts. Of more
-    than a cycle, each whole one is a travel less.
+    A piece that runs over the end of the cycle is cut there, and begins the range as part of the cycle before, lower by
+    the ``travel`` of a cycle. That is the profile's own by default; the sum of lifts of a motion whose last law does
+    not end at 1 differs. Each whole cycle of ``by`` lowers the profile by a travel too.
     """
     begin, end, total = float(of.edges[0]), float(of.edges[-1]), of.total
     travel = of.travel if travel is None else travel
@@ -230,7 +229,7 @@ def shifted_profile(of: CamProfile, by: float, travel: float | None = None) -> C
     by -= whole * total
     c = np.concatenate([of.c, of.c])  # of the cycle before, and of this one
     c[:, 0] -= np.repeat([whole + 1, whole], len(of.c)) * travel
-    edges, origins = (np.concatenate([one + by - total, one + by]) for one in (of.edges[:-1], of.origins))
+    edges, origins = (np.concatenate([x + by - total, x + by]) for x in (of.edges[:-1], of.origins))
     ends = np.append(edges[1:], end + by)
     kept = (ends > begin + SAME * total) & (edges < end - SAME * total)
     edges = np.concatenate([[begin], edges[kept][1:], [end]])

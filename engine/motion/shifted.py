@@ -1,4 +1,4 @@
-"""A motion that begins at another angle, and how near two of them come to each other."""
+"""Motions shifted along the cycle, and the least gap between axes."""
 
 import math
 from collections.abc import Sequence
@@ -16,23 +16,23 @@ from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
 
-LOST = 1e-9  # of the size of a figure: less is rounding
-SAME = 1e-12  # of the cycle: breaks so near to each other are one
+LOST = 1e-9  # share of the size of a gap: a smaller difference is rounding
+SAME = 1e-12  # share of the cycle: breaks that are nearer to each other count as one
 
 
 class Unshifted(NamedTuple):
-    """How many cycles have passed, and the place in the unshifted motion."""
+    """Places in the unshifted motion."""
 
-    cycles: Array
-    x: Array
+    cycles: Array  # whole cycles that have passed
+    x: Array  # abscissa of the unshifted motion
 
 
 @dataclass(frozen=True)
 class Shifted:
-    """y(x) = y0(x − shift), cycle by cycle; one that does not come back goes on, y0(x + cycle) = y0(x) + Σh."""
+    """A motion y(x) = y0(x − shift), cycle by cycle, with y0(x + cycle) = y0(x) + Σh."""
 
     motion: Motion
-    shift: float = 0.0
+    shift: float = 0.0  # in units of the abscissa
 
     def __post_init__(self) -> None:
         require_finite(shift=self.shift)
@@ -42,13 +42,13 @@ class Shifted:
         return self._at(self._unshifted(np.asarray(x, dtype=np.float64)))
 
     def unshifted(self, x: Array) -> Unshifted:
-        """Return the place in the unshifted motion at x of one cycle, the end of which has the left limit."""
+        """Return the places in the unshifted motion at x of one cycle; its end has the left limit."""
         begin, end = self.motion.edges[[0, -1]]
         cycles, _ = self._unshifted(np.minimum(x, end - 2.0 * self.motion.tolerance))
         return Unshifted(cycles, np.clip(x - self.shift - cycles * self.motion.total, begin, end))
 
     def over_cycle(self, x: Array) -> MotionValues[Array]:
-        """Return y, y', y'', y''' at x of one cycle, the end of which has the left limit."""
+        """Return y, y', y'', y''' at x of one cycle; its end has the left limit."""
         return self._at(self.unshifted(x))
 
     def _at(self, at: Unshifted) -> MotionValues[Array]:
@@ -56,14 +56,14 @@ class Shifted:
         return found._replace(y=found.y + at.cycles * self.motion.lifts_sum)
 
     def breaks(self) -> Array:
-        """Return where its pieces begin, from the begin of the cycle to less than its end."""
+        """Return the abscissae at which its pieces begin, within the cycle."""
         begin, total = float(self.motion.edges[0]), self.motion.total
-        return np.array([begin + (one.begin + self.shift - begin) % total for one in self._pieces])
+        return np.array([begin + (piece.begin + self.shift - begin) % total for piece in self._pieces])
 
     def curve(self, low: float, high: float) -> Curve:
-        """Return y over u from ``low``, up to ``high``, between which no piece of it begins."""
+        """Return y over u = x − ``low``; between ``low`` and ``high`` no piece may begin."""
         cycles, middle = self._unshifted(np.array([0.5 * (low + high)]))
-        before = [one for one in self._pieces if one.begin <= middle[0]]
+        before = [piece for piece in self._pieces if piece.begin <= middle[0]]
         y, u = before[-1].curves[0], float(middle[0]) - 0.5 * (high - low) - before[-1].begin
         c = [shifted(y.c, i, u) for i in range(len(y.c))]
         c[0] += float(cycles[0]) * self.motion.lifts_sum
@@ -74,7 +74,7 @@ class Shifted:
         return [piece for piece in motion_pieces(self.motion) if piece.duration > 0.0]
 
     def _unshifted(self, x: Array) -> Unshifted:
-        """Return how many cycles have passed at x, and the place in the unshifted motion."""
+        """Return the places in the unshifted motion at any x."""
         begin, total = float(self.motion.edges[0]), self.motion.total
         cycles = np.floor((x - self.shift - begin + self.motion.tolerance) / total)
         inner = np.clip(x - self.shift - cycles * total, begin, begin + total)
@@ -82,31 +82,31 @@ class Shifted:
 
 
 class Gap(NamedTuple):
-    """The least gap between two axes, and where in the cycle it is."""
+    """The least gap between axes over a cycle."""
 
-    least: float
-    x: float
+    least: float  # in the unit of y
+    x: float  # abscissa
 
 
 def least_gap(axes: Sequence[tuple[float, Shifted]], offset: float) -> Gap:
-    """Return the least of ``offset`` + Σ factor · y over a cycle, exact: at the breaks, and where its slope is 0.
+    """Return the least of ``offset`` + Σ factor · y over a cycle; it is exact, at a break or where the slope is 0.
 
-    ``axes`` are factors and motions over one cycle. Raises ValueError for no axes, or cycles that differ.
+    ``axes`` are factors and motions over one cycle. Raises ValueError for no axes, or for different cycles.
     """
     if not axes:
         raise ValueError("no axes are given; expected at least one")
-    cycles = [(float(one.motion.edges[0]), one.motion.total) for _, one in axes]
+    cycles = [(float(axis.motion.edges[0]), axis.motion.total) for _, axis in axes]
     if not np.allclose(cycles, cycles[0], rtol=1e-9, atol=0.0):
         raise ValueError("cycles that differ are given; expected one cycle")
     begin, total = cycles[0]
-    breaks = np.unique(np.concatenate([[begin, begin + total], *(one.breaks() for _, one in axes)]))
+    breaks = np.unique(np.concatenate([[begin, begin + total], *(axis.breaks() for _, axis in axes)]))
     kept = [float(breaks[0]), *(float(b) for a, b in pairwise(breaks) if b - a > SAME * total)]
     return min(_least(axes, offset, low, high) for low, high in pairwise(kept))
 
 
 def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, high: float) -> Gap:
-    """Return the least gap between two neighbouring breaks, of the sum of the axes as one curve over u from ``low``."""
-    curves = [(factor, one.curve(low, high)) for factor, one in axes]
+    """Return the least gap between two neighbouring breaks, of the sum of the axes as one curve over x − ``low``."""
+    curves = [(factor, axis.curve(low, high)) for factor, axis in axes]
     columns = np.zeros(max(len(curve.c) for _, curve in curves))
     for factor, curve in curves:
         columns[: len(curve.c)] += factor * np.array(curve.c)
@@ -116,16 +116,16 @@ def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, hig
 
 
 def meets_least(gap: float, least: float, size: float) -> bool:
-    """Return whether a gap is at least the least that is asked for, but for rounding of its size."""
+    """Return whether a gap is no less than ``least``, but for rounding; ``size`` as :func:`gap_size` gives it."""
     return gap >= least - LOST * size
 
 
 def gap_size(axes: Sequence[tuple[float, Shifted]], offset: float) -> float:
-    """Return how large a gap grows: |offset| + Σ |factor| max|y|."""
-    return abs(offset) + math.fsum(abs(f) * max(map(abs, one.motion.reach)) for f, one in axes)
+    """Return an upper bound of a gap's size, |offset| + Σ |factor| max|y|, in the unit of y."""
+    return abs(offset) + math.fsum(abs(factor) * max(map(abs, axis.motion.reach)) for factor, axis in axes)
 
 
 def place_in_cycle(angle: float, late: float, cycle: float, near: float = 0.0) -> float:
-    """Return the place in the cycle of a place in a motion that is so late; so near before its begin it is on that."""
+    """Return the place in a cycle, from 0, of an angle that is later by ``late``; ``near`` its end it counts as 0."""
     place = angle + late
     return place - cycle * math.floor((place + near) / cycle)

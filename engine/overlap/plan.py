@@ -1,4 +1,4 @@
-"""The schedules: one after the other, and with the longest ways in and out that the passage allows."""
+"""Schedules of transfer and tool: one after the other, and overlapping as far as the passage allows."""
 
 import math
 from dataclasses import replace
@@ -15,37 +15,37 @@ from engine.timing import FULL_TURN
 
 
 def one_after_the_other(transfer: Transfer, tool: Tool, split: float = 0.5) -> Schedule:
-    """Return the schedule without overlap, in what the transfer leaves of the turn: S2, (360 − 150 − 100)/2 = 55°."""
+    """Return the schedule without overlap: the tool moves while the transfer rests. S2, (360 − 150 − 100)/2 = 55°."""
     free = free_angle(transfer.angle, tool)
     return Schedule(transfer, tool, free * split, free * (1.0 - split), transfer.angle + free * split)
 
 
 @lru_cache(maxsize=256)
 def blocked_angles(transfer: Transfer, passage: Passage) -> tuple[float, float]:
-    """Return the angles (rad) between which the transfer is too far from its ends for a tool in (S2: 15° and 135°)."""
+    """Return the angles (rad) between which the transfer is in the way of the tool (S2: 15° and 135°)."""
     begin, end = transfer.inverted(transfer.law, np.array(passage.shares)) * transfer.angle
     return float(begin), float(end)
 
 
 class FreeAngles(NamedTuple):
-    """What a transfer and the passage leave a tool: angles in rad."""
+    """Angles that a transfer and the passage leave for the tool's movements (rad)."""
 
-    begin: float  # from here the transfer is in the way
-    end: float  # and to here
-    free_in: float  # for the way in, as long as the tool is not at the part: F_in (S2: 140°/2 = 70°)
-    free_out: float
-    both: float  # for both ways at most, whatever the passage
+    begin: float  # where the transfer begins to be in the way
+    end: float  # where it ceases to be
+    free_in: float  # F_in, for the way in while the transfer is not in the way (S2: 140°/2 = 70°)
+    free_out: float  # likewise for the way out
+    both: float  # the turn less the tool's dwell, for both ways at most
 
 
 def free_angles(transfer: Transfer, tool: Tool, passage: Passage) -> FreeAngles:
-    """Return what is left to the tool; raise ValueError where that is nothing."""
+    """Return the angles left for the tool; raise ValueError if there are none."""
     begin, end = blocked_angles(transfer, passage)
     free = free_angle(end - begin, tool)
     return FreeAngles(begin, end, free * passage.split, free * (1.0 - passage.split), FULL_TURN - tool.dwell)
 
 
 def remaining_shares(tool: Tool, passage: Passage, margin: Array) -> tuple[Array, Array]:
-    """Return the shares 1 − ξ of both ways while the transfer is in place, for margins (m): S2, 1 − 44 % = 56 %."""
+    """Return the shares 1 − ξ of the ways in and out that fall in the free angles, for margins (m): S2, 1 − 44 %."""
     gone = passage.travelled_share(tool.stroke, margin)
     return 1.0 - tool.inverted(tool.law, gone), tool.inverted(tool.out, 1.0 - gone)
 
@@ -53,7 +53,7 @@ def remaining_shares(tool: Tool, passage: Passage, margin: Array) -> tuple[Array
 def tool_angles(
     left: FreeAngles, tool: Tool, passage: Passage, margin: Array
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Return the angles in and out for each margin, and whether the cycle rather than the clearance limits one."""
+    """Return the tool's angles in and out (rad) for margins (m), and whether the cycle limits one of them."""
     rest, free = np.array(remaining_shares(tool, passage, margin)), np.array([[left.free_in], [left.free_out]])
     most = left.both * np.array([[passage.split], [1.0 - passage.split]])
     way = np.divide(free, rest, out=np.full(rest.shape, np.inf), where=rest > 0.0)
@@ -66,10 +66,10 @@ def tool_angles(
 def overlap(transfer: Transfer, tool: Tool, passage: Passage) -> Schedule:
     """Return the schedule with the longest ways in and out of the tool that the passage allows.
 
-    The free angle F = 2π − effective angle − dwell is split; when the transfer comes to its place, the tool
-    may have gone s = (clearance − margin)/stroke, at ξ, so the way in is F_in/(1 − ξ), less the allowance
+    The free angle F = 2π − (angle with the transfer in the way) − dwell is split. When the transfer leaves the way, the
+    tool may have gone s = (clearance − margin)/stroke, at ξ, so the way in is F_in/(1 − ξ), less the allowance
     (S2: 70°/0.56 = 125°, 120° with the allowance of 5°). The way out is the same in reverse.
-    Raises ValueError where no angle is left. Source: S2, 'Cycloid Cam Profile Analysis'.
+    Raises ValueError if no angle is left. Source: S2, 'Cycloid Cam Profile Analysis'.
     """
     left = free_angles(transfer, tool, passage)
     way_in, way_out, capped = tool_angles(left, tool, passage, np.array([passage.margin]))
@@ -78,7 +78,7 @@ def overlap(transfer: Transfer, tool: Tool, passage: Passage) -> Schedule:
 
 
 def free_angle(occupied: float, tool: Tool) -> float:
-    """Return what an occupied angle and the dwell leave of the turn (rad); raise ValueError where that is nothing."""
+    """Return the turn less an occupied angle and the tool's dwell (rad); raise ValueError if nothing is left."""
     free = FULL_TURN - occupied - tool.dwell
     if free <= 0.0:
         taken, dwell = math.degrees(occupied), math.degrees(tool.dwell)
@@ -87,17 +87,17 @@ def free_angle(occupied: float, tool: Tool) -> float:
 
 
 class MarginSweep(NamedTuple):
-    """What a margin costs: arrays over the margins."""
+    """The overlapping schedule against the margin, arrays of one shape."""
 
-    margin: Array
-    angle_in: Array
-    angle_out: Array
-    acceleration: Array  # m/s²
-    ratio: Array  # of the peak acceleration without overlap to that with it
+    margin: Array  # m
+    angle_in: Array  # rad
+    angle_out: Array  # rad
+    acceleration: Array  # peak of the tool (m/s²)
+    ratio: Array  # of the peak without overlap to that with it
 
 
 def sweep_margin(transfer: Transfer, tool: Tool, passage: Passage, margins: ArrayLike, rate: float) -> MarginSweep:
-    """Return what each margin (m), from 0 to the clearance, costs at a rate (1/s). Raises ValueError for others."""
+    """Return the schedule at each margin (m) and a rate (1/s). Raises ValueError outside 0 to the clearance."""
     margin = np.asarray(margins, dtype=np.float64)
     for extreme in (margin.min(), margin.max()):
         replace(passage, margin=float(extreme))
@@ -110,20 +110,23 @@ def sweep_margin(transfer: Transfer, tool: Tool, passage: Passage, margins: Arra
 
 
 COLLISION_TOLERANCE = HEIGHT
-"""of the clearance or the stroke: what is less below 0 is no collision, as heights are met by points of a law"""
+"""share of the clearance or the stroke by which free travel may be below 0: the inverse by points is no more exact"""
 
 
 class CriticalAngles(NamedTuple):
-    """Where it can be least: the transfer gets in the way, is in place; the tool sets off, arrives, leaves, is back."""
+    """The six angles at which free travel can be least, arrays of shape (6,).
+
+    They are where the transfer gets into the way and out of it, and where the tool sets off, arrives, leaves, is back.
+    """
 
     raw: Array  # rad, not reduced to one turn
     angle: Array  # rad, within one turn
     inside: NDArray[np.bool_]  # whether the transfer is in the way
-    free: Array  # clearance (m); where the transfer is not in the way, all of it
+    free: Array  # free travel (m); the clearance if the transfer is not in the way
 
 
 def critical_angles(schedule: Schedule, passage: Passage) -> CriticalAngles:
-    """Return the corners of the diagram."""
+    """Return the angles at which the free travel of a schedule can be least."""
     begin, end = blocked_angles(schedule.transfer, passage)
     raw = np.array([begin, end, *schedule.edges])
     angle = within_turn(raw)
@@ -135,16 +138,15 @@ def critical_angles(schedule: Schedule, passage: Passage) -> CriticalAngles:
 class Clearance(NamedTuple):
     """Free travel (m) between tool and transfer over the cycle."""
 
-    allowed: Array
-    """how far the tool may go at each angle: the clearance while the transfer is in the way, else its stroke"""
-    free: Array  # that, less how far it has gone; below 0 they collide
+    allowed: Array  # travel allowed at each angle: the clearance while the transfer is in the way, else the stroke
+    free: Array  # the allowed less the tool's travel; below 0 they collide
     minimum: float  # while the transfer is in the way; exact, not of the samples
-    collides: bool  # less than 0 is free somewhere
-    meets_margin: bool
+    collides: bool  # whether the minimum is below 0
+    meets_margin: bool  # whether the minimum is at least the margin
 
 
 def clearance(schedule: Schedule, passage: Passage, angle: ArrayLike) -> Clearance:
-    """Return what is free between the parts at angles of the master shaft (rad), and its minimum over the cycle."""
+    """Return the free travel at angles of the master shaft (rad), and its minimum over the cycle."""
     at = np.asarray(angle, dtype=np.float64)
     begin, end = blocked_angles(schedule.transfer, passage)
     turned_at = at % FULL_TURN
@@ -157,5 +159,5 @@ def clearance(schedule: Schedule, passage: Passage, angle: ArrayLike) -> Clearan
 
 
 def colliding(free: Array, stroke: Array) -> NDArray[np.bool_]:
-    """Return where tools of these strokes (m) collide, by what is free (m)."""
+    """Return whether tools of these strokes (m) collide at a free travel (m)."""
     return free < -COLLISION_TOLERANCE * stroke

@@ -1,4 +1,4 @@
-"""The parts, a transfer that brings the work and a tool, and both over one turn of the master shaft."""
+"""A transfer that brings the work, a tool, and the motions of both over one turn of the master shaft."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -18,18 +18,17 @@ from engine.timing import FULL_TURN, shaft_speed
 
 Limit = Literal["clearance", "cycle"]
 ANGLE_TOLERANCE = FULL_TURN * BREAK_TOLERANCE  # rad: an angle this near to an event counts as on it
-Inverse = Callable[[Law, Array], Array]
-"""the shares of time at which a law reaches heights: exactly, or as a table of points gives them"""
+Inverse = Callable[[Law, Array], Array]  # ξ at which a law reaches heights: exact, or by points
 
 
 @dataclass(frozen=True)
 class Transfer:
-    """The first motion, once a cycle from 0. Raises ValueError for a stroke of 0 or less, an angle not in 0 to 2π."""
+    """The motion that brings the work, once a cycle from 0. Raises ValueError for figures outside the limits below."""
 
     law: Law
-    stroke: float  # m
-    angle: float  # rad
-    inverted: Inverse = inverse  # says when its law has reached a height
+    stroke: float  # m, above 0
+    angle: float  # of the movement (rad), above 0 and below 2π
+    inverted: Inverse = inverse
 
     def __post_init__(self) -> None:
         require_positive(transfer_stroke=self.stroke, transfer_angle=self.angle)
@@ -37,7 +36,7 @@ class Transfer:
             raise ValueError(f"the transfer takes {math.degrees(self.angle):g} degrees; expected less than 360")
 
     def travel(self, angle: Array) -> Array:
-        """Return its travel (m), h_t s(ξ), at angles from 0 to 2π; ξ is 1 from its arrival to the end of the cycle."""
+        """Return its travel h_t s(ξ) (m) at angles from 0 to 2π; ξ is 1 from its arrival to the end of the cycle."""
         return self.stroke * self.law.s(np.minimum(angle / self.angle, 1.0))
 
     @property
@@ -49,13 +48,13 @@ class Transfer:
 
 @dataclass(frozen=True)
 class Tool:
-    """The second motion: in, at the part, out again. Raises ValueError for a stroke of 0 or less, a dwell below 0."""
+    """The motion of a tool: in, dwell at the part, out. Raises ValueError for figures outside the limits below."""
 
-    law: Law
-    stroke: float  # m
-    dwell: float  # the angle for which it is at the part (rad)
-    law_out: Law | None = None  # of the way out: that of the way in if None
-    inverted: Inverse = inverse  # says when they have reached a height
+    law: Law  # of the way in
+    stroke: float  # m, above 0
+    dwell: float  # angle at the part (rad), 0 or more
+    law_out: Law | None = None  # of the way out; None: that of the way in
+    inverted: Inverse = inverse
 
     def __post_init__(self) -> None:
         require_positive(tool_stroke=self.stroke)
@@ -71,13 +70,13 @@ class Tool:
 
 @dataclass(frozen=True)
 class Passage:
-    """What one part leaves to the other: 0 ≤ remaining < ½, 0 ≤ margin ≤ clearance, allowance ≥ 0, 0 < split < 1."""
+    """The free space between transfer and tool. Raises ValueError for figures outside the limits below."""
 
-    remaining: float  # share of the transfer's stroke that may be missing, at either end, with the tool in (S2: 0.65 %)
+    remaining: float  # share of the transfer's stroke, at both ends, in which the tool may be in; 0 to ½ (S2: 0.65 %)
     clearance: float  # travel (m) of the tool before it would touch the transfer (S2: 20 mm)
-    margin: float = 0.0  # what of it is to stay free (m; S2: 1 mm)
-    allowance: float = 0.0  # taken off the tool's angles for the setting of the cam (rad; S2: 5°)
-    split: float = 0.5  # share of the free angle for the way in
+    margin: float = 0.0  # part of the clearance that must stay free (m); 0 to the clearance (S2: 1 mm)
+    allowance: float = 0.0  # subtracted from the tool's angles for the setting of the cam (rad); 0 or more (S2: 5°)
+    split: float = 0.5  # share of the free angle for the way in, between 0 and 1
 
     def __post_init__(self) -> None:
         require_finite(clearance=self.clearance, margin=self.margin, allowance=self.allowance)
@@ -92,11 +91,11 @@ class Passage:
 
     @property
     def shares(self) -> tuple[float, float]:
-        """The shares of its stroke between which the transfer is too far from its ends."""
+        """The shares of its stroke between which the transfer is in the way."""
         return self.remaining, 1.0 - self.remaining
 
     def travelled_share(self, stroke: float, margin: ArrayLike) -> Array:
-        """Return the share of its stroke (m) a tool may have gone, at most 1: S2, s = (20 − 1)/50 = 0.38."""
+        """Return the allowed travel of a tool as a share of its stroke (m), at most 1: S2, s = (20 − 1)/50 = 0.38."""
         return np.minimum((self.clearance - np.asarray(margin, dtype=np.float64)) / stroke, 1.0)
 
 
@@ -113,10 +112,10 @@ class Schedule:
 
     transfer: Transfer
     tool: Tool
-    angle_in: float
-    angle_out: float
-    arrival: float  # where the tool is at the part
-    limit: Limit = "clearance"  # what keeps the tool from taking longer
+    angle_in: float  # of the way in
+    angle_out: float  # of the way out
+    arrival: float  # angle at which the tool reaches the part
+    limit: Limit = "clearance"  # why the tool cannot take longer
 
     def __post_init__(self) -> None:
         h, dwell, out, into = self.tool.stroke, self.tool.dwell, self.angle_out, self.angle_in
@@ -124,7 +123,7 @@ class Schedule:
         # angles at which the tool sets off, arrives, leaves and is back; not reduced to one turn
         self.edges = self.arrival - into, self.arrival, leaves, leaves + out
         stays, rests = (one if one > ANGLE_TOLERANCE else 0.0 for one in (dwell, FULL_TURN - dwell - into - out))
-        # from the tool's arrival (m, rad); dwell and rest below the tolerance of an angle are none
+        # from the tool's arrival (m, rad); a dwell or rest shorter than the tolerance counts as 0
         self.parts = (
             ScaledLaw(Dwell(), 0.0, stays, 0.0, h),
             ScaledLaw(self.tool.out, -h, out, dwell, h),
@@ -134,64 +133,64 @@ class Schedule:
 
     @cached_property
     def motion(self) -> Motion:
-        """The tool over one turn, counted from its arrival: there no movement wraps."""
+        """The tool over one turn from its arrival, so that no movement runs over the end of the cycle."""
         return whole_turn(self.parts, self.tool.stroke)
 
     def since(self, angle: ArrayLike) -> Array:
-        """Return the angles since the tool's arrival, within one turn, at angles of the master shaft (rad)."""
+        """Return the angles (rad) since the tool's arrival, within one turn, at angles of the master shaft (rad)."""
         return within_turn(np.asarray(angle, dtype=np.float64) - self.arrival)
 
     def travel(self, angle: ArrayLike) -> Array:
-        """Return how far the tool has gone (m) at any angle of the master shaft (rad)."""
+        """Return the tool's travel (m) at any angle of the master shaft (rad)."""
         return self.motion.at((np.asarray(angle, dtype=np.float64) - self.arrival) % FULL_TURN).y
 
     def rates(self, angle: ArrayLike, rate: float) -> tuple[Array, Array, Array]:
-        """Return the tool's velocity, acceleration and jerk at angles (rad), at ``rate`` cycles per second."""
+        """Return the tool's velocity, acceleration and jerk (m/s, m/s², m/s³) at angles (rad) and a rate (1/s)."""
         at, speed = self.motion.at(np.clip(self.since(angle), 0.0, FULL_TURN)), shaft_speed(rate)
         return at.y1 * speed, at.y2 * speed**2, at.y3 * speed**3
 
     def times(self, rate: float) -> tuple[float, float]:
-        """Return the times (s) of the ways in and out at ``rate`` cycles per second."""
+        """Return the times (s) of the ways in and out at a rate (1/s)."""
         return movement_time(self.angle_in, rate), movement_time(self.angle_out, rate)
 
     def movement_peaks(self, rate: float) -> tuple[float, float]:
-        """Return the largest accelerations of the ways in and out, C_a h/t_m² (m/s²; S2: 2π h_m/t_m² of a cycloid)."""
+        """Return the peak accelerations C_a h/t_m² (m/s²) of the ways in and out at a rate (1/s); S2: 2π h_m/t_m²."""
         h, (way_in, way_out) = self.tool.stroke, self.times(rate)
         return self.tool.law.coefficients.ca * h / way_in**2, self.tool.out.coefficients.ca * h / way_out**2
 
     def peak_acceleration(self, rate: float) -> float:
-        """Return the tool's largest acceleration in m/s², at ``rate`` cycles per second."""
+        """Return the tool's peak acceleration (m/s²) at a rate (1/s)."""
         return max(self.movement_peaks(rate))
 
     def times_lower(self, before: "Schedule") -> float:
-        """Return how many times lower its peak acceleration is than another's, at any rate (S2: 4.154/0.804 = 5.17)."""
+        """Return the peak acceleration of another schedule over its own, the same at any rate (S2: 4.154/0.804)."""
         return before.peak_acceleration(1.0) / self.peak_acceleration(1.0)
 
 
 def movement_time(angle: float, rate: float) -> float:
-    """Return t_m = B_m/(2π n), in s, of an angle (rad) at n cycles per second, both above 0 (S2: 10 B_m/N; °, 1/h)."""
+    """Return t_m = B_m/(2π n) (s) of an angle (rad) at a rate n (1/s), both above 0; S2: 10 B_m/N in ° and 1/h."""
     require_positive(angle=angle, rate=rate)
     return angle / (FULL_TURN * rate)
 
 
 def pieces_of_parts(parts: Sequence[ScaledLaw], whole: bool = False) -> list[MotionPiece]:
-    """Return the pieces of the parts that last; ``whole`` ones are not cut where the acceleration is largest."""
+    """Return the pieces of the parts of any duration; ``whole`` ones are not cut at peaks of the acceleration."""
     return [piece for k, part in enumerate(parts) if part.duration for piece in pieces_of(part, k, whole)]
 
 
 def size_of_parts(parts: Sequence[ScaledLaw]) -> Callable[[int], float]:
-    """Return what gives, for n, the largest |h|/δⁿ of the parts that move."""
+    """Return the function of n that gives the largest |h|/δⁿ of the parts that move."""
     moving = [(abs(part.h), part.rate) for part in parts if part.h]
     return lambda order: max(h * rate**order for h, rate in moving)
 
 
 def within_turn(angle: Array) -> Array:
-    """Return angles (rad) within one turn; what is just below a whole turn counts as on it."""
+    """Return angles (rad) reduced to one turn; one just below a full turn counts as 0."""
     return angle - FULL_TURN * np.floor(angle / FULL_TURN + BREAK_TOLERANCE)
 
 
 def whole_turn(parts: Sequence[ScaledLaw], position: float = 0.0) -> Motion:
-    """Return the motion of parts that fill one turn, without those of no length."""
+    """Return the motion of the parts of any duration, which fill one turn; raise ValueError if they take more."""
     kept = [part for part in parts if part.duration > 0.0]
     edges = np.cumsum([0.0, *(part.duration for part in kept)])
     if edges[-1] > FULL_TURN + ANGLE_TOLERANCE:
