@@ -218,8 +218,13 @@ def fits(law: Declared) -> str:
 def by_law(text: Callable[[Declared], str], otherwise: str, **more: str) -> str:
     """Return a formula that chooses by ``code``; laws of the same text together, those of none left out."""
     found: dict[str, list[str]] = {}
-    for code, one in {**more, **{code: text(law) for code, law in LAWS.items()}}.items():
+    for code, one in more.items():
         found.setdefault(one, []).append(f'code = "{code}"')
+    for code, law in LAWS.items():
+        try:
+            found.setdefault(text(law), []).append(f'code = "{code}"')
+        except TypeError as error:
+            raise TypeError(f"{code}: of parameters LAWS may take differences, products and choices") from error
     found.pop("", None)
     for one, codes in reversed(found.items()):
         among = codes[0] if len(codes) == 1 else f"OR({', '.join(codes)})"

@@ -34,7 +34,8 @@ def small(template, **sizes):
 
 def test_every_list_of_laws_is_the_registry():
     codes = tuple(law.code for law in CATALOGUE)
-    assert len(PAGES) == len(codes) == len(set(codes))
+    paged = {id(page): page.law.code for page in PAGES}.values()  # a file of pages may import another's
+    assert sorted(paged) == sorted(codes)
     assert tuple(FAMILY) == codes
     assert tuple(ENTRIES) == tuple(code for code in codes if code != "DWL")
     assert Laws({}).names == CODES == ("DWL", *MOVING)
