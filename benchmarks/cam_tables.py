@@ -23,11 +23,11 @@ from engine.cams.interpolation import lines, quintics, segmented, spline
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 from engine.motion.pieces import CamProfile, profile_of_motion
-from workbook.controllers.handing import automatic, certified, reread, tabulated
 from workbook.controllers.registry import target, targets
+from workbook.controllers.tabulation import automatic, certified, reread, tabulated
 from workbook.controllers.target import Handed
-from workbook.offered import CamAxis
 from workbook.reports.html import Line, plot
+from workbook.template_outputs import CamAxis
 
 PICTURE = Path(__file__).parents[1] / "docs" / "cam-tables.svg"
 RISE = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))

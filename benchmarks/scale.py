@@ -18,7 +18,7 @@ from workbook.build import build
 from workbook.cluster import pool
 from workbook.entries.machine import Machine
 from workbook.errors import AGREES, FAILS
-from workbook.judging.many import Target, verify_many, verify_one
+from workbook.judging.batch import Target, verify_many, verify_one
 from workbook.judging.verify import verify
 from workbook.pool import cores
 from workbook.reading.descriptions import read_machine

@@ -17,7 +17,7 @@ from rich.table import Table
 
 from workbook.build import build
 from workbook.cluster import pool
-from workbook.judging.many import Target, verify_many
+from workbook.judging.batch import Target, verify_many
 from workbook.pool import cores
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.studies.folder import Parts
@@ -26,7 +26,7 @@ from workbook.studies.run import run
 from workbook.studies.space import Study
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.writing.place import write_text
+from workbook.writing.output_files import write_text
 
 MACHINE = TEMPLATES["machine"].description  # its first axis is S1's feeding group
 DESIGNS, BOOKS = 1_000_000, 1_000

@@ -9,7 +9,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from workbook.described.schema import page
+from workbook.description.schema import page
 
 PAGE = Path(__file__).with_suffix(".md")
 

@@ -14,7 +14,7 @@ from typing import Any
 from openpyxl import Workbook
 
 from workbook.book.address import Address
-from workbook.judging.comparing import TOLERANCE
+from workbook.judging.comparison import TOLERANCE
 from workbook.reading.files import open_book
 from workbook.witnesses.registry import WITNESSES
 

@@ -11,9 +11,9 @@ from workbook.book.rows import as_rows
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.judging.carried import carried_over, not_carried
+from workbook.judging.carry_over import carried_over, not_carried
 from workbook.judging.matching import Match
-from workbook.judging.order import in_order
+from workbook.judging.repair import in_order
 from workbook.judging.report import OK
 from workbook.pool import collector_paused, swept_between
 from workbook.reading.descriptions import checked, counted, read_machine, require_possible, template_named
@@ -25,9 +25,9 @@ from workbook.selection.catalogue_files import Product, read_motors, read_reduce
 from workbook.selection.entries import MOST_PRODUCTS, Products
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 from workbook.writing.archive import same_book
-from workbook.writing.place import refuse_existing
+from workbook.writing.output_files import refuse_existing
 from workbook.writing.write import save
 
 LARGE = 10_000_000  # bytes of a file: one below is far within the limits of reading

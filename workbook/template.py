@@ -9,8 +9,8 @@ import workbook
 from workbook.book.declare import FIRST, Book, Text
 from workbook.book.summary import TITLE, checks_sheet, close, head, repeat_verdict
 from workbook.entries.machine import Machine
-from workbook.offered import CamAxis, CamSwitch, Scaling
-from workbook.unfinished import with_entries
+from workbook.template_outputs import CamAxis, CamSwitch, Scaling
+from workbook.unfinished_book import with_entries
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
 M = TypeVar("M", bound=Machine)

@@ -15,7 +15,7 @@ from typing import Any
 from tests.mutation.mutants import functions, literals, operators, ranges, shifts, tokens_of
 from workbook.book.address import Address
 from workbook.book.formula import FormulaError, read
-from workbook.oracle.declared import Oracle, cases, close
+from workbook.oracle.declarations import Oracle, cases, close
 from workbook.oracle.judge import Judge
 from workbook.reading.files import BookFile
 

@@ -6,7 +6,7 @@ import pytest
 
 from tests.foreign.books import BOOKS, VARIABLE
 from tests.foreign.mutants import Trial, sample
-from workbook.oracle.declared import load
+from workbook.oracle.declarations import load
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
 from workbook.witnesses.engines import convert, program

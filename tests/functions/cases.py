@@ -11,7 +11,7 @@ from engine.motion import Phase
 from engine.motion.joining import Rates, join_phases
 from tests.functions.case import NUM, Case
 from workbook.functions.addin.motion_functions.library import OWN_WIDTH
-from workbook.functions.declared import CODES, TAKES
+from workbook.functions.declarations import CODES, TAKES
 from workbook.laws.registry import CODES as BASIC
 from workbook.laws.registry import FAMILY
 

@@ -6,7 +6,7 @@ from itertools import chain
 from engine.laws import law
 from tests.functions.case import ANY_ERROR, DIV0, NA, NUM, VALUE, Case
 from tests.functions.cases import CLASSIC, POLYNOMIAL_345
-from workbook.functions.declared import CODES
+from workbook.functions.declarations import CODES
 
 FAILED, MISSING = "=1/0", "=NA()"
 MTP, TVP = (CLASSIC,), ((0.25, 0.75),)

@@ -21,7 +21,7 @@ from workbook.functions.addin.motion_functions import library
 from workbook.functions.addin.motion_functions.cells import parameters
 from workbook.functions.addin.motion_functions.law import Refused
 from workbook.functions.addin.motion_functions.library import LAWS, OWN_WIDTH
-from workbook.functions.declared import CODES, FUNCTIONS, PARAMETERS
+from workbook.functions.declarations import CODES, FUNCTIONS, PARAMETERS
 from workbook.laws.own import OWN_ENTRIES
 from workbook.laws.registry import FAMILY
 from workbook.template import FOLDER

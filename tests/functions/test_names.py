@@ -12,7 +12,7 @@ from tests.functions.cases import POLYNOMIAL_345, engine_law, value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions import names
 from workbook.functions.addin.motion_functions.library import Declared
-from workbook.functions.declared import CODES, FUNCTIONS
+from workbook.functions.declarations import CODES, FUNCTIONS
 
 
 @pytest.fixture(scope="module")

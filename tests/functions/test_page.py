@@ -14,7 +14,7 @@ from tests.functions import lambdas
 from tests.workbook.office import TIMEOUT, profile, started
 from workbook.cli import app
 from workbook.functions import publish
-from workbook.functions.declared import CODES, FUNCTIONS
+from workbook.functions.declarations import CODES, FUNCTIONS
 from workbook.functions.names import definitions
 from workbook.functions.page import EXAMPLE, declare
 from workbook.writing import archive

@@ -5,7 +5,7 @@ import re
 import pytest
 from xlsxwriter import Workbook
 
-from workbook.functions.declared import FUNCTIONS
+from workbook.functions.declarations import FUNCTIONS
 from workbook.functions.names import FUTURE, definitions, tokens
 
 EXCEL_2007 = {

@@ -17,7 +17,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Book
 from workbook.book.formula import Area, Formula
 from workbook.entries.machine import Machine
-from workbook.judging.comparing import TOLERANCE, Right, difference
+from workbook.judging.comparison import TOLERANCE, Right, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.judging.verify import Report, judge
 from workbook.machines.machine.mechanism import LINKED

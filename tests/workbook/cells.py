@@ -7,12 +7,12 @@ import openpyxl
 from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.book.address import Address
-from workbook.judging.carried import not_carried
-from workbook.judging.comparing import TOLERANCE, Right, difference
+from workbook.judging.carry_over import not_carried
+from workbook.judging.comparison import TOLERANCE, Right, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.writing import archive
 from workbook.writing.write import parts

@@ -11,7 +11,7 @@ from openpyxl.styles import PatternFill
 from openpyxl.workbook.defined_name import DefinedName
 
 from workbook import build as making
-from workbook import remembered
+from workbook import file_cache
 from workbook.build import build, described, inputs
 from workbook.commands import make
 from workbook.reading.descriptions import read_machine, write_machine
@@ -118,7 +118,7 @@ def test_the_committed_catalogues_are_referred_to(tmp_path):
 
 
 def test_what_was_read_of_the_same_bytes_is_remembered_with_its_notes(built, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(remembered, "folder", lambda: tmp_path / "remembered")
+    monkeypatch.setattr(file_cache, "folder", lambda: tmp_path / "remembered")
     book = openpyxl.load_workbook(built)
     own_number(book)
     book.save(tmp_path / "edited.xlsx")

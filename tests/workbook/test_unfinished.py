@@ -10,7 +10,7 @@ import tomli_w
 from workbook.build import build, described, inputs
 from workbook.entries.design import designed
 from workbook.errors import FAILS, InputError
-from workbook.judging.many import Target, exit_code, verify_one
+from workbook.judging.batch import Target, exit_code, verify_one
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.reading.files import open_book

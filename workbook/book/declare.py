@@ -29,7 +29,7 @@ from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Block, Cell, Quantity, calc, check, columns_of, constant, entries_of, given, result
 from workbook.book.rows import as_rows
 from workbook.book.sheet import FIRST, Sheet, Text
-from workbook.latest import latest, remembers
+from workbook.memo import latest, remembers
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "RowRule", "Sheet", "Text",

@@ -10,20 +10,20 @@ from engine.cams.identify import THINNED
 from engine.motion.pieces import SAME
 from workbook.commands.export import LOAD, SHAFT, Switched, chosen, shafts, takes, tolerated
 from workbook.commands.verify import opened, vouched
-from workbook.controllers import described
-from workbook.controllers.handing import certified
+from workbook.controllers import as_description
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.table import equidistant
+from workbook.controllers.tabulation import certified
 from workbook.controllers.target import Target, Track, differences, read_table, text_of
 from workbook.errors import AGREES, DISAGREES, ReadError, TargetError, visible
-from workbook.offered import CamSwitch
 from workbook.reading.descriptions import checked, template_named, write_machine
 from workbook.reports.cams import excess, show, told
 from workbook.reports.terminal import ERR, give, say, say_data, say_json
+from workbook.template_outputs import CamSwitch
 from workbook.templates import TEMPLATES
-from workbook.writing.place import refuse_existing, refuse_itself
+from workbook.writing.output_files import refuse_existing, refuse_itself
 
-TURN = described.TURN
+TURN = as_description.TURN
 LONGEST, LONGEST_NAME = 80, 24  # characters of a title, and of a switch's name
 NEAR = 1e-6  # of the cycle: so far the file's may be from the book's
 
@@ -38,17 +38,17 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
         refuse_itself(output, file)
         refuse_existing(output, force)
     table = read_table(file, target)
-    units = described.units_of(text_of(file, target))
+    units = as_description.units_of(text_of(file, target))
     try:
-        found = described.phases_of(target, table, units, share)
+        found = as_description.phases_of(target, table, units, share)
     except np.linalg.LinAlgError as error:
         raise TargetError(f"{file}: no motion can be fitted to its points ({error})") from error
     title = f"Read from {visible(file.name)}"
     title = title if len(title) <= LONGEST else f"{title[: LONGEST - 1]}…"
-    data = described.composed(found, table, units, title)
+    data = as_description.composed(found, table, units, title)
     machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
-    for line in described.lines(found, units):
+    for line in as_description.lines(found, units):
         say(ERR, line)
     if found.delay:
         say(ERR, f"It begins on the way: written as an axis that is {found.delay:.9g} {units[0]} later")

@@ -10,17 +10,17 @@ from typing import Any, NamedTuple
 
 from engine.timing import SwitchDifference
 from workbook.commands.verify import opened, vouched
-from workbook.controllers.handing import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.registry import targets
+from workbook.controllers.tabulation import Made, allowed, automatic, certified, reread, tabulated
 from workbook.controllers.target import MOST_OFF, Handed, HandedTracks, Tappets, Target, differences, header, tracks
 from workbook.entries.machine import Machine
 from workbook.errors import AGREES, DISAGREES, TargetError, WriteError, visible
-from workbook.offered import CamAxis, CamSwitch
 from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_json, show_table, shown
+from workbook.template_outputs import CamAxis, CamSwitch
 from workbook.templates import TEMPLATES
-from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, write_text
+from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_one_for_two, write_text
 
 AUTO = "auto"
 LOAD, SHAFT = "load", "shaft"

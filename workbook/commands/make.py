@@ -7,15 +7,15 @@ from pathlib import Path
 import workbook
 from workbook import build as making
 from workbook.commands.verify import digest_of
-from workbook.described import schema as schemas
-from workbook.described.commented import commented
+from workbook.description import schema as schemas
+from workbook.description.commented import commented
 from workbook.errors import AGREES, DISAGREES, InputError, WriteError
+from workbook.file_cache import recall, remember
 from workbook.reading.descriptions import template_named, write_machine
-from workbook.remembered import recall, remember
 from workbook.reports.terminal import ERR, OUT, give, say, shown
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, refuse_suffix, write_text
+from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_one_for_two, refuse_suffix, write_text
 
 INPUTS = "inputs"
 STARTER = Path(workbook.__file__).parent / "starter"

@@ -10,7 +10,7 @@ from workbook.differences.design import compare, read
 from workbook.errors import AGREES, DISAGREES, InputError
 from workbook.judging.verify import present
 from workbook.oracle.cells import draft
-from workbook.oracle.declared import load
+from workbook.oracle.declarations import load
 from workbook.oracle.judge import FIRST, Judge, Judged, describe
 from workbook.reading.files import BookFile, open_book
 from workbook.reports import differences as told
@@ -18,7 +18,7 @@ from workbook.reports import page
 from workbook.reports.page import figure
 from workbook.reports.terminal import ERR, OUT, give, say, say_json, show_table, shown
 from workbook.witnesses.registry import WITNESSES as REGISTER
-from workbook.writing.place import refuse_existing, refuse_itself, replace
+from workbook.writing.output_files import refuse_existing, refuse_itself, replace
 
 WITNESSES = (FIRST, "formualizer")  # the evaluators asked by default
 COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}

@@ -19,7 +19,7 @@ from workbook.studies.folder import ENDS, Parts, join, read, require_format
 from workbook.studies.plan import Plan, read_study
 from workbook.studies.run import Judged, paced, picked, run
 from workbook.studies.summary import Summary
-from workbook.writing.place import refuse_existing, replace, write_text
+from workbook.writing.output_files import refuse_existing, replace, write_text
 
 SHORT, LONG = 4.0, 5.0
 """seconds: a study that takes fewer is worked out by this process alone; one that takes more is announced"""

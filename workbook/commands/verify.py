@@ -13,19 +13,19 @@ from workbook import build as making
 from workbook.cluster import pool
 from workbook.entries.machine import Machine
 from workbook.errors import DISAGREES, TargetError
-from workbook.intake import odd
-from workbook.judging import many
-from workbook.judging.many import digest, state
+from workbook.file_cache import recall, remember
+from workbook.judging import batch
+from workbook.judging.batch import digest, state
 from workbook.judging.report import Report
 from workbook.judging.verify import present
 from workbook.judging.verify import verify as judged
 from workbook.pool import cores
-from workbook.remembered import recall, remember
 from workbook.reports import console, page
 from workbook.reports.page import junit as junit_xml
 from workbook.reports.page import sarif as as_sarif
 from workbook.reports.terminal import ERR, OUT, say, shown
-from workbook.writing.place import refuse_one_for_two
+from workbook.text_files import odd
+from workbook.writing.output_files import refuse_one_for_two
 
 VERDICT = "verdict"
 DAILY = "pycel"  # the witness that is asked unless told otherwise
@@ -43,10 +43,10 @@ def verify(
     refuse_one_for_two(report, junit, sarif)
     asked = list(dict.fromkeys(witnesses or [DAILY]))  # each once, in the order named
     present(asked)
-    targets, failed = many.find(books)
+    targets, failed = batch.find(books)
     most = min(jobs or cores(), len(targets))
     with pool(most, scheduler) as workers, console.progress(ERR, "Verifying", len(targets)) as bar:
-        outcomes = many.verify_many(targets, asked, workers, lambda one: bar(1, one.path.name)) + failed
+        outcomes = batch.verify_many(targets, asked, workers, lambda one: bar(1, one.path.name)) + failed
     alone = len(books) == 1 and not os.path.isdir(books[0])
     for one in outcomes if alone else ():
         if one.report is not None:
@@ -56,7 +56,7 @@ def verify(
     page.write(report, lambda: page.page(outcomes, when), force)
     page.write(junit, lambda: junit_xml(outcomes, when), force)
     page.write(sarif, lambda: as_sarif(outcomes), force)
-    return many.exit_code(outcomes)
+    return batch.exit_code(outcomes)
 
 
 State = tuple[int, int] | None

@@ -17,8 +17,8 @@ from workbook.controllers.claims import CLAIMS
 from workbook.controllers.table import Table
 from workbook.controllers.texts import LREAL, Number, literal
 from workbook.errors import ReadError, TargetError, visible
-from workbook.intake import read_text
-from workbook.offered import CamSwitch
+from workbook.template_outputs import CamSwitch
+from workbook.text_files import read_text
 
 CALLED = re.compile(r"^(?:// |# )?track (\d{1,4}): ([^\r\n]{1,80})", re.MULTILINE)
 MOST_OFF = 1e-2  # of an edge, in degrees: numbers of 32 bits hold it to 1e-5

@@ -13,17 +13,17 @@ from workbook.book.declare import Block, Book
 from workbook.book.quantity import SAYS
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
-from workbook.judging.carried import own_things
-from workbook.judging.comparing import is_number
+from workbook.judging.carry_over import own_things
+from workbook.judging.comparison import is_number
 from workbook.judging.layout import laid_out, layout
-from workbook.judging.order import in_order
+from workbook.judging.repair import in_order
 from workbook.judging.report import FAIL, OK, Report
 from workbook.judging.structure import structure
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 
 LONG = 40  # rows of a table of samples or points: those are compared by the results made of them
 NAMES = ("name", "axis", "sheet")  # the columns by which the rows of a table are called

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from workbook.functions.addin.motion_functions.library import LAWS, OWN, Declared, mirrored
-from workbook.functions.declared import FUNCTIONS
+from workbook.functions.declarations import FUNCTIONS
 
 SOURCE = Path(__file__).with_name("formulas.txt")
 LATER = ("DROP", "HSTACK", "ISOMITTED", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE",

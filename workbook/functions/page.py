@@ -17,7 +17,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given, result
 from workbook.book.rows import filled
 from workbook.fields.types import Model, NotNegative, Number, Share
-from workbook.functions.declared import CODES, FUNCTIONS, TAKES, TEXTS, Argument
+from workbook.functions.declarations import CODES, FUNCTIONS, TAKES, TEXTS, Argument
 from workbook.laws.entries import Laws, as_listed
 from workbook.laws.family import value_at
 from workbook.laws.registry import CODES as BASIC

@@ -16,13 +16,13 @@ from tornado.template import Template
 
 from workbook import __version__
 from workbook.errors import WriteError
-from workbook.functions.declared import FUNCTIONS, NAMESPACE, TEXTS, Text
+from workbook.functions.declarations import FUNCTIONS, NAMESPACE, TEXTS, Text
 from workbook.functions.names import definitions
 from workbook.functions.page import EXAMPLE, Shown, declare
 from workbook.template import FOLDER
 from workbook.writing import archive
 from workbook.writing.archive import same_book
-from workbook.writing.place import refuse_existing, replace
+from workbook.writing.output_files import refuse_existing, replace
 from workbook.writing.write import pack, parts
 
 SHEET = "xl/worksheets/sheet1.xml"

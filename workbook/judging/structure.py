@@ -12,7 +12,7 @@ from pydantic import BaseModel
 from workbook.book.address import Address, Place
 from workbook.book.declare import FIRST, Block
 from workbook.entries.rules import field_at, validation
-from workbook.functions.declared import NAMESPACE
+from workbook.functions.declarations import NAMESPACE
 from workbook.functions.names import definitions, meaning
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, Finding, Report

@@ -11,21 +11,21 @@ from workbook.book.address import Address
 from workbook.book.quantity import SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
-from workbook.judging.comparing import Comparison, count, is_error
+from workbook.judging.comparison import Comparison, count, is_error
+from workbook.judging.display.cell_styles import Looks, Rules, Told, seen
+from workbook.judging.display.charts import charts
+from workbook.judging.display.labels import words
+from workbook.judging.display.visibility import in_view, links, pages
 from workbook.judging.layout import follow, laid_out, layout
 from workbook.judging.matching import Match, Pair
-from workbook.judging.order import in_order, is_empty_row, put_back, unlike
+from workbook.judging.repair import in_order, is_empty_row, put_back, unlike
 from workbook.judging.report import FAIL, LAYOUT, NOTICE, ORDER, Check, Ran, Report
-from workbook.judging.shown.charts import charts
-from workbook.judging.shown.looks import Looks, Rules, Told, seen
-from workbook.judging.shown.views import in_view, links, pages
-from workbook.judging.shown.words import words
 from workbook.judging.structure import audit, stale_functions, structure, validations
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book, require_little_work
 from workbook.templates import AnyTemplate
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 from workbook.witnesses.registry import ALL, WITNESSES
 from workbook.witnesses.witness import CellWitness, Witness, without
 
@@ -105,7 +105,7 @@ def judge(
 
 
 def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
-    """Enter what a reader is told otherwise than by a fresh build of the same inputs (see :mod:`.shown.taste`).
+    """Enter what a reader is told otherwise than by a fresh build of the same inputs (see :mod:`.display.permitted`).
 
     ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
     """

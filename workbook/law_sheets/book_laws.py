@@ -12,13 +12,13 @@ from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, again, calc, constant, result
 from workbook.book.rows import LEAST
 from workbook.entries.machine import Sizes
-from workbook.latest import latest
 from workbook.law_sheets.library import NamedLaw, named
 from workbook.law_sheets.page import finite, law_sheet
 from workbook.laws.entries import Laws
 from workbook.laws.family import COEFFICIENTS, LABELS, LEAST_STAGE, POWERS, SECOND, SINE, entries_of
 from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sampling import Pieces
+from workbook.memo import latest
 
 RISE = 1.0  # what every law goes in a time of 1: so large are its velocity and acceleration at least, somewhere
 

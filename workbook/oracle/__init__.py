@@ -3,6 +3,6 @@
 A file of declarations makes one :class:`Oracle`; ``motionbook verify BOOK.xlsx --against FILE.py`` runs it.
 """
 
-from workbook.oracle.declared import Input, Oracle, Output, Table
+from workbook.oracle.declarations import Input, Oracle, Output, Table
 
 __all__ = ["Input", "Oracle", "Output", "Table"]

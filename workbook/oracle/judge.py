@@ -13,10 +13,10 @@ from workbook.dimensions.rules import Dimensions, Walk
 from workbook.dimensions.units import POWERS
 from workbook.errors import ReadError, WitnessError
 from workbook.oracle.cells import cells_of, find, label_of, unit_of
-from workbook.oracle.declared import Case, Oracle, Output, Table, cases, close, is_number, same, size
+from workbook.oracle.declarations import Case, Oracle, Output, Table, cases, close, is_number, same, size
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
-from workbook.witnesses.agreed import UNKNOWN
+from workbook.witnesses.agreement import UNKNOWN
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.witnesses.registry import WITNESSES
 

@@ -14,11 +14,11 @@ from workbook.entries.design import RefusedError, as_entered, designed, keys_of
 from workbook.entries.machine import Fault, Machine
 from workbook.errors import LONGEST, InputError, ReadError, found
 from workbook.fields.types import LARGEST, SMALLEST, EntryError
-from workbook.intake import read_text
 from workbook.laws.entries import key_of
 from workbook.selection.entries import referred
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
+from workbook.text_files import read_text
 
 LINE = re.compile(r"at line (\d+)")
 COMMA = re.compile(r"=\s*([-+]?\d+,\d+)(?![\w.])")

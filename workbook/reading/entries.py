@@ -15,7 +15,7 @@ from workbook.errors import DisputedError, InputError, ReadError, found
 from workbook.law_sheets.library import numbered, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
 from workbook.reading.files import BookFile, is_formula, require_narrow
-from workbook.reading.fitting import ends_lost, fitted
+from workbook.reading.table_fit import ends_lost, fitted
 from workbook.template import MOST
 from workbook.templates import AnyTemplate
 

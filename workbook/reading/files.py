@@ -19,12 +19,12 @@ from workbook.book.address import Address, Fit, Place
 from workbook.book.columns import Moving
 from workbook.book.formula import Area
 from workbook.errors import ReadError
-from workbook.intake import require_file
 from workbook.reading.cells import fill, saved_values
 from workbook.reading.contents import Cells, Contents, Patterns, entered
 from workbook.reading.guard import Inspected, guard
 from workbook.reading.package import Bare
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW, SAVE_AS
+from workbook.text_files import require_file
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of one name

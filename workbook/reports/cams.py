@@ -8,11 +8,11 @@ import numpy as np
 
 import workbook
 from engine.cams.certificate import Certificate
-from workbook.controllers.handing import ORDERS, Made, automatic, curve, rules_of
+from workbook.controllers.tabulation import ORDERS, Made, automatic, curve, rules_of
 from workbook.controllers.target import Target
-from workbook.offered import CamAxis
 from workbook.reports.html import Line, document, markup, plot, rendered
 from workbook.reports.terminal import OUT, show_table, shown
+from workbook.template_outputs import CamAxis
 
 FLOOR = 1e-12  # of the peak: what is less is drawn there
 SAMPLES = 1441  # of a picture

@@ -16,7 +16,7 @@ from rich.table import Column, Table
 from engine.laws import CATALOGUE
 from engine.laws.inverse import DERIVATIVES, continuity
 from workbook.errors import visible
-from workbook.judging.many import Outcome
+from workbook.judging.batch import Outcome
 from workbook.judging.report import FOLLOWS, Report
 from workbook.reports.page import VERDICTS, figure, line, own_verdict, where
 from workbook.reports.terminal import say, say_json, show_table, shown

@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 
 import workbook
 from workbook.errors import WriteError
-from workbook.judging.comparing import TOLERANCE
-from workbook.judging.many import Outcome
+from workbook.judging.batch import Outcome
+from workbook.judging.comparison import TOLERANCE
 from workbook.judging.report import Finding, Ran, Report
 from workbook.reports.html import document, rendered
-from workbook.writing.place import refuse_existing, write_text
+from workbook.writing.output_files import refuse_existing, write_text
 
 COUNTED = (("tests", ""), ("failures", "failure"), ("errors", "error"), ("skipped", "skipped"))
 DESIGN = "the machine's own checks"

@@ -14,7 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from workbook.errors import visible
-from workbook.writing.place import write_text
+from workbook.writing.output_files import write_text
 
 OUT = Console()
 ERR = Console(stderr=True)

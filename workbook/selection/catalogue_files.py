@@ -14,8 +14,8 @@ from workbook.entries import rules
 from workbook.entries.design import numbers_of
 from workbook.errors import InputError, ReadError, found
 from workbook.fields.types import EntryError
-from workbook.intake import read_text
 from workbook.selection.catalogue import MotorRow, ReducerRow
+from workbook.text_files import read_text
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
 Product = dict[str, Any]  # what a line of a catalogue says of a product, by entry

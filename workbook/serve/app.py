@@ -18,12 +18,12 @@ from tornado.web import Application, HTTPError
 from workbook.build import inputs
 from workbook.controllers.claims import TARGETS
 from workbook.errors import InputError, WriteError
-from workbook.intake import read_text
 from workbook.serve import fields, live, pages, study
 from workbook.serve.handler import LARGEST, REPORT, Action, Folder, Page, plain, state
 from workbook.serve.work import Work, WorkError
 from workbook.templates import TEMPLATES
-from workbook.writing.place import write_text
+from workbook.text_files import read_text
+from workbook.writing.output_files import write_text
 
 STATIC = {"favicon.ico": "icon.svg"}
 STATIC |= {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")}

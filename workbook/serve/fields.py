@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import Element
 
-from workbook.described.keys import PRODUCTS, Key, default_of, toml
+from workbook.description.keys import PRODUCTS, Key, default_of, toml
 from workbook.errors import InputError, MotionbookError
 from workbook.laws.entries import ENTRIES
 from workbook.reading.descriptions import checked, parsed, template_named

@@ -16,7 +16,6 @@ from workbook.commands.study import known
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
-from workbook.intake import read_text
 from workbook.laws.entries import ENTRIES, references
 from workbook.pool import cores
 from workbook.reading.descriptions import parsed, template_named, write_machine
@@ -32,7 +31,8 @@ from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, planned, read
 from workbook.studies.run import machine_of
 from workbook.studies.space import Study
 from workbook.studies.summary import Summary
-from workbook.writing.place import write_text
+from workbook.text_files import read_text
+from workbook.writing.output_files import write_text
 
 ROWS = 6  # results that a form can ask for
 ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at least": "at least",

@@ -10,7 +10,7 @@ import tomlkit
 from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import Array, InlineTable
 
-from workbook.described.keys import Key, Section, sections, toml
+from workbook.description.keys import Key, Section, sections, toml
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
 from workbook.template import has

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from workbook.errors import MotionbookError
-from workbook.latest import remember
+from workbook.memo import remember
 
 POSIX = os.name == "posix"
 MEMORY = 6 * 2**30  # bytes of address space of a command, where the system can limit it

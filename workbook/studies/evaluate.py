@@ -15,10 +15,10 @@ from workbook.book.declare import Book
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.offered import Column, Results
 from workbook.studies.paths import nearest
 from workbook.studies.plan import Plan, book_names
 from workbook.studies.space import Bound
+from workbook.template_outputs import Column, Results
 from workbook.templates import TEMPLATES
 
 Values = NDArray[Any]

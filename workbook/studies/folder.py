@@ -19,7 +19,7 @@ import numpy as np
 from workbook.errors import WriteError
 from workbook.studies.evaluate import Table
 from workbook.studies.summary import Summary
-from workbook.writing.place import replace, unwritten
+from workbook.writing.output_files import replace, unwritten
 
 FORMATS = (".csv", ".parquet")
 ENDS = ("feasible", "fails", "impossible")  # the last columns of a table

@@ -18,13 +18,13 @@ from workbook.entries.design import RefusedError, attempted
 from workbook.entries.machine import Fault, Machine
 from workbook.errors import InputError, found
 from workbook.fields.types import EntryError
-from workbook.intake import read_text
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import ENTRIES, references
 from workbook.reading.descriptions import counted, parsed, write_machine
 from workbook.studies.paths import below, changed, held, nearest, opened, path_of, written
 from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arranged
 from workbook.templates import TEMPLATES, AnyTemplate
+from workbook.text_files import read_text
 
 MOST_IN_FULL = 100_000_000
 MOST_TRIED = 1000  # values of a list, each by itself before the study begins

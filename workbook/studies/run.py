@@ -11,7 +11,7 @@ import numpy as np
 
 from workbook.build import build
 from workbook.errors import InputError, MotionbookError
-from workbook.judging.comparing import TOLERANCE
+from workbook.judging.comparison import TOLERANCE
 from workbook.judging.verify import verify
 from workbook.pool import Died, Pool
 from workbook.studies.evaluate import Evaluator, of_book

@@ -14,7 +14,7 @@ from pydantic import ConfigDict, Field, model_validator
 
 from workbook.fields.texts import Text
 from workbook.fields.types import EntryError, Model, Number
-from workbook.offered import Column
+from workbook.template_outputs import Column
 
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 MOST_KEYS = 20

@@ -27,7 +27,7 @@ from workbook.entries import rules
 from workbook.writing import archive, charts, layout, style
 from workbook.writing.archive import Cells, Strings
 from workbook.writing.layout import COLUMN_WIDTH, FULL, WIDTHS, Standing, lines_of, widths
-from workbook.writing.place import refuse_existing, replace
+from workbook.writing.output_files import refuse_existing, replace
 
 LAST_PAGE_COLUMN = 9
 LAST_COLUMN = 16_384

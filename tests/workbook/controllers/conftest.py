@@ -6,7 +6,7 @@ from tests import cutting
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook.build import build
-from workbook.judging.many import digest
+from workbook.judging.batch import digest
 from workbook.reading.descriptions import read_machine
 
 

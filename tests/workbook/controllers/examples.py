@@ -10,9 +10,9 @@ from engine.laws import Dwell
 from engine.motion import Motion, Phase
 from engine.motion.pieces import profile_of_motion
 from tests.engine.laws.claims import CLAIMS
-from workbook.controllers.handing import filled
+from workbook.controllers.tabulation import filled
 from workbook.controllers.target import Handed, Target
-from workbook.offered import CamAxis
+from workbook.template_outputs import CamAxis
 
 X, Y = np.array([0.0, 90.0, 180.0, 360.0]), np.array([0.0, 15.0, 30.0, 0.0])
 SLOPES = np.array([0.0, 0.25, 0.0, 0.0])

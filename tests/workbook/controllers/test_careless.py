@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from engine import law
-from workbook.controllers import described
+from workbook.controllers import as_description
 from workbook.controllers.registry import target
 from workbook.controllers.target import read_table
 from workbook.errors import MotionbookError
@@ -67,7 +67,7 @@ def read(folder, content):
     path = folder / "a table.csv"
     path.write_bytes(content if isinstance(content, bytes) else content.encode())
     table = read_table(path, target("csv"))
-    return table, described.phases_of(target("csv"), table, ("°", "mm"))
+    return table, as_description.phases_of(target("csv"), table, ("°", "mm"))
 
 
 @pytest.mark.parametrize("name", MEANT)

@@ -10,13 +10,13 @@ import pytest
 
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
-from workbook import remembered
+from workbook import file_cache
 from workbook.build import build
 from workbook.commands import verify as verifying
 from workbook.commands.export import chosen, slugs
 from workbook.controllers.claims import TARGETS
-from workbook.controllers.handing import automatic, certified, tabulated
 from workbook.controllers.registry import target
+from workbook.controllers.tabulation import automatic, certified, tabulated
 from workbook.controllers.target import read_table
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
@@ -39,7 +39,7 @@ def verified(monkeypatch, tmp_path):
         return verify(path, **given)
 
     monkeypatch.setattr(verifying, "judged", counted)
-    monkeypatch.setattr(remembered, "folder", lambda: tmp_path / "remembered")
+    monkeypatch.setattr(file_cache, "folder", lambda: tmp_path / "remembered")
     return asked
 
 
@@ -255,25 +255,25 @@ def test_what_verify_said_of_the_same_bytes_is_remembered(run, book, tmp_path, v
     assert run("compare", book, "two-Press.csv", "--axis", "Press", "--from", "csv")[0] == 0
     assert verified == []
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(remembered, "program", lambda: "another one")
+        patch.setattr(file_cache, "program", lambda: "another one")
         assert run(*given)[0] == 0
     assert len(verified) == 1
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"program": 1}', "\x00"])
 def test_a_memory_that_is_damaged_is_none(text, tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr(remembered, "folder", lambda: tmp_path)
-    remembered.remember("verdict", "ab", {"findings": 0})
-    assert remembered.recall("verdict", "ab")["findings"] == 0
+    monkeypatch.setattr(file_cache, "folder", lambda: tmp_path)
+    file_cache.remember("verdict", "ab", {"findings": 0})
+    assert file_cache.recall("verdict", "ab")["findings"] == 0
     (tmp_path / "ab.verdict.json").write_text(text, "utf-8")
-    assert remembered.recall("verdict", "ab") is None
+    assert file_cache.recall("verdict", "ab") is None
 
 
 def test_a_folder_that_takes_nothing_is_no_fault(tmp_path, monkeypatch) -> None:
     (tmp_path / "file").write_text("no folder", "utf-8")
-    monkeypatch.setattr(remembered, "folder", lambda: tmp_path / "file")
-    remembered.remember("verdict", "ab", {})
-    assert remembered.recall("verdict", "ab") is None
+    monkeypatch.setattr(file_cache, "folder", lambda: tmp_path / "file")
+    file_cache.remember("verdict", "ab", {})
+    assert file_cache.recall("verdict", "ab") is None
 
 
 SHAFTS = {"MC01": 8.0 * 300.0 / 134.0 * 180.0 / np.pi, "MC02": 360.0}

@@ -9,8 +9,8 @@ from tests import tiers
 from tests.mutation.machines import machine as drawn_machine
 from tests.workbook.machines.test_machine import axis, described
 from workbook.controllers.claims import TARGETS
-from workbook.controllers.handing import certified, fewest, reread, rules_of, tabulated
 from workbook.controllers.registry import target
+from workbook.controllers.tabulation import certified, fewest, reread, rules_of, tabulated
 from workbook.controllers.target import Handed
 from workbook.errors import TargetError
 from workbook.fields.units import DEGREE, shown, si

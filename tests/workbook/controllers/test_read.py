@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from engine.motion.pieces import shifted_profile
-from workbook.controllers import described
+from workbook.controllers import as_description
 from workbook.controllers.claims import TARGETS
-from workbook.controllers.handing import automatic, reread, tabulated
 from workbook.controllers.registry import target
+from workbook.controllers.tabulation import automatic, reread, tabulated
 from workbook.controllers.target import Handed
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
@@ -36,7 +36,7 @@ def test_the_cutting_machine_comes_back_from_every_target(axes, machine, name: s
     for axis, given in ((axes[of], machine.axes[of]),):
         made = automatic(one, axis, dict(one.tolerance))
         table = reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
-        found = described.phases_of(one, table).found
+        found = as_description.phases_of(one, table).found
         moving = [phase for phase in given.phases if phase.law != "DWL"]
         assert [phase.law.code for phase in found] == [phase.law for phase in moving]
         near = 1e-9 if name in EXACT else 2e-3
@@ -72,13 +72,13 @@ def test_a_cycle_that_begins_on_the_way_comes_back_with_its_laws(name: str, of) 
     made = automatic(one, axis, dict(one.tolerance))
     units = axis.x_unit, axis.y_unit
     table = reread(one, one.write(Handed(made.table, "demo", (), units, axis.repeats)), made.table)
-    found = described.phases_of(one, table, units)
+    found = as_description.phases_of(one, table, units)
     if name == "br" and axis.x_unit == "s":  # polynomials of degree 5 in REAL, over whole microseconds
         assert all(phase.known for phase in found.found)
         return
     assert [phase.law.code for phase in found.found] == [code for code, _ in ON_THE_WAY[of]]
     assert [phase.lift for phase in found.found] == pytest.approx([lift for _, lift in ON_THE_WAY[of]], rel=1e-5)
-    assert described.composed(found, table, units, "back")
+    assert as_description.composed(found, table, units, "back")
 
 
 @pytest.mark.parametrize("name", ["x" * 240 + ".csv", "a\x1b[31m\u009b\n.csv", "[red]x.csv", "\udcff.csv", "#REF!.csv"])

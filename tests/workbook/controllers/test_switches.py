@@ -18,8 +18,8 @@ from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
 from workbook.controllers.target import MOST_OFF, HandedTracks, differences, tracks
 from workbook.errors import TargetError
-from workbook.offered import CamSwitch
 from workbook.reading.descriptions import read_machine
+from workbook.template_outputs import CamSwitch
 
 GOLDEN = Path(__file__).parent / "golden"
 TAKING = [name for name in TARGETS if target(name).tappets]

@@ -19,13 +19,13 @@ from engine.motion import Motion, Phase
 from engine.motion.pieces import CamProfile, profile_of_motion
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
 from workbook.controllers.claims import TARGETS
-from workbook.controllers.handing import automatic, certified, filled, reread, tabulated
 from workbook.controllers.registry import target
 from workbook.controllers.table import Table
+from workbook.controllers.tabulation import automatic, certified, filled, reread, tabulated
 from workbook.controllers.target import COUNTED, Handed, header, parsed, read_table
 from workbook.controllers.texts import REAL
 from workbook.errors import MotionbookError, TargetError
-from workbook.offered import CamAxis
+from workbook.template_outputs import CamAxis
 
 GOLDEN = Path(__file__).parent / "golden"
 NUMBER = r"(-?\d+\.?\d*(?:[eE]-?\d+)?)"

@@ -17,7 +17,7 @@ from workbook.reading.descriptions import checked, read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert, program
-from workbook.writing.place import write_text
+from workbook.writing.output_files import write_text
 
 
 def machine_of(data):

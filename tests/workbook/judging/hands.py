@@ -11,7 +11,7 @@ from workbook.judging.report import Report
 from workbook.judging.verify import displayed
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 
 WORKBOOK, TYPES, STYLES = "xl/workbook.xml", "[Content_Types].xml", "xl/styles.xml"
 LINKS, STRINGS = "xl/_rels/workbook.xml.rels", "xl/sharedStrings.xml"

@@ -13,10 +13,10 @@ from tests.workbook import excel, office
 from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, inputs
 from workbook.errors import InputError
-from workbook.judging.many import Outcome
+from workbook.judging.batch import Outcome
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
-from workbook.reading.fitting import counting
+from workbook.reading.table_fit import counting
 from workbook.reports.console import report_data
 from workbook.reports.page import junit, page
 from workbook.template import FOLDER

@@ -15,7 +15,7 @@ from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import engines
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 from workbook.witnesses.registry import ALL, WITNESSES
 
 

@@ -13,7 +13,7 @@ from tests.workbook.judging.hands import Known, repacked, sub
 from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, committed, inputs
 from workbook.errors import InputError, ReadError
-from workbook.judging.many import Outcome
+from workbook.judging.batch import Outcome
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.reading import files

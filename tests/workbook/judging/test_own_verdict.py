@@ -11,7 +11,7 @@ from tests.mutation.bench import sized
 from tests.tiers import by_day
 from tests.workbook.press import too_weak
 from workbook.build import build
-from workbook.judging.many import Outcome, exit_code
+from workbook.judging.batch import Outcome, exit_code
 from workbook.judging.report import Check, Finding, Ran, Report
 from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES

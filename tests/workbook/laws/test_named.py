@@ -18,7 +18,7 @@ from workbook.reading.descriptions import checked, counted, write_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 from workbook.writing import archive
 from workbook.writing.write import parts
 

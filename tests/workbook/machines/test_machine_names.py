@@ -11,7 +11,7 @@ from workbook.build import build, inputs
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import find_places, open_book
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 
 AWKWARD = ["a/b", "a:b", "[x] 'y'", "'", "\U0001f529" * 12 + "1", "\U0001f529" * 12 + "2", "Drive 1", "History"]
 PHASES = (0, 90, 2.0, "CIC"), (180, 200, -2.0, "CIC")

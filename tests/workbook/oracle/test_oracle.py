@@ -11,7 +11,7 @@ from workbook.book.address import Address
 from workbook.commands.oracle import against
 from workbook.errors import ReadError
 from workbook.oracle.cells import draft
-from workbook.oracle.declared import load
+from workbook.oracle.declarations import load
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
 from workbook.witnesses.pycel.model import PycelModel

@@ -19,7 +19,7 @@ from workbook.judging.verify import verify
 from workbook.reading import guard
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 
 FILES, CHUNKS = 400, 4  # by day; a night has as many runs of a chunk as it has NIGHTS
 NIGHTS = 40

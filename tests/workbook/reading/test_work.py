@@ -13,7 +13,7 @@ from workbook.reading.contents import Contents
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreed import agreed
+from workbook.witnesses.agreement import agreed
 from workbook.witnesses.pycel import limits
 from workbook.witnesses.pycel.model import PycelModel
 

@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 import pytest
 
 from workbook.errors import WriteError
-from workbook.judging.many import Outcome
+from workbook.judging.batch import Outcome
 from workbook.judging.report import ORDER, Check, Finding, Ran, Report
 from workbook.reports.html import legal
 from workbook.reports.page import DESIGN, KINDS, junit, page, ready, write

@@ -11,7 +11,7 @@ from rich.console import Console
 from workbook import cli
 from workbook.commands import make, verify
 from workbook.errors import InputError, MotionbookError, visible
-from workbook.judging.many import Outcome
+from workbook.judging.batch import Outcome
 from workbook.judging.report import Finding, Report
 from workbook.reports import console
 from workbook.reports.terminal import say, say_data, shown

@@ -15,7 +15,7 @@ from tests import cutting
 from workbook.build import build
 from workbook.reading.descriptions import write_machine
 from workbook.serve.handler import COOKIE
-from workbook.writing.place import write_text
+from workbook.writing.output_files import write_text
 
 BOUNDARY = "----boundary"
 ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")

@@ -15,7 +15,7 @@ from tests import cutting
 from tests.workbook.serve.conftest import serving
 from workbook.reading.descriptions import write_machine
 from workbook.serve.work import Done, Work
-from workbook.writing.place import write_text
+from workbook.writing.output_files import write_text
 
 RATE = "master.rate"
 LONG = {"result": "drive1_rms", "what": "minimise", "value": "", "way": "full", "designs": "9", "key": RATE,

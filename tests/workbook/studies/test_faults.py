@@ -202,7 +202,7 @@ def test_a_command_killed_at_any_time_goes_on_to_the_same_bytes(tmp_path, monkey
 def test_a_command_killed_while_it_writes_its_results_goes_on(tmp_path, monkeypatch, written_so_far):
     """Results, what is known of them, and the page are three files: some of them may be there already."""
     from workbook.commands import study as command_
-    from workbook.writing import place
+    from workbook.writing import output_files
 
     study, results = written(tmp_path, laws("MTP", "CUB"), **GOALS), tmp_path / "r.csv"
     placed, count = command_.replace, []
@@ -213,7 +213,7 @@ def test_a_command_killed_while_it_writes_its_results_goes_on(tmp_path, monkeypa
         if len(count) == written_so_far:
             raise KeyboardInterrupt
 
-    for module in (command_, place):
+    for module in (command_, output_files):
         monkeypatch.setattr(module, "replace", replace)
     with pytest.raises(KeyboardInterrupt):
         command_.study(study, results, None, 1, False, None, True, False)
@@ -356,7 +356,7 @@ def test_a_worker_of_another_version_is_told_in_a_line(tmp_path):
 
 
 BLIND = """
-import workbook.judging.many as sent
+import workbook.judging.batch as sent
 seen = getattr(sent.verify_one, "seen", sent.verify_one)  # a worker begins with this twice
 def blind(target, witnesses):
     assert {folder!r} not in str(target.path), "it sees the files"

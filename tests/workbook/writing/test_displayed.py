@@ -14,7 +14,7 @@ from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED
 from tests.workbook.writing.displayed import Displayed
 from workbook.book.rows import as_rows
-from workbook.judging.comparing import TOLERANCE
+from workbook.judging.comparison import TOLERANCE
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES

@@ -7,7 +7,7 @@ from openpyxl.styles import Font
 from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.build import entered, regenerate
-from workbook.judging.carried import carried_over, not_carried
+from workbook.judging.carry_over import carried_over, not_carried
 from workbook.judging.verify import verify
 
 DOUBLE = "='Drive MC01'!D7*2"

@@ -18,7 +18,7 @@ from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.build import build, committed
 from workbook.functions import publish
 from workbook.functions.page import EXAMPLE, declare
-from workbook.judging.comparing import TOLERANCE, Right, difference
+from workbook.judging.comparison import TOLERANCE, Right, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.reading.descriptions import read_machine
 from workbook.reading.files import open_book

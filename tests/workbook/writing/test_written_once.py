@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from workbook.errors import WriteError
-from workbook.judging.many import find
-from workbook.writing.place import refuse_existing, refuse_itself, refuse_one_for_two, replace
+from workbook.judging.batch import find
+from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_one_for_two, replace
 
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows keeps neither modes nor links in this way")
 
@@ -166,7 +166,7 @@ def test_two_files_for_one_place_and_what_is_read_itself_are_refused(tmp_path):
 @posix
 def test_a_killed_run_leaves_nothing_that_looks_like_a_book(tmp_path):
     code = (
-        "import os, signal, sys; from pathlib import Path; from workbook.writing.place import replace\n"
+        "import os, signal, sys; from pathlib import Path; from workbook.writing.output_files import replace\n"
         "replace(Path(sys.argv[1]), lambda draft: (draft.write_text('half'), os.kill(os.getpid(), signal.SIGKILL)))"
     )
     run = subprocess.run([sys.executable, "-c", code, str(tmp_path / "book.xlsx")], check=False)

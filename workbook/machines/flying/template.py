@@ -21,10 +21,10 @@ from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.view import CutterView, ToolDrive, check
 from workbook.motion.exported import Exportable, export_sheet
 from workbook.motion.requirements import smoothness_for
-from workbook.offered import CamAxis
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import vary_selection
 from workbook.template import Template, finish
+from workbook.template_outputs import CamAxis
 
 STROKE = 1e-3  # by which share the sheet states that the stroke may be off
 

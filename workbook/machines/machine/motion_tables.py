@@ -7,11 +7,11 @@ from typing import Any
 from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled, spread
-from workbook.latest import latest
 from workbook.laws.sampling import HIGH, LOW, Pieces
 from workbook.machines.machine.boundary.curves import carried, in_pieces, inside, kinds, peaks, points
 from workbook.machines.machine.boundary.handover import AxisHandover, asked, taken
 from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.memo import latest
 from workbook.motion.cells import Cells, PieceRows, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.requirements import RequiredSmoothness

@@ -13,7 +13,6 @@ from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, PER_MINUTE, shown, si
-from workbook.latest import latest
 from workbook.law_sheets.book_laws import LAW_SIZES, latest_laws
 from workbook.law_sheets.library import laws
 from workbook.laws.sampling import Pieces
@@ -36,11 +35,12 @@ from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
 from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.memo import latest
 from workbook.motion.exported import export_sheet
-from workbook.offered import CamAxis, CamSwitch
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.pair_selection import PairSelection
 from workbook.template import Other, Template, finish
+from workbook.template_outputs import CamAxis, CamSwitch
 
 
 def declare(given: AnyMachine) -> Book:

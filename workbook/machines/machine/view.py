@@ -15,9 +15,9 @@ from engine.timing import shaft_speed, turn_time
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
-from workbook.latest import latest
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.extremes import measured
+from workbook.memo import latest
 from workbook.motion.requirements import passed
 
 UNITS = {"mm": MM, "°": DEGREE}

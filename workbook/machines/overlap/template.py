@@ -22,8 +22,8 @@ from workbook.machines.overlap.sheet import overlap_sheet
 from workbook.machines.overlap.view import OverlapView, check, laid_out
 from workbook.motion.exported import Exportable, ShiftCells, export_sheet
 from workbook.motion.requirements import smoothness_for
-from workbook.offered import CamAxis
 from workbook.template import Template, finish
+from workbook.template_outputs import CamAxis
 
 PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s²", "S2: 5.17")  # what S2 prints beside the first sheet's results
 UNITS = ("°", "mm", "mm/°", "mm/°²")

@@ -17,7 +17,6 @@ from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
 from engine.drive.motor import TorqueCurve, TorqueFall
 from engine.drive.results import DriveResults
 from workbook.fields.units import DEGREE, KG_CM2, MM, MS, shown, si
-from workbook.latest import latest
 from workbook.machines.machine.drive.in_use import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.drive_entries import AxisPart
 from workbook.machines.machine.entries import AnyMachine
@@ -32,6 +31,7 @@ from workbook.machines.machine.mechanism import (
     Table,
 )
 from workbook.machines.machine.view import MovingAxis
+from workbook.memo import latest
 
 T = TypeVar("T")
 SHAFTS = ("motor", "mechanism")

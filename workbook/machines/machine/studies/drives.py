@@ -22,8 +22,8 @@ from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MovingAxis
-from workbook.offered import Column, Worked
 from workbook.selection.catalogue import FULL_CYCLES
+from workbook.template_outputs import Column, Worked
 
 WEIGHED = ("mass", "cost")
 ONE = Column([None], np.zeros(1, dtype=np.intp))  # of what does not differ

@@ -21,8 +21,8 @@ from workbook.machines.machine.power import KWH, Mains
 from workbook.machines.machine.studies import drives as each_drive
 from workbook.machines.machine.studies.drives import ONE, DriveStudy, cycles, in_words
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.offered import Column, Results, Scaling, Worked
 from workbook.selection.pair_selection import PairSelection
+from workbook.template_outputs import Column, Results, Scaling, Worked
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
 GROWTH = {"v": ("y1_max", 1), "a": ("y2_max", 2), "j": ("y3_max", 3), "rms": ("y2_rms", 2)}

@@ -21,8 +21,8 @@ from tests.workbook.press import registered
 from workbook.build import build
 from workbook.cluster import pool
 from workbook.commands import verify as command
-from workbook.judging import many
-from workbook.judging.many import Outcome, Target, exit_code, find, verify_many, verify_one
+from workbook.judging import batch
+from workbook.judging.batch import Outcome, Target, exit_code, find, verify_many, verify_one
 from workbook.judging.verify import Report
 from workbook.pool import HERE, Died
 
@@ -109,7 +109,7 @@ def verify_press(target, *asked):
 
 
 def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(folder, workers, monkeypatch):
-    monkeypatch.setattr(many, "verify_one", verify_press)
+    monkeypatch.setattr(batch, "verify_one", verify_press)
     targets, _ = find([folder])
     alone, together = (
         [(o.path, o.verdict, o.sha256) for o in verify_many(targets, pool=those)] for those in (HERE, workers)
@@ -147,7 +147,7 @@ def test_a_file_that_cannot_be_opened_is_one_line(tmp_path, good, monkeypatch):
     def locked(*_):
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(many, "verify", locked)
+    monkeypatch.setattr(batch, "verify", locked)
     outcome = verify_many([Target(good, named=True)])[0]
     assert (outcome.verdict, outcome.reason) == ("unreadable", f"{good}: cannot be read: Permission denied")
 
@@ -160,14 +160,14 @@ def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monk
         os.utime(path, ns=(1, 1))
         return Report(path, "machine")
 
-    monkeypatch.setattr(many, "verify", verify)
+    monkeypatch.setattr(batch, "verify", verify)
     outcome = verify_many([Target(path, named=True)])[0]
     assert outcome.verdict == "unreadable"
     assert "changed while it was read" in outcome.reason
 
 
 def test_a_fault_of_ours_in_one_file_leaves_the_others_their_verdicts(folder, monkeypatch):
-    monkeypatch.setattr(many, "verify", lambda path, *_: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
+    monkeypatch.setattr(batch, "verify", lambda path, *_: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
     outcomes = {o.path.name: o for o in verify_many(find([folder])[0])}
     assert outcomes["b.xlsx"].verdict == "unreadable"
     assert "ZeroDivisionError" in outcomes["b.xlsx"].reason
@@ -185,7 +185,7 @@ def dies(target, witnesses):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
 def test_a_book_whose_worker_dies_is_tried_once_more_alone_and_then_named(folder, workers, monkeypatch):
-    monkeypatch.setattr(many, "verify_one", dies)
+    monkeypatch.setattr(batch, "verify_one", dies)
     targets = find([folder])[0]
     outcomes = verify_many(targets, pool=workers)
     assert [o.path for o in outcomes] == [t.path for t in targets]
@@ -293,9 +293,9 @@ TELLING = """
 import signal
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell lets what runs in its background ignore it
 from workbook import cli
-from workbook.judging import many
-verify_many = many.verify_many
-many.verify_many = lambda t, w, p, *_: verify_many(t, w, p, lambda outcome: print("one is done", flush=True))
+from workbook.judging import batch
+verify_many = batch.verify_many
+batch.verify_many = lambda t, w, p, *_: verify_many(t, w, p, lambda outcome: print("one is done", flush=True))
 cli.main()
 """
 

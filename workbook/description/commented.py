@@ -5,7 +5,7 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from workbook.described.keys import Key, Section, default_of, sections, toml
+from workbook.description.keys import Key, Section, default_of, sections, toml
 from workbook.entries.rules import KIND
 from workbook.laws.entries import key_of
 from workbook.templates import AnyTemplate

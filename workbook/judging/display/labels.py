@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Sheet, Text
+from workbook.judging.display import permitted
 from workbook.judging.matching import MOST_BETWEEN, Match
 from workbook.judging.report import LAYOUT, NOTICE, SHOWN, Report
-from workbook.judging.shown import taste
 
 HEADINGS = ("heading", "subheading")
 ABOVE = (*HEADINGS, "header", "units", "equation")
@@ -111,16 +111,16 @@ def judge(match: Match, at: Address, word: Word, others: set[str], report: Repor
     style, expected, held = word.text.style, word.text.text, match.file.value(at)
     text = "" if held is None else str(held)
     if same(held, expected):
-        kind = NOTICE if taste.GAP.search(text) else ""
+        kind = NOTICE if permitted.GAP.search(text) else ""
     else:
         kind = unit_kind(text, expected, others) if style in ("unit", "units") else reworded(text, expected, others)
-    if kind == SHOWN or (kind == NOTICE and style not in taste.QUIET):
+    if kind == SHOWN or (kind == NOTICE and style not in permitted.QUIET):
         report.say(at, kind, text or None, expected, word.what)
 
 
 def reworded(held: str, expected: str, others: Iterable[str]) -> str:
     """Return of which kind other words are: another's name misleads, and so do figures, translated words do not."""
-    more = set(taste.TELLING.findall(held)) - set(taste.TELLING.findall(expected))
+    more = set(permitted.TELLING.findall(held)) - set(permitted.TELLING.findall(expected))
     return SHOWN if more or any(same(held, other) for other in others) else NOTICE
 
 
@@ -131,7 +131,7 @@ def unit_kind(held: str, expected: str, others: set[str]) -> str:
     exchanged = bool(unit) and stands != "same" and any(same(unit, other) for _, other in known)
     if stands == "other" or exchanged or (symbol != ours and any(symbol == other for other, _ in known)):
         return SHOWN
-    return NOTICE if stands != "same" or symbol != ours or taste.GAP.search(held) else ""
+    return NOTICE if stands != "same" or symbol != ours or permitted.GAP.search(held) else ""
 
 
 def parted(text: str) -> tuple[str, str]:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from workbook.errors import WriteError
-from workbook.writing.place import write_text
+from workbook.writing.output_files import write_text
 
 SOURCES = Path(__file__).parents[1]
 MOST = 1_000_000  # bytes of what is remembered of a file

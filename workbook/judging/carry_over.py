@@ -9,11 +9,11 @@ from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
+from workbook.judging.display.cell_styles import Looks, Rules, Told, seen
+from workbook.judging.display.chart_reader import drawn
+from workbook.judging.display.charts import paired
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.shown.charts import paired
-from workbook.judging.shown.drawn import drawn
-from workbook.judging.shown.looks import Looks, Rules, Told, seen
 from workbook.judging.structure import structure
 from workbook.reading.contents import Contents
 from workbook.writing.write import NOTHING, Own

@@ -13,11 +13,11 @@ from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.quantity import sample
+from workbook.judging.display import permitted
+from workbook.judging.display.formats import USUAL, Judged, Look, Palette, contrast, judged, looks_passed, sections
+from workbook.judging.display.labels import HEADINGS, Found
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import FAIL, NOTICE, SHOWN, Report
-from workbook.judging.shown import taste
-from workbook.judging.shown.formats import BLACK, WHITE, Judged, Look, Palette, contrast, judged, looks_passed, sections
-from workbook.judging.shown.words import HEADINGS, Found
 from workbook.writing.style import Marked, marks
 from workbook.writing.write import format_of
 
@@ -52,7 +52,7 @@ def seen(match: Match, found: list[Found]) -> Iterator[Seen]:
         what, folded = f"{q.label} ({block.name})" if block.is_table else q.label, block.sheet.folded
         yield Seen(at, pairs[-1].address.row, pairs, what, True, 0 < folded <= pairs[0].cell.column, verdict)
     for at, word in found:
-        counts, folded = word.text.style not in (*taste.QUIET, *HEADINGS), word.block.sheet.folded
+        counts, folded = word.text.style not in (*permitted.QUIET, *HEADINGS), word.block.sheet.folded
         yield Seen(at, at.row, [], word.what, counts, 0 < folded <= word.text.column)
 
 
@@ -132,18 +132,18 @@ class Looks:
 
 def of_style(palette: Palette, look: Look, **parts: Any) -> Iterator[Judged]:
     """Yield what is to be told of a font, a border, an alignment, by what they may be, and of an ink on its ground."""
-    for part, attribute, usual, kind, said in taste.LOOKS:
+    for part, attribute, usual, kind, said in permitted.LOOKS:
         if parts.get(part) is not None and getattr(parts[part], attribute) not in usual:
             yield kind, said
     if (font := parts.get("font")) is not None:  # one of the theme is called as the theme says
         name = palette.fonts.get(font.scheme) or getattr(font, "rFont", None) or getattr(font, "name", None)
-        name, size = str(name or "calibri").casefold(), font.sz or taste.SMALL
-        if name.startswith(taste.SIGNS):
+        name, size = str(name or "calibri").casefold(), font.sz or permitted.SMALL
+        if name.startswith(permitted.SIGNS):
             yield SHOWN, f"in the signs of {name}"
-        elif name.split()[0] not in taste.FONTS:
+        elif name.split()[0] not in permitted.FONTS:
             yield NOTICE, f"in the font {name}"
-        if not taste.SMALL <= size <= taste.LARGE:
-            yield SHOWN if size < taste.LEAST_SIZE else NOTICE, f"{size:g} points high"
+        if not permitted.SMALL <= size <= permitted.LARGE:
+            yield SHOWN if size < permitted.LEAST_SIZE else NOTICE, f"{size:g} points high"
     yield from of_colours(look)
 
 
@@ -152,8 +152,8 @@ def of_colours(look: Look) -> Iterator[Judged]:
     ink, ground = look
     if ink is None or ground is None:
         yield NOTICE, UNKNOWN
-    elif contrast(ink, ground) < taste.FAINT:
-        yield (SHOWN, HIDDEN) if contrast(ink, ground) < taste.UNSEEN else (NOTICE, FADED)
+    elif contrast(ink, ground) < permitted.FAINT:
+        yield (SHOWN, HIDDEN) if contrast(ink, ground) < permitted.UNSEEN else (NOTICE, FADED)
 
 
 def fonts_within(match: Match) -> dict[Address, list[Any]]:
@@ -287,7 +287,7 @@ class Rules:
         for colour in scale:
             yield from of_colours((base[0], self._looks.palette.colour(colour, None)))
         if look is not None and look.font:
-            yield from of_style(self._looks.palette, (BLACK, WHITE), font=look.font)
+            yield from of_style(self._looks.palette, USUAL, font=look.font)
         if look is not None and ((look.font and look.font.color) or look.fill):
             colours = self._colours(look, base)
             sure = verdict and (colours[0] != base[0] or colours[1] is None)

@@ -8,8 +8,8 @@ from engine.cams.cam_points import CamPoints, FoundPhase, precision
 from engine.cams.certificate import subdivided
 from engine.cams.identify import THINNED, IdentifiedMotion, identified
 from engine.laws.spline import Spline
-from workbook.controllers.handing import rules_of
 from workbook.controllers.table import Table
+from workbook.controllers.tabulation import rules_of
 from workbook.controllers.target import Target
 from workbook.entries.abscissa import ENTERED, measured
 from workbook.entries.abscissa import UNITS as MEASURES

@@ -19,7 +19,7 @@ from workbook.book.declare import Block, Book
 from workbook.book.formula import REFERENCE, TOKEN, corner, read, unquoted
 from workbook.entries import rules
 from workbook.fields.texts import LOOKED_UP, NO_NAME, PATTERN
-from workbook.judging.comparing import Right, differs
+from workbook.judging.comparison import Right, differs
 from workbook.judging.layout import titled
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import LAYOUT, NOTICE, Finding, Report

@@ -7,12 +7,12 @@ import pytest
 
 from docs.description import PAGE
 from tests import cutting
-from tests.workbook.described.validate import wrong
+from tests.workbook.description.validate import wrong
 from workbook.build import committed
 from workbook.commands import make
-from workbook.described.commented import commented, example_of
-from workbook.described.keys import sections
-from workbook.described.schema import any_schema, page, schema
+from workbook.description.commented import commented, example_of
+from workbook.description.keys import sections
+from workbook.description.schema import any_schema, page, schema
 from workbook.errors import InputError, WriteError
 from workbook.laws.registry import CODES
 from workbook.reading.descriptions import checked, read_machine

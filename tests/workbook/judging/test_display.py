@@ -14,7 +14,7 @@ from openpyxl.styles.numbers import NumberFormat
 
 from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
 from tests.workbook.judging.synthetic import Small, spots
-from workbook.judging.shown.words import compared
+from workbook.judging.display.labels import compared
 
 DRIVE, CHART, PICTURE = "xl/worksheets/sheet1.xml", "xl/charts/chart1.xml", "xl/drawings/drawing1.xml"
 

@@ -15,11 +15,11 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError, visible
-from workbook.intake import odd
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.pool import HERE, Died, Pool, collector_paused, swept_between
 from workbook.reading.files import SUFFIXES
+from workbook.text_files import odd
 
 MOST_READ = 2**24  # bytes of a workbook's list of names
 

@@ -16,7 +16,7 @@ from workbook.controllers.table import RULES, Rule, Table
 from workbook.controllers.target import Target, parsed
 from workbook.controllers.texts import step_of
 from workbook.errors import TargetError
-from workbook.offered import CamAxis
+from workbook.template_outputs import CamAxis
 
 GROWTH = (1.25, 2.0)
 BETTER = 0.95  # times the best so far: more points are worth it

@@ -3,7 +3,7 @@
 import pytest
 
 from tests import cutting
-from workbook.latest import remember
+from workbook.memo import remember
 from workbook.reading.descriptions import write_machine
 from workbook.serve.live import design
 from workbook.serve.tables import edited

@@ -11,8 +11,8 @@ from tests.workbook.reading.fuzz import pack, unpack, without_charts
 from workbook.book.address import Address
 from workbook.errors import DisputedError, WitnessError
 from workbook.reading.files import BookFile, open_book
-from workbook.witnesses import agreed as module
-from workbook.witnesses.agreed import agreed, same, spreads
+from workbook.witnesses import agreement as module
+from workbook.witnesses.agreement import agreed, same, spreads
 from workbook.witnesses.witness import CYCLE
 
 CELL = Address("Timing", 1, 1)

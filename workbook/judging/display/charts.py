@@ -8,13 +8,13 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.book.declare import Sheet
 from workbook.book.formula import Area
+from workbook.judging.display import permitted
+from workbook.judging.display.chart_reader import Axis, Drawn, Line, Name, Reader, drawn, word
+from workbook.judging.display.formats import judged
+from workbook.judging.display.labels import compared, reworded
+from workbook.judging.display.visibility import Page
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, SHOWN, Report
-from workbook.judging.shown import taste
-from workbook.judging.shown.drawn import Axis, Drawn, Line, Name, Reader, drawn, word
-from workbook.judging.shown.formats import judged
-from workbook.judging.shown.views import Page
-from workbook.judging.shown.words import compared, reworded
 from workbook.writing.charts import draw
 from workbook.writing.style import NOTHING
 from workbook.writing.write import size
@@ -118,7 +118,7 @@ def of_axis(axis: Axis, ours: Axis, values: list[float], what: str) -> Iterator[
     """Yield what of an axis is read otherwise; along one without figures as built, how they would look is not."""
     bare = ours.code == NOTHING
     for said in (axis.said ^ ours.said) - ({"not shown"} if bare or "not shown" not in axis.said else set()):
-        kind, found = SHOWN if said in taste.ALTERING else NOTICE, said if said in axis.said else f"not {said}"
+        kind, found = SHOWN if said in permitted.ALTERING else NOTICE, said if said in axis.said else f"not {said}"
         yield kind, found, "as built", what
     span = max(values, default=0.0) - min(values, default=0.0)
     for end, limit in axis.ends.items():
@@ -170,9 +170,9 @@ def in_sight(
     ends = (own.right - own.left, own.bottom - own.top)
     rooms = [min(1.0, held / ours) for held, ours in zip(found.room, fresh.room, strict=True)]
     share = min(room * end / (whole * CM) for room, end, whole in zip(rooms, ends, cm, strict=True))
-    if share < taste.SMALL_CHART:
-        yield SHOWN if share < taste.LEAST_CHART else NOTICE, f"{share:.0%} of its size", "as built", ", its size"
-    if above := [k for k in range(found.number + 1, len(areas)) if own.shared(areas[k]) > taste.BEHIND]:
+    if share < permitted.SMALL_CHART:
+        yield SHOWN if share < permitted.LEAST_CHART else NOTICE, f"{share:.0%} of its size", "as built", ", its size"
+    if above := [k for k in range(found.number + 1, len(areas)) if own.shared(areas[k]) > permitted.BEHIND]:
         titles = {one.number: one.title for one in drawn(match, found.at.sheet)}
         alike = any(titles.get(k, found.title) == found.title for k in above)
         yield SHOWN if alike else NOTICE, "behind another drawing", "in sight", ""

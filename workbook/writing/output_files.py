@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from workbook.errors import WriteError
-from workbook.intake import odd
+from workbook.text_files import odd
 
 
 def refuse_existing(path: Path, overwrite: bool) -> None:

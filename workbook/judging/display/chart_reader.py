@@ -7,9 +7,9 @@ from xml.etree.ElementTree import Element
 
 from workbook.book.address import Address
 from workbook.book.formula import Area, FormulaError, reference
+from workbook.judging.display import permitted
+from workbook.judging.display.formats import WHITE, Colour, contrast, parsed
 from workbook.judging.matching import Match
-from workbook.judging.shown import taste
-from workbook.judging.shown.formats import WHITE, Colour, contrast, parsed
 from workbook.reading.rows import tag
 
 Name = Area | str  # a text, or the cell that has it
@@ -83,8 +83,8 @@ class Reader:
             ("labels of their own", any(tag(one) == "dLbl" and child(one, "tx") is not None for one in everything)),
             ("points of their own", any(tag(one) == "dPt" and child(one, "spPr") is not None for one in everything)),
             ("texts that cannot be seen", any(tag(one) in ("defRPr", "rPr") and unreadable(one) for one in everything)),
-            ("a ground of its own", any(one and contrast(one, WHITE) > taste.FAINT for one in grounds)),
-            ("a title or a legend over it", over > taste.OVER),
+            ("a ground of its own", any(one and contrast(one, WHITE) > permitted.FAINT for one in grounds)),
+            ("a title or a legend over it", over > permitted.OVER),
             ("zeros where nothing is", value(root, "chart", "dispBlanksAs") == "zero"),
         ) if there]  # fmt: skip
         return Drawn(
@@ -92,15 +92,15 @@ class Reader:
             [self._line(one) for group in groups for one in group if tag(one) == "ser"], (first, second),
             [one for name, one in axes.items() if name not in ids],
             [form.get("formatCode", "General") for one in everything if tag(one) in ("dLbls", "dLbl")
-             for form in one if tag(form) == "numFmt" and form.get("sourceLinked") not in taste.YES],
+             for form in one if tag(form) == "numFmt" and form.get("sourceLinked") not in permitted.YES],
             (share(plot, "w", 1.0), share(plot, "h", 1.0)),
-            value(root, "chart", "plotVisOnly", otherwise="1") in taste.YES,
-            [*sorted({*map(tag, everything)} - {*map(tag, groups)} - taste.CHART), *odd], self._at, number,
+            value(root, "chart", "plotVisOnly", otherwise="1") in permitted.YES,
+            [*sorted({*map(tag, everything)} - {*map(tag, groups)} - permitted.CHART), *odd], self._at, number,
         )  # fmt: skip
 
     def _axis(self, element: Element) -> Axis:
         scaling, form = child(element, "scaling"), child(element, "numFmt")
-        hidden = value(element, "delete", otherwise="0") in taste.YES or value(element, "tickLblPos") == "none"
+        hidden = value(element, "delete", otherwise="0") in permitted.YES or value(element, "tickLblPos") == "none"
         said = {"backwards": value(scaling, "orientation") == "maxMin", "log": bool(value(scaling, "logBase")),
                 "scaled": child(element, "dispUnits") is not None, "not shown": hidden}  # fmt: skip
         return Axis(
@@ -114,7 +114,7 @@ class Reader:
         x, y = child(series, "xVal"), child(series, "yVal")
         unmarked = value(series, "marker", "symbol", otherwise="none") == "none"
         said = {"not drawn": unmarked and clear(child(series, "spPr", "ln")),
-                "bent between its points": value(series, "smooth", otherwise="0") in taste.YES}  # fmt: skip
+                "bent between its points": value(series, "smooth", otherwise="0") in permitted.YES}  # fmt: skip
         return Line(
             self._area(source(x if x is not None else child(series, "cat"))),
             self._area(source(y if y is not None else child(series, "val"))),
@@ -177,14 +177,14 @@ def clear(paint: Element | None) -> bool:
     if themed is not None:
         return themed.get("val") in ("bg1", "lt1") and not len(themed)
     faint = int(value(paint, "solidFill", "srgbClr", "alpha") or 100_000) < 10_000
-    unseen = colour is not None and contrast(colour, WHITE) < taste.UNSEEN
+    unseen = colour is not None and contrast(colour, WHITE) < permitted.UNSEEN
     return child(paint, "noFill") is not None or faint or unseen
 
 
 def unreadable(font: Element) -> bool:
     """Whether a text of a chart is painted with nothing, is tiny or struck out, or in a font of signs."""
-    face, small = child(font, "latin"), 0 < float(font.get("sz") or 0) < 100 * taste.LEAST_SIZE
-    signs = face is not None and face.get("typeface", "").casefold().startswith(taste.SIGNS)
+    face, small = child(font, "latin"), 0 < float(font.get("sz") or 0) < 100 * permitted.LEAST_SIZE
+    signs = face is not None and face.get("typeface", "").casefold().startswith(permitted.SIGNS)
     return clear(font) or small or signs or font.get("strike", "noStrike") != "noStrike"
 
 

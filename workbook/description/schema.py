@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from workbook.described.keys import Key, Section, default_of, remark, sections, toml
+from workbook.description.keys import Key, Section, default_of, remark, sections, toml
 from workbook.entries.rules import KIND
 from workbook.laws.entries import ENTRIES
 from workbook.templates import TEMPLATES, AnyTemplate

@@ -6,7 +6,7 @@ import openpyxl
 import pytest
 
 from workbook.build import inputs
-from workbook.judging.order import unlike
+from workbook.judging.repair import unlike
 from workbook.judging.verify import verify
 
 

@@ -12,9 +12,9 @@ from xml.etree.ElementTree import ParseError, fromstring
 from openpyxl import Workbook
 from openpyxl.styles.colors import COLOR_INDEX
 
+from workbook.judging.display import permitted
+from workbook.judging.display.labels import compared
 from workbook.judging.report import NOTICE, SHOWN
-from workbook.judging.shown import taste
-from workbook.judging.shown.words import compared
 from workbook.reading.rows import tag
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
@@ -26,6 +26,7 @@ OFFICE = dict(zip(THEME, ("FFFFFF", "000000", "EEECE1", "1F497D", "4F81BD", "C05
 
 Colour = tuple[float, float, float]
 Look = tuple[Colour | None, Colour | None]  # ink and ground of a cell; None for what cannot be told, as a gradient
+USUAL: Look = BLACK, WHITE
 TOKEN = re.compile(r"""(?xs)
     "(?P<quoted>[^"]*)"? | \\(?P<escaped>.) | (?P<room>_.|\*[ ]) | \*(?P<filled>.) | \[(?P<bracket>[^\]]*)\]?
     | (?P<end>;) | (?P<text>@|(?i:General|Standard)) | (?P<code>E[+-]|[0?\#.,%/])
@@ -96,16 +97,16 @@ def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str
     """Return of which kind the ``n``-th part is, which shows positive numbers, negative ones, or zero."""
     if not all(is_ink(one) or CONDITION.fullmatch(one) for one in part.brackets):
         return SHOWN
-    if n == 2 and re.fullmatch(rf"(?:\0 |\?)*\0[{taste.DASHES}](?:\0 |\?)*", part.form):
+    if n == 2 and re.fullmatch(rf"(?:\0 |\?)*\0[{permitted.DASHES}](?:\0 |\?)*", part.form):
         return ""
     form = re.sub(r"(?<=[#?0])\0 (?=[#?0])", "", part.form)
     if (found := NUMBER.fullmatch(form)) is None or not found["number"]:
         return NOTICE if FRACTION.fullmatch(form) else SHOWN
     before, behind = (found[i].replace("\0", "").strip() for i in (1, 4))
-    signed = before[:1] in [*taste.DASHES, "("]
+    signed = before[:1] in [*permitted.DASHES, "("]
     sign = signed if n != 1 else not signed and found["number"] != "@"
     rest, behind = before[signed:].strip(), behind.removesuffix(")" if before[:1] == "(" else "").strip()
-    named = rest in taste.NEARLY or rest.rstrip("= ") == symbol
+    named = rest in permitted.NEARLY or rest.rstrip("= ") == symbol
     other = behind and not (unit and compared(behind, unit) == "same")
     if sign or not named or (found["percent"] and unit) or other:
         return SHOWN
@@ -118,7 +119,7 @@ def is_ink(bracket: str) -> bool:
         return False
     number = int(found[2] or 0) + 7
     code = COLOR_INDEX[number][-6:] if found[2] and number < len(COLOR_INDEX) else BRIGHT.get(bracket.lower(), "0" * 6)
-    return (ink := parsed(code)) is None or contrast(ink, WHITE) >= taste.UNSEEN
+    return (ink := parsed(code)) is None or contrast(ink, WHITE) >= permitted.UNSEEN
 
 
 # Colours and fonts as programs show them: to tell a text that cannot be seen, and a green from a red
@@ -169,7 +170,7 @@ class Palette:
     def look(self, cell: Any) -> Look:
         """Return ink and ground of a cell by its own style; of none black on white."""
         if cell is None or not cell.has_style:
-            return BLACK, WHITE
+            return USUAL
         return self.colour(cell.font.color, BLACK), self.ground(cell.fill, WHITE)
 
 

@@ -14,11 +14,11 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
 from workbook.book.declare import Sheet
+from workbook.judging.display import permitted
+from workbook.judging.display.cell_styles import Seen, Told
+from workbook.judging.display.formats import Judged
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, OK, SHOWN, Report
-from workbook.judging.shown import taste
-from workbook.judging.shown.formats import Judged
-from workbook.judging.shown.looks import Seen, Told
 from workbook.reading.contents import Cells
 from workbook.reading.package import PIXEL, Anchor
 from workbook.reading.rows import LAST_ROW, tag
@@ -74,14 +74,14 @@ class Page:
         height: float = 0.0 if form.zeroHeight else POINT * row_height
         heights = {number: 0.0 if row.hidden else height if row.height is None else POINT * row.height
                    for number, row in sheet.row_dimensions.items()}  # fmt: skip
-        self.rows = Lengths(heights, height, POINT * taste.LEAST_HEIGHT)
+        self.rows = Lengths(heights, height, POINT * permitted.LEAST_HEIGHT)
         usual: float = WIDTH if form.defaultColWidth is None else form.defaultColWidth
         widths: dict[int, float] = {}
         for letter, column in sheet.column_dimensions.items():
             first = column.min or column_index_from_string(letter)
             width = 0.0 if column.hidden else pixels(usual if column.width is None else column.width)
             widths |= dict.fromkeys(range(first, (column.max or first) + 1), width)
-        self._columns = Lengths(widths, pixels(usual), pixels(taste.LEAST_WIDTH))
+        self._columns = Lengths(widths, pixels(usual), pixels(permitted.LEAST_WIDTH))
         self._first = (1, 1)  # row and column that can be scrolled to: nothing leads before those that are frozen
         if pane is not None and str(pane.state).startswith("frozen") and view.topLeftCell:
             found = CELL.fullmatch(str(view.topLeftCell))
@@ -134,7 +134,7 @@ def in_view(
             told.add(first, of_page(inspected.pages[title]), "as built", f"the view of {title}")
         if seen[title].hidden:  # another that looks like it misleads
             texts = texts_of(workbook[title])
-            replaced = any(len(texts & other) > taste.ALIKE * len(texts) for other in others)
+            replaced = any(len(texts & other) > permitted.ALIKE * len(texts) for other in others)
             told.add(first, [(SHOWN if replaced else NOTICE, "hidden")], "shown", f"the sheet {title}")
         printed(match, title, sheet, told)
     overall = {"overall", *(f"status{n}" for n, _ in enumerate(match.declared.sheets, 1))}
@@ -170,7 +170,7 @@ def texts_of(sheet: Worksheet) -> set[Any]:
 def of_settings(root: Element) -> Iterator[Judged]:
     """Yield what is to be told of the settings in a part."""
     elements = [one for one in root.iter() if tag(one) != "pane" or one.get("state", "").startswith("frozen")]
-    for name, attribute, usual, kind, said in taste.SETTINGS:
+    for name, attribute, usual, kind, said in permitted.SETTINGS:
         for held in (one.get(attribute) for one in elements if tag(one) == name):
             if held is not None and (held not in usual if isinstance(usual, tuple) else int(float(held)) not in usual):
                 yield kind, said
@@ -181,13 +181,15 @@ def of_page(page: Element) -> Iterator[Judged]:
     yield from of_settings(page)
     for element in page:
         parts, name = list(element), tag(element)
-        if name not in taste.PAGE:
+        if name not in permitted.PAGE:
             yield NOTICE, f"with {name}"
         if name == "sheetViews" and len(parts) > 1:
             yield NOTICE, f"{len(parts)} views"
-        if name == "headerFooter" and any(taste.TELLING.search(taste.CODES.sub("", one.text or "")) for one in parts):
+        if name == "headerFooter" and any(
+            permitted.TELLING.search(permitted.CODES.sub("", one.text or "")) for one in parts
+        ):
             yield NOTICE, "figures or a verdict in its header or footer"
-        for newer in {tag(one) for part in parts for one in part if name == "extLst"} - taste.NEWER:
+        for newer in {tag(one) for part in parts for one in part if name == "extLst"} - permitted.NEWER:
             yield NOTICE, f"with {newer} for newer programs"
 
 
