@@ -161,7 +161,7 @@ def test_the_text_holds_every_definition_ready_to_paste(tmp_path):
 
 
 def test_the_committed_files_are_those_of_todays_code():
-    assert publish.stale_files() == []
+    assert publish.stale_files() == [], "run motionbook templates"
 
 
 def test_a_changed_file_is_noticed(tmp_path, monkeypatch):

@@ -41,7 +41,7 @@ def test_its_checks_are_so_many_and_these_of_them_fail(path: Path) -> None:
     machine = read_machine(path)
     book = TEMPLATES[machine.template].declare(machine)
     failing = [check.label for _, check in book.checks if check.value != "OK"]
-    assert (len(book.checks), failing) == VERDICTS.get(path.stem)
+    assert (len(book.checks), failing) == VERDICTS.get(path.stem), f"checks of {path.stem} in VERDICTS"
 
 
 def test_a_rougher_machine_is_told_by_its_check() -> None:
