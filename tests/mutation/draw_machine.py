@@ -7,6 +7,7 @@ from typing import Any, get_args
 from engine.selection.pair_matrix import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import shares, vary_laws
+from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
@@ -168,13 +169,16 @@ def linked(axis: dict[str, Any], drawn: random.Random, kind: str, positions: int
             "start_angle": drawn.uniform(60, 120), "slide": drawn.choice((None, "ahead", "behind")),
             "direction": drawn.choice((None, "forward", "backward")),
         }  # fmt: skip
-    else:
+    elif kind == "crank-slider":
         low, high = 0.0, drawn.uniform(0.2, 1.4) * size
         axis["mechanism"] |= {
             "crank_radius": size, "rod_length": drawn.uniform(2.2, 6) * size, "offset": offset,
             "start": drawn.uniform(0.2, 0.4) * size, "zero": drawn.choice((None, "inner", "outer")),
             "branch": drawn.choice((None, "ahead", "behind")),
         }  # fmt: skip
+    else:
+        other, low, high = LINKAGES[kind].varied(drawn.randrange(20), drawn.randrange(6), positions)
+        axis["mechanism"] |= other
     at = 0.0
     for phase in axis["phases"]:
         if phase["lift"]:

@@ -46,7 +46,6 @@ EXAMPLES: dict[str, Any] = {  # entries of a real machine that no committed desc
     "axes.*.phases.*.velocity": 0.05, "axes.*.phases.*.acceleration": 0.2, "axes.*.rate": 150.0, "axes.*.printed": "S4",
     "axes.*.parts.*.diameter": 80.0, "axes.*.parts.*.length": 120.0, "axes.*.parts.*.density": 7800.0,
     "axes.*.parts.*.bore": 25.0, "axes.*.mechanism.back_efficiency": 0.85, "axes.*.mechanism.belt_mass": 2.4,
-    "axes.*.mechanism.pinion_diameter": 63.66,
     "axes.*.mechanism.points": [{"angle": 30.0 * k, "position": y} for k, y in enumerate((0.0, 9.0, 26.0, 47.0))],
     "axes.*.mechanism.points.*.angle": 30.0, "axes.*.mechanism.points.*.position": 9.0, "axes.*.load.viscous": 40.0,
     "axes.*.motor.brake.torque": 9.0, "axes.*.motor.brake.closing": 20.0, "axes.*.motor.brake.opening": 60.0,
@@ -170,6 +169,9 @@ class Walk:
                 for name, one in (table.model_fields.items() if table else ())]  # fmt: skip
         unit = cell.unit if cell else str(more.get("unit", ""))
         shown = listed_in if listed_in is not None else self._example(path, of)
+        shown = field.examples[0] if shown is None and field.examples else shown
+        if shown is None and default in (None, "", []):
+            raise LookupError(f"{path}{of and f' of a {of}'} has no example: its field has none, nor a committed file")
         return Key(path, meaning[:1].upper() + meaning[1:], unit, expectation(kind, constraints),
                    field.is_required() or path == "template", default, shown, tuple(rows))  # fmt: skip
 

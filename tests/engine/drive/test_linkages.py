@@ -8,6 +8,7 @@ from numpy.polynomial import chebyshev
 
 from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import OutOfReachError, PositionTable
+from tests.engine.drive import machines
 
 CRANKS = [
     (0.05, 0.2, offset, zero, branch)
@@ -69,6 +70,10 @@ def derivatives(function, angle, span):
     t = np.cos(np.pi * (np.arange(14) + 0.5) / 14)
     c = chebyshev.chebfit(t, function(angle + span * t), 13)
     return [chebyshev.chebval(0.0, chebyshev.chebder(c, m)) / span**m for m in (1, 2)]
+
+
+def test_every_mechanism_of_a_changing_ratio_is_here():
+    assert {one.values[0].name for one in LINKAGES} | {"table"} == set(machines.LINKAGES)
 
 
 @pytest.mark.parametrize(("linkage", "way"), LINKAGES)

@@ -9,12 +9,16 @@ from workbook.drive.entries import Efficiency, in_unit, noted
 from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 
 UNSIZED = "a size of the mechanism is empty"
+SHORT = "the rod is not longer than crank and offset: the crank cannot turn round"
 LEAST_POINTS = 2
 
 
-def size(label: str, note: str = "", default: Any = None) -> Any:
-    """Return the field of a size in mm, which the sheet of the drive calls so too; it may be empty by default."""
-    return in_unit("mm", f"{label}{note}", default, title=label)
+def size(label: str, note: str = "", default: Any = None, example: float | None = None) -> Any:
+    """Return the field of a size in mm, which the sheet of the drive calls so too; it may be empty by default.
+
+    One that no committed description has needs an ``example``, as of a real machine.
+    """
+    return in_unit("mm", f"{label}{note}", default, label, example)
 
 
 class MechanismEntry(Model):
@@ -24,6 +28,7 @@ class MechanismEntry(Model):
     UNITS: ClassVar[tuple[str, ...]] = ("mm",)  # of axes that it moves
     NEEDED: ClassVar[tuple[str, ...]] = ()  # sizes that may be empty in an unfinished design only
     LARGE: ClassVar[dict[str, Any]] = {}  # sizes, with which one whose ratio changes reaches wherever an axis goes
+    APART: ClassVar[str] = "the sizes of the mechanism do not go together"
     SLIDES: ClassVar[bool] = False  # whether its load travels while its axis turns
 
     kind: str
@@ -75,7 +80,7 @@ class RackAndPinion(MechanismEntry):
 
     SIZE: ClassVar[str] = "pinion_diameter"
     kind: Literal["rack and pinion"]
-    pinion_diameter: Positive = size("Pitch diameter of the pinion", default=...)
+    pinion_diameter: Positive = size("Pitch diameter of the pinion", default=..., example=63.66)
 
 
 class Belt(Belted):
@@ -113,6 +118,7 @@ class PressCrank(MechanismEntry):
 
     UNITS: ClassVar[tuple[str, ...]] = ("°",)
     LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1.0, "rod_length": 10.0}
+    APART: ClassVar[str] = SHORT
     SLIDES: ClassVar[bool] = True
     kind: Literal["press crank"]
     crank_radius: Positive = size("Radius of the crank", default=...)
@@ -128,6 +134,7 @@ class CrankSlider(MechanismEntry):
 
     NEEDED: ClassVar[tuple[str, ...]] = ("crank_radius", "rod_length")
     LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1e4, "rod_length": 5e4, "start": 1e4}
+    APART: ClassVar[str] = SHORT
     kind: Literal["crank-slider"]
     crank_radius: Positive | None = size("Radius of the crank")
     rod_length: Positive | None = size(
@@ -147,6 +154,9 @@ class Rocker(MechanismEntry):
 
     NEEDED: ClassVar[tuple[str, ...]] = ("lever_length", "link_length", "start_angle")
     LARGE: ClassVar[dict[str, Any]] = {"lever_length": 1e5, "link_length": 5e5, "offset": 1e5, "start_angle": 90.0}
+    APART: ClassVar[str] = (
+        "where the motion begins, the link does not reach from the lever to the slide, or is in line with it"
+    )
     kind: Literal["rocker"]
     lever_length: Positive | None = size("Length of the lever")
     link_length: Positive | None = size("Length of the link")

@@ -8,7 +8,7 @@ from workbook.book.declare import Quantity, calc, check, entries_of
 from workbook.book.sentence import amount, quoted
 from workbook.entries.phase import TURN
 from workbook.fields.units import shown
-from workbook.machines.machine.drive.driven import SHORT, Driven, as_a
+from workbook.machines.machine.drive.driven import Driven, as_a
 from workbook.machines.machine.drive.mechanisms import slides
 from workbook.machines.machine.drive.mechanisms.page import Column, constant_sizes
 from workbook.machines.machine.drive.view import DriveView
@@ -84,5 +84,5 @@ def checks(view: DriveView) -> list[Quantity]:
                   f"ABS({cell}/360-ROUND({cell}/360,0))<=check_zero", ends_in_place(driven),
                   "whole turns, or none", says=amount(cell, travel, "it ends ", " ° from where it begins"))  # fmt: skip
     fits = check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", crank.fits, True,
-                 crank.holds, f":linked{i}", quoted(SHORT))  # fmt: skip
+                 crank.holds, f":linked{i}", quoted(PressCrank.APART))  # fmt: skip
     return [fits, whole] if view.slides else [whole]

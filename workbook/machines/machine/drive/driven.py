@@ -36,12 +36,6 @@ from workbook.memo import latest
 T = TypeVar("T")
 SHAFTS = ("motor", "mechanism")
 FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
-SHORT = "the rod is not longer than crank and offset: the crank cannot turn round"
-APART = {
-    "press crank": SHORT,
-    "crank-slider": SHORT,
-    "rocker": "where the motion begins, the link does not reach from the lever to the slide, or is in line with it",
-}  # what is said of sizes that do not go together
 
 
 def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
@@ -60,7 +54,7 @@ def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
         case CrankSlider():
             crank, rod, offset, start = mm(given.crank_radius, given.rod_length, given.offset, given.start)
             return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", start)
-    raise ValueError(f"a {given.kind} has a constant ratio")
+    raise TypeError(f"linkage_of makes no linkage of a {given.kind}")
 
 
 def press_of(given: PressCrank) -> slides.PressCrank:

@@ -10,7 +10,7 @@ from workbook.book.sentence import shown as rounding
 from workbook.fields.types import DesignError
 from workbook.fields.units import MM, shown
 from workbook.law_sheets.library import laws
-from workbook.machines.machine.drive.driven import APART, FALLS, linkage_of, press_of
+from workbook.machines.machine.drive.driven import FALLS, linkage_of, press_of
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
@@ -85,7 +85,7 @@ def apart(given: MechanismEntry, unit: str) -> str:
     try:
         _ = press_of(given) if isinstance(given, PressCrank) else linkage_of(given, MM)
     except ValueError:
-        return APART[given.kind]
+        return given.APART
     return ""
 
 

@@ -16,7 +16,7 @@ from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant, entries_of
 from workbook.book.sentence import quoted
 from workbook.fields.units import DEGREE, si
-from workbook.machines.machine.drive.driven import APART, Driven, as_a
+from workbook.machines.machine.drive.driven import Driven, as_a
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
 from workbook.machines.machine.mechanism import CrankSlider, PressCrank, Rocker
 
@@ -252,7 +252,7 @@ CRANK_ENDS = {"low": 'IF(@zero="outer","outer dead centre","inner dead centre")'
               "high": 'IF(@zero="outer","inner dead centre","outer dead centre")'}  # fmt: skip
 CRANK_SLIDER = LinkagePage(
     crank_entries, crank_sizes, ratios, crank_varied, "COUNT(@crank_radius,@rod_length)=2", FITS, HOLDS,
-    quoted(APART["crank-slider"]), DEAD, CRANK_ENDS,
+    quoted(CrankSlider.APART), DEAD, CRANK_ENDS,
 )  # fmt: skip
 BELOW, ABOVE = (
     f"INDEX([@ends.name],MATCH({most}([@ends.{side}]),[@ends.{side}],0))"
@@ -261,7 +261,7 @@ BELOW, ABOVE = (
 ROCKER = LinkagePage(
     rocker_entries, rocker_sizes, ratios, rocker_varied, "COUNT(@lever_length,@link_length,@start_angle)=3",
     "AND(@l^2>(@r*SIN(@theta)-@e)^2,ABS(@ahead)>=check_zero,@high<@none,@low>0-@none)",
-    "lever, link and slide where the motion begins", quoted(APART["rocker"]), DEAD,
+    "lever, link and slide where the motion begins", quoted(Rocker.APART), DEAD,
     {"low": f'IF(@direction="backward",{ABOVE},{BELOW})', "high": f'IF(@direction="backward",{BELOW},{ABOVE})'},
     worked=rocker_table,
 )  # fmt: skip
