@@ -14,6 +14,8 @@ from tests.workbook.machines.test_machine_linked import linked, small
 from tests.workbook.machines.test_machine_tables import BENT, PHASES
 from workbook.build import committed
 from workbook.judging.matching import is_formula
+from workbook.judging.structure import ALLOWED
+from workbook.machines.machine.mechanism import LINKED, some_mechanism
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -29,8 +31,9 @@ PLAIN = re.compile(r"\d{1,6}(\.\d{1,6})?|1E[+-]?\d+|10{9}", re.I)
 """numbers as a person writes them, and powers of ten; sentences tell amounts up to 1E9, spelt out for auditors"""
 REFERENCE = re.compile(r"(?:('[^']+'|[A-Za-z_]\w*)!)?(\$?[A-Z]{1,3}\$?\d+(?::\$?[A-Z]{1,3}\$?\d+)?)(?![\w(])")
 TEXT = re.compile(r'"[^"]*"')
-BOOKS = {path.stem: path for path in committed()} | {"12 axes": 12, "table of positions": BENT}
-"""committed descriptions; machines of so many axes with drives; one with a table of positions"""
+LINKAGES = {kind: some_mechanism(kind).model_dump() for kind in LINKED} | {"table": BENT}
+BOOKS = {path.stem: path for path in committed()} | {"12 axes": 12} | LINKAGES
+"""committed descriptions; machines of so many axes with drives; one with each mechanism of a changing ratio"""
 
 
 @cache
@@ -88,6 +91,12 @@ def test_formulas_are_read_at_a_glance(name):
     lengths = [len(text) for texts in found.values() for text in texts]
     assert median(lengths) <= HALF
     assert quantiles(lengths, n=20)[-1] <= MOST
+
+
+@pytest.mark.parametrize("name", BOOKS)
+def test_formulas_use_functions_that_every_program_has(name):
+    used = {called: set(CALL.findall(" ".join(texts))) - ALLOWED - {""} for called, texts in formulas(name).items()}
+    assert {called: others for called, others in used.items() if others} == {}
 
 
 @pytest.mark.parametrize("name", BOOKS)

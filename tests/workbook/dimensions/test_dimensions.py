@@ -7,9 +7,11 @@ import pytest
 
 from tests.tiers import by_day
 from tests.workbook.cells import in_memory
+from tests.workbook.machines.test_machine_linked import linked, small
 from workbook.book.address import Address
 from workbook.dimensions.rules import Walk
 from workbook.dimensions.units import NONE, dimension_of
+from workbook.machines.machine.mechanism import LINKED, some_mechanism
 from workbook.reading.contents import Contents
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
@@ -100,10 +102,10 @@ def test_a_number_that_may_have_a_unit_leaves_the_product_unknown():
 
 
 class Labelled:
-    """The committed book of a template, and the units of its cells by their labels."""
+    """The book of a machine, the committed one of a template, and the units of its cells by their labels."""
 
-    def __init__(self, template):
-        book = template.declare(read_machine(template.description))
+    def __init__(self, template, machine=None):
+        book = template.declare(machine or read_machine(template.description))
         self.units, self.given = {}, []
         for cell in book.cells():
             formula = isinstance(cell.content, str) and cell.content.startswith("=")
@@ -124,6 +126,12 @@ def test_the_cells_of_a_template_have_the_units_of_their_labels(name):
     came = Labelled(TEMPLATES[name]).came()
     assert came.wrong == {}
     assert came.known > 0.5 * came.formulas
+
+
+@pytest.mark.parametrize("kind", [kind for kind in LINKED if kind != "table"])
+def test_the_cells_of_a_mechanism_have_the_units_of_their_labels(kind):
+    """But of a table: there the number check_zero is added to a position."""
+    assert Labelled(TEMPLATES["machine"], small(linked(mechanism=some_mechanism(kind).model_dump()))).came().wrong == {}
 
 
 def not_named(template, count):

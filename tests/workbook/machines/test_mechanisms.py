@@ -12,7 +12,9 @@ from engine.drive import KINDS
 from tests.engine.drive import machines
 from tests.workbook.cells import disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
+from workbook.build import build
 from workbook.fields.units import MM
+from workbook.judging.verify import verify
 from workbook.machines.machine.drive.driven import linkage_of
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.reach import apart
@@ -33,6 +35,7 @@ def missing(kind):
     model, constant = MECHANISMS[kind], KINDS[kind].turns
     there = {
         f"SIZE, the entry that sets its ratio, {MODELS}": bool(model.SIZE) == bool(constant),
+        f"UNITS, of the axes that it moves, {MODELS}": kind in LINKED or ("°" in model.UNITS) == (constant is None),
         f"Belted, what its model derives from, {MODELS}": issubclass(model, Belted) == KINDS[kind].belt,
         f"LARGE, sizes that reach anywhere, {MODELS}": kind in LINKED or kind not in LINKAGES,
         "its page in LINKAGES, in workbook/machines/machine/drive/mechanisms/__init__.py":
@@ -73,9 +76,13 @@ def test_each_variation_has_other_sizes_that_reach_its_positions(kind):
 
 
 @pytest.mark.parametrize("kind", MECHANISMS)
-def test_its_cells_agree_with_the_engine_and_its_entries_come_back(kind):
+def test_its_cells_agree_with_the_engine_and_its_entries_come_back(kind, tmp_path):
+    """Where they do not, verify tells the causes first."""
     phases = (10.0, 150.0, 30.0, "CIC"), (200.0, 340.0, -30.0, "CIC")
     told = {"unit": MECHANISMS[kind].UNITS[0], "mechanism": some_mechanism(kind).model_dump(), "motor": MOTOR}
     large = described([axis(1, *phases, **told)], phases=2, rotors=2)
-    assert disagreeing(TEMPLATE, TEMPLATE.variants(large)[1])[0] == []
+    other = TEMPLATE.variants(large)[1]
+    if disagreeing(TEMPLATE, other)[0]:
+        build(other, tmp_path / "book.xlsx")
+        pytest.fail("; ".join(map(str, verify(tmp_path / "book.xlsx").findings[:3])))
     assert entered(TEMPLATE, large) == (large, [])
