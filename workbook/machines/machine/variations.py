@@ -5,6 +5,7 @@ from typing import Any
 
 from engine.selection.pair_matrix import RANKS
 from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing, variations, vary_laws
+from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive_entries import WINDOWS, falling
 from workbook.machines.machine.entries import AnyMachine
@@ -123,9 +124,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
             phase["lift"] = (0.0 if n == len(moving) - 1 and k != 3 else goal) - at
             at += phase["lift"]
     if kind in SLIDING:
-        crank = 20.0 + 9 * k + i
-        axis["mechanism"] |= {"crank_radius": crank, "rod_length": crank * (5.0 - 0.5 * k), "start_angle": 50.0 * k,
-                              "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3]}  # fmt: skip
+        axis["mechanism"] |= by_angle.varied(i, k)
     axis["load"] = load(axis["load"], i, k, axis["unit"] == "mm" or kind in SLIDING)
     axis["parts"] = parts(k, sizes["rotors"])
     axis["reducer"] = {

@@ -1,5 +1,7 @@
 """A load that follows the angle of its axis, in cells: a slide on a press crank, the weight of a swinging arm."""
 
+from typing import Any
+
 import numpy as np
 
 from engine.drive.mechanisms.slides import PressCrank as Crank
@@ -38,6 +40,13 @@ def crank_sizes(driven: Driven) -> list[Quantity]:
 
 
 ROWS = crank_entries, crank_sizes
+
+
+def varied(i: int, k: int) -> dict[str, Any]:
+    """Return other sizes for the i-th axis in the k-th variation."""
+    crank = 20.0 + 9 * k + i
+    return {"crank_radius": crank, "rod_length": crank * (5.0 - 0.5 * k), "start_angle": 50.0 * k,
+            "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3]}  # fmt: skip
 
 
 def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:

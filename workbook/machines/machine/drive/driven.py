@@ -57,8 +57,9 @@ def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
     raise TypeError(f"linkage_of makes no linkage of a {given.kind}")
 
 
-def press_of(given: PressCrank) -> slides.PressCrank:
-    """Return the press crank that is entered. Raises ValueError for sizes that cannot be."""
+def by_angle_of(given: MechanismEntry) -> ByAngle:
+    """Return what a slide does by the angle of its axis. Raises ValueError for sizes that cannot be."""
+    given = as_a(PressCrank, given)
     crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
     return slides.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
 
@@ -99,8 +100,8 @@ class Driven:
 
         self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
         self.by_angle: ByAngle | None = None
-        if isinstance(self.given, PressCrank):
-            self.by_angle = press_of(self.given)
+        if self.given.SLIDES:
+            self.by_angle = by_angle_of(self.given)
         elif load.arm:
             weight = load.arm.mass * machine.gravity * si(load.arm.radius, MM)
             self.by_angle = Arm(weight, si(load.arm.angle, DEGREE))

@@ -10,11 +10,11 @@ from workbook.book.sentence import shown as rounding
 from workbook.fields.types import DesignError
 from workbook.fields.units import MM, shown
 from workbook.law_sheets.library import laws
-from workbook.machines.machine.drive.driven import FALLS, linkage_of, press_of
+from workbook.machines.machine.drive.driven import FALLS, by_angle_of, linkage_of
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import UNSIZED, MechanismEntry, PressCrank, Table
+from workbook.machines.machine.mechanism import UNSIZED, MechanismEntry, Table
 from workbook.machines.machine.view import MachineView
 
 WORDS = " reaches {} {}, {} {} beyond the {}"
@@ -83,7 +83,7 @@ def apart(given: MechanismEntry, unit: str) -> str:
                 return FALLS.format(row, angle, position, unit, low, lowest, unit)
         return ""
     try:
-        _ = press_of(given) if isinstance(given, PressCrank) else linkage_of(given, MM)
+        _ = by_angle_of(given) if given.SLIDES else linkage_of(given, MM)
     except ValueError:
         return given.APART
     return ""
