@@ -9,15 +9,11 @@ from workbook.drive.entries import Efficiency, in_unit, noted
 from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 
 UNSIZED = "a size of the mechanism is empty"
-SHORT = "the rod is not longer than crank and offset: the crank cannot turn round"
 LEAST_POINTS = 2
 
 
 def size(label: str, note: str = "", default: Any = None, example: float | None = None) -> Any:
-    """Return the field of a size in mm, which the sheet of the drive calls so too; it may be empty by default.
-
-    One that no committed description has needs an ``example``, as of a real machine.
-    """
+    """Return the field of a size in mm, which the sheet calls so too; ``example`` if no committed description has it."""
     return in_unit("mm", f"{label}{note}", default, label, example)
 
 
@@ -118,7 +114,7 @@ class PressCrank(MechanismEntry):
 
     UNITS: ClassVar[tuple[str, ...]] = ("°",)
     LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1.0, "rod_length": 10.0}
-    APART: ClassVar[str] = SHORT
+    APART: ClassVar[str] = "the rod is not longer than crank and offset: the crank cannot turn round"
     SLIDES: ClassVar[bool] = True
     kind: Literal["press crank"]
     crank_radius: Positive = size("Radius of the crank", default=...)
@@ -134,7 +130,7 @@ class CrankSlider(MechanismEntry):
 
     NEEDED: ClassVar[tuple[str, ...]] = ("crank_radius", "rod_length")
     LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1e4, "rod_length": 5e4, "start": 1e4}
-    APART: ClassVar[str] = SHORT
+    APART: ClassVar[str] = PressCrank.APART
     kind: Literal["crank-slider"]
     crank_radius: Positive | None = size("Radius of the crank")
     rod_length: Positive | None = size(
