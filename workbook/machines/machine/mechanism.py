@@ -13,7 +13,7 @@ LEAST_POINTS = 2
 
 
 def size(label: str, note: str = "", default: Any = None, example: float | None = None) -> Any:
-    """Return the field of a size in mm, which the sheet calls so too; ``example`` if no committed description has it."""
+    """Return the field of a size in mm, which the sheet calls so; its example if no committed description has one."""
     return in_unit("mm", f"{label}{note}", default, label, example)
 
 
