@@ -35,7 +35,8 @@ def missing(kind):
     model, constant = MECHANISMS[kind], KINDS[kind].turns
     there = {
         f"SIZE, the entry that sets its ratio, {MODELS}": bool(model.SIZE) == bool(constant),
-        f"UNITS, of the axes that it moves, {MODELS}": kind in LINKED or ("°" in model.UNITS) == (constant is None),
+        f"UNITS, of the axes that it moves, {MODELS}":
+            kind in LINKED or kind in LINKAGES or ("°" in model.UNITS) == (constant is None),
         f"Belted, what its model derives from, {MODELS}": issubclass(model, Belted) == KINDS[kind].belt,
         f"LARGE, sizes that reach anywhere, {MODELS}": kind in LINKED or kind not in LINKAGES,
         "its page in LINKAGES, in workbook/machines/machine/drive/mechanisms/__init__.py":
@@ -84,5 +85,6 @@ def test_its_cells_agree_with_the_engine_and_its_entries_come_back(kind, tmp_pat
     other = TEMPLATE.variants(large)[1]
     if disagreeing(TEMPLATE, other)[0]:
         build(other, tmp_path / "book.xlsx")
-        pytest.fail("; ".join(map(str, verify(tmp_path / "book.xlsx").findings[:3])))
+        first = verify(tmp_path / "book.xlsx").findings[0]
+        pytest.fail(f"{first.sheet}!{first.cell}, {first.what}: {first.computed}, not {first.expected}")
     assert entered(TEMPLATE, large) == (large, [])
