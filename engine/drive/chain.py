@@ -1,4 +1,4 @@
-"""The chain from a motor to its load: stages in line, parts on their shafts, what resists at the end. SI units."""
+"""The chain from a motor to its load: stages in line, parts on their shafts, the resisting load. SI units."""
 
 import math
 from dataclasses import dataclass
@@ -10,9 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from engine.laws.base import Array, require_finite
 
-Method = Literal["physical", "document"]  # losses that help to brake, or S4's way: always against the motor
-NEAR = 1e-9
-"""Nm (N at a load that travels); a load that drives with less counts as driven, or rounding would choose the side"""
+Method = Literal["physical", "document"]  # losses by the direction of power, or as S4 counts them: always over η
+NEAR = 1e-9  # Nm (N at a load that travels) by which a load has to drive, so that rounding does not choose the side
 
 
 def gives_back(torque: ArrayLike, direction: ArrayLike, near: float = NEAR) -> NDArray[np.bool_]:
@@ -21,18 +20,18 @@ def gives_back(torque: ArrayLike, direction: ArrayLike, near: float = NEAR) -> N
 
 
 def held_factor(efficiency: float, back_efficiency: float) -> float:
-    """Return f at rest: as if the motor drove; 0 of a stage that locks itself."""
+    """Return the factor of losses at rest: 1/η as if the motor drove; 0 of a self-locking stage."""
     return 0.0 if back_efficiency <= 0.0 else 1.0 / efficiency
 
 
 @dataclass(frozen=True)
 class Stage:
-    """A transmission. Raises ValueError for a figure outside the limits beside it."""
+    """A transmission. Raises ValueError for figures outside the limits below."""
 
     name: str
-    ratio: float  # speed at its input over that at its output, above 0; rad/m of travel (screw: 2πP; roller: 1/R)
-    efficiency: float = 1.0  # above 0, at most 1
-    back_efficiency: float | None = None  # where the load drives, at most 1; None: the same; 0 or less: it locks itself
+    ratio: float  # input over output speed, above 0; rad/m if the output travels (screw: 2πP; roller: 1/R)
+    efficiency: float = 1.0  # η where the motor drives, above 0, at most 1
+    back_efficiency: float | None = None  # η' where the load drives, at most 1; None: η; 0 or less: self-locking
 
     def __post_init__(self) -> None:
         require_positive(self.name, ratio=self.ratio)
@@ -43,11 +42,11 @@ class Stage:
             raise ValueError(f"{self.name}: efficiency backward is {back:g}; expected a finite number, at most 1")
 
     def factor(self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR) -> Array:
-        """Return f, by which it multiplies the torque behind it.
+        """Return the factor of losses f, by which the torque at the output (Nm, or N) times 1/ratio is multiplied.
 
-        1/η where power flows to the load and at rest; where the load drives, the efficiency backward. A stage whose
-        efficiency backward is 0 or less locks itself: it must be driven then, and at rest it holds the load by itself,
-        f = 0. With the document's method 1/η always. Source: S1, 'Feeding group', last equation, where f = 1; S4,
+        f = 1/η where power flows to the load and at rest, η' where the load drives. A self-locking stage, η' ≤ 0, holds
+        the load at rest by itself, f = 0, and has to be driven when the load drives. By the method "document" f = 1/η
+        always. ``direction`` is 1, −1, or 0 at rest. Source: S1, 'Feeding group', last equation, where f = 1; S4,
         problem 1, where inertia and torque behind the screw are over η; S5, step 7.
         """
         if method == "document":
@@ -59,12 +58,12 @@ class Stage:
 
 @dataclass(frozen=True)
 class Part:
-    """Equal parts that turn with a shaft. Raises ValueError for a negative count or inertia."""
+    """Equal parts on a shaft, or geared to it. Raises ValueError for a negative count or inertia."""
 
     name: str
-    inertia: float  # J of each (kg m²; kg behind a stage that makes travel)
-    shaft: int = 0  # how many stages are between the motor and it: 0 is the motor's
-    count: float = 1.0  # 0 or more
+    inertia: float  # J of each (kg m²; kg if it travels)
+    shaft: int = 0  # number of stages between the motor and the part's shaft; 0 is the motor's
+    count: float = 1.0
     speed_ratio: float = 1.0  # ω_i/ω of parts geared to that shaft, n1/n2 of its teeth (S1: τ_g = 90/45)
 
     def __post_init__(self) -> None:
@@ -73,39 +72,42 @@ class Part:
 
     @property
     def total_inertia(self) -> float:
-        """Inertia of all of them, count · J."""
+        """Inertia of all parts, count · J (kg m², or kg)."""
         return self.count * self.inertia
 
     @property
     def reflected(self) -> float:
-        """Inertia at its shaft, count · J · (ω_i/ω)²."""
+        """Inertia at its shaft, count · J · (ω_i/ω)² (kg m², or kg)."""
         return self.total_inertia * self.speed_ratio**2
 
 
 @dataclass(frozen=True)
 class Load:
-    """What hangs on a shaft. Raises ValueError for a negative inertia."""
+    """The load at the end of a chain. Raises ValueError for a negative inertia."""
 
-    inertia: float  # kg m², or kg
-    torque: float = 0.0  # Nm, or N: against positive motion always, also at rest, like a weight
-    friction: float = 0.0  # Nm, or N: opposes the motion (below 0 helps it on); 0 at standstill
+    inertia: float  # kg m²; kg if it travels
+    torque: float = 0.0  # Nm, or N; against positive motion, also at rest, like a weight
+    friction: float = 0.0  # Nm, or N; against the motion (below 0 with it), 0 at rest
 
     def __post_init__(self) -> None:
         require_finite(torque=self.torque, friction=self.friction)
         require_not_negative("load", inertia=self.inertia)
 
     def resisting(self, direction: ArrayLike) -> Array:
-        """Return what resists (Nm, or N) in a direction of motion: 1, −1, or 0 at rest."""
+        """Return the resisting torque (Nm, or N) in a direction of motion: 1, −1, or 0 at rest."""
         return self.torque + self.friction * np.asarray(direction, dtype=np.float64)
 
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Stages from the motor to the load, parts on their shafts, and the load. Raises ValueError for what cannot be."""
+    """Stages from the motor to the load, parts on their shafts, and the load.
+
+    Raises ValueError for no stages, or a part on a shaft that does not exist.
+    """
 
     name: str
-    stages: tuple[Stage, ...]  # at least one
-    parts: tuple[Part, ...]  # on shafts from the motor's, 0, to the load's, as many as there are stages
+    stages: tuple[Stage, ...]  # from the motor to the load
+    parts: tuple[Part, ...]  # on shafts numbered from the motor's, 0, to the load's, the number of stages
     load: Load  # on the last shaft
 
     def __post_init__(self) -> None:
@@ -131,7 +133,7 @@ class Mechanism:
         return math.prod(stage.efficiency for stage in self.stages)
 
     def ratio_to(self, shaft: int) -> float:
-        """Return the speed of the motor over that of a shaft."""
+        """Return the speed of the motor over that of a shaft (1, or rad/m if it travels)."""
         return math.prod(stage.ratio for stage in self.stages[:shaft])
 
     def ratio_from(self, shaft: int) -> float:
@@ -139,12 +141,12 @@ class Mechanism:
         return math.prod(stage.ratio for stage in self.stages[shaft:])
 
     def on_shaft(self, shaft: int) -> float:
-        """Return the inertia on a shaft, there (kg m² or kg), the load's on the last: S1, J_tot = 4 J1 + 4 J2."""
+        """Return the inertia of parts and load at their shaft (kg m² or kg): S1, J_tot = 4 J1 + 4 J2."""
         parts = math.fsum(part.reflected for part in self.parts if part.shaft == shaft)
         return parts + self.load.inertia if shaft == self.last else parts
 
     def at_motor(self, inertia: float, shaft: int, method: Method = "physical") -> float:
-        """Return J/i² of an inertia on a shaft, at the motor's shaft (kg m²); by the document's method over η.
+        """Return J/i² at the motor's shaft (kg m²) of an inertia on a shaft; by the method "document" J/(i² η).
 
         Source: S4, problem 1, J_load = m/(η (2πP)²); problem 2, J = m r²/(η N²).
         """
@@ -153,19 +155,19 @@ class Mechanism:
         return lossless / lost
 
     def inertia(self, method: Method = "physical") -> float:
-        """Return J of all parts and the load at the motor's shaft (kg m²), without the motor's own."""
+        """Return the inertia of all parts and the load at the motor's shaft (kg m²), without the motor's own."""
         parts = (self.at_motor(part.reflected, part.shaft, method) for part in self.parts)
         return math.fsum([*parts, self.at_motor(self.load.inertia, self.last, method)])
 
     def driving_torque(self, force: float) -> float:
-        """Return the motor's torque (Nm) that drives a force (N, or Nm) at the load, F/(i η). Source: S4, problem 1."""
+        """Return the motor's torque F/(i η) (Nm) for a force F (N, or Nm) at the load. Source: S4, problem 1."""
         return force / self.ratio / self.efficiency
 
     def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:
-        """Return the torque (or force) that each shaft must be driven with, from the motor's to the load's.
+        """Return the torque (Nm, or N) that drives each shaft, from the motor's to the load's.
 
-        At accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1):
-        T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k, f by the rule of losses.
+        T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k, f of :meth:`Stage.factor`; ``acceleration`` is the load's (m/s²
+        or rad/s²), ``direction`` 1, −1, or 0 at rest.
         """
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
         found = [self.load.resisting(sign) + self.torque_per_acceleration[self.last] * a]
@@ -177,36 +179,36 @@ class Mechanism:
 
     @cached_property
     def torque_per_acceleration(self) -> tuple[float, ...]:
-        """J_k ω_k/v of each shaft: its torque (Nm, or N) per unit of the load's acceleration, of what it carries."""
+        """J_k ω_k/v of each shaft: torque (Nm, or N) of the parts on it over the load's acceleration (m/s², rad/s²)."""
         return tuple(self.on_shaft(k) * self.ratio_from(k) for k in range(self.last + 1))
 
 
 def require_positive(where: str, **quantities: float) -> None:
-    """Raise ValueError, saying where, for the first quantity that is not a finite number above 0."""
+    """Raise ValueError, which begins with ``where``, for the first quantity that is not finite and above 0."""
     for name, value in quantities.items():
         if not (math.isfinite(value) and value > 0.0):
             raise ValueError(f"{where}: {name} is {value:g}; expected a finite number above 0")
 
 
 def require_not_negative(where: str, **quantities: float) -> None:
-    """Raise ValueError, saying where, for the first quantity that is negative or not finite."""
+    """Raise ValueError, which begins with ``where``, for the first quantity that is negative or not finite."""
     for name, value in quantities.items():
         if not (math.isfinite(value) and value >= 0.0):
             raise ValueError(f"{where}: {name} is {value:g}; expected a finite number, 0 or more")
 
 
-GRAVITY = 9.81  # m/s², as S4 has it
+GRAVITY = 9.81  # m/s², the value of S4
 Resists = Literal["always", "moving"]
 
 
 @dataclass(frozen=True)
 class Slide:
-    """A mass on a guide. Raises ValueError for a figure outside the limits beside it."""
+    """A mass on a guide. Raises ValueError for figures outside the limits below."""
 
     mass: float  # kg, 0 or more
-    friction: float = 0.0  # its coefficient μ, 0 or more
-    slope: float = 0.0  # rad; rises with positive travel, within ±π/2
-    force: float = 0.0  # N, against positive travel, always
+    friction: float = 0.0  # coefficient μ, 0 or more
+    slope: float = 0.0  # θ (rad), above 0 if the guide rises with positive travel; within ±π/2
+    force: float = 0.0  # constant force against positive travel (N)
     gravity: float = GRAVITY  # g (m/s²), 0 or more
 
     def __post_init__(self) -> None:
@@ -217,14 +219,14 @@ class Slide:
 
     @property
     def load(self) -> Load:
-        """The load at the end of a chain: F + m g sin θ in one direction, also at rest; μ m g cos θ against motion."""
+        """The load at the end of a chain: F + m g sin θ against positive travel, μ m g cos θ against the motion (N)."""
         weight = self.mass * self.gravity
         rubbing = self.friction * self.mass * self.gravity * abs(math.cos(self.slope))
         return Load(self.mass, self.force + weight * math.sin(self.slope), rubbing)
 
 
 def resisting(force: float, resists: Resists) -> Load:
-    """Return a massless load of a force (N, Nm): ``always``, like a weight, or ``moving``, like friction. S1, F_r."""
+    """Return the massless load of a force (N, or Nm): "always", like a weight, or "moving", like friction. S1, F_r."""
     if resists not in ("always", "moving"):
         raise ValueError(f"resists is {resists!r}; expected 'always' or 'moving'")
     return Load(0.0, force) if resists == "always" else Load(0.0, friction=force)

@@ -1,4 +1,4 @@
-"""A motion in time, piece by piece, cut where anything in the torque changes its formula. SI units."""
+"""The cycle of a drive: its motion in time, cut into intervals in which the torque has one formula. SI units."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -15,53 +15,53 @@ from engine.laws.ladder import Curve
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, motion_pieces
 
-NARROW = 1e-9  # of a piece: what is shorter is left out
-NODES = 32  # parts of an interval, and of each half turn of its sines, in which functions without a ladder are searched
+NARROW = 1e-9  # share of a piece: shorter parts are left out
+NODES = 32  # parts, of an interval and of each half turn of its sines, in which functions are searched by samples
 
 
 @dataclass(frozen=True)
 class TorqueInterval:
-    """A part of a piece in which direction, process force and the way of power through every stage stay as they are."""
+    """A part of a piece with one direction of motion, one process force, and one direction of power in each stage."""
 
     train: Drivetrain
     piece: MotionPiece
-    speed: float  # of the abscissa (1/s)
-    low: float  # u of its begin, from that of the piece, in units of the motion
-    high: float  # and of its end
+    speed: float  # of the abscissa (units per s)
+    low: float  # u of its begin, from the begin of the piece, in units of the abscissa
+    high: float  # u of its end
     direction: float  # 1, −1, or 0 at rest
-    force: Force
-    torque_coefficients: tuple[TorqueCoefficients, ...]  # of each shaft from the motor's
+    force: Force  # at the load
+    torque_coefficients: tuple[TorqueCoefficients, ...]  # of each shaft but the load's, from the motor's
     braked: bool = False  # whether a brake holds the motor's shaft
 
     @property
     def nodes(self) -> int:
-        """In how many parts it is searched."""
+        """Number of parts in which it is searched."""
         fastest = max((abs(w) for a, w, _ in self.piece.sines if a), default=0.0)
-        turned = fastest * (self.high - self.low)
+        angle = fastest * (self.high - self.low)
         if self.force.by_angle:
-            turned += abs(self.piece.curves[0](self.high) - self.piece.curves[0](self.low))
-        return NODES * (1 + int(turned / np.pi))
+            angle += abs(self.piece.curves[0](self.high) - self.piece.curves[0](self.low))
+        return NODES * (1 + int(angle / np.pi))
 
     def load(self, u: Array) -> LoadMotion:
-        """Return the motion of the load (m or rad, in s)."""
+        """Return the motion of the load at u."""
         y, velocity, acceleration = (curve.at(u) for curve in self.piece.curves[:3])
         return LoadMotion(y, velocity * self.speed, acceleration * self.speed**2)
 
     def shaft(self, u: Array) -> ShaftMotion:
-        """Return the motion of the mechanism's own shaft."""
+        """Return the motion of the mechanism's own shaft at u."""
         return self.train.shaft(self.load(u), self.within)
 
     @cached_property
     def within(self) -> float:
-        """The load's position in the middle, which says on which side of a knot its ends are."""
+        """The load's position in the middle of the interval: at a knot of the mechanism, φ'' on this side counts."""
         return self.piece.curves[0](0.5 * (self.low + self.high))
 
     def motor_speed(self, u: Array) -> Array:
-        """Return the speed of the motor (rad/s)."""
+        """Return the speed of the motor (rad/s) at u."""
         return np.asarray(self.train.gear * self.shaft(u).speed)
 
     def torque(self, u: Array, shaft: int = 0) -> Array:
-        """Return the torque (Nm) that drives a shaft: 0 is the motor's, the last the load's (N, or Nm)."""
+        """Return the torque (Nm) that drives a shaft at u: 0 is the motor's, the last the load's (N if it travels)."""
         load = self.load(u)
         if shaft == len(self.torque_coefficients):
             return self.force.at(load)
@@ -73,21 +73,21 @@ class TorqueInterval:
         return np.asarray(found + self.no_load(shaft))
 
     def no_load(self, shaft: int) -> float:
-        """Return the torque (Nm) of the motor's shaft that opposes its rotation, whatever the load; 0 of another."""
+        """Return the no-load torque (Nm) of the motor's shaft, with its sign; 0 of another shaft."""
         return self.train.drive.no_load * self.direction if shaft == 0 else 0.0
 
     def power(self, u: Array) -> Array:
-        """Return the power (W) of the motor, with the losses of its winding: T ω + (P_N/T_N²) T²."""
+        """Return the power (W) of the motor at u, with the losses of its winding: T ω + (P_N/T_N²) T²."""
         torque = self.torque(u)
         return np.asarray(torque * (self.motor_speed(u) + self.train.drive.copper * torque))
 
     @property
     def power_reversals(self) -> list[float]:
-        """Where the power of the motor changes its sign: copper losses do that where its torque does not."""
+        """Every u at which the motor's power changes its sign by copper losses; none without these."""
         return crossed(self.power, self.low, self.high, self.nodes) if self.train.drive.copper else []
 
     def curve(self, shaft: int = 0) -> Curve | None:
-        """Return the torque of a shaft as a curve over u, which has a ladder; None where it depends on the position."""
+        """Return the torque of a shaft as a curve over u (Nm, or N); None if it depends on the position."""
         if self.force.by_angle:
             return None
         if shaft == len(self.torque_coefficients):
@@ -100,7 +100,7 @@ class TorqueInterval:
         return force_curve(self.piece, self.speed, self.force, share, weights.inertia * ratio, level)
 
     def crossings(self, shaft: int) -> list[float]:
-        """Return where the torque of a shaft changes its sign."""
+        """Return every u at which the torque of a shaft changes its sign."""
         curve = self.curve(shaft)
         if curve is None:
             return crossed(lambda u: self.torque(u, shaft), self.low, self.high, self.nodes)
@@ -108,23 +108,23 @@ class TorqueInterval:
 
 
 class Span(NamedTuple):
-    """A part of a piece of one direction and process force; ``dwell`` is its dwell's time (s), 0 where it moves."""
+    """A part of a piece with one direction of motion and one process force."""
 
     piece: MotionPiece
-    low: float
-    high: float
-    direction: float
+    low: float  # u of its begin, in units of the abscissa
+    high: float  # u of its end
+    direction: float  # 1, −1, or 0 at rest
     force: Force
-    dwell: float = 0.0
+    dwell: float = 0.0  # duration of its dwell (s); 0 if it moves
 
 
 @dataclass(frozen=True)
 class MotionPieces:
-    """A motion over one cycle as a table of pieces, from ``begin`` on over a ``total`` of its abscissa."""
+    """A motion over one cycle as a table of pieces."""
 
     pieces: tuple[MotionPiece, ...]
-    begin: float
-    total: float
+    begin: float  # abscissa of the begin of the cycle
+    total: float  # length of the cycle, in units of the abscissa
 
     @classmethod
     def of(cls, motion: Motion) -> "MotionPieces":
@@ -133,7 +133,7 @@ class MotionPieces:
 
     @property
     def moved(self) -> list[MotionPiece]:
-        """The pieces that last."""
+        """The pieces of any duration."""
         return [piece for piece in self.pieces if piece.duration > 0.0]
 
     @cached_property
@@ -144,12 +144,12 @@ class MotionPieces:
 
 @dataclass(frozen=True)
 class DriveCycle:
-    """A train over the cycle of its load's motion. Raises ValueError unless the speed is above 0."""
+    """A drivetrain over the cycle of its load's motion. Raises ValueError unless the speed is finite and above 0."""
 
     train: Drivetrain
-    motion: Motion | MotionPieces  # of phases, or by its pieces (a flying tool's, whose law rides on the line's speed)
-    speed: float = 1.0  # of the abscissa (1/s)
-    shift: float = 0.0  # by which the motion is later than entered, y(x) = y0(x − shift); windows stay
+    motion: Motion | MotionPieces  # of the load: phases, or pieces (of a flying tool); y in m or rad
+    speed: float = 1.0  # of the abscissa (units per s)
+    shift: float = 0.0  # y(x) = y0(x − shift), in units of the abscissa; windows are not shifted
 
     def __post_init__(self) -> None:
         if not 0.0 < self.speed < np.inf:
@@ -197,14 +197,14 @@ class DriveCycle:
             yield Span(piece, low, high, direction, force)
 
     def _knots(self, piece: MotionPiece, turns: Sequence[float]) -> Iterator[float]:
-        """Yield where a piece, which turns round at ``turns``, passes a place at which the torque's formula changes."""
+        """Yield every u at which a piece that reverses at ``turns`` passes a position of :meth:`Drivetrain.cuts`."""
         y = piece.curves[0]
         ends = [y(u) for u in (0.0, *turns, piece.duration)]
         for knot in self.train.cuts(min(ends), max(ends)):
             yield from sign_changes(Curve((y.c[0] - knot, *y.c[1:]), y.sines), 0.0, piece.duration)
 
     def _through(self, span: Span, factors: list[float], shaft: int) -> Iterator[TorqueInterval]:
-        """Yield a span, cut where power turns round in a stage or the motor; the factors behind a shaft are known."""
+        """Yield the torque intervals of a span; the factors of the stages behind ``shaft`` are known."""
         here = self._interval(span, factors)
         cuts = [span.low, span.high, *(here.crossings(shaft) if span.direction else ())]
         for low, high in parts(cuts, span.piece.duration):
@@ -225,7 +225,7 @@ class DriveCycle:
 
 
 def parts(cuts: Sequence[float], width: float) -> Iterator[tuple[float, float]]:
-    """Yield what lies between cuts, in order, with what is shorter than :data:`NARROW` of a width left out."""
+    """Yield the parts between cuts in order, without those shorter than :data:`NARROW` of the width."""
     kept: list[float] = []
     for cut in sorted(cuts):
         if not kept or cut - kept[-1] > NARROW * width:

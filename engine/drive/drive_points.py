@@ -1,4 +1,7 @@
-"""A motor at the points of its cycle: torque, speed and power, their means and peaks, and the highest rate by them."""
+"""A motor at the points of its cycle: torque, speed and power, their means and peaks, and the highest rate by them.
+
+A *use* is a figure per limit: the limit is reached at 1/√use times the present rate.
+"""
 
 import math
 from dataclasses import dataclass
@@ -14,43 +17,44 @@ from engine.drive.motor import TorqueFall
 from engine.drive.quadrature import LoadPoints
 from engine.laws.base import Array
 
-TIED = 1e-9  # of the largest size: what differs by less is as large
+TIED = 1e-9  # share of the largest absolute value by which equal peaks may differ
 
 
 class Interpolation(NamedTuple):
-    """Places between points: the last point before each, counted from 0, and the share of the way to the next one."""
+    """Places between points."""
 
-    point: NDArray[np.intp]
-    share: Array
+    point: NDArray[np.intp]  # number of the last point before each place, from 0
+    share: Array  # of the step to the next point
 
     def of(self, values: Array) -> Array:
-        """Return a quantity there, by a straight line from point to point."""
+        """Return a quantity at the places, interpolated linearly between its values at the points."""
         y = values.ravel()
         return np.asarray(y[self.point] + self.share * (y[self.point + 1] - y[self.point]))
 
 
 def interpolation_at(points: Array, places: Array, near: float) -> Interpolation:
-    """Return where places lie between points in order; one that is ``near`` the next point counts as at it."""
+    """Return the places between rising points; one within ``near`` of the next point counts as at that point."""
     x = points.ravel()
     point = np.searchsorted(x, np.minimum(places + near, x[-1] - near), side="right") - 1
     return Interpolation(point, (places - x[point]) / (x[point + 1] - x[point]))
 
 
 class Peak(NamedTuple):
-    """The first largest of a quantity at points."""
+    """The first of the largest values of a quantity at points."""
 
-    at: int  # where, counted from 0
-    values: tuple[float, float, float]  # before it, there and after it
-    before: float  # how far its neighbour is; 0 where it is at an end of an interval
-    after: float  # likewise
-    top: float  # of the parabola through it and its neighbours
+    at: int  # number of the point, from 0
+    values: tuple[float, float, float]  # at the point before it, there, and at the point after it
+    before: float  # distance of the point before it; 0 at an end of an interval
+    after: float  # distance of the point after it; likewise
+    top: float  # maximum of the parabola through the three values
 
 
 def peak(values: Array, place: Array) -> Peak:
-    """Return the first largest of values over their places, and the top of the parabola through it and its neighbours.
+    """Return the first of the largest values, with the maximum of the parabola through it and its neighbours.
 
-    Arrays of intervals by points. Of values that differ by less than 1e-9 of the largest size the first counts. At an
-    end of an interval the value itself is the top, and the largest value where it is not between the neighbours.
+    ``values`` and their abscissae ``place`` have the shape (intervals, 9). Values within 1e-9 of the largest absolute
+    value count as equal. At an end of an interval the value itself is the maximum; if the parabola's lies beyond the
+    neighbours, the largest value is.
     """
     y, x = values.ravel(), place.ravel()
     limit = y.max() - TIED * np.abs(y).max()
@@ -69,7 +73,7 @@ def peak(values: Array, place: Array) -> Peak:
 
 @dataclass(frozen=True)
 class DrivePoints:
-    """A motor and a reducer on a load at the points of its cycle."""
+    """A motor and a reducer on a load at the points of its cycle: arrays of shape (intervals, 9)."""
 
     load: LoadPoints
 
@@ -80,14 +84,14 @@ class DrivePoints:
 
     @cached_property
     def torque(self) -> Array:
-        """Torque of the motor (Nm); none where a brake holds."""
+        """Torque of the motor (Nm); the no-load torque alone where a brake holds."""
         inertia, ratio = self._drive
         found = self.load.at_motor(self.load.output_torque) + inertia * ratio * self.load.shaft_acceleration
         return np.where(self.load.braked, 0.0, found) + self.no_load
 
     @cached_property
     def standing(self) -> Array:
-        """Torque of the motor without motion (Nm)."""
+        """Torque of the motor without inertia and viscous friction (Nm)."""
         return np.where(self.load.braked, 0.0, self.load.at_motor(self.load.output_torque_at_rest)) + self.no_load
 
     @property
@@ -97,7 +101,7 @@ class DrivePoints:
 
     @property
     def no_load(self) -> Array:
-        """Torque that opposes the motor's rotation, whatever the load (Nm)."""
+        """No-load torque, with the sign of the motion (Nm)."""
         return self.load.train.drive.no_load * self.load.direction
 
     @property
@@ -111,7 +115,7 @@ class DrivePoints:
         return self.torque * (self.speed + self.load.train.drive.copper * self.torque)
 
     def mean(self, values: Array) -> float:
-        """Return the mean of a quantity over the cycle."""
+        """Return the mean of a quantity over the cycle, in its unit."""
         return float((self.load.share * values).sum())
 
     @property
@@ -125,34 +129,33 @@ class DrivePoints:
         return self.mean(np.abs(self.speed))
 
     def cubic_mean(self, torque: Array) -> float:
-        """Return the cubic mean of a torque weighted by speed, ³√(mean |ω||T|³/mean |ω|) (Nm); 0 where it stands."""
+        """Return the cubic mean of a torque weighted by speed, ³√(mean |ω||T|³/mean |ω|) (Nm); 0 without motion."""
         weight = np.abs(self.speed)
-        ways = self.mean(weight)
-        return math.cbrt(self.mean(weight * np.abs(torque) ** 3) / ways) if ways else 0.0
+        mean_speed = self.mean(weight)
+        return math.cbrt(self.mean(weight * np.abs(torque) ** 3) / mean_speed) if mean_speed else 0.0
 
     def top(self, values: Array) -> float:
-        """Return the largest of a quantity over the cycle."""
+        """Return the largest value of a quantity over the cycle, by :func:`peak`."""
         return peak(values, self.load.x).top
 
     def size(self, values: Array) -> float:
-        """Return the largest size of a quantity over the cycle."""
+        """Return the largest absolute value of a quantity over the cycle."""
         return max(self.top(values), self.top(-values))
 
 
-LEAST_USE = 1e-9
-"""a smaller use of a limit is lost in rounding: the limit allows more than 30,000 times the present rate"""
+LEAST_USE = 1e-9  # a smaller use is rounding: the limit is reached beyond 30,000 times the present rate
 
 
 class LimitUse(NamedTuple):
-    """A limit at no speed, what of it is taken without motion and at the present rate, the use of the rate's square."""
+    """The use of a limit, in the limit's unit."""
 
-    limit: float
-    standing: float
-    present: float
-    use: float
+    limit: float  # at speed 0
+    standing: float  # figure without inertia and viscous friction
+    present: float  # figure at the present rate
+    use: float  # over the square of the rate; see the module
 
     def highest(self, rate: float) -> float:
-        """Return the highest rate that it allows for a present one; infinite where none is found too high."""
+        """Return the highest rate that the limit allows, for the present one; infinite if there is none."""
         if math.isinf(self.limit):
             return math.inf
         if self.standing >= self.limit:
@@ -161,22 +164,22 @@ class LimitUse(NamedTuple):
 
 
 def mean_squares(points: DrivePoints) -> tuple[float, float, float]:
-    """Return means over the points (Nm²): S², S·I and I²."""
+    """Return the means of S², S·I and I² over the points (N²m²); see :func:`limit_uses`."""
     standing, grows = points.standing, points.torque - points.standing
     return points.mean(standing**2), points.mean(standing * grows), points.mean(grows**2)
 
 
 class ContinuousTorqueLine(NamedTuple):
-    """The continuous torque against the rate, a straight line; see :func:`by_rms`."""
+    """The continuous torque as a straight line over the rate; see :func:`by_rms`."""
 
-    stall: float  # at no speed (Nm)
-    fall: float  # to the present mean speed (Nm)
-    near: float  # rate over the present one at which the fall is exact
-    half: float  # half of x's coefficient (Nm²)
+    stall: float  # M, at speed 0 (Nm)
+    fall: float  # D, from there to the present mean speed (Nm)
+    near: float  # e, rate over the present one at which the bound of √x is exact
+    half: float  # half of x's coefficient (N²m²)
 
 
 def continuous_line(points: DrivePoints, motor: Motor) -> ContinuousTorqueLine:
-    """Return the line of a motor's continuous torque; level where the mean speed is beyond the rated one."""
+    """Return the line of a motor's continuous torque, constant if the mean speed is beyond the rated one."""
     own, mixed, _ = mean_squares(points)
     now = float(motor.continuous(points.mean_speed))
     stall = motor.stall_torque if now > motor.rated_torque else motor.rated_torque
@@ -188,10 +191,10 @@ def continuous_line(points: DrivePoints, motor: Motor) -> ContinuousTorqueLine:
 
 
 def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> LimitUse:
-    """Return the share of the continuous torque (Nm): mean (S + x I)² = (M − D √x)², M at no speed, D its fall.
+    """Return the use of the continuous torque (Nm): mean (S + x I)² = (M − D √x)², x the square of the rate's factor.
 
-    √x ≤ (e + x/e)/2 makes this a quadratic in x that is exact at √x = e and on the safe side elsewhere: e is 1, or
-    less where S alone meets the line before.
+    √x ≤ (e + x/e)/2 makes this a quadratic in x that is exact at √x = e and on the safe side elsewhere. e is 1, or
+    less if S alone reaches the line before.
     """
     own, _, growing = mean_squares(points)
     stall, fall, near, half = continuous_line(points, motor)
@@ -203,9 +206,9 @@ def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> LimitUse:
 
 
 def falling_use(points: DrivePoints, peak: float, falling: TorqueFall) -> Array:
-    """Return at each point the use by a peak torque that falls, 1/r² of |S + r² I| + f r |ω| = T + f ω_1.
+    """Return at each point the use 1/r² of a peak torque T that falls: |S + r² I| + f r |ω| = T + f ω_1.
 
-    In two rows: of torques forward, and of those backward; of the first r that meets the line, 0 where none does.
+    It has two rows, for positive and negative torque, of the first r that reaches the line; 0 if none does.
     """
     way = np.array([1.0, -1.0])[:, None, None]
     left = falling.corner(peak) - way * points.standing
@@ -215,7 +218,7 @@ def falling_use(points: DrivePoints, peak: float, falling: TorqueFall) -> Array:
 
 
 def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> LimitUse:
-    """Return the share of a limit of torque (Nm), none of an infinite one: |I| over what S leaves in its direction."""
+    """Return the use of a torque limit (Nm), 0 of an infinite one: |I| over the limit less S in the direction of I."""
     grows, use = torque - standing, 0.0
     if not math.isinf(limit):
         use = float(np.maximum(grows / (limit - standing), -grows / (limit + standing)).max())
@@ -223,38 +226,39 @@ def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -
 
 
 def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> tuple[float, float, float]:
-    """Return uses of a reducer's peak torque (Nm) beyond the cycles that it holds in full for, at so many (1/s).
+    """Return three uses at a rate (1/s): of a reducer's peak torque reduced by f_s, of ``full_rate``, of both.
 
-    Its use, that of these cycles, the less; 0 of an infinite torque. Up to these cycles it binds no sooner, so the less
-    of both counts; the second where S alone is beyond it.
+    The reduced torque is no limit up to ``full_rate``, so the smaller use counts; that of ``full_rate`` if S alone is
+    beyond the reduced torque. The use of an infinite torque is 0.
     """
     load = points.load
     limit = reducer.peak_torque / reducer.cycle_factor
-    over = by_peak(points, load.output_torque, load.output_torque_at_rest, limit)
-    way = (rate / reducer.full_rate) ** 2
-    return over.use, way, way if over.standing >= over.limit else min(way, over.use)
+    reduced = by_peak(points, load.output_torque, load.output_torque_at_rest, limit)
+    of_rate = (rate / reducer.full_rate) ** 2
+    return reduced.use, of_rate, of_rate if reduced.standing >= reduced.limit else min(of_rate, reduced.use)
 
 
 def by_mean(points: DrivePoints, limit: float) -> LimitUse:
-    """Return the share of the reducer's mean torque (Nm), which grows in a straight line from that without motion."""
-    none, present = (points.cubic_mean(one) for one in (points.load.output_torque_at_rest, points.load.output_torque))
-    use = max(0.0, present - none) / (limit - none) if none < limit < math.inf else 0.0
-    return LimitUse(limit, none, present, use)
+    """Return the use of the reducer's mean torque (Nm), which is taken to grow linearly with the rate's square."""
+    standing = points.cubic_mean(points.load.output_torque_at_rest)
+    present = points.cubic_mean(points.load.output_torque)
+    use = max(0.0, present - standing) / (limit - standing) if standing < limit < math.inf else 0.0
+    return LimitUse(limit, standing, present, use)
 
 
 def by_speed(speed: float, limit: float) -> LimitUse:
-    """Return the share of a speed (rad/s)."""
+    """Return the use of a speed limit (rad/s)."""
     return LimitUse(limit, 0.0, speed, (speed / limit) ** 2)
 
 
 def limit_uses(
     points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: TorqueFall, rate: float
 ) -> dict[str, LimitUse]:
-    """Return the share of each limit, by its name; ``speed`` is the largest of the motor (rad/s), ``rate`` in 1/s.
+    """Return the use of each limit by its name; ``speed`` is the motor's largest (rad/s), ``rate`` the present (1/s).
 
-    Inertia grows with the square of a rate. With S the torque without motion and I = T − S what grows, a limit is met
-    where the square of the rate is 1/use times the present one: exactly at the present rate; elsewhere, with viscous
-    friction or where power turns round, to about 1 %. :func:`engine.drive.limits.highest_rate` is exact.
+    Torques of inertia grow with the square of the rate. With S, the torque without motion, and I = T − S, a limit is
+    reached at 1/√use times the present rate. This is exact for use = 1; elsewhere viscous friction and
+    reversals of power make errors of about 1 %. :func:`engine.drive.limits.highest_rate` is exact.
     """
     peak, fastest = motor.peak_torque, motor.max_speed
     behind, standing = points.load.output_torque, points.load.output_torque_at_rest

@@ -1,4 +1,4 @@
-"""A motor on a mechanism of any ratio, with all that acts on the load over a cycle. SI units."""
+"""A drivetrain: a motor on a mechanism of constant or changing ratio, and the forces on its load. SI units."""
 
 import math
 from collections.abc import Sequence
@@ -14,15 +14,15 @@ from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.laws.base import Array, require_finite
 
 Holding = Literal["motor", "brake"]
-SAME = 1e-9  # s; a dwell that is shorter than the brake's time by less is as long
+SAME = 1e-9  # s by which a dwell may be shorter than the brake's time
 
 
 @dataclass(frozen=True)
 class Brake:
-    """A brake that holds the motor's shaft in dwells. Raises ValueError for a figure outside the limits beside it."""
+    """A brake that holds the motor's shaft in dwells. Raises ValueError for figures outside the limits below."""
 
     torque: float = math.inf  # Nm, above 0
-    time: float = 0.0  # s, 0 or more, to close and to open; the motor holds in a shorter dwell
+    time: float = 0.0  # to close and to open (s), 0 or more; in a shorter dwell the motor holds
 
     def __post_init__(self) -> None:
         if not self.torque > 0.0:
@@ -31,7 +31,7 @@ class Brake:
             raise ValueError(f"brake: time is {self.time:g}; expected a finite number, 0 or more")
 
     def holds(self, direction: ArrayLike, dwell: ArrayLike) -> NDArray[np.bool_]:
-        """Return where it holds: in directions (1, −1, or 0 at rest) of dwells that last so long (s)."""
+        """Return whether it holds, by the direction (1, −1, or 0 at rest) and the duration of the dwell (s)."""
         return np.logical_and(np.equal(direction, 0.0), np.greater_equal(dwell, self.time - SAME))
 
 
@@ -40,15 +40,15 @@ ANY = Brake()
 
 @dataclass(frozen=True)
 class Drive:
-    """A mechanism, the motor that drives it, how losses and rest are counted. Raises ValueError for what cannot be."""
+    """A motor on a mechanism. Raises ValueError for negative figures and unknown words."""
 
     mechanism: Mechanism
-    motor_inertia: float  # kg m²
-    method: Method = "physical"  # losses help to brake where the load drives; or S4's "document": all over η, always
-    holding: Holding = "motor"  # of the load at rest: S4 counts no torque there, as with a brake
-    no_load: float = 0.0  # Nm, against the rotation of the motor's shaft, whatever the load
-    copper: float = 0.0  # losses of its winding over the square of its torque, P_N/T_N² (W/(Nm)²)
-    brake: Brake = ANY  # holds any torque, in any dwell, by default
+    motor_inertia: float  # J_m (kg m²)
+    method: Method = "physical"  # losses by the direction of power; or "document": always over η, as in S4
+    holding: Holding = "motor"  # what holds the load at rest; S4 counts no torque there, as with a brake
+    no_load: float = 0.0  # T_nl (Nm), against the rotation of the motor's shaft
+    copper: float = 0.0  # copper losses over the square of the torque, P_N/T_N² (W/(Nm)²)
+    brake: Brake = ANY  # by default of any torque, in any dwell
 
     def __post_init__(self) -> None:
         require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load, copper=self.copper)
@@ -58,15 +58,15 @@ class Drive:
 
     @property
     def total_inertia(self) -> float:
-        """J_T = J_m + Σ J_i at the motor's shaft (kg m²), over η with the document's method."""
+        """J_T = J_m + Σ J_i at the motor's shaft (kg m²); by the method "document" Σ J_i is over η."""
         return self.motor_inertia + self.mechanism.inertia(self.method)
 
     def torque(self, acceleration: ArrayLike, direction: ArrayLike) -> Array:
         """Return the motor's torque (Nm) at accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1).
 
-        T_m = J_m ω̇ + T_nl + T(0), T(k) = J_k ω̇_k + f T(k + 1)/i, f = 1/η where power flows to the load, η where it
-        flows back. Source: S1, 'Feeding group', C_m = (J_m/τ) ω̇_r + τ (C_r + J_tot ω̇_r), and
-        S4, T_m = T_R + J_T θ̈_m, where f is always 1/η.
+        T_m = J_m ω̇ + T_nl + T(0), with T(0) of :meth:`Mechanism.torques`, which is 0 at rest if a brake holds.
+        Source: S1, 'Feeding group', C_m = (J_m/τ) ω̇_r + τ (C_r + J_tot ω̇_r), and S4, T_m = T_R + J_T θ̈_m, where f is
+        always 1/η.
         """
         own = self.motor_inertia * self.mechanism.ratio * np.asarray(acceleration, dtype=np.float64)
         first, *_ = self.mechanism.torques(acceleration, direction, self.method)
@@ -75,7 +75,7 @@ class Drive:
 
 
 def dwell_times(durations: Array, direction: Array) -> Array:
-    """Return how long the dwell lasts (s) that each part is in, also across the cycle's end; 0 of one that moves."""
+    """Return the duration (s) of the dwell to which each part of a cycle belongs, across its end too; 0 if it moves."""
     moves = direction != 0.0
     before = np.cumsum(moves) % max(1, int(moves.sum()))
     return np.where(moves, 0.0, np.bincount(before, weights=np.where(moves, 0.0, durations))[before])
@@ -86,9 +86,9 @@ class Window:
     """A process force at the load over part of the cycle. Source: S1, 'Feeding group', F_r."""
 
     begin: float  # in units of the abscissa
-    end: float  # likewise; not behind the begin, it runs across the end of the cycle
+    end: float  # likewise; unless it is after the begin, the window runs over the end of the cycle
     force: float  # N, or Nm
-    resists: Resists = "always"  # in one direction, also at rest, or against the motion
+    resists: Resists = "always"  # against positive motion, also at rest; or "moving", against the motion
 
     def __post_init__(self) -> None:
         require_finite(begin=self.begin, end=self.end, force=self.force)
@@ -100,37 +100,37 @@ class Window:
         return resisting(self.force, self.resists)
 
     def acts_at(self, x: float, cycle: float) -> bool:
-        """Whether it acts at x of a cycle that is so long."""
-        lasts = self.end - self.begin
-        return math.isclose(lasts, cycle) or (x - self.begin) % cycle < lasts % cycle
+        """Return whether it acts at x, in a cycle of a length in units of the abscissa."""
+        duration = self.end - self.begin
+        return math.isclose(duration, cycle) or (x - self.begin) % cycle < duration % cycle
 
 
 class LoadMotion(NamedTuple):
-    """Position, speed and acceleration of a load (m or rad, per s)."""
+    """Motion of a load, arrays of one shape."""
 
-    y: Array
-    v: Array
-    a: Array
+    y: Array  # m, or rad
+    v: Array  # m/s, or rad/s
+    a: Array  # m/s², or rad/s²
 
 
 class ShaftMotion(NamedTuple):
-    """φ' (1/m or 1) of the mechanism's own shaft and its speed (rad/s) and acceleration (rad/s²)."""
+    """Motion of the mechanism's own shaft, arrays of one shape."""
 
-    first: Array
-    speed: Array
-    acceleration: Array
+    first: Array  # φ' (rad/m, or 1)
+    speed: Array  # rad/s
+    acceleration: Array  # rad/s²
 
 
 class Force(NamedTuple):
-    """What drives a load (N, or Nm): ``mass`` · a + ``viscous`` · v + ``level``; of a load by angle at its axis."""
+    """The force that drives a load (N, or Nm): ``mass`` · a + ``viscous`` · v + ``level``."""
 
-    mass: float
-    viscous: float
-    level: float
-    by_angle: ByAngle | None = None
+    mass: float  # kg, or kg m²
+    viscous: float  # N per m/s, or Nm per rad/s
+    level: float  # N, or Nm
+    by_angle: ByAngle | None = None  # of a load by the angle of its axis; then a and v are those of x
 
     def at(self, motion: LoadMotion) -> Array:
-        """Return the force of a motion; of a load by angle the torque at its axis, x' F and the weight of an arm."""
+        """Return the force (N, or Nm) for a motion; of a load by angle the torque at its axis, with its weight."""
         y, v, a = motion
         if self.by_angle is None:
             return np.asarray(self.mass * a + self.viscous * v + self.level)
@@ -140,21 +140,21 @@ class Force(NamedTuple):
 
 
 class TorqueCoefficients(NamedTuple):
-    """The torque of a shaft (Nm): ``force`` · F/φ' + ``inertia`` · φ̈, φ the angle of the mechanism's own shaft."""
+    """Coefficients of a shaft's torque (Nm), ``force`` · F/φ' + ``inertia`` · φ̈, φ of the mechanism's own shaft."""
 
-    force: float
-    inertia: float
+    force: float  # dimensionless
+    inertia: float  # kg m²
 
 
 @dataclass(frozen=True)
 class Drivetrain:
-    """A drive, and what it does not know of itself. Raises ValueError for what cannot be."""
+    """A drive with a linkage, viscous friction and process forces. Raises ValueError for figures outside the limits."""
 
     drive: Drive
-    linkage: Linkage | None = None  # takes the place of the last stage's ratio, which is then 1 (its efficiency counts)
-    viscous: float = 0.0  # resistance (N per m/s, or Nm per rad/s), 0 or more
-    windows: tuple[Window, ...] = field(default=())
-    by_angle: ByAngle | None = None  # what a load does that follows the angle of its axis
+    linkage: Linkage | None = None  # replaces the ratio of the last stage, which has to be 1; its efficiency counts
+    viscous: float = 0.0  # viscous friction (N per m/s, or Nm per rad/s), 0 or more
+    windows: tuple[Window, ...] = field(default=())  # process forces
+    by_angle: ByAngle | None = None  # a load that follows the angle of its axis
 
     def __post_init__(self) -> None:
         require_not_negative("load", viscous=self.viscous)
@@ -164,12 +164,12 @@ class Drivetrain:
             raise ValueError(f"{last.name}: ratio is {last.ratio:g} before a {self.linkage.name}; expected 1")
 
     def shaft(self, load: LoadMotion, within: float | None = None) -> ShaftMotion:
-        """Return the motion of the mechanism's own shaft, φ̇ = φ' ẏ, φ̈ = φ'' ẏ² + φ' ÿ, as :meth:`Linkage.shaft`."""
+        """Return the motion of the mechanism's own shaft, φ̇ = φ' ẏ, φ̈ = φ'' ẏ² + φ' ÿ; see :meth:`Linkage.shaft`."""
         first, second = self.ratio(load.y, within)
         return ShaftMotion(first, first * load.v, second * load.v**2 + first * load.a)
 
     def ratio(self, y: Array, within: float | None = None) -> tuple[Array, Array]:
-        """Return φ' and φ'' at positions of the load; ``within`` and errors as of :meth:`shaft`."""
+        """Return φ' and φ'' at positions of the load; see :meth:`Linkage.shaft`."""
         if self.linkage is None:
             return np.full(y.shape, self.drive.mechanism.stages[-1].ratio), np.zeros(y.shape)
         _, first, second = self.linkage.shaft(y, within)
@@ -182,28 +182,28 @@ class Drivetrain:
 
     @property
     def inertia_varies(self) -> bool:
-        """Whether the load's inertia at the mechanism's shaft changes with the position."""
+        """Whether the load's inertia at the mechanism's shaft depends on the position."""
         return self.linkage is not None or (self.by_angle is not None and self.by_angle.slides)
 
     def cuts(self, low: float, high: float) -> Sequence[float]:
-        """Return the positions between two at which the torque changes its formula: knots of a ratio, dead centres."""
+        """Return the positions between two at which the torque's formula changes: knots of a linkage, dead centres."""
         if self.by_angle:
             return self.by_angle.dead_centres(low, high)
         return self.linkage.knots if self.linkage else ()
 
     def sense(self, y: float) -> float:
-        """Return 1, or −1 where the load goes backward while its axis, at y, goes forward: beyond a dead centre."""
+        """Return 1, or −1 if the load moves backward while its axis moves forward from y, beyond a dead centre."""
         return float(np.sign(self.by_angle.slopes(np.asarray(y))[0])) if self.by_angle else 1.0
 
     def force(self, direction: float, x: float, cycle: float) -> Force:
-        """Return what drives the load in a direction (1, −1, or 0 at rest) at a place x of the cycle."""
+        """Return the force on the load in its direction (1, −1, or 0 at rest) at the abscissa x of a cycle's length."""
         m = self.drive.mechanism
         loads = [m.load, *(window.load for window in self.windows if window.acts_at(x, cycle))]
         level = math.fsum(float(load.resisting(direction)) for load in loads)
         return Force(m.on_shaft(m.last), self.viscous, level, self.by_angle)
 
     def torque_coefficients(self, factors: Sequence[float]) -> list[TorqueCoefficients]:
-        """Return the torques of shafts but the load's, from the motor's with its inertia, by each stage's factor."""
+        """Return the coefficients of all shafts but the load's, from the motor's, by the factor of each stage."""
         m = self.drive.mechanism
         last = m.last - 1
         found = [TorqueCoefficients(factors[last], m.on_shaft(last))]

@@ -1,4 +1,4 @@
-"""The limits of a motor and of a reducer, how near a cycle comes to each, and the highest rate within all. SI units."""
+"""Limits of a motor and a reducer, a cycle checked against them, and the highest rate within all. SI units."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -16,18 +16,18 @@ from engine.drive.search import extremes
 from engine.laws.base import Array
 
 BELOW = "torque below the curve"
-NEAR = 1e-9  # by which share a rate may be above another and count as the same
+NEAR = 1e-9  # share by which equal rates may differ
 
 
 @dataclass(frozen=True)
 class ReducerLimits:
-    """Limits of a reducer, infinite where none is given. Raises ValueError for one not above 0, or a factor below 1."""
+    """Limits of a reducer, by default infinite. Raises ValueError for one not above 0, or a factor below 1."""
 
-    peak_torque: float = math.inf  # behind the first stage (Nm), up to ``full_rate``; beyond over ``cycle_factor``
-    mean_torque: float = math.inf  # the cubic one, weighted by speed (Nm)
-    input_speed: float = math.inf  # rad/s, before the first stage
-    full_rate: float = math.inf  # cycles (1/s)
-    cycle_factor: float = 1.0
+    peak_torque: float = math.inf  # at its output (Nm), up to ``full_rate``; divided by ``cycle_factor`` beyond
+    mean_torque: float = math.inf  # cubic mean at its output, weighted by speed (Nm)
+    input_speed: float = math.inf  # rad/s
+    full_rate: float = math.inf  # cycles per second
+    cycle_factor: float = 1.0  # f_s
 
     def __post_init__(self) -> None:
         for name in ("peak_torque", "mean_torque", "input_speed", "full_rate"):
@@ -37,26 +37,26 @@ class ReducerLimits:
             raise ValueError(f"reducer: cycle_factor is {self.cycle_factor:g}; expected 1 or more")
 
     def peak_at(self, rate: float) -> float:
-        """Return the largest peak torque (Nm) at so many cycles (1/s)."""
+        """Return the limit of the peak torque (Nm) at a rate (1/s)."""
         return self.peak_torque / float(cycle_factor_at(rate, self.full_rate, self.cycle_factor))
 
 
 def cycle_factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) -> Array:
-    """Return what reducers' peak torques are divided by at so many cycles (1/s): a factor beyond ``full_rate``."""
+    """Return the divisor of reducers' peak torques at a rate (1/s): the cycle factor beyond ``full_rate``, else 1."""
     return np.where(np.asarray(rate) > np.asarray(full_rate) * (1.0 + NEAR), factor, 1.0)
 
 
 @dataclass(frozen=True)
 class Limits:
-    """What a drive must hold: the motor's limits and its peak torque's curve, and a reducer's."""
+    """The limits of a drive."""
 
     motor: Motor
-    curve: TorqueCurve | None = None
+    curve: TorqueCurve | None = None  # of the motor's peak torque; None: constant up to its largest speed
     reducer: ReducerLimits = field(default_factory=ReducerLimits)
 
     @property
     def peak_curve(self) -> TorqueCurve:
-        """The curve as it is given, or the motor's peak torque up to its largest speed."""
+        """The given curve, or the motor's peak torque up to its largest speed."""
         if self.curve is not None:
             return self.curve
         return TorqueCurve(np.array([0.0, self.motor.max_speed]), np.array([self.motor.peak_torque] * 2))
@@ -64,19 +64,19 @@ class Limits:
 
 @dataclass(frozen=True)
 class LimitChecks:
-    """A cycle against limits: every check, and which of them counts most."""
+    """A cycle checked against limits."""
 
     drive_cycle: DriveCycle
     limits: Limits
 
     @cached_property
     def results(self) -> DriveResults:
-        """What the cycle asks for."""
+        """Peaks and means of the cycle."""
         return DriveResults(self.drive_cycle)
 
     @cached_property
     def checks(self) -> tuple[LimitCheck, ...]:
-        """What has a limit of RMS torque, torque below the curve, speed, the reducer's three; each in its unit."""
+        """A check for each finite limit: RMS torque and torque below the curve (Nm), speed (rad/s), the reducer's."""
         motor, reducer, curve, found = self.limits.motor, self.limits.reducer, self.limits.peak_curve, self.results
         asked: dict[str, tuple[float, Callable[[], float]]] = {
             "RMS torque": (self.continuous, lambda: found.rms_torque),
@@ -86,10 +86,10 @@ class LimitChecks:
             "reducer peak torque": (reducer.peak_at(1.0 / self.drive_cycle.time), lambda: found.shaft_torque(1).peak),
             "reducer mean torque": (reducer.mean_torque, lambda: found.mean_shaft_torque(1)),
         }
-        limited = {name: (of, limit) for name, (limit, of) in asked.items() if limit < math.inf}
         return tuple(
-            self._below_curve if name == BELOW else LimitCheck(name, of(), limit)
-            for name, (of, limit) in limited.items()
+            self._below_curve if name == BELOW else LimitCheck(name, quantity(), limit)
+            for name, (limit, quantity) in asked.items()
+            if limit < math.inf
         )
 
     @property
@@ -99,52 +99,58 @@ class LimitChecks:
 
     @property
     def worst(self) -> LimitCheck:
-        """The check whose limit is used most; one of no name without any limit."""
+        """The check whose limit is used most; one with an empty name if there are no limits."""
         return max(self.checks, key=lambda check: check.use, default=LimitCheck("", 0.0, math.inf))
 
     @cached_property
     def continuous(self) -> float:
-        """What the motor can give all the time at the mean speed of the cycle (Nm)."""
+        """The motor's continuous torque at the mean speed of the cycle (Nm)."""
         motor = self.limits.motor
         level = motor.stall_torque <= motor.rated_torque
         return motor.rated_torque if level else float(motor.continuous(self.results.mean_speed))
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
-        """|T| and the curve where the reserve is least; beyond its last corner it goes on level: speed has a check."""
+        """|T| and the curve (Nm) at the instant of the least reserve.
+
+        Beyond its last corner the curve is taken as constant, as the speed has a check of its own.
+        """
         curve = self.limits.peak_curve
         last = float(curve.speed[-1])
 
-        def worst(one: TorqueInterval, least: float) -> tuple[float, float]:
-            def lack(u: Array) -> Array:
-                return np.asarray(np.abs(one.torque(u)) - curve.at(np.clip(one.motor_speed(u), -last, last)))
+        def worst(interval: TorqueInterval, least: float) -> tuple[float, float]:
+            """Return the largest excess over the curve, if it is above ``least``, and |T| there (Nm)."""
 
-            ((lacking, u),) = extremes(lack, one.low, one.high, one.nodes, (1.0,), least)
-            return lacking, float(np.abs(one.torque(np.array([u])))[0])
+            def excess(u: Array) -> Array:
+                speed = np.clip(interval.motor_speed(u), -last, last)
+                return np.asarray(np.abs(interval.torque(u)) - curve.at(speed))
 
-        lacking, torque = -math.inf, 0.0
-        for one in self.drive_cycle.torque_intervals:
-            lacking, torque = max((lacking, torque), worst(one, lacking))
-        return LimitCheck(BELOW, torque, torque - lacking)
+            ((found, u),) = extremes(excess, interval.low, interval.high, interval.nodes, (1.0,), least)
+            return found, float(np.abs(interval.torque(np.array([u])))[0])
+
+        over, torque = -math.inf, 0.0
+        for interval in self.drive_cycle.torque_intervals:
+            over, torque = max((over, torque), worst(interval, over))
+        return LimitCheck(BELOW, torque, torque - over)
 
 
-FAR = 1e6  # times the rate that is asked about: no further is looked, up or down
-CLOSE = 1e-10  # of the rate: how near to the highest rate is near enough
+FAR = 1e6  # factor of the present rate up to which, and down to whose inverse, the highest rate is searched
+CLOSE = 1e-10  # relative tolerance of the highest rate
 
 
 class HighestRate(NamedTuple):
-    """The highest speed of the abscissa at which every check holds, and what binds there."""
+    """The highest speed of the abscissa at which every check holds, and the limiting factor."""
 
-    speed: float  # 1/s; 0 where one fails at a millionth of that asked about, infinite where none does at a million
-    axis: str  # that binds
-    limit: str  # that binds; no name where none does
+    speed: float  # units of the abscissa per s; 0 below a millionth of the present one, infinite above a million times
+    axis: str  # name of the limiting axis
+    limit: str  # name of the limiting factor; empty if there is none
 
 
 def highest_rate(axes: Mapping[str, LimitChecks]) -> HighestRate:
-    """Return the highest rate of axes that are driven by one shaft, or in one time.
+    """Return the highest rate of axes on one master shaft, by their names.
 
-    It is looked for from the speed of each cycle: upwards where all hold, downwards where one does not, to the first
-    change. At the speed found all hold, and a little above it the named limit does not.
+    The search goes from the speed of each cycle upwards if all checks hold, else downwards, to the first change. At the
+    speed found all checks hold; at 1 + 2e-10 times it the named one does not.
     """
     found = ((name, *highest_rate_of_axis(checks)) for name, checks in axes.items())
     each = [HighestRate(speed, name, limit) for name, speed, limit in found if limit]
@@ -168,5 +174,5 @@ def highest_rate_of_axis(checks: LimitChecks) -> tuple[float, str]:
 
 
 def at_speed(checks: LimitChecks, speed: float) -> LimitChecks:
-    """Return the same cycle and limits at another speed of the abscissa."""
+    """Return the checks of the same cycle at another speed of the abscissa (units per s)."""
     return LimitChecks(replace(checks.drive_cycle, speed=speed), checks.limits)

@@ -1,4 +1,4 @@
-"""The motor: its limits, where a cycle brings it, what its surroundings leave of it. SI units."""
+"""The motor: its limits, the reserves of a cycle against them, derating by temperature. SI units."""
 
 import math
 from dataclasses import dataclass
@@ -14,54 +14,54 @@ STANDSTILL = 1e-9  # rad/s (m/s of a load that travels); a slower shaft counts a
 
 
 class TorqueFall(NamedTuple):
-    """The speed beyond which a peak torque falls (rad/s), and by how much (Nm s): 0 where it does not."""
+    """The straight line on which a peak torque falls beyond a speed; by default it does not fall."""
 
-    knee: float = 0.0
-    fall: float = 0.0
+    knee: float = 0.0  # speed at which the fall begins (rad/s)
+    fall: float = 0.0  # decrease of torque by speed (Nm s)
 
     @classmethod
     def between(cls, knee: float, peak_torque: float, fastest: float, end_torque: float) -> "TorqueFall":
-        """Return how a peak torque (Nm) falls from a knee to ``end_torque`` at the largest speed, if it is less."""
+        """Return the fall of a peak torque from a knee (rad/s) to ``end_torque`` (Nm) at the largest speed (rad/s)."""
         return cls(knee, max(0.0, peak_torque - end_torque) / (fastest - knee)) if knee < fastest else cls()
 
     def corner(self, peak_torque: float) -> float:
-        """Return the falling line at no speed (Nm); no limit where it does not fall."""
+        """Return the torque (Nm) of the falling line extended to speed 0; infinite if it does not fall."""
         return peak_torque + self.fall * self.knee if self.fall else math.inf
 
     def reserve(self, peak_torque: float, torque: Array, speed: Array) -> Array:
-        """Return what a motor of a peak torque (Nm) has left at speeds (rad/s) at which it gives torques (Nm)."""
+        """Return the peak torque less |torque| (Nm) at speeds (rad/s), for a peak torque (Nm) below the knee."""
         curve = peak_torque - self.fall * np.maximum(0.0, np.abs(speed) - self.knee)
         return np.asarray(curve - np.abs(torque))
 
 
 class TorqueCurve(NamedTuple):
-    """Largest torque (Nm) of a servo-motor against its speed (rad/s): corners, speeds rising from 0."""
+    """The peak torque of a servo-motor against its speed, as corners of straight lines."""
 
-    speed: Array
-    torque: Array
+    speed: Array  # rad/s, rising from 0
+    torque: Array  # Nm
 
     def at(self, speed: ArrayLike) -> Array:
-        """Return T_M,max at a speed of either direction; 0 beyond the last corner."""
+        """Return T_M,max (Nm) at a speed (rad/s) of either direction; 0 beyond the last corner."""
         return np.asarray(np.interp(np.abs(speed), self.speed, self.torque, right=0.0))
 
 
-RATED_AT = 25.0  # °C at which a motor's rated torque holds in S4
+RATED_AT = 25.0  # °C of the surroundings, to which a motor's rated torque applies in S4
 WINDING_LIMIT = 175.0  # °C; inferred from S4, problem 2, where 35 °C lowers the torque from 0.147 to 0.142 Nm
 UPPER = ((-1, 3), (-1, 2), (-1, 1), (0, 0), (1, 1), (1, 2), (1, 3))
-CORNERS = (*((*one, 1) for one in UPPER), *((*one, -1) for one in reversed(UPPER)), (-1, 3, 1))
-"""of the limits in the plane of speed and torque: side; which speed (0: none, 1 and 2: where the continuous torque and
-the peak torque change their slope, the lower first, 3: the largest); above or below"""
+CORNERS = (*((*corner, 1) for corner in UPPER), *((*corner, -1) for corner in reversed(UPPER)), (-1, 3, 1))
+"""corners of the limits in the plane of speed and torque: sign of the speed; which speed (0: 0; 1, 2: the lower and the
+higher of those at which continuous and peak torque change their slope; 3: the largest); sign of the torque"""
 
 
 @dataclass(frozen=True)
 class Motor:
-    """A motor and its limits, infinite where none is given. Raises ValueError for a limit not above 0."""
+    """A motor and its limits, by default infinite. Raises ValueError for a limit that is not above 0."""
 
-    inertia: float  # kg m²
-    rated_torque: float = math.inf  # Nm, given continuously at the rated speed
-    peak_torque: float = math.inf  # Nm, for a short time
+    inertia: float  # of the rotor (kg m²)
+    rated_torque: float = math.inf  # continuous, at the rated speed (Nm)
+    peak_torque: float = math.inf  # for a short time (Nm)
     max_speed: float = math.inf  # rad/s
-    stall_torque: float = 0.0  # Nm, continuously at standstill; it counts where it is larger
+    stall_torque: float = 0.0  # continuous, at standstill (Nm); ignored unless it is above the rated torque
     rated_speed: float = math.inf  # rad/s
 
     def __post_init__(self) -> None:
@@ -71,14 +71,14 @@ class Motor:
                 raise ValueError(f"motor: {name} is {getattr(self, name):g}; expected more than 0")
 
     def continuous(self, speed: ArrayLike) -> Array:
-        """Return the torque (Nm) that it can give all the time at a mean speed (rad/s): see :func:`continuous`."""
+        """Return the continuous torque (Nm) at a mean speed (rad/s): see :func:`continuous`."""
         return continuous(self.rated_torque, self.stall_torque, self.rated_speed, speed)
 
     def corners(self, lowest_speed: float, knee: float = 0.0, fall: float = 0.0) -> "LimitCorners":
-        """Return the limits as a line round the plane of speed and torque, from the upper left corner.
+        """Return the limits as a closed line in the plane of speed and torque, from its upper left corner.
 
-        It begins at speed 0, or on the other side too where ``lowest_speed`` (rad/s) says that the motor turns
-        backward. The peak torque falls beyond ``knee`` (rad/s) by ``fall`` (Nm s), or not at all.
+        It extends to negative speeds only if ``lowest_speed`` (rad/s) is negative. The peak torque falls beyond
+        ``knee`` (rad/s) by ``fall`` (Nm s).
         """
         side, which, up = np.array(CORNERS).T
         begins = knee if fall else self.max_speed
@@ -90,12 +90,12 @@ class Motor:
 
 
 class LimitCorners(NamedTuple):
-    """A motor's limits by speed (rad/s) and torque (Nm), arrays of shape (15,); ``right`` where speed is above 0."""
+    """A motor's limits in the plane of speed and torque, arrays of shape (15,)."""
 
-    right: NDArray[np.bool_]
-    speed: Array
-    peak: Array
-    continuous: Array
+    right: NDArray[np.bool_]  # whether the corner is at positive speed
+    speed: Array  # rad/s
+    peak: Array  # Nm
+    continuous: Array  # Nm
 
     @property
     def bends(self) -> Array:
@@ -104,7 +104,7 @@ class LimitCorners(NamedTuple):
 
 
 class LimitCheck(NamedTuple):
-    """A quantity against the motor's limit, in the limit's unit."""
+    """A quantity of a cycle against its limit, both in one unit."""
 
     name: str
     value: float
@@ -117,17 +117,17 @@ class LimitCheck(NamedTuple):
 
     @property
     def reserve(self) -> float:
-        """The limit over the quantity; 0 where nothing is asked for."""
+        """The limit over the quantity; 0 if the quantity is 0."""
         return self.limit / self.value if self.value else 0.0
 
     @property
     def use(self) -> float:
-        """The share of the limit that is asked for; infinite of a limit of 0."""
+        """The quantity over the limit; infinite if the limit is 0."""
         return self.value / self.limit if self.limit > 0.0 else math.inf
 
 
 class Reserve(NamedTuple):
-    """What a cycle asks of a motor against its limits."""
+    """The quantities of a cycle against a motor's limits."""
 
     rms_torque: LimitCheck
     peak_torque: LimitCheck
@@ -135,11 +135,11 @@ class Reserve(NamedTuple):
 
 
 def continuous(rated: ArrayLike, stall: ArrayLike, rated_speed: ArrayLike, speed: ArrayLike) -> Array:
-    """Return the torque (Nm) that motors can give all the time at a mean speed (rad/s).
+    """Return the continuous torque (Nm) of motors at a mean speed (rad/s).
 
-    A straight line from the stall torque (Nm) to the rated torque at the rated speed (rad/s), level beyond; level
-    throughout where the stall torque is not larger. RMS torque is compared with it at the mean of |ω|: losses by
-    current count by the square of the torque, those by speed about in proportion to it.
+    It falls in a straight line from the stall torque (Nm) to the rated torque at the rated speed (rad/s), constant
+    beyond; it is the rated torque throughout if the stall torque is not larger. The RMS torque is compared with it at
+    the mean of |ω|: copper losses grow with the square of the torque, losses by speed about in proportion to speed.
     Source: Siemens, SINAMICS S210, operating instructions 12/2017, 3.3, effective torque and average speed of a duty
     cycle; SIMOTICS S-1FK2, configuration manual 02/2022, 6.1, the S1 characteristic that falls from the stall torque.
     """
@@ -148,7 +148,7 @@ def continuous(rated: ArrayLike, stall: ArrayLike, rated_speed: ArrayLike, speed
 
 
 def reserve(motor: Motor, rms_torque: float, peak_torque: float, speed: float, mean_speed: float) -> Reserve:
-    """Return RMS torque (Nm) at the mean speed, peak torque and largest speed (rad/s), each against its limit."""
+    """Return RMS torque (Nm) at a mean speed (rad/s), peak torque (Nm) and largest speed (rad/s) against the limits."""
     return Reserve(
         LimitCheck("RMS torque", rms_torque, float(motor.continuous(mean_speed))),
         LimitCheck("peak torque", peak_torque, motor.peak_torque),
@@ -159,7 +159,7 @@ def reserve(motor: Motor, rms_torque: float, peak_torque: float, speed: float, m
 def derating(temperature: float, limit: float = WINDING_LIMIT, rated_at: float = RATED_AT) -> float:
     """Return the share of its rated torque that a motor can give at a temperature (°C) of its surroundings.
 
-    sqrt((T_max − T)/(T_max − T_rated)), and no more than 1 where it is colder: 0.9661 at 35 °C.
+    It is √((T_max − T)/(T_max − T_rated)), at most 1: 0.9661 at 35 °C.
     Raises ValueError unless both temperatures are below ``limit`` (T_max). Source: S4, problem 2, last lines.
     """
     if not max(temperature, rated_at) < limit:

@@ -1,9 +1,9 @@
-"""A drive at points of its cycle: the ends of each interval of its motion, and fixed shares between. SI units.
+"""A drive's load at points of its cycle: nine Gauss-Lobatto points of each interval of its motion. SI units.
 
-An interval is a piece of the motion, or what lies of it between edges of process forces. Peaks are those of the points,
-corrected by the parabola through the largest and its neighbours; means are weighted sums (rule of Gauss and Lobatto).
-Exact at constant ratio without viscous friction for peaks, where the acceleration is monotone in each piece; else right
-to the bound that the sheets state. :class:`engine.drive.results.DriveResults` is the exact way.
+An interval is a piece of the motion, cut where a process force begins or ends. Peaks are those of the points, corrected
+by the parabola through the largest and its neighbours; means are weighted sums. Peaks are exact at a constant ratio
+without viscous friction, if the acceleration is monotone in each piece; else they are right to the bound that the
+sheets state. :class:`engine.drive.results.DriveResults` is exact.
 """
 
 import math
@@ -21,42 +21,42 @@ from engine.laws.base import Array
 from engine.laws.points import POINTS, SHARES, WEIGHTS
 from engine.motion.pieces import CamProfile, MotionPiece
 
-STANDSTILL = 1e-9  # of the greatest speed: a slower load stands
+STANDSTILL = 1e-9  # share of the largest speed: a slower load is at rest
 
 
 class Interval(NamedTuple):
-    """A part of a cycle of one piece (a number from 0) and steady process forces, in the unshifted abscissa."""
+    """A part of a cycle on one piece, with constant process forces."""
 
-    begin: float
+    begin: float  # abscissa of the unshifted motion
     end: float
-    piece: int
+    piece: int  # number of the piece, from 0
 
     @property
     def middle(self) -> float:
-        """The point in its middle."""
+        """Abscissa of its middle."""
         return (self.begin + self.end) / 2.0
 
 
 @dataclass(frozen=True)
 class LoadPoints:
-    """A load and the mechanism's shaft at the points of a cycle: arrays of intervals by points."""
+    """A load and the mechanism's shaft at the points of a cycle: arrays of shape (intervals, 9)."""
 
     train: Drivetrain
-    x: Array
+    x: Array  # abscissa of the unshifted motion
     position: Array  # of the load (m or rad)
-    velocity: Array  # of the load (m or rad, per s)
-    acceleration: Array  # of the load (per s²)
+    velocity: Array  # of the load (m/s or rad/s)
+    acceleration: Array  # of the load (m/s² or rad/s²)
     direction: Array  # 1, −1, or 0 at rest
-    steady: Array  # resists always (N or Nm)
-    friction: Array  # resists motion (N or Nm)
-    first: Array  # φ' of the mechanism
-    second: Array  # φ''
-    share: Array  # what a point counts in a mean over the cycle
-    dwell: Array  # time (s) of the dwell that it belongs to; 0 where it moves
+    steady: Array  # resisting force against positive motion, also at rest (N or Nm)
+    friction: Array  # resisting force against the motion (N or Nm)
+    first: Array  # φ' of the mechanism (rad/m or 1)
+    second: Array  # φ'' (rad/m² or 1/rad)
+    share: Array  # weight of the point in a mean over the cycle; sum 1
+    dwell: Array  # duration of the dwell that the point belongs to (s); 0 if it moves
 
     @property
     def resisting(self) -> Array:
-        """What resists at the load without motion (N or Nm); of a load by angle at its axis."""
+        """Resisting force at the load (N or Nm); of a load by angle the torque at its axis."""
         by_angle = self.train.by_angle
         if by_angle is None:
             return self.steady + self.direction * self.friction
@@ -65,19 +65,19 @@ class LoadPoints:
 
     @cached_property
     def slopes(self) -> tuple[Array, Array]:
-        """Derivatives x' and x'' of a load by angle; 1 and 0 of another."""
+        """x' and x'' of a load by angle (m/rad, m/rad²); 1 and 0 of others."""
         by_angle, y = self.train.by_angle, self.position
         return by_angle.slopes(y) if by_angle else (np.ones(y.shape), np.zeros(y.shape))
 
     @property
     def moving(self) -> tuple[Array, Array]:
-        """Velocity and acceleration of the load itself: of one by angle x' φ̇, x' φ̈ + x'' φ̇²."""
+        """Velocity and acceleration of the load itself; of one by angle x' φ̇ and x' φ̈ + x'' φ̇² (m/s, m/s²)."""
         first, second = self.slopes
         return first * self.velocity, first * self.acceleration + second * self.velocity**2
 
     @cached_property
     def force(self) -> Array:
-        """What drives the load (N or Nm): m a + c v + what resists; of a load by angle at its axis."""
+        """Driving force at the load, m a + c v + resisting force (N or Nm); of a load by angle the torque at its axis."""
         m, (velocity, acceleration) = self.train.drive.mechanism, self.moving
         moved = m.on_shaft(m.last) * acceleration + self.train.viscous * velocity
         return self.slopes[0] * moved + self.resisting
@@ -99,11 +99,14 @@ class LoadPoints:
 
     @cached_property
     def output_torque_at_rest(self) -> Array:
-        """The same without motion (Nm)."""
+        """The same without inertia and viscous friction (Nm)."""
         return self._driving(self.resisting, 0.0)
 
     def _driving(self, force: Array, moved: float) -> Array:
-        """Return the torque of the shaft behind the first stage (Nm) for a force at the load, f T/i + J ω̇."""
+        """Return the torque at the first stage's output (Nm) for a force at the load: f T/i + J ω̇ over the stages.
+
+        ``moved`` is 1 to count the inertias of the shafts, else 0.
+        """
         m, torque = self.train.drive.mechanism, force
         for k in range(m.last - 1, 0, -1):
             ratio = self.first if k == m.last - 1 else m.stages[k].ratio
@@ -112,42 +115,42 @@ class LoadPoints:
         return torque
 
     def _through(self, stage: int, torque: Array) -> Array:
-        """Return a torque behind a stage times its factor of losses."""
-        one = self.train.drive.mechanism.stages[stage]
-        return one.factor(torque, self.direction, self.train.drive.method, 0.0) * torque
+        """Return a torque at the output of a stage (a number from 0) times its factor of losses."""
+        losses = self.train.drive.mechanism.stages[stage]
+        return losses.factor(torque, self.direction, self.train.drive.method, 0.0) * torque
 
     def at_motor(self, behind: Array) -> Array:
-        """Return a torque behind the reducer at the motor's shaft (Nm), f S/i."""
+        """Return a torque at the reducer's output as torque at the motor's shaft, f S/i (Nm)."""
         m = self.train.drive.mechanism
         return self._through(0, behind) / (self.first if m.last == 1 else m.stages[0].ratio)
 
     @property
     def braked(self) -> NDArray[np.bool_]:
-        """Where a brake holds the motor's shaft."""
+        """Whether a brake holds the motor's shaft."""
         drive = self.train.drive
         return drive.brake.holds(self.direction, self.dwell) & (drive.holding == "brake")
 
 
 @dataclass(frozen=True)
 class QuadratureCycle:
-    """A drive's cycle whose motion is these pieces, cut into intervals; cuts that are ``near`` are one."""
+    """A drive's cycle, cut into intervals with nine points each."""
 
     drive_cycle: DriveCycle
-    pieces: Sequence[MotionPiece]
-    near: float
+    pieces: Sequence[MotionPiece]  # of its motion
+    near: float  # distance within which cuts count as one, in units of the abscissa
 
     @cached_property
     def intervals(self) -> list[Interval]:
-        """The intervals between begins of pieces, edges of forces, even steps; of cuts that are ``near`` the first."""
+        """The intervals between begins of pieces, edges of forces and even steps, in order."""
         motion, shift = self.drive_cycle.unshifted, self.drive_cycle.shift
         train = self.drive_cycle.train
         edges = [edge for window in train.windows for edge in (window.begin, window.end)]
-        turned = [(edge - shift - motion.begin + self.near) % motion.total + motion.begin - self.near for edge in edges]
+        inner = [(edge - shift - motion.begin + self.near) % motion.total + motion.begin - self.near for edge in edges]
         steps = train.by_angle.steps if train.by_angle else 1
-        turned += [motion.begin + motion.total * k / steps for k in range(1, steps)]
+        inner += [motion.begin + motion.total * k / steps for k in range(1, steps)]
         end, begins = motion.begin + motion.total, [piece.begin for piece in self.pieces]
-        cuts = [*begins, *turned]
-        kept = [cut for k, cut in enumerate(cuts) if all(abs(cut - one) >= self.near for one in [*cuts[:k], end])]
+        cuts = [*begins, *inner]
+        kept = [cut for k, cut in enumerate(cuts) if all(abs(cut - other) >= self.near for other in [*cuts[:k], end])]
         places = [*sorted(kept), end]
         middles = (np.array(places[:-1]) + np.array(places[1:])) / 2.0
         numbers = np.searchsorted(np.array(begins), middles, side="right") - 1
@@ -155,36 +158,35 @@ class QuadratureCycle:
 
     @cached_property
     def direction(self) -> Array:
-        """The direction in the middle of each interval: 1, −1 or 0 at rest."""
-        middles = np.array([one.middle for one in self.intervals])
+        """The direction of motion in the middle of each interval: 1, −1, or 0 at rest."""
+        middles = np.array([interval.middle for interval in self.intervals])
         _, v, _ = self._moved(np.arange(len(middles)), middles)
         return np.where(np.abs(v) > self.still, np.sign(v), 0.0)
 
     @cached_property
     def dwells(self) -> Array:
-        """The time (s) of the dwell that each interval belongs to; 0 where it moves."""
-        lasts = np.array([one.end - one.begin for one in self.intervals]) / self.drive_cycle.speed
-        return dwell_times(lasts, self.direction)
+        """Duration (s) of the dwell that each interval belongs to; 0 if it moves."""
+        durations = np.array([interval.end - interval.begin for interval in self.intervals])
+        return dwell_times(durations / self.drive_cycle.speed, self.direction)
 
     @property
     def still(self) -> float:
-        """The speed up to which the load counts as at rest (m/s or rad/s)."""
+        """Speed up to which the load counts as at rest (m/s or rad/s)."""
         return STANDSTILL * self.drive_cycle.unshifted.fastest * self.drive_cycle.speed
 
     @cached_property
     def levels(self) -> tuple[Array, Array]:
-        """What resists in each interval always, and against motion (N or Nm)."""
-        force, at = self.drive_cycle.train.force, self.drive_cycle.shift
-        each = [
-            [force(way, one.middle + at, self.drive_cycle.unshifted.total).level for way in (0.0, 1.0)]
-            for one in self.intervals
-        ]
-        steady, moving = np.array(each).T
+        """Resisting forces in each interval (N or Nm): against positive motion, and against the motion."""
+        cycle = self.drive_cycle
+        force, shift, total = cycle.train.force, cycle.shift, cycle.unshifted.total
+        places = [interval.middle + shift for interval in self.intervals]
+        steady, moving = (np.array([force(way, x, total).level for x in places]) for way in (0.0, 1.0))
         return steady, moving - steady
 
     def points(self) -> LoadPoints:
-        """Return the points of all intervals. Raises OutOfReachError where the mechanism cannot bring its load."""
-        begin, end = (np.array([getattr(one, name) for one in self.intervals])[:, None] for name in ("begin", "end"))
+        """Return the points of all intervals. Raises OutOfReachError if the mechanism cannot reach a position."""
+        begin = np.array([interval.begin for interval in self.intervals])[:, None]
+        end = np.array([interval.end for interval in self.intervals])[:, None]
         number = np.arange(len(begin))[:, None] + np.zeros(POINTS, dtype=np.intp)
         share, place = (end - begin) / self.drive_cycle.unshifted.total * WEIGHTS, begin + (end - begin) * SHARES
         y, v, a = self._moved(number, place)
@@ -197,9 +199,9 @@ class QuadratureCycle:
         )
 
     def _moved(self, number: NDArray[np.intp], place: Array) -> list[Array]:
-        """Return position, velocity and acceleration of the motion at places, each in an interval."""
-        piece, w = np.array([one.piece for one in self.intervals])[number], self.drive_cycle.speed
-        names = ("begin", "origin", "c", "sines")  # of all pieces: cells show those without duration too
-        every = CamProfile(*(np.array([getattr(one, name) for one in self.pieces]) for name in names))
+        """Return position, velocity and acceleration of the motion at places, by the numbers of their intervals."""
+        piece, w = np.array([interval.piece for interval in self.intervals])[number], self.drive_cycle.speed
+        names = ("begin", "origin", "c", "sines")  # also of pieces without duration, as cells show them
+        every = CamProfile(*(np.array([getattr(each, name) for each in self.pieces]) for name in names))
         powers = every.taylor(place.ravel(), piece.ravel(), 3)
-        return [by * one.reshape(place.shape) for by, one in zip((1.0, w, 2.0 * w**2), powers, strict=True)]
+        return [factor * row.reshape(place.shape) for factor, row in zip((1.0, w, 2.0 * w**2), powers, strict=True)]

@@ -1,4 +1,4 @@
-"""What a cycle asks of motor, gears and mains: peaks, RMS torque, energy, mean power, exact and not from samples."""
+"""Results of a drive's cycle, exact and not from samples: peaks, RMS torque, energy; mean powers of a DC bus."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -14,45 +14,45 @@ from engine.drive.search import extremes, integral
 from engine.laws.base import Array
 from engine.laws.ladder import Curve, zeros
 
-OfInterval = Callable[[TorqueInterval, Array], Array]  # a quantity of a torque interval at its u
+OfInterval = Callable[[TorqueInterval, Array], Array]  # a quantity of a torque interval as a function of u
 HOUR = 3600.0  # s
 
 
 class Extreme(NamedTuple):
-    """A value, the phase (from 0) and the place x of the unshifted motion where it is reached."""
+    """An extreme of a quantity over the cycle."""
 
     value: float
-    phase: int
-    x: float
+    phase: int  # number of the phase, from 0
+    x: float  # abscissa of the unshifted motion
 
 
 class Bounds(NamedTuple):
-    """The lowest and the highest of a quantity over the cycle; one-sided limits count."""
+    """The lowest and the highest value of a quantity over the cycle; one-sided limits count."""
 
     lowest: Extreme
     highest: Extreme
 
     @property
     def peak(self) -> float:
-        """The largest size."""
+        """The largest absolute value."""
         return max(abs(self.lowest.value), abs(self.highest.value))
 
 
 class Energy(NamedTuple):
-    """Energy at the shaft of a motor, or of several, over a cycle (J): what drives, what comes back, both 0 or more."""
+    """Energy at the shaft of a motor over a cycle (J); floats, or arrays over several drives."""
 
-    driving: Any
-    regenerated: Any
+    driving: Any  # where the motor drives, 0 or more
+    regenerated: Any  # where the motor is driven, 0 or more
 
     @property
     def net(self) -> Any:
-        """∮ T dφ."""
+        """∮ T dφ (J)."""
         return self.driving - self.regenerated
 
 
 @dataclass(frozen=True)
 class DriveResults:
-    """What a cycle asks for. Everything is exact for constant ratios; else right to about 1e-12."""
+    """Peaks and means of a cycle: exact for constant ratios, else to about 1e-12."""
 
     drive_cycle: DriveCycle
 
@@ -67,7 +67,7 @@ class DriveResults:
         return self.shaft_torque(0)
 
     def shaft_torque(self, shaft: int) -> Bounds:
-        """Return the torque (Nm) that drives a shaft; behind the motor's, of what a stage gives."""
+        """Return the bounds of the torque (Nm) that drives a shaft: 0 is the motor's, 1 the reducer's output."""
         return self._bounds(lambda one, u: one.torque(u, shaft), lambda one: one.curve(shaft))
 
     @cached_property
@@ -77,96 +77,98 @@ class DriveResults:
 
     @cached_property
     def rms_torque(self) -> float:
-        """sqrt(∫T² dt/t) over the cycle (Nm). Source: S4, T_RMS."""
+        """√(∫T² dt/t) over the cycle (Nm). Source: S4, T_RMS."""
         squares = self._total(lambda one, u: one.torque(u) ** 2, self.torque.peak**2)
         return math.sqrt(squares / self.drive_cycle.unshifted.total)
 
     @cached_property
     def mean_speed(self) -> float:
-        """∫|ω| dt/t over the cycle (rad/s): where the RMS torque is held to the continuous limit."""
+        """∫|ω| dt/t over the cycle (rad/s), at which the continuous torque limits the RMS torque."""
         return self._total(_turning, self.speed.peak) / self.drive_cycle.unshifted.total
 
     @cached_property
     def energy(self) -> Energy:
         """Energy of the motor over the cycle, with the losses of its winding."""
         scale = self.torque.peak * self.speed.peak
-        parts = [
-            (one, *ends)
-            for one in self.drive_cycle.torque_intervals
-            for ends in pairwise([one.low, *one.power_reversals, one.high])
-        ]
-        each = [integral(one.power, low, high, scale) / one.speed for one, low, high in parts]
+        each = []
+        for interval in self.drive_cycle.torque_intervals:
+            for low, high in pairwise([interval.low, *interval.power_reversals, interval.high]):
+                each.append(integral(interval.power, low, high, scale) / interval.speed)
         return Energy(math.fsum(e for e in each if e > 0.0), -math.fsum(e for e in each if e < 0.0))
 
     def mean_shaft_torque(self, shaft: int) -> float:
-        """Return ³√(∫|ω||T|³ dt/∫|ω| dt) of a shaft (Nm), 0 at rest: Harmonic Drive, average output torque T_av."""
+        """Return the cubic mean ³√(∫|ω||T|³ dt/∫|ω| dt) of a shaft's torque (Nm), 0 at rest.
+
+        Source: Harmonic Drive, average output torque T_av.
+        """
         fastest, peak = self.speed.peak, self.shaft_torque(shaft).peak
         cubes = self._total(lambda one, u: np.abs(one.motor_speed(u) * one.torque(u, shaft) ** 3), fastest * peak**3)
         ways = self._total(_turning, fastest)
         return math.cbrt(cubes / ways) if ways else 0.0
 
     def _total(self, of: OfInterval, scale: float) -> float:
-        """Return the integral over the abscissa of a quantity that grows to a scale."""
-        each = ((partial(of, one), one.low, one.high) for one in self.drive_cycle.torque_intervals)
-        return math.fsum(integral(*one, scale) for one in each)
+        """Return the integral of a quantity over the abscissa; ``scale`` is its largest absolute value."""
+        intervals = self.drive_cycle.torque_intervals
+        return math.fsum(integral(partial(of, part), part.low, part.high, scale) for part in intervals)
 
     def _bounds(self, of: OfInterval, curve: Callable[[TorqueInterval], Curve | None]) -> Bounds:
-        """Return the extremes of a quantity: at ends of intervals, where its curve over u is level, or by a search."""
-        ends = []
-        for one in self.drive_cycle.torque_intervals:
-            if (over := curve(one)) is None:
-                inner = [found.x for found in extremes(partial(of, one), one.low, one.high, one.nodes)]
+        """Return the bounds of a quantity: at ends of intervals, at zeros of its curve's slope, or by a search."""
+        found = []
+        for part in self.drive_cycle.torque_intervals:
+            over = curve(part)
+            if over is None:
+                inner = [extreme.x for extreme in extremes(partial(of, part), part.low, part.high, part.nodes)]
             else:
-                inner = [u for u in zeros(over.derivative(), one.piece.duration) if one.low < u < one.high]
-            u = np.array([one.low, *inner, one.high])
-            values = of(one, u)
+                inner = [u for u in zeros(over.derivative(), part.piece.duration) if part.low < u < part.high]
+            u = np.array([part.low, *inner, part.high])
+            values = of(part, u)
             for k in (int(values.argmin()), int(values.argmax())):
-                ends.append(Extreme(float(values[k]), one.piece.phase, one.piece.begin + float(u[k])))
-        return Bounds(min(ends), max(ends, key=lambda end: end.value))
+                found.append(Extreme(float(values[k]), part.piece.phase, part.piece.begin + float(u[k])))
+        return Bounds(min(found), max(found, key=lambda extreme: extreme.value))
 
 
-def _turning(one: TorqueInterval, u: Array) -> Array:
-    return np.abs(one.motor_speed(u))
+def _turning(interval: TorqueInterval, u: Array) -> Array:
+    return np.abs(interval.motor_speed(u))
 
 
 class MeanBusPower(NamedTuple):
-    """Mean power (W) of a drive, or of designs of it, on a DC bus of its own: from the mains, in the brake resistor."""
+    """Mean powers of a drive on its own DC bus (W); floats, or arrays over several designs."""
 
-    mains: Any
-    resistor: Any
+    mains: Any  # from the mains
+    resistor: Any  # into the brake resistor
 
     def energy_a_year(self, hours: float) -> Any:
-        """Return the energy from the mains (J) in a year of so many hours."""
+        """Return the energy from the mains (J) in a year of ``hours`` of operation."""
         return self.mains * hours * HOUR
 
     @property
     def net(self) -> Any:
-        """What is used up on the way (W)."""
+        """Mean power that is neither returned nor lost in the resistor (W)."""
         return self.mains - self.resistor
 
     @property
     def least(self) -> Any:
-        """The least mean power from the mains, if all that comes back were kept and used."""
+        """The least mean power from the mains (W), if all regenerated energy were stored and used."""
         return np.maximum(0.0, self.net)
 
 
 def mean_bus_power(energy: Energy, time: Any, efficiency: float) -> MeanBusPower:
-    """Return the means of an energy at a motor's shaft, exact: E/η where it drives, η E where it is driven."""
+    """Return the mean powers for the energy at a motor's shaft over a time (s): E/η drawn, η E regenerated."""
     return MeanBusPower(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
 
 
 class PeakBusPower(NamedTuple):
-    """Largest power (W): from the mains, and into the brake resistor, of a drive that shares its DC bus with none."""
+    """Peak powers of a drive on its own DC bus (W)."""
 
-    mains: float
-    resistor: float
+    mains: float  # from the mains
+    resistor: float  # into the brake resistor
 
 
 def peak_bus_power(highest: float, lowest: float, efficiency: float) -> PeakBusPower:
-    """Return them from the highest and the lowest power at a motor's shaft (W)."""
+    """Return the peak powers for the highest and the lowest power at a motor's shaft (W)."""
     return PeakBusPower(max(0.0, highest) / efficiency, max(0.0, -lowest) * efficiency)
 
 
 def total_bus_power(found: Sequence[MeanBusPower]) -> MeanBusPower:
-    """Return the sums over drives."""
-    return MeanBusPower(sum(one.mains for one in found), sum(one.resistor for one in found))
+    """Return the sum of mean powers over drives."""
+    return MeanBusPower(sum(drive.mains for drive in found), sum(drive.resistor for drive in found))

@@ -1,4 +1,4 @@
-"""Extremes, zeros and integrals of what is smooth between two points: of curves, powers and sines, and of functions."""
+"""Extremes, zeros and integrals of smooth functions between two points, and of curves: powers and sines."""
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
@@ -12,37 +12,35 @@ from engine.laws.base import Array
 from engine.laws.ladder import Curve, narrowed, root, zeros
 from engine.motion.pieces import MotionPiece
 
-PARTS = 16
-ROUNDS = 9  # of narrowing a bracket, to an eighth by each
-FLAT = 1e-13  # of the largest value: what differs by less is all one height
-TOPS = 4  # of which are narrowed, at most
-NOISE = 1e-9
-"""of a quantity's size in its piece: what is smaller at an end has no sign, and a change of sign there is none"""
-LAST_ROUNDS = 6  # of narrowing a change of sign: to the last digit
-ORDERS = (16, 32, 64, 128)
-TOLERANCE = 1e-13  # of the integral of the size
-LEAST = 0.1  # of the scale over the width: of what is smaller, rounding is not asked to be right
-HALVINGS = 12
+PARTS = 16  # of a bracket, in one round
+ROUNDS = 9  # of narrowing a bracket, to an eighth each
+FLAT = 1e-13  # share of the largest value by which equal values may differ
+TOPS = 4  # local extremes that are narrowed, at most
+NOISE = 1e-9  # share of the largest value: a smaller value has no sign
+LAST_ROUNDS = 6  # of narrowing a change of sign, to the last digit
+ORDERS = (16, 32, 64, 128)  # of the rule of integration, one after the other
+TOLERANCE = 1e-13  # of the integral of the absolute value
+LEAST = 0.1  # share of the scale: the tolerance is no smaller than that of an integral of so much over the width
+HALVINGS = 12  # of the range of an integral, at most
 Function = Callable[[Array], Array]
 
 
 class Extremum(NamedTuple):
-    """A value of a function, and where it is."""
+    """An extreme value of a function."""
 
     value: float
-    x: float
+    x: float  # where it is
 
 
 def extremes(
     function: Function, low: float, high: float, nodes: int, signs: Sequence[float] = (-1.0, 1.0),
     least: float = -np.inf,
 ) -> tuple[Extremum, ...]:  # fmt: skip
-    """Return the lowest and the largest value of a function between two points: one for each of ``signs``.
+    """Return the lowest and the largest value of a function between two points, one for each of ``signs``.
 
-    The ends of ``nodes`` parts that are not lower than their neighbours (or not higher) are narrowed, the best of
-    them; the ends count. Right where the function has at most one top within two parts, and
-    rises above an end of theirs by no more than that is above the lower of its neighbours. Where it stays below
-    ``least``, no more is done than is needed to see that.
+    The best samples among the ends of ``nodes`` parts are narrowed. The result is right if the function has at most one
+    maximum within two neighbouring parts, which exceeds a sample by no more than the sample does the lower of its
+    neighbours. Extremes below ``least`` are not narrowed.
     """
     u = np.linspace(low, high, nodes + 1)
     values = function(u)
@@ -50,7 +48,7 @@ def extremes(
 
 
 def _top(function: Function, sign: float, u: Array, values: Array, least: float) -> Extremum:
-    """Return where a function, times a sign, is largest; ``values`` of it at u are known."""
+    """Return the largest value of a function times a sign; ``values`` are those of the product at u."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     tops = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]))
     tops = tops[np.argsort(-values[tops], kind="stable")[:TOPS]]
@@ -74,7 +72,7 @@ def _top(function: Function, sign: float, u: Array, values: Array, least: float)
 
 
 def crossed(function: Function, low: float, high: float, nodes: int) -> list[float]:
-    """Return where a function changes its sign, by nodes between which it does so once at most."""
+    """Return every u at which a function changes its sign, if it does so at most once between two nodes."""
     u = np.linspace(low, high, nodes + 1)
     values = function(u)
     kept = np.abs(values) > NOISE * float(np.abs(values).max())
@@ -82,12 +80,12 @@ def crossed(function: Function, low: float, high: float, nodes: int) -> list[flo
     at = np.flatnonzero(positive[1:] != positive[:-1])
     if not at.size:
         return []
-    return [float(one) for one in narrowed(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
+    return [float(zero) for zero in narrowed(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
 
 
 @lru_cache(maxsize=8)
 def clenshaw_curtis(n: int) -> tuple[Array, Array]:
-    """Return the n + 1 nodes of the rule of Clenshaw and Curtis on [0, 1], and its weights.
+    """Return the n + 1 nodes on [0, 1] of Clenshaw and Curtis's rule of integration, and its weights.
 
     Source: C. W. Clenshaw, A. R. Curtis, Numer. Math. 2 (1960) 197–205.
     """
@@ -101,10 +99,10 @@ def clenshaw_curtis(n: int) -> tuple[Array, Array]:
 
 
 def integral(function: Function, low: float, high: float, scale: float = 0.0, halvings: int = HALVINGS) -> float:
-    """Return the integral of a function between two points, to :data:`TOLERANCE` of that of its size.
+    """Return the integral of a function between two points, to :data:`TOLERANCE` of that of its absolute value.
 
-    ``scale`` is the largest that such functions grow elsewhere: to how many digits this one is known. By the rule of
-    Clenshaw and Curtis with more and more nodes; where the most do not do, in halves.
+    ``scale`` is the largest absolute value outside this range, whose rounding this integral need not undercut. Clenshaw
+    and Curtis's rule is used with 16 to 128 nodes, then on halves of the range.
     """
     last = np.nan
     for n in ORDERS:
@@ -123,7 +121,7 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
 def force_curve(
     piece: MotionPiece, speed: float, force: Force, share: float = 1.0, inertia: float = 0.0, more: float = 0.0
 ) -> Curve:
-    """Return ``share`` · F + ``inertia`` · ÿ + ``more`` as a curve over u."""
+    """Return ``share`` · F + ``inertia`` · ÿ + ``more`` as a curve over u, F the force at the load."""
     _, velocity, acceleration, _ = piece.curves
     level, c = share * force.level + more, share * force.viscous * speed
     m = (share * force.mass + inertia) * speed**2
@@ -132,24 +130,24 @@ def force_curve(
     polynomial[0] += level
     sines = [(m * p, w, phi) for p, w, phi in acceleration.sines]
     sines += [(c * p, w, phi) for p, w, phi in velocity.sines] if c else []
-    joined = []  # those of one ω added up
+    merged = []  # one sine for each ω
     for w in dict.fromkeys(w for _, w, _ in sines):
-        one = sum(p * np.exp(1j * phi) for p, other, phi in sines if other == w)
-        joined.append((float(abs(one)), w, float(np.angle(one))))
-    return Curve(tuple(polynomial), tuple(joined))
+        phasor = sum(p * np.exp(1j * phi) for p, other, phi in sines if other == w)
+        merged.append((float(abs(phasor)), w, float(np.angle(phasor))))
+    return Curve(tuple(polynomial), tuple(merged))
 
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
-    """Return where a curve changes its sign beyond rounding: between zeros of its derivative, and so none is missed."""
+    """Return every u at which a curve changes its sign beyond rounding, one at most between two zeros of its slope."""
     slope = curve.derivative()
     turns = [u for u in zeros(slope, high) if low < u < high]
     points = [low, *turns, high]
     values = [curve(u) for u in points]
     noise = NOISE * max(map(abs, values))
     kept = [(u, value) for u, value in zip(points, values, strict=True) if abs(value) > noise]
-    return [root(curve, slope, one[0], other[0]) for one, other in pairwise(kept) if (one[1] > 0.0) != (other[1] > 0.0)]
+    return [root(curve, slope, a, b) for (a, at_a), (b, at_b) in pairwise(kept) if (at_a > 0.0) != (at_b > 0.0)]
 
 
 def largest_size(curve: Curve, d: float) -> float:
-    """Return the largest size of a curve from 0 to d."""
+    """Return the largest absolute value of a curve from 0 to d."""
     return max(abs(curve(u)) for u in (0.0, *zeros(curve.derivative(), d), d))
