@@ -65,7 +65,7 @@ class LoadPoints:
 
     @cached_property
     def slopes(self) -> tuple[Array, Array]:
-        """x' and x'' of a load by angle (m/rad, m/rad²); 1 and 0 of others."""
+        """Derivatives x' and x'' of a load by angle (m/rad, m/rad²); 1 and 0 of others."""
         by_angle, y = self.train.by_angle, self.position
         return by_angle.slopes(y) if by_angle else (np.ones(y.shape), np.zeros(y.shape))
 
@@ -77,7 +77,7 @@ class LoadPoints:
 
     @cached_property
     def force(self) -> Array:
-        """Driving force at the load, m a + c v + resisting force (N or Nm); of a load by angle the torque at its axis."""
+        """Driving force at the load, m a + c v + resisting force (N or Nm); by angle the torque at its axis."""
         m, (velocity, acceleration) = self.train.drive.mechanism, self.moving
         moved = m.on_shaft(m.last) * acceleration + self.train.viscous * velocity
         return self.slopes[0] * moved + self.resisting
