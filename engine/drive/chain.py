@@ -166,7 +166,7 @@ class Mechanism:
     def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:
         """Return the torque (Nm, or N) that drives each shaft, from the motor's to the load's.
 
-        T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k, f of :meth:`Stage.factor`; ``acceleration`` is that of the load
+        T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k, f of :meth:`Stage.factor`; ``acceleration`` is of the load
         (m/s² or rad/s²), ``direction`` is 1, −1, or 0 at rest.
         """
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
