@@ -7,7 +7,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 import workbook
 from workbook.book.declare import FIRST, Book, Text
-from workbook.book.summary import TITLE, checks_sheet, close, head, repeat_verdict
+from workbook.book.summary import TITLE, checks_sheet, close_summary, head, repeat_verdict
 from workbook.entries.machine import Machine
 from workbook.template_outputs import CamAxis, CamSwitch, Scaling
 from workbook.unfinished_book import with_entries
@@ -89,7 +89,7 @@ def has(data: Any, key: str) -> bool:
 def finish(book: Book, sources: tuple[str, ...]) -> Book:
     """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles, sources."""
     checks_sheet(book)
-    close(book, sources)
+    close_summary(book, sources)
     repeat_verdict(book)
     for sheet in book.sheets:
         sheet.texts.append(Text(2, FIRST, sheet.purpose, "note"))

@@ -11,11 +11,11 @@ from typing import Any
 from workbook.book.address import Address
 from workbook.book.declare import Book, Quantity
 from workbook.book.depends import Dependence
-from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_use, is_full
+from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_use, room_text
 from workbook.book.quantity import HOLDS, SAYS, number_format, sample
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
-from workbook.book.summary import settled
+from workbook.book.summary import check_cells
 from workbook.entries.machine import Fault, Machine
 from workbook.law_sheets.library import named
 from workbook.laws.entries import key_of
@@ -41,14 +41,14 @@ class Unfinished:
         self.values: dict[tuple[str, int], list[Any]] = {}
         turns = dict(self._entered())
         known = self._known(turns)
-        summed = {at for name, values in settled(book).items() for at in self._column(name, len(values))}
+        summed = {at for name, values in check_cells(book).items() for at in self._column(name, len(values))}
         moved = [at for at, value in known.items() if self.at[at].expected != value]
         for at in self.dependence.on([*turns, *moved], {*known, *summed}):
             self._put(at, None)
         for at, value in known.items():
             self._put(at, value)
         self._write()
-        for name, values in settled(book).items():
+        for name, values in check_cells(book).items():
             for at, value in zip(self._column(name, len(values)), values, strict=True):
                 self._put(at, value)
         self._write()
@@ -107,7 +107,7 @@ class Unfinished:
             known |= zip(self._column(f"{block.name}.{name}", guard.rows), values, strict=True)
         if USED in columns:
             full = f"{guard.table}{FULL}"
-            known |= dict.fromkeys(self._column(f"{full}.{full}", 1), is_full(columns[USED]))
+            known |= dict.fromkeys(self._column(f"{full}.{full}", 1), room_text(columns[USED]))
         above = self._key(guard.entries[0][0].key.partition(".*")[0])
         return known, EMPTY if any(self._faults(above, "")) else said
 

@@ -12,7 +12,7 @@ from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.time_based import in_units_of
-from workbook.motion.requirements import Smoothness, within
+from workbook.motion.requirements import Smoothness, dwells_for_room
 
 SHAPED = {name for name in MOVING if name != "OWN"}
 
@@ -29,7 +29,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         axis.update(
             closes=drawn.choice(("feed", "position")), smoothness=drawn.choice(get_args(Smoothness)),
             shift=drawn.choice((0.0, float(drawn.randint(-720, 720)), drawn.uniform(-400, 400))),
-            phases=within(made, data["laws"], sizes["motion_pieces"] - len(made) - 1),
+            phases=dwells_for_room(made, data["laws"], sizes["motion_pieces"] - len(made) - 1),
         )  # fmt: skip
         if axis["motor"] is not None:
             drive(axis, drawn, sizes["rotors"], sizes["positions"])

@@ -126,7 +126,7 @@ def quoted(title: str) -> str:
     return title if title.isascii() and title.isalpha() and len(title) > 3 else quote_sheetname(title)
 
 
-def again(book: Book, kind: str, of: tuple[Any, ...], declare: Callable[[], None]) -> None:
+def declare_or_copy(book: Book, kind: str, of: tuple[Any, ...], declare: Callable[[], None]) -> None:
     """Declare sheets, or copy those that were declared of equal things behind sheets of the same titles."""
     if not remembers():
         declare()

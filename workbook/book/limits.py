@@ -88,26 +88,26 @@ def column_of(name: str) -> str:
     return f"{name}_says"
 
 
-def shows(cell: str) -> str:
+def entered_text(cell: str) -> str:
     """Return the formula of what was entered in a cell."""
     return f'IF({cell}="","empty",{cell})'
 
 
-def said(label: str, cell: str, limit: Limit) -> str:
+def limit_message(label: str, cell: str, limit: Limit) -> str:
     """Return the formula of the message on an entry that is beyond its limit."""
-    value = shows(cell) if limit.required else cell
+    value = entered_text(cell) if limit.required else cell
     return f"{quoted(f'{label}: ')}&{value}&{quoted(f'; expected {limit.expected}')}"
 
 
-def beside(q: Quantity, limit: Limit) -> Quantity:
+def message_beside(q: Quantity, limit: Limit) -> Quantity:
     """Return the message beside a single cell: its note, or what is expected."""
     cell = f"[{q.name}.{q.name}]"
-    formula = f"=IF({limit.holds(cell)},{quoted(q.source)},{said(q.label, cell, limit)})"
+    formula = f"=IF({limit.holds(cell)},{quoted(q.source)},{limit_message(q.label, cell, limit)})"
     label = f"{q.label}{WANTED}"
     return Quantity(f"{q.name}{EXPECTED}", label, "", "", "sentence", formula, q.source, align="left")
 
 
-def of_cells(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]) -> tuple[Guard, Quantity]:
+def guard_cells(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]) -> tuple[Guard, Quantity]:
     """Return the guard of single cells, and the check that counts their messages."""
     guard = Guard(name, tuple(entries))
     first, last = (f"[{q.name}{EXPECTED}.{q.name}{EXPECTED}]" for q in (entries[0][0], entries[-1][0]))
@@ -127,7 +127,7 @@ def all_empty(inputs: Sequence[Quantity]) -> str:
     return f"AND({empty})" if empty else ""
 
 
-def of_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) -> tuple[list[Quantity], Quantity]:
+def guard_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) -> tuple[list[Quantity], Quantity]:
     """Return a table's messages, a column for each entry and rule, and the check; ``filled``: one row must be."""
     table = f"{guard.table}{MESSAGES}"
     first, last = guard.columns[0], guard.columns[-1]
@@ -136,7 +136,8 @@ def of_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) 
     used = calc(USED, "row in use", "", "", f"=IF({all_empty(inputs)},0,1)", in_use(guard.rows, inputs), format="0",
                 source="1 where anything is entered")  # fmt: skip
     required = any(limit.required for _, limit in guard.entries)
-    columns = [*([used] if required else []), *messages(guard), told(MESSAGE, "what is expected", f"={of_row}")]
+    of_all = message_column(MESSAGE, "what is expected", f"={of_row}")
+    columns = [*([used] if required else []), *message_columns(guard), of_all]
     message, row = f"[{table}.{MESSAGE}]", '"row 1, "&'
     condition, says = f'[{table}.{MESSAGE}.1]=""', f"[{table}.{MESSAGE}.1]"
     if guard.rows > 1:
@@ -149,16 +150,16 @@ def of_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) 
     return columns, check(guard.check, label, condition, True, says=says)
 
 
-def full(guard: Guard, rows: Sequence[int]) -> Quantity:
+def room_cell(guard: Guard, rows: Sequence[int]) -> Quantity:
     """Return the cell under the last row of a table, which says that it is full; by whether each row is in use."""
     used = f"[{guard.table}{MESSAGES}.{USED}]"
     formula = f'=IF(SUM({used})=COUNT({used}),{quoted(IS_FULL)},"")'
     return Quantity(
-        f"{guard.table}{FULL}", "Room in the table", "", "", "sentence", formula, is_full(rows), align="left"
+        f"{guard.table}{FULL}", "Room in the table", "", "", "sentence", formula, room_text(rows), align="left"
     )
 
 
-def is_full(rows: Sequence[int]) -> str:
+def room_text(rows: Sequence[int]) -> str:
     """Return what stands under a table by whether each of its rows is in use."""
     return IS_FULL if all(rows) else ""
 
@@ -169,20 +170,20 @@ def in_use(rows: int, inputs: Sequence[Quantity]) -> list[int]:
     return [int(any(value not in (None, "") for value in row)) for row in zip(*held, strict=True)]
 
 
-def messages(guard: Guard) -> Iterator[Quantity]:
+def message_columns(guard: Guard) -> Iterator[Quantity]:
     """Yield the column of messages on each entry, and on each rule."""
     for run in guard.runs:
         says = quoted("")
         for q, limit in reversed(run):
             cell = f"[{q.name}]"
             holds = f"OR([{USED}]=0,{limit.holds(cell)})" if limit.required else limit.holds(cell, len(run) > 1)
-            says = f"IF({holds},{says},{said(q.label, cell, limit)})"
-        yield told(column_of(run[0][0].name), ", ".join(q.label for q, _ in run), f"={says}")
+            says = f"IF({holds},{says},{limit_message(q.label, cell, limit)})"
+        yield message_column(column_of(run[0][0].name), ", ".join(q.label for q, _ in run), f"={says}")
     for rule in guard.rules:
-        says = f"{quoted(f'{rule.words}: ')}&{shows(f'[{rule.column}]')}" if rule.column else quoted(rule.words)
-        yield told(column_of(rule.rule), rule.rule, f'=IF({rule.condition},"",{says})')
+        says = f"{quoted(f'{rule.words}: ')}&{entered_text(f'[{rule.column}]')}" if rule.column else quoted(rule.words)
+        yield message_column(column_of(rule.rule), rule.rule, f'=IF({rule.condition},"",{says})')
 
 
-def told(name: str, label: str, formula: str) -> Quantity:
+def message_column(name: str, label: str, formula: str) -> Quantity:
     """Return a column of messages, none of which says anything."""
     return Quantity(name, label, "", "", "sentence", formula, "", align="left")

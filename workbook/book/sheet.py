@@ -97,12 +97,12 @@ class Sheet:
         """Place quantities one below the other; beside inputs with limits what is expected, below all a check."""
         own = self._own(quantities)
         watched = self._limited(own)
-        messages = {q.name: limits.beside(q, limit) for q, limit in watched}
+        messages = {q.name: limits.message_beside(q, limit) for q, limit in watched}
         for q in own:
             self._row(q, messages.get(q.name))
         if watched:
             name = f"{watched[0][0].name}_entries"
-            guard, verdict = limits.of_cells(name, f"{self.called or self.title}: entries within limits", watched)
+            guard, verdict = limits.guard_cells(name, f"{self.called or self.title}: entries within limits", watched)
             self.book.guards.append(guard)
             self.checks(verdict)
 
@@ -161,11 +161,11 @@ class Sheet:
             guard = Guard(f"{name}_entries", tuple(watched), tuple(rules), name, size, each)
             label = f"{self.called or self.title}, {re.split(r'[:;(]', title)[0].strip()}: entries within limits"
             some = self.book.limit(inputs[0].key.partition(".*")[0])
-            columns, verdict = limits.of_rows(guard, label, inputs, some is not None and some.required)
+            columns, verdict = limits.guard_rows(guard, label, inputs, some is not None and some.required)
             self.book.guards.append(guard)
             self.messages.append((block, tuple(columns)))  # until all of the sheet is placed
             if columns[0].name == limits.USED:
-                room = limits.full(guard, as_rows(columns[0].value, size, limits.USED))
+                room = limits.room_cell(guard, as_rows(columns[0].value, size, limits.USED))
                 self.put(room, top + size, block.columns[inputs[0].name])
             self.checks(verdict)
             self.row += 1

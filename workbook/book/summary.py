@@ -70,15 +70,15 @@ def summary(book: Book) -> Summary:
     so_far = list(accumulate(int(verdict != "OK") for verdict in verdicts[:known]))
     holding = verdicts.count("OK") if known == len(verdicts) else None
     failing = None if holding is None else len(verdicts) - holding
-    return Summary(verdicts, sentences, holding, failing, filled(so_far, len(verdicts), None), together(verdicts))
+    return Summary(verdicts, sentences, holding, failing, filled(so_far, len(verdicts), None), joint_verdict(verdicts))
 
 
-def together(verdicts: Sequence[str | None]) -> str | None:
+def joint_verdict(verdicts: Sequence[str | None]) -> str | None:
     """Return what verdicts say together: one that fails fails all, one that is unfinished leaves them open."""
     return "FAIL" if "FAIL" in verdicts else None if None in verdicts else "OK"
 
 
-def summed_up(book: Book, table: str, label: str, rows: list[list[int]]) -> Quantity:
+def group_verdict_column(book: Book, table: str, label: str, rows: list[list[int]]) -> Quantity:
     """Return the column ``verdict`` of a table: of each row what the checks at its places say together.
 
     All hold where as many fail up to the end of each run of places as before it.
@@ -88,18 +88,19 @@ def summed_up(book: Book, table: str, label: str, rows: list[list[int]]) -> Quan
         ends = "+".join(f"[checks.nth.{k}]" for k in places if k + 1 not in places)
         befores = "+".join(f"[checks.nth.{k - 1}]" for k in places if k > 1 and k - 1 not in places)
         formulas.append(f'=IF({ends}={befores or 0},"OK","FAIL")')
-    return Quantity("verdict", label, "", "", "check", formulas, of_some(book)[f"{table}.verdict"])
+    return Quantity("verdict", label, "", "", "check", formulas, group_verdicts(book)[f"{table}.verdict"])
 
 
-def of_some(book: Book) -> dict[str, list[str | None]]:
+def group_verdicts(book: Book) -> dict[str, list[str | None]]:
     """Return what stands in the columns that sum up some checks."""
     verdicts = summary(book).verdicts
     return {
-        column: [together([verdicts[k - 1] for k in places]) for places in rows] for column, rows in book.summed.items()
+        column: [joint_verdict([verdicts[k - 1] for k in places]) for places in rows]
+        for column, rows in book.summed.items()
     }
 
 
-def mended(book: Book, most: int) -> dict[str, list[str | None]]:
+def failing_checks(book: Book, most: int) -> dict[str, list[str | None]]:
     """Return the checks that do not hold, as so many rows tell them, by block and column: ``mend.says``."""
     found = summary(book)
     told = [
@@ -114,7 +115,7 @@ def mended(book: Book, most: int) -> dict[str, list[str | None]]:
             for name, column in zip(("where", "says"), columns, strict=True)}  # fmt: skip
 
 
-def settled(book: Book) -> dict[str, list[Any]]:
+def check_cells(book: Book) -> dict[str, list[Any]]:
     """Return what stands in the cells that sum up the checks, by block and column: ``checks.verdict``."""
     found = summary(book)
     heads = [f"status{i}" for i in range(1, len(book.sheets) + 1)]
@@ -122,9 +123,9 @@ def settled(book: Book) -> dict[str, list[Any]]:
         "checks.verdict": found.verdicts,
         "checks.says": found.sentences,
         "checks.nth": found.so_far,
-        **of_some(book),
+        **group_verdicts(book),
         "mend_count.mend_count": [found.failing],
-        **mended(book, book.blocks["mend"].size),
+        **failing_checks(book, book.blocks["mend"].size),
         "checks_ok.checks_ok": [found.holding],
         "overall.overall": [found.overall],
         **{f"{head}.{head}": [found.overall] for head in heads},
@@ -180,7 +181,7 @@ def summary_sheet(book: Book, machine: Any, purpose: str, key_results: list[Quan
     return sheet
 
 
-def close(book: Book, sources: tuple[str, ...]) -> None:
+def close_summary(book: Book, sources: tuple[str, ...]) -> None:
     """Declare what needs all other sheets: the picture, what is to mend; then what is not printed."""
     for each in book.sheets:
         each.place_messages()
@@ -219,7 +220,7 @@ def to_mend(book: Book, sheet: Sheet) -> None:
     sheet.heading("To mend")
     sheet.rows(calc("mend_count", "Checks that fail", "", "", "=checks_all-checks_ok", summary(book).failing,
                     format="0", source=f"the first {TO_MEND} of them; all stand on the sheet Checks"))  # fmt: skip
-    rows = mended(book, TO_MEND)
+    rows = failing_checks(book, TO_MEND)
     where, what, says = (f"INDEX([checks.{column}],MATCH([k],[checks.nth],0))" for column in ("where", "what", "says"))
     sheet.table(
         "mend", "The checks that fail", TO_MEND,

@@ -45,14 +45,14 @@ class Abscissa:
     format: str = "0.0##"
     length: float = TURN
     measured: bool = False  # with a length that is entered, in its unit
-    paced: bool = True  # it tells how time passes
+    tells_time: bool = True  # it tells how time passes
     symbols: tuple[str, str, str, str] = ("y", "ẏ", "ÿ", "j")  # of a position and its rates
     extremes: tuple[str, str, str, str] = ("ẏmax", "ÿmax", "j_max", "ÿrms")
     """symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration"""
 
     def lift(self, unit: str) -> Lift:
         """Return how its rates show a lift that is entered in a unit: as it is entered, or over time in m or rad."""
-        return (METRES if unit == "mm" else RADIANS) if self.paced else ENTERED[unit]
+        return (METRES if unit == "mm" else RADIANS) if self.tells_time else ENTERED[unit]
 
     def rates(self, unit: str) -> tuple[str, str, str]:
         """Return the units of velocity, acceleration and jerk of an axis whose lifts are in a unit."""
@@ -80,7 +80,7 @@ class Abscissa:
         """Return as it is shown what is in degrees."""
         return x / TURN * self.length if self.measured else x
 
-    def said(self, x: float) -> str:
+    def text(self, x: float) -> str:
         """Return what is in degrees as sentences show it."""
         return f"{figure(self.shown(x))}{self.after}"
 
@@ -92,15 +92,15 @@ class Abscissa:
         """Return by its unit a derivative of a motion by rad."""
         return rate * float((tau / self.length) ** order) if self.measured else rate
 
-    def in_degrees(self, cell: str) -> str:
+    def degrees_formula(self, cell: str) -> str:
         """Return the formula, without its =, of a place in degrees, from the cell in which it is entered."""
         return f"{cell}/{TAKEN}*360" if self.measured else cell
 
-    def told(self, cell: str) -> str:
+    def shown_formula(self, cell: str) -> str:
         """Return the formula of a place as it is shown, from a cell or formula in degrees."""
         return f"({cell})/360*{TAKEN}" if self.measured else cell
 
-    def rate(self, cell: str, order: int) -> str:
+    def per_rad_formula(self, cell: str, order: int) -> str:
         """Return the formula of what is entered of a derivative in a cell, by rad."""
         return f"{cell}/omega^{order}" if self.measured else cell
 
@@ -121,14 +121,14 @@ MARKS = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}
 
 def measured(unit: str, length: float) -> Abscissa:
     """Return the abscissa of a cycle of a length in a unit."""
-    (after, symbol, name), paced = NAMED[unit], unit == "s"
+    (after, symbol, name), tells_time = NAMED[unit], unit == "s"
     found = Abscissa(
-        unit, after, symbol, name, "one cycle", "cycle", "t" if paced else "δ", "angle of a turn a cycle",
-        "A turn a cycle", "of the cycle", "time", "0.0####", length, measured=True, paced=paced,
+        unit, after, symbol, name, "one cycle", "cycle", "t" if tells_time else "δ", "angle of a turn a cycle",
+        "A turn a cycle", "of the cycle", "time", "0.0####", length, measured=True, tells_time=tells_time,
     )  # fmt: skip
-    return found if paced else replace(found, symbols=BY_X, extremes=(*BY_X[1:], BY_X[2]))
+    return found if tells_time else replace(found, symbols=BY_X, extremes=(*BY_X[1:], BY_X[2]))
 
 
-def in_unit(unit: str) -> str:
+def unit_cell_name(unit: str) -> str:
     """Return the name of the cell that says what a cycle is over: by it a file tells that."""
     return f"timing_in_{MARKS[unit]}"

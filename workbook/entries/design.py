@@ -27,13 +27,15 @@ class RefusedError(Exception):
         self.faults = faults
 
 
-def designed(model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]) -> M:
+def finish_design(
+    model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]
+) -> M:
     """Return a machine, with ``example``'s entries for numbers that do not do; raise RefusedError for other faults."""
     replaced: dict[str, int] = {}  # the turn in which each place was
     faults: list[Fault] = []
     tried = data = model.spelled(data)
     for turn in range(MOST_ROUNDS):
-        machine, found = attempted(model, check, tried)
+        machine, found = validated(model, check, tried)
         if machine is not None:
             kept = differing(model, data, machine.model_dump(), replaced)
             machine._design = Design(kept, tuple(faults))
@@ -55,7 +57,7 @@ def designed(model: type[M], check: Callable[[M], None], data: dict[str, Any], e
     raise RefusedError(found)
 
 
-def attempted(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> tuple[M | None, list[Fault]]:
+def validated(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> tuple[M | None, list[Fault]]:
     """Return the machine of a description, or what of its numbers does not do; raise RefusedError for all else."""
     try:
         machine = model.model_validate(data)

@@ -53,7 +53,7 @@ class Cells:
         return f"INDEX([{self.ends}.{column}],[p])"
 
     @property
-    def asked(self) -> str:
+    def required(self) -> str:
         """The table of what is asked for at the ends of phases."""
         return self.ends.replace("_ends", "_asked")
 

@@ -74,7 +74,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     shown = in_units(MotionValues(y + told.cycles * (later.lifts if later else 0.0), v, a, found.y3), *axis.unit)
     sizes = in_units(MotionValues(*(axis.size(order) for order in range(4))), *axis.unit)
     per = [axis.over.from_rad(order) if rows.at.degrees else "" for order in range(3)]
-    end = axis.over.told(axis.rows.at.end)
+    end = axis.over.shown_formula(axis.rows.at.end)
     told_as = (
         ("y", "position", "y", POSITION), ("y1", "velocity", "y'", "dy/dx"), ("y2", "acceleration", "y''", "d²y/dx²"),
     )  # fmt: skip
@@ -82,7 +82,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     found_by[0] += f"+[n]*{later.travel}" if later and later.travel else ""
     at_phases: list[Quantity] = []  # where each sample is as phases tell it, if elsewhere
     if later:
-        here = axis.over.in_degrees("[at]")
+        here = axis.over.degrees_formula("[at]")
         turns = f"=INT((MIN({here},360-2*{later.near})-{later.by}+{later.near})/360)"
         at_phases = [
             calc("n", "cycles", "n", "", turns, told.cycles, format="0"),

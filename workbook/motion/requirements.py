@@ -45,24 +45,28 @@ class RequiredSmoothness:
     quickest: str = ""  # the formula of the greatest 1/δ by which jerks are measured: by default that of all phases
 
 
-def in_time(asked: RequiredSmoothness, degrees: str, size: str, order: str) -> tuple[str, str]:
+def jump_formulas(required: RequiredSmoothness, degrees: str, size: str, order: str) -> tuple[str, str]:
     """Return the formulas of a place and of a jump as sentences tell them."""
-    if asked.speed is None:
+    if required.speed is None:
         return degrees, size
-    return f"RADIANS({degrees})/{asked.speed[0]}", f"{size}*{asked.speed[0]}^{order}{asked.lift[0]}"
+    return f"RADIANS({degrees})/{required.speed[0]}", f"{size}*{required.speed[0]}^{order}{required.lift[0]}"
 
 
-def timed(asked: RequiredSmoothness, x: float, size: float, order: int) -> tuple[float, float]:
+def jump_values(required: RequiredSmoothness, x: float, size: float, order: int) -> tuple[float, float]:
     """Return them by the engine: x is in rad where they are told over time."""
-    return (x, size) if asked.speed is None else (x / asked.speed[1], size * asked.speed[1] ** order / asked.lift[1])
+    return (
+        (x, size)
+        if required.speed is None
+        else (x / required.speed[1], size * required.speed[1] ** order / required.lift[1])
+    )
 
 
-def passed(phases: Iterable[Any]) -> dict[int, Rates]:
+def entered_rates(phases: Iterable[Any]) -> dict[int, Rates]:
     """Return what is entered, by the number of the phase that begins there, from 0."""
     return {k: Rates(one.velocity or 0.0, one.acceleration or 0.0) for k, one in enumerate(phases) if one.passes}
 
 
-def entries(velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],
+def rate_columns(velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],
             symbols: tuple[str, str] = ("y'", "y''")) -> list[Quantity]:  # fmt: skip
     """Return the columns in which it is entered; ``key`` is that of the rows in the description."""
     return [
@@ -80,23 +84,23 @@ AT_REST = {"law": "DWL", "lift": 0.0}  # the entries of a phase that does not mo
 CROWDED = "{} pieces do not fit into {} rows; build it with larger sizes.motion_pieces"
 
 
-def counts(given: Laws) -> dict[str, int]:
+def piece_counts(given: Laws) -> dict[str, int]:
     """Return the number of pieces of each law of a book."""
-    return {name: count(law) for name, law in laws(given).items()}
+    return {name: piece_count(law) for name, law in laws(given).items()}
 
 
 @lru_cache(maxsize=KNOWN)
-def count(law: Law) -> int:
+def piece_count(law: Law) -> int:
     """Return the number of pieces of a law."""
     return len(law_pieces(law))
 
 
-def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
+def settle_room(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
     """Settle the room for the pieces of a motion: what is stated, or a few rows more than ``most``; raise EntryError.
 
     At least for ``rest`` pieces and any law of the book ``at_once`` times: so many does verify try.
     """
-    least = rest + at_once * max(machine.sizes.pieces, *counts(machine.laws).values())
+    least = rest + at_once * max(machine.sizes.pieces, *piece_counts(machine.laws).values())
     room = machine.sizes.motion_pieces
     if room is None:
         room = max(least, most + FEW)
@@ -106,9 +110,9 @@ def settle(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
     return room
 
 
-def within(phases: list[dict[str, Any]], given: dict[str, Any], room: int) -> list[dict[str, Any]]:
+def dwells_for_room(phases: list[dict[str, Any]], given: dict[str, Any], room: int) -> list[dict[str, Any]]:
     """Return phases of which some are dwells instead, so that their pieces find room; ``given`` are the laws."""
-    number, left = counts(Laws.model_validate(given)), room
+    number, left = piece_counts(Laws.model_validate(given)), room
     for after, phase in zip(range(len(phases) - 1, -1, -1), phases, strict=True):
         if number[phase["law"]] + after > left:
             phase |= AT_REST

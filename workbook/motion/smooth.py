@@ -14,7 +14,7 @@ from workbook.book.sentence import CheckSentence, Sentence, figure
 from workbook.fields.units import DEGREE, shown
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import at_begin, at_place, place_columns
-from workbook.motion.requirements import ABOUT, RequiredSmoothness, in_time, timed
+from workbook.motion.requirements import ABOUT, RequiredSmoothness, jump_formulas, jump_values
 
 RATES = ("v", "a", "j")
 NOTHING: dict[str, Any] = {  # what is told of a jump, by the names of its cells, where nothing jumps
@@ -35,30 +35,30 @@ class Joints:
     def __init__(
         self,
         rows: PieceRows,
-        asked: RequiredSmoothness,
+        required: RequiredSmoothness,
         found: Sequence[Joint],
         scales: Rates,
         phases: Sequence[Phase] = (),
     ) -> None:
-        self.rows, self.asked, self.found, self._scales, self._phases = rows, asked, tuple(found), scales, phases
+        self.rows, self.required, self.found, self._scales, self._phases = rows, required, tuple(found), scales, phases
 
     @classmethod
-    def of(cls, rows: PieceRows, motion: Motion, asked: RequiredSmoothness) -> Self:
+    def of(cls, rows: PieceRows, motion: Motion, required: RequiredSmoothness) -> Self:
         """Return the joints of a motion of phases."""
         scales = scales_of(motion)
-        found = joints(rows.pieces, scales, asked.smooth, asked.periodic)
-        return cls(rows, asked, found, scales, motion.phases)
+        found = joints(rows.pieces, scales, required.smooth, required.periodic)
+        return cls(rows, required, found, scales, motion.phases)
 
     def order(self) -> list[Quantity]:
         """Return the rows that say how many derivatives must be continuous, and which jumps of each are rounding."""
-        entry, (v, a), scales = self.asked.entry, self.asked.largest, self._scales
-        jerk = f"{self.asked.order}_a*{self.asked.quickest or f'MAX([{self.rows.at.phases}.rate])'}"
+        entry, (v, a), scales = self.required.entry, self.required.largest, self._scales
+        jerk = f"{self.required.order}_a*{self.required.quickest or f'MAX([{self.rows.at.phases}.rate])'}"
         lost = (f"check_zero*{v}", f"check_zero*{a}", jerk)
         formula = f'=IF({entry}="velocity",1,IF({entry}="acceleration",2,3))'
         return [
-            calc(self.asked.order, "Derivatives that must not jump", "", "", formula,
-                 ORDERS.index(self.asked.smooth) + 1, format="0"),
-            *(calc(f"{self.asked.order}_{name}", f"A jump of {word} up to this is none", "", "", f"={formula}",
+            calc(self.required.order, "Derivatives that must not jump", "", "", formula,
+                 ORDERS.index(self.required.smooth) + 1, format="0"),
+            *(calc(f"{self.required.order}_{name}", f"A jump of {word} up to this is none", "", "", f"={formula}",
                    JUMP * scale) for name, word, formula, scale in zip(RATES, ORDERS, lost, scales, strict=True)),
         ]  # fmt: skip
 
@@ -146,15 +146,15 @@ class Joints:
 
     def _jumps(self, room: int) -> list[Quantity]:
         """Return what jumps where each piece begins."""
-        wraps, marks = self.asked.wraps, ("'", "''", "'''")
-        last, wrapped = f"[{self.name}.r.last]", room * self.asked.periodic
+        wraps, marks = self.required.wraps, ("'", "''", "'''")
+        last, wrapped = f"[{self.name}.r.last]", room * self.required.periodic
         last = f"IF({wraps},{last},0)" if wraps else last
         joined = zip(self.found, self.rows.pieces, strict=True)
         met = [
             (k if joint.piece_count > 1 else wrapped) * (piece.duration > 0.0)
             for k, (joint, piece) in enumerate(joined)
         ]
-        cell = self.asked.order
+        cell = self.required.order
         jerk = f"IF(({cell}>2)*(ABS([dj])>{cell}_j),3,0)"
         order = f"=IF(ABS([dv])>{cell}_v,1,IF(({cell}>1)*(ABS([da])>{cell}_a),2,{jerk}))"
         return [
@@ -178,18 +178,18 @@ class Joints:
 
     def _first(self) -> list[Quantity]:
         """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
-        asked, name, told = self.asked, self.asked.order, self._told()
+        required, name, told = self.required, self.required.order, self._told()
 
         def at(column: str) -> str:
             return f"INDEX([{column}],{name}_piece)"
 
         order = at(f"{self.name}.order")
-        x, size = in_time(asked, at(f"{self.rows.at.pieces}.begin"), f"ABS({at(f'{self.name}.size')})", order)
-        units = ",".join(formula for formula, _ in asked.units)
+        x, size = jump_formulas(required, at(f"{self.rows.at.pieces}.begin"), f"ABS({at(f'{self.name}.size')})", order)
+        units = ",".join(formula for formula, _ in required.units)
         who, straight = self._who(), self._straight_lines()
         number = self.found.index(self._worst[1]) + 1 if self._worst else 0
         says = (
-            f'{f"{name}_who&" if who else ""}"at "&ROUND({name}_place,9)&{asked.place[0]}&": "&{name}_what'
+            f'{f"{name}_who&" if who else ""}"at "&ROUND({name}_place,9)&{required.place[0]}&": "&{name}_what'
             f'&" jumps by "&{name}_jump&" "&{name}_unit{f"&{name}_lines" if straight else ""}'
         )
         phases = [
@@ -220,58 +220,61 @@ class Joints:
 
     def _who(self) -> str:
         """Return the formula of the rows, or phases, between which the first jump is."""
-        asked, name = self.asked, self.asked.order
-        if asked.names:
+        required, name = self.required, self.required.order
+        if required.names:
             one, two = (f"INDEX([{self.rows.at.phases}.what],{name}_{end})" for end in ("before", "after"))
             return f'{one}&IF({name}_other=1," to "&{two},"")&" "'
-        return f'"row "&{name}_before&IF({name}_other=1," to "&{name}_after,"")&" "' if asked.rows else ""
+        return f'"row "&{name}_before&IF({name}_other=1," to "&{name}_after,"")&" "' if required.rows else ""
 
     def _straight_lines(self) -> list[tuple[str, str, str]]:
         """Return the rows of the slopes on both sides of the first jump, where both are straight."""
-        table, name = self.rows.at.asked, self.asked.order
+        table, name = self.rows.at.required, self.required.order
         if not table:
             return []
         both = "+".join(f"INDEX([{table}.way],{name}_{end})" for end in ("before", "after"))
-        one, two = (f"{name}_straight*{in_time(self.asked, '', f'INDEX([{table}.slope],{name}_{end})', '1')[1]}"
-                    for end in ("before", "after"))  # fmt: skip
+
+        def slope_of(end: str) -> str:
+            _, formula = jump_formulas(self.required, "", f"INDEX([{table}.slope],{name}_{end})", "1")
+            return f"{name}_straight*{formula}"
+
         says = f'": straight lines of "&ROUND({name}_slope0,9)&" and "&ROUND({name}_slope1,9)'
         return [
             ("straight", "Two straight lines meet there", f"IF({both}=-2,1,0)"),
-            ("slope0", "Slope of the first", one),
-            ("slope1", "Slope of the second", two),
+            ("slope0", "Slope of the first", slope_of("before")),
+            ("slope1", "Slope of the second", slope_of("after")),
             ("lines", "as told", f'IF({name}_straight=1,{says},"")'),
         ]
 
     def check(self, name: str, label: str) -> Quantity:
         """Return the check that the motion is as smooth as asked; it names joint, jump and phase."""
-        asked = self.asked
-        head = f'{asked.of[0]}&" "&' if asked.of[0] else ""
-        said = f"{asked.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
+        required = self.required
+        head = f'{required.of[0]}&" "&' if required.of[0] else ""
+        said = f"{required.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
         return check(
             name,
             label,
-            f"{asked.order}_piece=0",
+            f"{required.order}_piece=0",
             not self._worst,
             ABOUT,
-            says=CheckSentence(f"{head}{asked.order}_says", said),
+            says=CheckSentence(f"{head}{required.order}_says", said),
         )
 
     def _told(self) -> dict[str, Any]:
         """Return what is told of the first joint that is less smooth than asked, by the names of its cells."""
-        asked = self.asked
+        required = self.required
         if not self._worst:
             return NOTHING
         piece, joint = self._worst
         within = joint.before == piece.phase and joint.piece_count > 1
-        who = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if asked.rows else ""
-        if asked.names:
-            who = f"{asked.names[joint.before]}{'' if within else f' to {asked.names[piece.phase]}'} "
-        degrees = self.rows.at.degrees and asked.speed is None
-        at, size = timed(asked, piece.begin, abs(joint.size), joint.order)
+        who = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if required.rows else ""
+        if required.names:
+            who = f"{required.names[joint.before]}{'' if within else f' to {required.names[piece.phase]}'} "
+        degrees = self.rows.at.degrees and required.speed is None
+        at, size = jump_values(required, piece.begin, abs(joint.size), joint.order)
         x, jump, slopes = shown(at, DEGREE) if degrees else at, figure(size), self._slopes(piece, joint)
         lines = f": straight lines of {' and '.join(figure(one) for one in slopes)}" if slopes else ""
-        what, unit = ORDERS[joint.order - 1], asked.units[joint.order - 1][1]
-        says = f"{who}at {figure(x)}{asked.place[1]}: {what} jumps by {jump} {unit}{lines}"
+        what, unit = ORDERS[joint.order - 1], required.units[joint.order - 1][1]
+        says = f"{who}at {figure(x)}{required.place[1]}: {what} jumps by {jump} {unit}{lines}"
         return NOTHING | {
             "place": x, "what": what, "size": size, "unit": unit, "jump": Sentence(jump), "who": who,
             "before": joint.before + 1, "after": piece.phase + 1, "other": int(not within),
@@ -285,5 +288,5 @@ class Joints:
             return ()
         used = sorted({one.phase for one in self.rows.pieces})
         slopes = [slope(self._phases[used.index(row)]) for row in (joint.before, piece.phase)]
-        straight = tuple(timed(self.asked, 0.0, one, 1)[1] for one in slopes if one is not None)
+        straight = tuple(jump_values(self.required, 0.0, one, 1)[1] for one in slopes if one is not None)
         return straight if len(straight) > 1 else ()

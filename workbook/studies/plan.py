@@ -14,7 +14,7 @@ from pydantic import ValidationError
 import workbook
 from workbook.book.declare import Book
 from workbook.build import described
-from workbook.entries.design import RefusedError, attempted
+from workbook.entries.design import RefusedError, validated
 from workbook.entries.machine import Fault, Machine
 from workbook.errors import InputError, found
 from workbook.fields.types import EntryError
@@ -84,7 +84,7 @@ class Plan:
             if one.paths[0][-1] == "law" and value in ENTRIES and value not in data["laws"]:  # of a new family
                 data = dict(changed(data, ("laws", value), {"family": value}))
         try:
-            machine, faults = attempted(type(self.base), self.template.check, data)
+            machine, faults = validated(type(self.base), self.template.check, data)
         except EntryError as error:
             return Wrong(f"{error.field}: {error}")
         except RefusedError as error:

@@ -30,11 +30,11 @@ def joints_of(machine: CutterView, rows: PieceRows) -> Joints:
     smooth, cut = machine.given.smoothness, machine.cut
     largest = ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
     units = tuple((f'"{unit}"', unit) for unit in ("m/s", "m/s²", "m/s³"))
-    asked = RequiredSmoothness(
+    required = RequiredSmoothness(
         smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS, quickest=f"[{AT.phases}.rate.1]"
     )
     found = cut_joints(cut, smooth)
-    return Joints(rows, asked, found, rates_of(cut))
+    return Joints(rows, required, found, rates_of(cut))
 
 
 def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces) -> None:

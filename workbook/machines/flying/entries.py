@@ -10,7 +10,7 @@ from workbook.entries.machine import Exporting
 from workbook.entries.phase import TURN
 from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
-from workbook.motion.requirements import Smoothness, settle
+from workbook.motion.requirements import Smoothness, settle_room
 from workbook.selection.entries import Selection, SelectionSizes, require_room
 
 DRUM = "drum"
@@ -112,5 +112,5 @@ class FlyingCutter(Exporting):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         require_room(self.selection, self.sizes)
-        settle(self, MORE, MORE)
+        settle_room(self, MORE, MORE)
         return self

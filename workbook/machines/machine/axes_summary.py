@@ -31,9 +31,9 @@ def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveV
         result("travel", "travel", "h", units(machine), each("=[axes.high.{0}]-[axes.low.{0}]"),
                [high - low for low, high in reaches], "highest less lowest position"),
         result("v", "greatest velocity", symbols[1], units(machine, 1), each("=[axes.v.{0}]"),
-               [axis.fastest for axis in axes]),
+               [axis.max_velocity for axis in axes]),
         result("a", "greatest acceleration", symbols[2], units(machine, 2), each("=[axes.a.{0}]"),
-               [axis.hardest for axis in axes]),
+               [axis.max_acceleration for axis in axes]),
         *(motors(axes, drives) if drives else []),
     )  # fmt: skip
 

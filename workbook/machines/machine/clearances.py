@@ -193,7 +193,7 @@ def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
         entry("offset", "offset", unit, "offset"), entry("least", "gap to be left", unit, "least"),
         result("gap", "least gap", "", unit, each("MIN([clear{n}_least.gap])"), [one.least for one in apart],
                scale=max(one.size for one in apart), source="at most 0.1 % of what both axes move above the exact one"),
-        result("at", "at", over.symbol, over.unit, each(over.told(PLACE)),
+        result("at", "at", over.symbol, over.unit, each(over.shown_formula(PLACE)),
                [over.shown(one.place) for one in apart], scale=over.length, format=over.format),
     )  # fmt: skip
     sheet.workings(

@@ -31,7 +31,7 @@ from workbook.machines.machine.entries_beside import (
     spelled,
 )
 from workbook.machines.machine.mechanism import Mechanism, Table
-from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, counts, settle
+from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, piece_counts, settle_room
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
 
 MOST_AXES = 24
@@ -131,7 +131,7 @@ def following(name: str, phases: Sequence[AxisPhase], over: Abscissa = ANGLE) ->
     for i, phase in enumerate(phases):
         early = over.degrees(reached) - over.degrees(phase.start)
         if early > ANGLE_TOLERANCE:
-            said = f"begins at {figure(phase.start)}{over.after}, {over.said(early)} before row {i} ends"
+            said = f"begins at {figure(phase.start)}{over.after}, {over.text(early)} before row {i} ends"
             yield DesignError(f"phases.{i}.start", f"{name} row {i + 1} {said}", "follows", reached)
             return
         reached = phase.stop
@@ -191,10 +191,10 @@ class AnyMachine(Exporting):
                     said = f"{len(told)} rows do not fit into {getattr(self.sizes, room)}; raise sizes.{room}"
                     raise EntryError(f"axes.{i}.{entry}", said)
         require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
-        number, found = counts(self.laws), []
+        number, found = piece_counts(self.laws), []
         needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
                   for axis in self.axes_turned]  # fmt: skip
-        space = settle(self, max(needed), 2 * self.sizes.phases + 1)  # for the pieces of an axis
+        space = settle_room(self, max(needed), 2 * self.sizes.phases + 1)  # for the pieces of an axis
         for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
             if count > space:
                 still = [phase.model_dump() | AT_REST for phase in axis.phases]

@@ -72,7 +72,7 @@ def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError
     for k, start, _ in told:
         more = spans[k] - min(((other - start) % TURN for j, other, _ in told if j != k), default=spans[k])
         if more > ANGLE_TOLERANCE:
-            said.append(f"time {k} is on {over.said(more)} beyond the begin of another")
+            said.append(f"time {k} is on {over.text(more)} beyond the begin of another")
     if said:
         yield DesignError("on", f"{turned.name} {said[0]}", "apart", [UNUSED for _ in turned.on])
 

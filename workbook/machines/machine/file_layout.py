@@ -5,7 +5,7 @@ from itertools import permutations
 from typing import Any
 
 from workbook.entries.abscissa import UNITS as MEASURES
-from workbook.entries.abscissa import in_unit
+from workbook.entries.abscissa import unit_cell_name
 from workbook.entries.phase import TURN
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine import entries as entered
@@ -53,7 +53,7 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     chosen = machine.axes[0].name if CHOSEN in names else None
     falling = any(f"drive{i}_fall" in names for i in numbers)
     found["selection"] = machine.selection.model_copy(update={"axis": chosen, "falling": falling})
-    told_in = [unit for unit in MEASURES if in_unit(unit) in names]
+    told_in = [unit for unit in MEASURES if unit_cell_name(unit) in names]
     if told_in:
         entries = {name: getattr(machine, name) for name in type(machine).model_fields}
         return TimedMachine.model_construct(**entries | found | {"master": Cycle(cycle=TURN, unit=told_in[0])})

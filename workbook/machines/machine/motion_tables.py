@@ -8,8 +8,15 @@ from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import HIGH, LOW, Pieces
-from workbook.machines.machine.boundary.curves import carried, in_pieces, inside, kinds, peaks, points
-from workbook.machines.machine.boundary.handover import AxisHandover, asked, taken
+from workbook.machines.machine.boundary.curves import (
+    curves_between_ends,
+    end_kinds,
+    points,
+    polynomial_extremes,
+    pulse_extremes,
+    step_extremes,
+)
+from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.memo import latest
 from workbook.motion.cells import Cells, PieceRows, rows_of
@@ -33,8 +40,8 @@ class AxisTables:
         self.steps = self.rows + self.rows + 1
         made = partial(rows_of, self.at, axis.motion, stack, self.steps, axis.places)
         self.pieces: PieceRows = latest("pieces", (axis.motion, self.steps, self.at), made)
-        asked = self.asked
-        self.joints = latest("joints", (self.pieces, asked), partial(Joints.of, self.pieces, axis.motion, asked))
+        required = self.required
+        self.joints = latest("joints", (self.pieces, required), partial(Joints.of, self.pieces, axis.motion, required))
         self.ends = AxisHandover(self.pieces, axis, machine.over) if machine.hands_over else None
 
     @property
@@ -47,7 +54,7 @@ class AxisTables:
         )  # fmt: skip
 
     @property
-    def asked(self) -> RequiredSmoothness:
+    def required(self) -> RequiredSmoothness:
         """How smooth the axis must be."""
         t, i, over = self.name, self.axis.number, self.machine.over
         lift = over.lift(self.axis.given.unit)
@@ -71,7 +78,7 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
         sheet.rows(pieces_in_all(one.pieces), *one.joints.order())
         steps_table(sheet, one)
         room, ends = one.machine.room, one.ends
-        columns, halves = (in_pieces(ends, room), taken(ends, room)) if ends else ([], [])
+        columns, halves = (pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
         pieces_table(
             sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size, *columns, taken=halves
         )
@@ -154,7 +161,7 @@ def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
 
     def how(one: AxisHandover) -> list[Quantity]:
-        return [*carried(one), *inside(one), *peaks(one)]
+        return [*curves_between_ends(one), *polynomial_extremes(one), *step_extremes(one)]
 
     sheet.heading(TAKEN, ABOUT_TAKEN)
     for one in axes:
@@ -163,9 +170,9 @@ def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
                         f"=SUMPRODUCT(MAX(([{at.phases}.span]>0)*[{at.phases}.k]))", one.axis.places[-1] + 1,
                         format="0"))  # fmt: skip
         for name, title, columns in (
-            (one.asked, f"What the steps of {axis} take", asked),
+            (one.required, f"What the steps of {axis} take", required_ends),
             (at.ends, f"How the steps of {axis} are carried out", how),
-            (one.kinds, f"Ends of the steps of {axis}", kinds),
+            (one.kinds, f"Ends of the steps of {axis}", end_kinds),
         ):
             sheet.table(name, title, one.room, *columns(one), blank=spare)
     points(sheet.book, sheet)

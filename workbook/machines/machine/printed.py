@@ -58,11 +58,11 @@ FIGURES = (
 def printed_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet of one axis."""
     driven = view.driven
-    m, drive, hardest = driven.mechanism, replace(driven.train.drive, method="document"), driven.axis.hardest
+    m, drive, hardest = driven.mechanism, replace(driven.train.drive, method="document"), driven.axis.max_acceleration
     values = [
         m.at_motor(m.load.inertia, m.last, "document"), m.inertia("document"), drive.total_inertia,
         *map(m.driving_torque, (m.load.friction, m.load.torque, float(m.load.resisting(1.0)))),
-        driven.fastest * driven.axis.speed, view.speed, m.ratio * hardest,
+        driven.max_geometric_velocity * driven.axis.speed, view.speed, m.ratio * hardest,
         *(float(drive.torque(a, 1.0)) for a in (hardest, 0.0, -hardest)), view.points.rms_torque, driven.left,
     ]  # fmt: skip
     title = sheet_title(str(driven.entered.printed), [sheet.title for sheet in book.sheets])

@@ -126,9 +126,9 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
     i, times, after = lane.number, lane.times, over.after
     block, name = f"[switches.start1:stop{TIMES}]", f"switch{i}_times"
     start, stop = f"INDEX({block},{i},2*[t]-1)", f"INDEX({block},{i},2*[t])"
-    more = f'"is on "&ROUND({over.told("[span]-[next]")},9)&"{after} beyond the begin of another"'
+    more = f'"is on "&ROUND({over.shown_formula("[span]-[next]")},9)&"{after} beyond the begin of another"'
     wrong = f'IF([span]<=check_zero,"does not last",IF([span]-[next]>check_zero,{more},""))'
-    beyond = going_beyond(over.told("MAX([begin],[end])"), over)
+    beyond = going_beyond(over.shown_formula("MAX([begin],[end])"), over)
     late = calc(
         "late", "beyond the cycle", "", "", f'=IF(MAX([begin],[end])-360>check_zero,{beyond},"")', "", align="left"
     )
@@ -141,8 +141,8 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
         constant("t", "time", "", "", list(NUMBERS)),
         calc("used", "is entered", "", "", f'=IF(OR({start}="",{stop}=""),0,1)', lane.each([1] * len(lane.told), 0),
              format="0"),
-        angle("begin", "on from", f"={over.in_degrees(start)}", [time.start or 0.0 for time in times]),
-        angle("end", "to", f"={over.in_degrees(stop)}", [time.stop or 0.0 for time in times]),
+        angle("begin", "on from", f"={over.degrees_formula(start)}", [time.start or 0.0 for time in times]),
+        angle("end", "to", f"={over.degrees_formula(stop)}", [time.stop or 0.0 for time in times]),
         angle("span", "lasts", "=IF([used]=0,0,[end]-[begin]+IF([end]<[begin],360,0))",
               lane.each([shown(span, DEGREE) for span in lane.switch.spans], 0.0)),
         angle("next", "to the next begin", f"=IF([used]=0,0,{NEXT.format(f'[{name}')})", lane.until_next),
@@ -162,8 +162,8 @@ def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa, near: float) -> Non
         floor, angles, widths = len(lanes) - i, [first], ["[cycle1.theta.last]"]
         for t in NUMBERS:
             start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))
-            begin, end = f"[switches.start{t}.{i}]", over.told(f"MIN({start}+{span},360)")
-            rest = over.told(f"MAX({start}+{span}-360,0)")
+            begin, end = f"[switches.start{t}.{i}]", over.shown_formula(f"MIN({start}+{span},360)")
+            rest = over.shown_formula(f"MAX({start}+{span}-360,0)")
             begin, end, rest = (f"=IF({span}>0,{place},0)" for place in (begin, end, rest))
             angles += [begin, begin, end, end, first, first, rest, rest]
             widths += [width for width in (f"MIN({span},360-{start})", f"({start}+{span}-360)") for _ in UPS]

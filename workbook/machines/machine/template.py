@@ -7,8 +7,8 @@ from functools import partial
 from engine.cams.interpolation import FunctionValues, composed
 from engine.motion.pieces import CamProfile, profile_of_motion, shifted_profile
 from engine.timing import Switch, turn_time
-from workbook.book.declare import Book, Quantity, again, result
-from workbook.book.summary import summary_sheet, summed_up
+from workbook.book.declare import Book, Quantity, declare_or_copy, result
+from workbook.book.summary import group_verdict_column, summary_sheet
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
@@ -60,7 +60,7 @@ def declare(given: AnyMachine) -> Book:
     book.name("axes", axis_name="name")
     for one in rows:
         if view := drives.get(one.axis.number):
-            again(book, "drive sheets", (view, machine.near), partial(named_drive_sheet, book, view))
+            declare_or_copy(book, "drive sheets", (view, machine.near), partial(named_drive_sheet, book, view))
     clearances_sheet(book, [ClearanceView(one, k, rows) for k, one in enumerate(given.clearances, 1)])
     if bus:
         power_sheet(book, bus)
@@ -75,9 +75,9 @@ def declare(given: AnyMachine) -> Book:
     book_laws.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     for one in rows:
         floor = len(rows) + len(given.switches) - one.axis.number
-        again(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
+        declare_or_copy(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
     of_pieces = tuple((one.pieces, one.joints, one.ends) for one in rows)
-    again(book, "pieces sheet", of_pieces, partial(pieces_sheet, book, rows))
+    declare_or_copy(book, "pieces sheet", of_pieces, partial(pieces_sheet, book, rows))
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
     return finish(book, ("S1", "S3", "S4"))
@@ -101,7 +101,7 @@ def driven(machine: MachineView, axis: MovingAxis, stack: Pieces) -> tuple[AxisT
 def pace(machine: MachineView) -> list[Quantity]:
     """Return the results of how fast the machine goes; where nothing tells that, of how long its cycle is."""
     over, rate = machine.over, machine.given.per_minute
-    if not over.paced:
+    if not over.tells_time:
         return [result("about_cycle", "Length of a cycle", f"{over.symbol}_c", over.unit, "=timing_cycle", over.length)]
     return [result("about_rate", "Production rate", "N", "cycles/min", "=timing_rate", rate),
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time)]  # fmt: skip
@@ -158,7 +158,7 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
     block.sheet.workings(
         block, "axes_judged", "", max(block.columns.values()) + 1,
         result("law", "law", "", "", [LAW.format(axis.number) for axis in axes], found, align="right"),
-        summed_up(book, "axes_judged", "its checks", checks),
+        group_verdict_column(book, "axes_judged", "its checks", checks),
     )  # fmt: skip
 
 

@@ -93,7 +93,7 @@ class TimedMachine(AnyMachine):
     def _in_time(self) -> Self:
         untold = f"a cycle in {self.master.unit} does not tell how time passes, which a drive needs"
         for i, axis in enumerate(self.axes):
-            if axis.motor is not None and not self.over.paced:
+            if axis.motor is not None and not self.over.tells_time:
                 raise EntryError(f"axes.{i}.motor", f"{untold}; expected none, or a cycle in s")
         return self
 

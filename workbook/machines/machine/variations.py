@@ -12,7 +12,7 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, MECHANISMS, SLIDING
 from workbook.machines.machine.time_based import in_units_of
-from workbook.motion.requirements import smoothness_for, within
+from workbook.motion.requirements import dwells_for_room, smoothness_for
 
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
 STRAIGHT = "=-1"  # of a page: how a straight line meets its neighbours
@@ -52,7 +52,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         cuts = 2 * len(forces(i, k, 1.0)) if kind else 0
         axis |= {"closes": "feed" if (i + k) % 2 else "position", "smoothness": smoothness_for(turn + i),
                  "shift": SHIFTS[(i + k) % SIX], "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
-                 "phases": within(made, laws, sizes["motion_pieces"] - len(made) - 1 - cuts)}  # fmt: skip
+                 "phases": dwells_for_room(made, laws, sizes["motion_pieces"] - len(made) - 1 - cuts)}  # fmt: skip
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])

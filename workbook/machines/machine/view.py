@@ -18,7 +18,7 @@ from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.extremes import measured
 from workbook.memo import latest
-from workbook.motion.requirements import passed
+from workbook.motion.requirements import entered_rates
 
 UNITS = {"mm": MM, "°": DEGREE}
 BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entries
@@ -70,7 +70,7 @@ class MovingAxis:
     @cached_property
     def passed(self) -> dict[int, Rates]:
         """What is entered for the begin of phases, by their numbers in the motion."""
-        return {self.entered[i]: rates for i, rates in passed(self.given.phases).items()}
+        return {self.entered[i]: rates for i, rates in entered_rates(self.given.phases).items()}
 
     @cached_property
     def joined(self) -> JoinedMotion:
@@ -127,12 +127,12 @@ class MovingAxis:
         return self.rate(self.motion.size(order) * self.speed**order)
 
     @property
-    def fastest(self) -> float:
+    def max_velocity(self) -> float:
         """The greatest velocity as it is shown: in m/s, or rad/s, or in lift by abscissa."""
         return self.rate(max((m.y1_max * self.speed for m in self.moves.values()), default=0.0))
 
     @property
-    def hardest(self) -> float:
+    def max_acceleration(self) -> float:
         """The greatest acceleration as it is shown: in m/s², or rad/s², or in lift by abscissa²."""
         return self.rate(max((m.y2_max * self.speed**2 for m in self.moves.values()), default=0.0))
 

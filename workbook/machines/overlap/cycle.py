@@ -69,10 +69,10 @@ def joints_of(rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry,
     """Return the joints of a motion's pieces, and how smooth it must be; ``cell`` has its name."""
     largest = f"MAX([{rows.at.phases}.v])", f"MAX([{rows.at.phases}.a])"
     place, of = (f'"{after}"', after), (cell, given.name)
-    asked = RequiredSmoothness(
+    required = RequiredSmoothness(
         given.smoothness, f"{scope}smooth", f"{scope}order", largest, place, UNITS, of, names=names
     )
-    return Joints.of(rows, motion, asked)
+    return Joints.of(rows, motion, required)
 
 
 def rows_of(at: Cells, parts: Sequence[ScaledLaw], pieces: Pieces) -> PieceRows:

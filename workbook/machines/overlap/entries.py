@@ -11,7 +11,7 @@ from workbook.entries.phase import TURN
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, require_distinct
 from workbook.fields.types import Angle, DesignError, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
-from workbook.motion.requirements import Smoothness, settle
+from workbook.motion.requirements import Smoothness, settle_room
 
 MOST_TOOLS = 6
 REST = 2  # pieces of a motion beside those of its laws: a tool's dwell and its rest
@@ -101,5 +101,5 @@ class IndexingOverlap(Exporting):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        settle(self, REST, REST, at_once=2)
+        settle_room(self, REST, REST, at_once=2)
         return self

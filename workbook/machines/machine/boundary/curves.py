@@ -45,14 +45,14 @@ POSITION = "{0}*([c1]+{0}*([c2]+{0}*[c3]))+[A]*SIN([om]*{0}+[ph])"
 """of a piece of a pulse, whose acceleration is a straight line and a sine"""
 
 
-def carried(one: AxisHandover) -> list[Quantity]:
+def curves_between_ends(one: AxisHandover) -> list[Quantity]:
     """Return the columns of the halves of a law of two pulses, and of a polynomial Σ e_n ξⁿ, between their ends."""
     row, *phase = one.steps()
-    mode = one.number("mode", "is carried out", f"=INDEX([{one.asked}.mode],[k])", lambda step: step.mode, CARRIED)
+    mode = one.number("mode", "is carried out", f"=INDEX([{one.required}.mode],[k])", lambda step: step.mode, CARRIED)
     phases, (xi, s, v) = one.rows.at.phases, (f"INDEX(piece_{name},[split])" for name in ("xi", "s", "v"))
-    early, added = one.of(lambda step: step.early, 0), f"=IF([mode]=0,0,INDEX([{one.asked}.w{{}}],[k]))"
+    early, added = one.of(lambda step: step.early, 0), f"=IF([mode]=0,0,INDEX([{one.required}.w{{}}],[k]))"
     own, powers = partial(one.rate, 0), one.rows.powers
-    at_end = f"=IF([mode]>1,INDEX([{one.asked}.q{{}}],[k])*[span]^2,0)"
+    at_end = f"=IF([mode]>1,INDEX([{one.required}.q{{}}],[k])*[span]^2,0)"
     return [
         row, mode, *phase,
         one.rate(1, "d0", "velocity added in its first half", "", added.format(0), lambda step: step.drifts[0]),
@@ -101,7 +101,7 @@ def horner(powers: int, order: int, xi: str) -> str:
     return text if order else f"{xi}*({text})"
 
 
-def kinds(one: AxisHandover) -> list[Quantity]:
+def end_kinds(one: AxisHandover) -> list[Quantity]:
     """Return the columns of rates at both ends, and of their kinds: of what is settled there, else of the law's."""
     at = one.rows.at
     no, rate, *peaks = (f"INDEX([{at.phases}.{name}],[k])" for name in ("no", "rate", "y1", "y2"))
@@ -123,7 +123,7 @@ def kinds(one: AxisHandover) -> list[Quantity]:
                    f"=(INDEX(law_a{i},{no})*{end(f'h{i}')}+{end(f'b{i}')})*{rate}^2", at_end(i, 2))
           for i, word in enumerate(WORDS)),
         *(one.number(f"{name}{i}", f"has {what} at its {word}",
-                     f"=IF(ABS(IF(INDEX([{one.asked}.settled{i}],[k])=1,INDEX([{one.asked}.{asked}{i}],[k]),"
+                     f"=IF(ABS(IF(INDEX([{one.required}.settled{i}],[k])=1,INDEX([{one.required}.{asked}{i}],[k]),"
                      f"[{law}{i}]))>check_zero*[peak{order}],1,0)",
                      one.spread([int(step.kinds[i] in kinds) for step in one.handed]))
           for i, word in enumerate(WORDS)
@@ -152,7 +152,7 @@ def points(book: Book, sheet: Sheet) -> None:
     book.name("gauss", xi_g="xi", w_g="w")
 
 
-def inside(one: AxisHandover) -> list[Quantity]:
+def polynomial_extremes(one: AxisHandover) -> list[Quantity]:
     """Return the columns of the extremes of polynomials per unit of ξ, and the greatest velocity of two pulses."""
     size, powers = one.motion.size(0), one.rows.powers
     place = horner(powers, 0, "xi")
@@ -189,7 +189,7 @@ def inside(one: AxisHandover) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def peaks(one: AxisHandover) -> list[Quantity]:
+def step_extremes(one: AxisHandover) -> list[Quantity]:
     """Return the columns of the greatest velocity, acceleration and jerk, the RMS acceleration, and both positions."""
     at, both = one.rows.at, list(zip(one.handed, one.motion.reaches, strict=True))
     law, rate = f"INDEX({{0}},INDEX([{at.phases}.no],[k]))", f"INDEX([{at.phases}.rate],[k])"
@@ -248,7 +248,7 @@ def jumps(one: AxisHandover) -> list[int]:
     return found
 
 
-def in_pieces(one: AxisHandover, room: int) -> list[Quantity]:
+def pulse_extremes(one: AxisHandover, room: int) -> list[Quantity]:
     """Return the columns of the pieces' table: what pieces of laws of two pulses add to the extremes of their steps."""
     at, joints = one.rows.at, one.rows.at.pieces.replace("_pieces", "_joints")
     first = f"OR(INDEX([{joints}.n],[r])=1,INDEX([{joints}.from],[r])<>[p])"

@@ -42,7 +42,7 @@ class AxisHandover:
         self.rows, self.axis, self.over, self.motion = rows, axis, over, axis.motion
         self.handed = handovers(replace(axis.joined, motion=axis.motion), axis.passed, axis.given.repeats)
         self.entries = f"axis{axis.number}"
-        self.asked, self.kinds, self.last = rows.at.asked, f"{self.entries}_kinds", f"{self.entries}_last"
+        self.required, self.kinds, self.last = rows.at.required, f"{self.entries}_kinds", f"{self.entries}_last"
         self.open, self.room = f'[axes.closes.{axis.number}]="open"', len(rows.firsts)
         self.in_row = {place: k for k, place in enumerate(axis.places)}
 
@@ -104,24 +104,25 @@ class AxisHandover:
         """Return for each step why it cannot have its ends, as its row of the table says it."""
         found, laws = [""] * len(self.handed), [phase.law for phase in self.axis.given.phases]
         for (i, one), k in zip(self.phases, self.axis.entered, strict=True):
-            found[k] = f"row {i}: {laws[i - 1]} cannot {''.join(reason(one))}" if one.fault else ""
+            found[k] = f"row {i}: {laws[i - 1]} cannot {''.join(why_impossible(one))}" if one.fault else ""
         return found
 
     def checks(self, name: str, label: str) -> list[Quantity]:
         """Return the checks, of names and labels that begin so, that laws can have their ends and no line objects."""
-        texts, against = f"[{self.asked}.fault]", f"[{self.asked}.contrary]"
+        table = self.required
+        texts, against = f"[{table}.fault]", f"[{table}.contrary]"
         axis, called = self.axis.given.name, f'[axes.name.{self.axis.number}]&" '
         fault = next(filter(None, self.faults()), "")
         contrary = next((f"{axis} row {i}{BESIDE}" for i, one in self.phases if one.contrary), "")
         return [
-            check(f"{name}_meets", f"{label}each law meets its neighbours", f"SUM([{self.asked}.cannot])=0", not fault,
+            check(f"{name}_meets", f"{label}each law meets its neighbours", f"SUM([{table}.cannot])=0", not fault,
                   says=CheckSentence(f'{called}"&INDEX({texts},{first_text(texts)})', fault and f"{axis} {fault}")),
             check(f"{name}_passes", f"{label}what is entered goes with straight lines and dwells", f"SUM({against})=0",
                   not contrary, says=CheckSentence(f'{called}row "&MATCH(1,{against},0)/2&"{BESIDE}"', contrary)),
         ]  # fmt: skip
 
 
-def reason(one: Handover) -> tuple[str, str, str]:
+def why_impossible(one: Handover) -> tuple[str, str, str]:
     """Return at which end a phase cannot have what is asked for, what that is, and why; nothing where it can."""
     if not one.fault:
         return "", "", ""
@@ -132,7 +133,7 @@ def reason(one: Handover) -> tuple[str, str, str]:
             RESTS if never else KEPT if one.end_mode == FIXED else ONLY)  # fmt: skip
 
 
-def asked(one: AxisHandover) -> list[Quantity]:
+def required_ends(one: AxisHandover) -> list[Quantity]:
     """Return the columns of what each step takes."""
     way = f"=IF([span]>0,INDEX(law_way,INDEX([{one.rows.at.phases}.no],[k])),-1)"
     return [
@@ -141,7 +142,7 @@ def asked(one: AxisHandover) -> list[Quantity]:
                    "−1 has one, 0 cannot, 1 by two pulses, 2 has its own, 3, 5, 7 by a polynomial"),
         one.rate(1, "slope", "its own velocity", "h/δ", "=IF(AND([way]=-1,[span]>0),[h]/[span],0)",
                  lambda step: step.slope, "of a straight line"),
-        *beside(one), *ends(one), *carried_out(one),
+        *neighbours(one), *ends(one), *handover_modes(one),
     ]  # fmt: skip
 
 
@@ -150,9 +151,9 @@ def straight(step: Handover | None) -> int:
     return int(step is not None and step.end_mode == STRAIGHT)
 
 
-def beside(one: AxisHandover) -> list[Quantity]:
+def neighbours(one: AxisHandover) -> list[Quantity]:
     """Return the columns of the steps beside each, if these are straight, and of what is entered for phases."""
-    rows, table, around = [place + 1 for place in one.axis.places], one.asked, one.axis.given.repeats
+    rows, table, around = [place + 1 for place in one.axis.places], one.required, one.axis.given.repeats
     earlier = [max((row for row in rows if row < k), default=0) for k in range(1, one.room + 1)]
     before, after = [rows[-1] if around else 0, *rows[:-1]], [*rows[1:], rows[0] if around else 0]
     following = [*one.handed[1:], one.handed[0] if around else None]
@@ -161,7 +162,8 @@ def beside(one: AxisHandover) -> list[Quantity]:
     v, a = (f"INDEX([{one.entries}.{name}],[row])" for name in ("velocity", "acceleration"))
 
     def by_rad(cell: str, order: int) -> str:
-        return f"=IF([k]<>2*[row],0,IF(ISNUMBER({cell}),{one.over.rate(f'{cell}{lift.taken}', order)},0))"
+        entered = one.over.per_rad_formula(f"{cell}{lift.taken}", order)
+        return f"=IF([k]<>2*[row],0,IF(ISNUMBER({cell}),{entered},0))"
 
     return [
         one.number("earlier", "the last step above that lasts",
@@ -188,7 +190,7 @@ def beside(one: AxisHandover) -> list[Quantity]:
 
 def ends(one: AxisHandover) -> list[Quantity]:
     """Return the columns of velocity and acceleration at both ends, and whether these are settled."""
-    later = f"INDEX([{one.asked}.{{}}],MAX([after],1))".format
+    later = f"INDEX([{one.required}.{{}}],MAX([after],1))".format
     return [
         one.number("settled0", "begin is settled", "=IF(OR([way]=-1,[before]=0,[line0]=1),1,[set])",
                    one.of(lambda step: int(step.begin.settled), 1), "by a line, a dwell, an entry"),
@@ -210,7 +212,7 @@ def ends(one: AxisHandover) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def carried_out(one: AxisHandover) -> list[Quantity]:
+def handover_modes(one: AxisHandover) -> list[Quantity]:
     """Return the columns of whether a straight line is against an entry, how a law is carried out, or why not."""
 
     def differs(step: Handover, line: Handover | None) -> int:
@@ -221,7 +223,7 @@ def carried_out(one: AxisHandover) -> list[Quantity]:
         return int(BoundaryValues(step.phase.lift, begin.v * d, end.v * d, begin.a * d**2, end.a * d**2).straight)
 
     lies = f"AND(ABS([w1]-[w0])<={ROUNDING:.0E}*ABS([w0]),ABS([h]-[w0]*[span])<={ROUNDING:.0E}*ABS([h]))"
-    texts, speeds = one.spread([reason(step) for step in one.handed], ("", "", "")), "AND([way]=0,[moved]>0)"
+    texts, speeds = one.spread([why_impossible(step) for step in one.handed], ("", "", "")), "AND([way]=0,[moved]>0)"
     says = (
         ("verb", "at which end", f'IF(IF({speeds},ABS([w0]),ABS([q0]))>0,"begin","end")'),
         ("what", "what it cannot have", f'IF({speeds},"{SPEED}","{BEND}")'),
@@ -250,7 +252,7 @@ def carried_out(one: AxisHandover) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def taken(one: AxisHandover, room: int) -> list[Quantity]:
+def taken_by_pieces(one: AxisHandover, room: int) -> list[Quantity]:
     """Return the columns of the pieces' table that say what a piece takes over."""
     at = one.rows.at
 

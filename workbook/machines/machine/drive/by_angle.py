@@ -10,7 +10,7 @@ from workbook.book.declare import Quantity, calc, check, entries_of
 from workbook.book.sentence import amount, quoted
 from workbook.entries.phase import TURN
 from workbook.fields.units import shown
-from workbook.machines.machine.drive.driven import Driven, as_a
+from workbook.machines.machine.drive.driven import Driven, of_kind
 from workbook.machines.machine.drive.mechanisms import slides
 from workbook.machines.machine.drive.mechanisms.page import Column, constant_sizes
 from workbook.machines.machine.drive.view import DriveView
@@ -21,7 +21,7 @@ NEAR = 1e-9  # of a turn, and of the sheet's check_zero: how near to whole turns
 
 def crank_entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered of a press crank."""
-    e = as_a(PressCrank, driven.given)
+    e = of_kind(PressCrank, driven.given)
     angle = entries_of(e, f"{key}.mechanism")("@start_angle", "Angle of the crank where the axis is at 0", "φ_0", "°",
                                               "start_angle", "from the slide's line outwards; 0 if empty")  # fmt: skip
     return [*slides.crank(e, key, "slide"), angle]
@@ -29,7 +29,7 @@ def crank_entries(driven: Driven, key: str) -> list[Quantity]:
 
 def crank_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios, and of the crank in m and rad."""
-    one = as_a(Crank, driven.by_angle)
+    one = of_kind(Crank, driven.by_angle)
     return [
         *constant_sizes(driven),
         calc("@r", "Crank", "r", "m", "=@crank_radius/1000", one.crank),
@@ -51,7 +51,7 @@ def varied(i: int, k: int) -> dict[str, Any]:
 
 def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
     """Return the columns of the slide: where it is by the crank's angle, its velocity and its acceleration."""
-    one = as_a(Crank, driven.by_angle)
+    one = of_kind(Crank, driven.by_angle)
     psi, x = load.position + one.start, one.position(load.position)
     velocity, acceleration = load.moving
     return [

@@ -72,7 +72,7 @@ def turning(part: AxisPart) -> Part:
     return Part(part.name, own, SHAFTS.index(part.shaft), part.count, geared)
 
 
-def as_a(kind: type[T], what: object) -> T:
+def of_kind(kind: type[T], what: object) -> T:
     """Return a mechanism, as it is entered or the engine's, as of its kind; raise TypeError for one of another."""
     if not isinstance(what, kind):
         raise TypeError(f"{what} is no {kind.__name__}")
@@ -155,7 +155,7 @@ class Driven:
         return DriveResults(self.drive_cycle)
 
     @property
-    def judged(self) -> LimitChecks:
+    def limit_checks(self) -> LimitChecks:
         """The drive and its limits, exact: the motor's peak torque is level, or falls beyond its knee."""
         knee, fall = self.falling
         peak, fastest = self.motor.peak_torque, self.motor.max_speed
@@ -164,6 +164,6 @@ class Driven:
         return LimitChecks(self.drive_cycle, Limits(self.motor, curve, self.reducer.limits))
 
     @property
-    def fastest(self) -> float:
+    def max_geometric_velocity(self) -> float:
         """The greatest geometric velocity (m or rad, per rad)."""
         return max(phase.y1_max for phase in self.axis.motion.phases)

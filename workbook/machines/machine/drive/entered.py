@@ -81,7 +81,7 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
     """Declare the process forces over the cycle."""
     driven, over = view.driven, view.tables.machine.over
     found, unit = driven.windows, "N" if driven.travels else "Nm"
-    until = f"MIN(360,{over.in_degrees('[stop]')})" if over.measured else "[stop]"
+    until = f"MIN(360,{over.degrees_formula('[stop]')})" if over.measured else "[stop]"
     column = columns_of(driven.axis.typed.load.windows, f"{key}.load.windows", WINDOWS)
     spans = [shown((w.end - w.begin), DEGREE) for w in found]
     sheet.row += 1
@@ -92,9 +92,9 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
         column("stop", "to", "", over.unit, "stop", over.entered_of, format=over.format),
         column("force", "force", "", unit, "force", format=PLAIN),
         column("resists", "resists", "", "", "resists", "always, or moving"),
-        calc("from", "from", "", "°", f"={over.in_degrees('[start]')}+0",
+        calc("from", "from", "", "°", f"={over.degrees_formula('[start]')}+0",
              filled([w.start for w in driven.entered.load.windows], WINDOWS), format=PLAIN),
-        calc("span", "for", "", "°", f"={until}-{over.in_degrees('[start]')}+IF([stop]+0<[start]+0,360,0)",
+        calc("span", "for", "", "°", f"={until}-{over.degrees_formula('[start]')}+IF([stop]+0<[start]+0,360,0)",
              filled([span + (360 if span < 0 else 0) for span in spans], WINDOWS), format=PLAIN),
         calc("always", "always", "", unit, '=IF([resists]="moving",0,[force]+0)',
              filled([w.load.torque for w in found], WINDOWS)),

@@ -95,9 +95,9 @@ def motion(view: DriveView) -> list[Quantity]:
              of(local + LEAST), FROM_START),
         *arguments(rows, "", "[q]", [of(angle) for angle in angles]),
         calc("v", "velocity", "ẏ", f"{base}/s", f"=@omega*({sampled(rows, 1)})", of(load.velocity), "y' ω",
-             scale=max(axis.fastest, 1e-9)),
+             scale=max(axis.max_velocity, 1e-9)),
         calc("a", "acceleration", "ÿ", f"{base}/s²", f"=@omega^2*({sampled(rows, 2)})", of(load.acceleration), "y'' ω²",
-             scale=max(axis.hardest, 1e-9)),
+             scale=max(axis.max_acceleration, 1e-9)),
     ]  # fmt: skip
 
 

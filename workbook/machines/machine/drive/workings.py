@@ -67,7 +67,7 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     base, force = ("kg", "N") if travels else ("kg m²", "Nm")
     travel = "/MIN([@pt.g])" if view.varies else "*MAX(MAX([@pt.dx]),0-MIN([@pt.dx]))" if view.slides else "/@i2"
     square, largest = "m/φ'²", ", the largest" if driven.train.inertia_varies else ""
-    still = STANDSTILL * driven.fastest * driven.axis.speed
+    still = STANDSTILL * driven.max_geometric_velocity * driven.axis.speed
 
     sheet.heading(
         "Workings: the chain",
@@ -96,9 +96,10 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
         calc("@cr", "Constant torque at the mechanism's shaft", "C_r", "Nm", f"=@steady{travel}",
              load.torque * view.travel, "F_r/φ', F_r R of rollers", scale=size.behind),
         calc("@rub", "Friction", "", force, rubbing, load.friction, "μ m g cos γ" if travels else "", scale=size.force),
-        calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])", driven.fastest),
+        calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
+             driven.max_geometric_velocity),
         calc("@amax", "Greatest acceleration", "ÿ", f"{driven.axis.base}/s²",
-             f"=[axes.a.{driven.number}]*@faster^2", driven.axis.hardest),
+             f"=[axes.a.{driven.number}]*@faster^2", driven.axis.max_acceleration),
         calc("@still", "Standstill: speeds up to", "", f"{driven.axis.base}/s",
              "=check_zero*@vmax*@omega", still, format="0E+00", scale=max(still, 1e-12)),
         *([calc("@arm", "Arm: torque of its weight, level", "m_a g r_a", "Nm", "=@arm_mass*gravity*@arm_radius/1000",

@@ -83,8 +83,8 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Worked, Worked]:
     for name, (figure, power) in GROWTH.items():
         found |= {f"axis{i}.{name}.{k + 1}": partial(of_move, k, figure, power) for k in range(len(axis.given.phases))}
     for table in ("axes", "axes_short"):
-        found[f"{table}.v.{i}"] = partial(of_whole, "fastest", 1)
-        found[f"{table}.a.{i}"] = partial(of_whole, "hardest", 2)
+        found[f"{table}.v.{i}"] = partial(of_whole, "max_velocity", 1)
+        found[f"{table}.a.{i}"] = partial(of_whole, "max_acceleration", 2)
     return found, {
         f"axis{i}_position": lambda: in_words(axis.motion.complete),
         f"axis{i}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),

@@ -7,8 +7,6 @@ from engine.motion import Phase
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
-from workbook.entries.abscissa import Abscissa
-from workbook.entries.phase import AT_REST
 from workbook.fields.units import shown
 from workbook.law_sheets.page import finite
 from workbook.laws import sampling
@@ -17,7 +15,9 @@ from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.motion.cells import RAISED
 from workbook.motion.pieces import room_check
-from workbook.motion.requirements import entries
+from workbook.motion.requirements import rate_columns
+from workbook.entries.abscissa import Abscissa
+from workbook.entries.phase import AT_REST
 
 RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
     ("velocity", "vmax", VELOCITY, "C_v h/{}", lambda phase: phase.y1_max),
@@ -73,7 +73,7 @@ def entered(one: AxisTables) -> list[Quantity]:
         units, symbols = (one.at.unit(1), one.at.unit(2)), ("y'", "y''")
         if over.measured:
             units, symbols = over.rates(axis.given.unit)[:2], over.symbols[1:3]
-        passing = entries(entry("velocity"), entry("acceleration"), key, units, symbols)
+        passing = rate_columns(entry("velocity"), entry("acceleration"), key, units, symbols)
         kinds = zip(*(step.kinds for _, step in one.ends.phases), strict=True)
         for end, values in zip(("begin", "end"), kinds, strict=True):
             passing.append(result(f"{end}s", f"kind of its {end}", "", "", f"=INDEX([{one.name}_kinds.{end}s],2*[k])",
@@ -96,7 +96,7 @@ def entered(one: AxisTables) -> list[Quantity]:
 
 def extremes(one: AxisTables) -> list[Quantity]:
     """Return what each movement comes to; over a cycle whose length is entered also how long it lasts."""
-    axis, over, by = one.axis, one.machine.over, "t" if one.machine.over.paced else "δ"
+    axis, over, by = one.axis, one.machine.over, "t" if one.machine.over.tells_time else "δ"
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
     figures = [(word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
                for k, (word, *_, source, figure) in enumerate(RATES, 1)]  # fmt: skip
@@ -114,7 +114,7 @@ def extremes(one: AxisTables) -> list[Quantity]:
         *([
             result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',
                    filled([over.shown(p.stop - p.start) for p in axis.given.phases], one.rows), scale=over.length),
-            result("rests", "rest before", "", over.unit, f"={over.told('[gap]')}",
+            result("rests", "rest before", "", over.unit, f"={over.shown_formula('[gap]')}",
                    [over.shown(gap) for gap in gaps(one)], scale=over.length),
         ] if over.measured else []),
     ]  # fmt: skip
@@ -123,7 +123,7 @@ def extremes(one: AxisTables) -> list[Quantity]:
 def used(one: AxisTables) -> list[Quantity]:
     """Return law, lift and angles of each phase as the cells compute with them."""
     n, phases, over, turned = one.rows, one.axis.phases, one.machine.over, one.axis.given.phases
-    start, stop = over.in_degrees("[start]"), over.in_degrees("[stop]")
+    start, stop = over.degrees_formula("[start]"), over.degrees_formula("[stop]")
     laws = filled([one.machine.given.laws.number(p.law) for p in turned], n, 1)
     return [
         constant("k", "row", "k", "", list(range(1, n + 1))),
@@ -156,7 +156,8 @@ def faults(one: AxisTables) -> list[Quantity]:
     return [
         calc("gap", "rest before", "", "°", "=[begin]-IF([k]=1,0,[end-1])", gaps(one), scale=360.0),
         calc("backwards", "runs backwards", "", "", BACKWARDS.format(over.after), "", source=NO_FAULT),
-        calc("early", "begins too early", "", "", EARLY.format(over.after, over.told("0-[gap]")), "", source=NO_FAULT),
+        calc("early", "begins too early", "", "", EARLY.format(over.after, over.shown_formula("0-[gap]")), "",
+             source=NO_FAULT),
         *([beyond(over)] if over.measured else []),
         calc("lack", "jump of y", "Δy", one.axis.base, own(one, "", lacking),
              filled([p.missing_lift for p in one.axis.phases], one.rows), source="at its end: the law's lack"),
@@ -166,13 +167,13 @@ def faults(one: AxisTables) -> list[Quantity]:
 def beyond(over: Abscissa) -> Quantity:
     """Return the column of how far a row from ``start`` to ``stop`` goes on beyond the cycle, in words."""
     last = "MAX([start],[stop])"
-    late = f'=IF(OR([stop]="",{over.in_degrees(last)}-360<=check_zero),"",{going_beyond(last, over)})'
+    late = f'=IF(OR([stop]="",{over.degrees_formula(last)}-360<=check_zero),"",{going_beyond(last, over)})'
     return calc("beyond", "goes beyond the cycle", "", "", late, "", source=NO_FAULT, align="left")
 
 
 def going_beyond(last: str, over: Abscissa) -> str:
     """Return the formula of how far something goes on beyond the cycle."""
-    at, by = (f"ROUND({x},9)" for x in (last, f"{last}-{over.told('360')}"))
+    at, by = (f"ROUND({x},9)" for x in (last, f"{last}-{over.shown_formula('360')}"))
     return f'"goes to "&{at}&"{over.after}, "&{by}&"{over.after} beyond the cycle"'
 
 

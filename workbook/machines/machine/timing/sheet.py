@@ -4,7 +4,7 @@ from typing import Any
 
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
-from workbook.entries.abscissa import TAKEN, in_unit
+from workbook.entries.abscissa import TAKEN, unit_cell_name
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.file_layout import switch_name, unit_name
@@ -73,14 +73,16 @@ def pace(machine: MachineView) -> list[Quantity]:
             calc("omega", "Speed of the master shaft", "ω", "rad/s", "=2*PI()*timing_rate/60", machine.speed,
                  source="2π n / 60"),
         ]  # fmt: skip
-    what, symbol, forces = ("Time", "t_c", " and process forces") if over.paced else ("Length", f"{over.symbol}_c", "")
+    what, symbol, forces = (
+        ("Time", "t_c", " and process forces") if over.tells_time else ("Length", f"{over.symbol}_c", "")
+    )
     return [
         given("timing_cycle", f"{what} of a cycle", symbol, over.unit, over.length, "master.cycle",
               format=over.format, source=f"phases, shifts, switches{forces} are in {over.unit} of it"),
-        constant(in_unit(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
+        constant(unit_cell_name(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
         *([calc("timing_rate", "Production rate", "N", "cycles/min", "=60/timing_cycle", rate, source="60 / t_c")]
-          if over.paced else []),
-        calc("omega", "Speed of a turn a cycle" if over.paced else f"A turn a cycle, per {over.unit}", "ω",
+          if over.tells_time else []),
+        calc("omega", "Speed of a turn a cycle" if over.tells_time else f"A turn a cycle, per {over.unit}", "ω",
              f"rad/{over.unit}", "=2*PI()/timing_cycle", machine.speed,
              source=f"2π / {symbol}; workings count a cycle as one turn, of 360°"),
         calc(TAKEN, f"{what} of a cycle, as taken", "", over.unit, "=IF(timing_cycle>0,timing_cycle,360)", over.length,
@@ -120,14 +122,14 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
           for k, (name, end) in enumerate((("low", "MIN"), ("high", "MAX")))),
         *(result(name, f"greatest {word}", over.symbols[order], units(machine, order),
                  [f"=MAX([axis{axis.number}.{name}])" for axis in axes], values)
-          for order, (name, word, values) in enumerate((("v", "velocity", [a.fastest for a in axes]),
-                                                        ("a", "acceleration", [a.hardest for a in axes])), 1)),
+          for order, (name, word, values) in enumerate((("v", "velocity", [a.max_velocity for a in axes]),
+                                                        ("a", "acceleration", [a.max_acceleration for a in axes])), 1)),
     )  # fmt: skip
-    last = over.in_degrees("MAX([{0}.stop])")
+    last = over.degrees_formula("MAX([{0}.stop])")
     gap = f"(SUM([{{0}}.h])-IF(360-{last}>check_zero,0,INDEX([{{0}}.lack],COUNT([{{0}}.stop]))))"
     sheet.workings(
         table, "axes_taken", "Workings", FIRST + columns + 1,
-        calc("late", "shift, as taken", "", "°", f"={over.in_degrees('[shift]')}+0",
+        calc("late", "shift, as taken", "", "°", f"={over.degrees_formula('[shift]')}+0",
              [a.given.shift for a in axes], format="0.0##"),
         calc("y0", "begin, as taken", "y_0", ", ".join(dict.fromkeys(a.base for a in axes)),
              ["=[position]/1000" if a.given.unit == "mm" else "=RADIANS([position])" for a in axes],
@@ -232,7 +234,7 @@ def results(one: AxisTables) -> list[Quantity]:
         result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+{EARLIER}",
                shown(axis.at(one.machine.samples).y, axis.unit), source=POSITION),
         *(result(name, words, symbol, shown_in, f"={factor}*({sampled(one.pieces, order)}){lift}", axis.rate(values),
-                 scale=axis.size(order), source=paced if over.paced else by_x)
+                 scale=axis.size(order), source=paced if over.tells_time else by_x)
           for order, ((name, words, factor, paced, by_x), symbol, shown_in, values) in enumerate(rates, 1)),
     ]  # fmt: skip
 

@@ -16,7 +16,7 @@ from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant, entries_of
 from workbook.book.sentence import quoted
 from workbook.fields.units import DEGREE, si
-from workbook.machines.machine.drive.driven import Driven, as_a
+from workbook.machines.machine.drive.driven import Driven, of_kind
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
 from workbook.machines.machine.mechanism import CrankSlider, PressCrank, Rocker
 
@@ -59,7 +59,7 @@ def begun(one: SlideLinkage) -> list[Quantity]:
 
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
-    one = as_a(SlideLinkage, driven.linkage)
+    one = of_kind(SlideLinkage, driven.linkage)
     x = one.zero + one.direction * position
     psi = lever_angle(one.lever, one.link, one.offset, one.side, x)
     turned, ratio, change = one.shaft(position)
@@ -116,7 +116,7 @@ def crank(e: CrankSlider | PressCrank, key: str, moved: str) -> list[Quantity]:
 
 def crank_entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered of a crank-slider."""
-    e = as_a(CrankSlider, driven.given)
+    e = of_kind(CrankSlider, driven.given)
     cell = entries_of(e, f"{key}.mechanism")
     return [
         *crank(e, key, "load"),
@@ -133,7 +133,7 @@ INNER, OUTER = "SQRT(MAX(0,(@l-@r)^2-@e^2))", "SQRT((@l+@r)^2-@e^2)"
 
 def crank_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of a crank-slider in m, and of where it can bring its load to."""
-    one = as_a(SlideLinkage, driven.linkage)
+    one = of_kind(SlideLinkage, driven.linkage)
     low, high, *_ = one.reach
     return [
         *lengths(one, "crank_radius", "rod_length"),
@@ -175,7 +175,7 @@ def rocker_entries(driven: Driven, key: str) -> list[Quantity]:
 
 def rocker_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of a rocker in m, and of where it can bring its load to."""
-    one, begin = as_a(SlideLinkage, driven.linkage), si(as_a(Rocker, driven.given).start_angle or 0.0, DEGREE)
+    one, begin = of_kind(SlideLinkage, driven.linkage), si(of_kind(Rocker, driven.given).start_angle or 0.0, DEGREE)
     low, high, *_ = one.reach
     ahead = "SQRT(MAX(0,@l^2-(@r*SIN(@theta)-@e)^2))"
     back = '@direction="backward"'
@@ -202,7 +202,7 @@ def rocker_sizes(driven: Driven) -> list[Quantity]:
 
 def rocker_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the places at which a rocker may lock."""
-    one = as_a(SlideLinkage, driven.linkage)
+    one = of_kind(SlideLinkage, driven.linkage)
     places = ends_of(one.lever, one.link, one.offset, one.side, one.zero)
     ways = [1, 1, -1, -1, 1, 1, -1, -1]
     rests = [f"=(@l+{way}*@r)^2-@e^2" for way in ways[:4]] + [f"=@r^2-(@e+{way}*@l)^2" for way in ways[4:]]

@@ -14,7 +14,7 @@ from workbook.book.declare import Quantity, Sheet, calc, columns_of, constant
 from workbook.book.quantity import PLAIN
 from workbook.book.rows import NOT_ZERO, filled
 from workbook.book.sentence import quoted
-from workbook.machines.machine.drive.driven import FALLS, Driven, as_a
+from workbook.machines.machine.drive.driven import FALLS, Driven, of_kind
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
 from workbook.machines.machine.mechanism import Table
 
@@ -24,7 +24,7 @@ D = "INDEX([@curve.d1:d5],[part],0)"  # the coefficients of t to t⁵ of the par
 
 def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the points."""
-    column = columns_of(as_a(Table, driven.given).points, f"axes.{driven.number - 1}.mechanism.points", rows)
+    column = columns_of(of_kind(Table, driven.given).points, f"axes.{driven.number - 1}.mechanism.points", rows)
     sheet.row += 1
     sheet.table(
         "@points", "Points of the table: leave spare rows empty", rows,
@@ -37,11 +37,11 @@ def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
 
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of where the mechanism can bring its load to."""
-    one = as_a(PositionTable, driven.linkage)
+    one = of_kind(PositionTable, driven.linkage)
     low, high, *_ = one.reach
     base = driven.axis.base
     return [
-        calc("@count", "Points of the table", "", "", "=SUM([@curve.on])", len(as_a(Table, driven.given).points),
+        calc("@count", "Points of the table", "", "", "=SUM([@curve.on])", len(of_kind(Table, driven.given).points),
              format="0"),
         calc("@low", "Lowest position that is reached", "", base, "=INDEX([@curve.y],1)", low, scale=high - low),
         calc("@high", "Highest position", "", base, "=INDEX([@curve.y],MAX(1,@count))", high, scale=high - low),
@@ -69,7 +69,7 @@ AFTER, BEFORE = "MIN([k]+1,MAX(2,@count))", "MAX([k]-1,1)"
 
 def points(driven: Driven, rows: int) -> list[Quantity]:
     """Return the columns of the points in rad and SI, and of the chords between them."""
-    one = as_a(PositionTable, driven.linkage)
+    one = of_kind(PositionTable, driven.linkage)
     angle, y, *_ = one.columns
     metres, base = ("{}/1000", "m") if driven.travels else ("RADIANS({})", "rad")
     own = "INDEX([@points.{}],[k])"
@@ -92,7 +92,7 @@ def points(driven: Driven, rows: int) -> list[Quantity]:
 
 def slopes(driven: Driven, rows: int) -> list[Quantity]:
     """Return the columns of φ' and φ'' at the points: of the parabola, and as they are used."""
-    one = as_a(PositionTable, driven.linkage)
+    one = of_kind(PositionTable, driven.linkage)
     found = one.parabolas
     before, middle, after = (at("phi", place) for place in ("[m]-1", "[m]", "[m]+1"))
     left, right = at("chord", "[m]-1"), at("chord", "[m]")
@@ -137,7 +137,7 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
 
 def powers(driven: Driven, rows: int) -> list[Quantity]:
     """Return the coefficients of φ over the share t of each part: φ = φ_k + d1 t + d2 t² + … + d5 t⁵."""
-    one = as_a(PositionTable, driven.linkage)
+    one = of_kind(PositionTable, driven.linkage)
     found = np.vstack([one.powers[:, 1:], np.zeros((rows - len(one.powers), 5))]).T
     angle, _, first, second = one.columns
     d1, d2 = first[:-1] * one.widths, second[:-1] * one.widths**2 / 2.0
@@ -160,7 +160,7 @@ def powers(driven: Driven, rows: int) -> list[Quantity]:
 
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
-    one = as_a(PositionTable, driven.linkage)
+    one = of_kind(PositionTable, driven.linkage)
     part = one.part(position)
     share = (position - one.columns[1][part]) / one.widths[part]
     turned, first, second = one.shaft(position)
