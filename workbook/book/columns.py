@@ -19,7 +19,7 @@ class Moving(NamedTuple):
     bottom: int | None
 
     def at(self, row: int) -> Area:
-        """Return what it means in the formula of a row."""
+        """Return the area that it refers to in the formula of a row."""
         area, top, bottom = self
         first = area.top if top is None else row + top
         last = first if area.single else area.bottom if bottom is None else row + bottom
@@ -144,7 +144,7 @@ class Reader:
         return bool(self.left) and self.left[0][0] == "sign" and self.left[0][1] in signs
 
     def level(self, depth: int) -> Node:
-        """Return what binds at least so much."""
+        """Return the operation whose signs bind at least as strongly as those of ``LEVELS[depth]``."""
         if depth == len(LEVELS):
             return self.single()
         node = self.level(depth + 1)

@@ -107,7 +107,7 @@ class Book:
         return f"{quote_sheetname(block.sheet.title)}!{block.reference(column)}"
 
     def values(self, text: str) -> list[Any]:
-        """Return what the cells of ``[table.column]`` hold, or what the engine has for them."""
+        """Return the values of ``[table.column]``: what is entered, or the engine's value of a formula."""
         table, column = text.strip("[]").split(".")
         block = self.blocks[table]
         quantity = next(q for q in block.quantities if q.name == column)

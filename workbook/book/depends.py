@@ -1,7 +1,7 @@
-"""Which formula cells of a declared book hang on given cells, and which do not, whatever stands in these.
+"""Find which formula cells of a declared book depend on given cells.
 
-A look-up whose place is known reads one cell of its range, a choice one of its branches: what these say with the
-values declared is taken, so that an entry in one row of a table leaves alone what hangs on the others.
+A look-up whose place is known reads one cell of its range, a choice one of its branches. Both are followed with the
+values declared, so that an entry in one row of a table does not reach the formulas that depend on other rows.
 """
 
 import operator
@@ -14,7 +14,6 @@ from workbook.book.columns import Formulas, Moved, Node, tree
 from workbook.book.declare import Block, Book
 from workbook.book.formula import Area, Formula
 
-NONE = object()  # no value at all
 CHOOSING = frozenset(("INDEX", "MATCH", "IF", "CHOOSE"))  # functions that need not read all that they name
 COMPARED: dict[str, Callable[[Any, Any], bool]] = {
     "=": operator.eq, "<>": operator.ne, "<": operator.lt, ">": operator.gt, "<=": operator.le, ">=": operator.ge,
@@ -22,7 +21,7 @@ COMPARED: dict[str, Callable[[Any, Any], bool]] = {
 
 
 class Dependence:
-    """What the formula cells of a book refer to."""
+    """The cells that the formulas of a book refer to."""
 
     def __init__(self, book: Book) -> None:
         self._book = book
@@ -48,7 +47,7 @@ class Dependence:
                             self._by_column[area.sheet, column][area].append(at)
 
     def on(self, changed: Iterable[Address], known: Collection[Address] = ()) -> set[Address]:
-        """Return the formula cells that hang on ``changed``; those that are ``known`` are not asked, nor passed."""
+        """Return the formula cells that depend on ``changed``; the search stops at those that are ``known``."""
         found: set[Address] = set()
         waiting = list(changed)
         seen = set(waiting)
@@ -74,7 +73,7 @@ class Dependence:
         return any(area.holds(at) for area in self._known[reader])
 
     def _area(self, name: str, sheet: str) -> Area:
-        """Return what a name of the book means, or ``title!``."""
+        """Return the area of a defined name of the book; of ``title!`` the first cell of that sheet."""
         if name.endswith("!") and name[:-1] in self._titles:
             return Area(name[:-1], 1, 1, 1, 1, True)
         book = self._book
@@ -124,7 +123,7 @@ class Reading:
             yield area
 
     def indexed(self, place: Node, number: Node) -> Iterator[Area]:
-        """Yield what is read of a column by number: the cell, where the number is known."""
+        """Yield the areas that INDEX reads of a column: one cell, where the row is known."""
         row = self.value(number)
         yield from self.of(number)
         for area in self.areas(place):
@@ -134,7 +133,7 @@ class Reading:
         yield from self.of(place)
 
     def matched(self, key: Node, place: Node) -> Iterator[Area]:
-        """Yield what a look-up reads: in a column of keys 2 · number + share those of its number."""
+        """Yield the areas that MATCH reads: of a column of keys 2 · number + share only those of its number."""
         yield from self.of(key)
         area, first = next(self.areas(place), None), key
         while first.kind == "operation" and first.value in ("+", "-"):
@@ -149,7 +148,7 @@ class Reading:
             yield area._replace(top=area.top + rows[0], bottom=area.top + rows[-1])
 
     def value(self, node: Node) -> Any:
-        """Return what a number, a text or a cell stands for, or None; a whole number as one."""
+        """Return the value of a number, a text or a cell, or None; a whole number as an int."""
         found = node.value if node.kind == "number" else None
         if node.kind == "argument":
             found = self.arguments[node.value]
@@ -158,23 +157,26 @@ class Reading:
         return int(found) if isinstance(found, float) and found.is_integer() else found
 
     def truth(self, node: Node) -> bool | None:
-        """Return whether a plain comparison, or several joined, holds; None where that cannot be told."""
+        """Return whether a comparison, or several joined by NOT, AND and OR, holds; None where that is unknown."""
         if node.kind == "operation" and node.value in COMPARED:
-            return compared(node.value, *map(self.held, node.parts))
-        told = [self.truth(part) for part in node.parts] if node.kind == "call" else []
-        if node.value == "NOT" and told:
-            return None if told[0] is None else not told[0]
-        if node.value == "AND" and told:
-            return False if False in told else None if None in told else True
-        if node.value == "OR" and told:
-            return True if True in told else None if None in told else False
-        return None
+            return compared(node.value, *map(self.operand, node.parts))
+        if node.kind != "call" or node.value not in ("NOT", "AND", "OR"):
+            return None
+        truths = [self.truth(part) for part in node.parts]
+        decisive = bool(node.value == "OR")  # one part of this truth decides AND and OR
+        if node.value != "NOT" and decisive in truths:
+            return decisive
+        if None in truths:
+            return None
+        return not truths[0] if node.value == "NOT" else not decisive
 
-    def held(self, node: Node) -> Any:
-        """Return what one side of a comparison is; an empty cell is an empty text."""
+    def operand(self, node: Node) -> Any:
+        """Return the value of one side of a comparison; an empty cell is an empty text."""
         for area in self.areas(node):
-            found = self.values.get(area.first, NONE) if area.size == 1 else NONE
-            return None if found is NONE else "" if found is None else found
+            if area.size > 1 or area.first not in self.values:
+                return None
+            found = self.values[area.first]
+            return "" if found is None else found
         return self.value(node)
 
 
@@ -185,7 +187,7 @@ def placed(block: Block, column: int, columns: int) -> Area:
 
 
 def compared(sign: str, one: Any, other: Any) -> bool | None:
-    """Return whether a comparison holds; None where it is none of two numbers, or of texts for equality."""
+    """Return whether a comparison holds; None where a side is unknown, or where texts are compared by size."""
     if one is None or other is None:
         return None
     texts = [isinstance(value, str) for value in (one, other)]

@@ -157,7 +157,7 @@ def words(text: str) -> Iterator[tuple[str, str]]:
 
 
 def meant(kind: str | None, word: str, sheet: str, area: Resolve) -> Area | str:
-    """Return what a word of a formula stands for."""
+    """Return the area or the text that a word of a formula stands for."""
     if kind == "reference":
         return reference(word, sheet, area)
     if kind == "text":

@@ -11,11 +11,11 @@ from workbook.book.quantity import WANTED, Quantity, calc, check
 from workbook.book.sentence import Sentence, figure, first_text, quoted
 
 MESSAGES, MESSAGE, USED = "_messages", "message", "used"
-"""behind a table's name the block of its messages; in it the first of each row, and whether a row has any entry"""
+"""suffix of the block of a table's messages; its columns of the first message of a row, and of rows in use"""
 EXPECTED = "_expected"  # behind the name of a single cell: the message beside it
 EMPTY = "no row is filled"
 FULL, IS_FULL = "_full", "the table is full"
-"""behind a table's name the cell under its last row, and what that says where every row has entries"""
+"""the suffix of the cell under a table's last row, and its text where every row has entries"""
 FAULT = "*; expected*"  # what a message beside a single cell looks like, and no note does
 SPARE = 1  # columns over which the texts of a table's last column may run
 
@@ -29,7 +29,7 @@ class Limit(NamedTuple):
     number: bool = True
 
     def holds(self, cell: str, short: bool = False) -> str:
-        """Return the condition that a cell obeys; ``short`` takes a text, greater than all numbers, as within."""
+        """Return the condition that a cell obeys; a ``short`` one lets texts pass: they compare greater than numbers."""
         if not self.number:
             return f'{cell}<>""'
         parts = [f"{cell}{sign}{bound:.12g}" for sign, bound in self.bounds]
@@ -49,7 +49,7 @@ class RowRule(NamedTuple):
 
 
 class Guard(NamedTuple):
-    """The check of a block of inputs: what it watches, in the order in which it tells."""
+    """The check of a block of inputs: its entries and rules, in the order in which it reports them."""
 
     check: str
     entries: tuple[tuple[Quantity, Limit], ...]
@@ -89,7 +89,7 @@ def column_of(name: str) -> str:
 
 
 def entered_text(cell: str) -> str:
-    """Return the formula of what was entered in a cell."""
+    """Return the formula of an entry as messages show it, ``empty`` where there is none."""
     return f'IF({cell}="","empty",{cell})'
 
 
@@ -160,7 +160,7 @@ def room_cell(guard: Guard, rows: Sequence[int]) -> Quantity:
 
 
 def room_text(rows: Sequence[int]) -> str:
-    """Return what stands under a table by whether each of its rows is in use."""
+    """Return the text under a table, by whether each of its rows is in use."""
     return IS_FULL if all(rows) else ""
 
 
@@ -185,5 +185,5 @@ def message_columns(guard: Guard) -> Iterator[Quantity]:
 
 
 def message_column(name: str, label: str, formula: str) -> Quantity:
-    """Return a column of messages, none of which says anything."""
+    """Return a column of messages; their values are empty, as the engine only has sound entries."""
     return Quantity(name, label, "", "", "sentence", formula, "", align="left")

@@ -23,8 +23,8 @@ SAYS, WHERE = "_says", ": where, and by how much"
 """behind the name of a check, and behind its label: the cell that says where it fails"""
 WANTED = ": what is expected"  # behind the label of an entry: the message beside it
 
-FLOOR = 1e-3  # of the unit: that much of most quantities is next to nothing
-FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}  # and of those of which it is not
+FLOOR = 1e-3  # of the unit: a size that is negligible for most quantities
+FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}  # for units in which usual values are smaller
 
 ROUNDED, MOST = 1e-9, 1e9  # of figures beside a limit: the share of it that rounding may add, and what none is above
 
@@ -85,7 +85,7 @@ def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, *
 
 
 def entries_of(model: Any, place: str) -> Callable[..., Quantity]:
-    """Return what makes an input, as :func:`given` does, of the entry of a model at a key; the model is at a place."""
+    """Return a function that declares an input by its key below ``model``, which stands at ``place``."""
 
     def entry(name: str, label: str, symbol: str, unit: str, key: str, source: str = "", **more: Any) -> Quantity:
         value = attrgetter(key)(model)
@@ -96,7 +96,7 @@ def entries_of(model: Any, place: str) -> Callable[..., Quantity]:
 
 
 def columns_of(models: Sequence[Any], place: str, rows: int) -> Callable[..., Quantity]:
-    """Return what makes the column of an entry of models, which are at a place; empty in the rows below them."""
+    """Return a function that declares an input column by its key below ``models``, the rows at ``place``."""
 
     def column(name: str, label: str, symbol: str, unit: str, key: str, source: str = "", **more: Any) -> Quantity:
         values = filled([getattr(one, key) for one in models], rows, None)
@@ -146,7 +146,7 @@ def sentence(q: Quantity) -> Quantity:
 
 
 def sample(q: Quantity) -> Any:
-    """Return the value by whose size all cells of a quantity are shown: the only one, or the greatest of them."""
+    """Return the value whose size sets the format of all cells of a quantity: the only one, or the greatest."""
     if q.format or isinstance(q.value, str) or not hasattr(q.value, "__len__"):
         return q.value
     values = list(q.value)
@@ -203,7 +203,9 @@ class Block:
     is_table: bool = True
     blank: str = ""  # of a table: the condition under which a row is not used, and shows nothing but its inputs
     quiet: str = ""  # of a table: the condition under which its results are errors, and are not shown
-    lead: Block | None = None  # of columns beside a table: that, whose cells in the same row their formulas may name
+    lead: Block | None = (
+        None  # of columns beside a table: that table, whose cells in the same row their formulas may name
+    )
     workings: Block | None = None
     """of a table: its workings to the right, whose cells in the same row its formulas may name"""
 

@@ -37,7 +37,7 @@ def total(column: str) -> str:
 
 LEAST = 1e-30
 NOT_ZERO = "+tiny"
-"""the end of a formula of what is raised, :data:`LEAST`: Excel has no 0^0, and so little changes nothing else"""
+"""added to the base of a power, with the value :data:`LEAST`: Excel has no 0^0, and no other figure changes"""
 SHARES = (0.0, 0.0501210022942699, 0.161406860244631, 0.318441268086911, 0.5,
           0.681558731913089, 0.838593139755369, 0.94987899770573, 1.0)  # fmt: skip
 WEIGHTS = (0.0138888888888889, 0.0827476807804028, 0.137269356250081, 0.173214255486523, 0.185759637188209,

@@ -63,7 +63,7 @@ class Summary(NamedTuple):
 
 
 def summary(book: Book) -> Summary:
-    """Return what the checks say together: one that fails fails the book, one that is unfinished leaves it open."""
+    """Return the counts of the checks and their joint verdict; one that is unfinished leaves these open."""
     said = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
     verdicts, sentences = [verdict for verdict, _ in said], [sentence for _, sentence in said]
     known = verdicts.index(None) if None in verdicts else len(verdicts)
@@ -74,12 +74,14 @@ def summary(book: Book) -> Summary:
 
 
 def joint_verdict(verdicts: Sequence[str | None]) -> str | None:
-    """Return what verdicts say together: one that fails fails all, one that is unfinished leaves them open."""
-    return "FAIL" if "FAIL" in verdicts else None if None in verdicts else "OK"
+    """Return FAIL if any verdict is, else None if any is unfinished, else OK."""
+    if "FAIL" in verdicts:
+        return "FAIL"
+    return None if None in verdicts else "OK"
 
 
 def group_verdict_column(book: Book, table: str, label: str, rows: list[list[int]]) -> Quantity:
-    """Return the column ``verdict`` of a table: of each row what the checks at its places say together.
+    """Return the column ``verdict`` of a table: of each row the joint verdict of the checks at its places.
 
     All hold where as many fail up to the end of each run of places as before it.
     """
@@ -92,7 +94,7 @@ def group_verdict_column(book: Book, table: str, label: str, rows: list[list[int
 
 
 def group_verdicts(book: Book) -> dict[str, list[str | None]]:
-    """Return what stands in the columns that sum up some checks."""
+    """Return the verdicts in the columns that sum up groups of checks."""
     verdicts = summary(book).verdicts
     return {
         column: [joint_verdict([verdicts[k - 1] for k in places]) for places in rows]
@@ -101,7 +103,7 @@ def group_verdicts(book: Book) -> dict[str, list[str | None]]:
 
 
 def failing_checks(book: Book, most: int) -> dict[str, list[str | None]]:
-    """Return the checks that do not hold, as so many rows tell them, by block and column: ``mend.says``."""
+    """Return the first ``most`` checks that fail, by block and column of the table To mend: ``mend.says``."""
     found = summary(book)
     told = [
         (sheet.title, None if said is None else Sentence(f"{q.label}: {said}"))
@@ -116,7 +118,7 @@ def failing_checks(book: Book, most: int) -> dict[str, list[str | None]]:
 
 
 def check_cells(book: Book) -> dict[str, list[Any]]:
-    """Return what stands in the cells that sum up the checks, by block and column: ``checks.verdict``."""
+    """Return the values of all cells that sum up checks, by block and column: ``checks.verdict``."""
     found = summary(book)
     heads = [f"status{i}" for i in range(1, len(book.sheets) + 1)]
     return {

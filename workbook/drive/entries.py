@@ -13,13 +13,13 @@ Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 
 
 def in_unit(unit: str, description: str, default: Any = ..., title: str | None = None, example: Any = None) -> Any:
-    """Return the field of an entry in a unit; it must be told where there is no default."""
+    """Return the field of an entry in a unit; it is required where there is no default."""
     shown = None if example is None else [example]
     return Field(default, title=title, description=description, examples=shown, json_schema_extra={"unit": unit})
 
 
 def noted(default: Any, description: str) -> Any:
-    """Return the field of an entry that may be left out, with what it is."""
+    """Return the field of an optional entry."""
     return Field(default, description=description)
 
 

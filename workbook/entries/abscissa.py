@@ -29,7 +29,7 @@ ENTERED = {"mm": Lift("mm", MM, "*1000", "/1000"), "°": Lift("°", DEGREE, "*DE
 
 @dataclass(frozen=True)
 class Abscissa:
-    """What a cycle is over: by default degrees of a master shaft, entered and shown as they are."""
+    """The abscissa of a cycle: by default degrees of a master shaft, entered and shown without conversion."""
 
     unit: str = "°"
     after: str = "°"  # the unit as it stands behind a figure in sentences
@@ -45,13 +45,13 @@ class Abscissa:
     format: str = "0.0##"
     length: float = TURN
     measured: bool = False  # with a length that is entered, in its unit
-    tells_time: bool = True  # it tells how time passes
+    tells_time: bool = True  # whether rates are over time: in s, or in degrees of a shaft at a rate
     symbols: tuple[str, str, str, str] = ("y", "ẏ", "ÿ", "j")  # of a position and its rates
     extremes: tuple[str, str, str, str] = ("ẏmax", "ÿmax", "j_max", "ÿrms")
     """symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration"""
 
     def lift(self, unit: str) -> Lift:
-        """Return how its rates show a lift that is entered in a unit: as it is entered, or over time in m or rad."""
+        """Return the unit of lifts in velocity and acceleration: m or rad over time, else as entered."""
         return (METRES if unit == "mm" else RADIANS) if self.tells_time else ENTERED[unit]
 
     def rates(self, unit: str) -> tuple[str, str, str]:
@@ -69,27 +69,27 @@ class Abscissa:
         return (0, None, None) if self.measured else (0, TURN, step)
 
     def rule(self, table: str, row: int, name: str) -> str:
-        """Return who finds a fault of a row of a table, and by which rule: the row, or else the machine."""
+        """Return the rule that finds a fault in a row: of the row, or of the machine where the length is entered."""
         return f":{name}{row}" if self.measured else f"{table}.{row - 1}:{name}"
 
     def degrees(self, x: Real) -> Real:
-        """Return in degrees of the turn what is entered."""
+        """Return a place of the cycle, as entered, in degrees of one turn."""
         return x / self.length * TURN if self.measured else x
 
     def shown(self, x: Real) -> Real:
-        """Return as it is shown what is in degrees."""
+        """Return a place in degrees in the unit of the abscissa."""
         return x / TURN * self.length if self.measured else x
 
     def text(self, x: float) -> str:
-        """Return what is in degrees as sentences show it."""
+        """Return a place in degrees as sentences show it."""
         return f"{figure(self.shown(x))}{self.after}"
 
     def per_rad(self, rate: float, order: int) -> float:
-        """Return by rad what is entered of the n-th derivative of a motion."""
+        """Return an entered derivative of a motion of this order per rad^order."""
         return rate / float((tau / self.length) ** order) if self.measured else rate
 
     def by_unit(self, rate: float, order: int) -> float:
-        """Return by its unit a derivative of a motion by rad."""
+        """Return a derivative per rad^order in the unit of the abscissa."""
         return rate * float((tau / self.length) ** order) if self.measured else rate
 
     def degrees_formula(self, cell: str) -> str:
@@ -101,7 +101,7 @@ class Abscissa:
         return f"({cell})/360*{TAKEN}" if self.measured else cell
 
     def per_rad_formula(self, cell: str, order: int) -> str:
-        """Return the formula of what is entered of a derivative in a cell, by rad."""
+        """Return the formula of an entered derivative, per rad^order."""
         return f"{cell}/omega^{order}" if self.measured else cell
 
     def from_rad(self, order: int) -> str:
@@ -130,5 +130,5 @@ def measured(unit: str, length: float) -> Abscissa:
 
 
 def unit_cell_name(unit: str) -> str:
-    """Return the name of the cell that says what a cycle is over: by it a file tells that."""
+    """Return the name of the cell with the unit of the abscissa; from the name alone a file's layout is known."""
     return f"timing_in_{MARKS[unit]}"

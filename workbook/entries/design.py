@@ -30,7 +30,7 @@ class RefusedError(Exception):
 def finish_design(
     model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]
 ) -> M:
-    """Return a machine, with ``example``'s entries for numbers that do not do; raise RefusedError for other faults."""
+    """Return a machine, with entries of ``example`` for faulty numbers; raise RefusedError for other faults."""
     replaced: dict[str, int] = {}  # the turn in which each place was
     faults: list[Fault] = []
     tried = data = model.spelled(data)
@@ -58,7 +58,7 @@ def finish_design(
 
 
 def validated(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> tuple[M | None, list[Fault]]:
-    """Return the machine of a description, or what of its numbers does not do; raise RefusedError for all else."""
+    """Return the machine of a description, or the faults of its numbers; raise RefusedError for all other faults."""
     try:
         machine = model.model_validate(data)
         check(machine)
@@ -73,7 +73,7 @@ def validated(model: type[M], check: Callable[[M], None], data: dict[str, Any]) 
 
 
 def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
-    """Return the faults of numbers (beyond bounds, missing, at odds) that one of pydantic's tells; None for others."""
+    """Return the faults of numbers (beyond bounds, missing, inconsistent) in pydantic's error; None for others."""
     key, rule = keys_of(model, fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, DesignFaultsError):
@@ -99,7 +99,7 @@ def of_rule(where: str, error: DesignError) -> Fault:
 
 
 def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: dict[str, Any]) -> Any:
-    """Return an entry, or all below a place, that does: the example's, with the words that are held."""
+    """Return a valid entry, or all entries below a place: the example's numbers with the texts that were entered."""
     rule = ruled(path, tried)
     found = at(example, rule)
     if found is NONE or found is None:
@@ -143,7 +143,7 @@ def joined(names: Sequence[str]) -> str:
 
 
 def refilled(held: Any, example: Any) -> Any:
-    """Return an example's numbers at the places of what is held, whose texts and length stay."""
+    """Return an example's numbers in the structure of what was entered, whose texts and list lengths stay."""
     if isinstance(example, dict):
         known = held if isinstance(held, dict) else {}
         if known.get(rules.KIND) != example.get(rules.KIND) and rules.KIND in known:
@@ -155,7 +155,7 @@ def refilled(held: Any, example: Any) -> Any:
 
 
 def at(data: Any, path: str, exactly: bool = False) -> Any:
-    """Return what a description has at a place, else NONE, of a list too short its last; ``exactly``, else None."""
+    """Return the entry at a place, else NONE, and of a list too short its last row; with ``exactly``, else None."""
     for part in parts(path):
         if isinstance(data, list) and data and (int(part) < len(data) or not exactly):
             data = data[min(int(part), len(data) - 1)]
@@ -221,7 +221,7 @@ def as_entered(machine: Machine) -> dict[str, Any]:
 
 
 def emptied(data: Any) -> Any:
-    """Return a description without entries of nothing, and without the rows at the end of a list that have none."""
+    """Return a description without empty entries, and without empty rows at the end of lists."""
     if isinstance(data, dict):
         return {key: emptied(value) for key, value in data.items() if value is not None}
     if isinstance(data, list):

@@ -71,7 +71,7 @@ class Machine(Model):
 
     @classmethod
     def spelled(cls, data: Any) -> Any:
-        """Return a description with the keys of all that it may tell without."""
+        """Return a description with its short forms written out."""
         return data
 
     @model_validator(mode="before")
@@ -80,11 +80,11 @@ class Machine(Model):
         return cls.spelled(data)
 
     def built_as(self, names: Mapping[str, str]) -> None:
-        """Keep, by the names of the cells that tell it, what parts were called when their book was built."""
+        """Keep the names that parts had when their book was built, by the names of the cells that hold them."""
 
     @property
     def design(self) -> Design:
-        """What was entered in place of this machine's entries, where they do not do."""
+        """The entries that were replaced because they break a rule, as they were entered."""
         return self._design
 
     @model_validator(mode="after")
@@ -126,7 +126,7 @@ class Exporting(Machine):
 
     @classmethod
     def spelled(cls, data: Any) -> Any:
-        """Return a description that tells its axis to export by the number."""
+        """Return a description that has the exported axis by its number."""
         export = data.get("export") if isinstance(data, Mapping) else None
         name = export.get("axis") if isinstance(export, Mapping) else None
         if not isinstance(name, str):
@@ -145,7 +145,7 @@ class Exporting(Machine):
 
 
 def named(number: int) -> str:
-    """Return the name of the cell that tells the number of the exported axis: by it a file tells which it is."""
+    """Return the name of the cell with the number of the exported axis; from the name alone a file's axis is known."""
     return f"export_of{number}"
 
 

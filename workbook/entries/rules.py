@@ -87,17 +87,22 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     elif is_free_text(model, q):
         rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(longest(constraints)))
     else:
-        found = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
-        low, high = found.get(">=", found.get(">", -1e300)), found.get("<", found.get("<=", 1e300))
-        rule = DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
-        if ">" in found and high == 1e300:
-            rule = DataValidation("decimal", operator="greaterThan", formula1=repr(found[">"]))
+        rule = number_validation(constraints)
     rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
-    rule.allow_blank = q.key.find("*") >= 0
+    rule.allow_blank = "*" in q.key
     rule.promptTitle = rule.errorTitle = clip(q.label, 32)
     unit = f" [{q.unit}]" if q.unit else ""
     rule.prompt, rule.error = (clip(f"{word} {expected}{unit}.", 255) for word in ("Enter", "Expected"))
     return rule
+
+
+def number_validation(constraints: list[Any]) -> DataValidation:
+    """Return the rule for the cells of a number."""
+    found = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
+    low, high = found.get(">=", found.get(">", -1e300)), found.get("<", found.get("<=", 1e300))
+    if ">" in found and high == 1e300:
+        return DataValidation("decimal", operator="greaterThan", formula1=repr(found[">"]))
+    return DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
 
 
 def is_free_text(model: type[BaseModel], q: Quantity) -> bool:
@@ -107,7 +112,7 @@ def is_free_text(model: type[BaseModel], q: Quantity) -> bool:
 
 @cache
 def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
-    """Return what gives, by the key of an entry, its limits in cells: of a number, or a word that must be there."""
+    """Return a function from the key of an entry to its limits in cells: of a number, or a required word."""
 
     @cache
     def limit(key: str) -> Limit | None:
@@ -146,7 +151,7 @@ def must_be_there(model: type[BaseModel], key: str) -> bool:
 
 
 def default_at(model: type[BaseModel], key: str) -> Any:
-    """Return what an entry is where nothing is entered; None where it has no default."""
+    """Return the default of an entry; None where it has none."""
     field = declared(model, key)
     return None if field is None or field.is_required() else field.get_default(call_default_factory=True)
 

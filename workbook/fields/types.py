@@ -41,7 +41,7 @@ class EmptyCell:
 
 @dataclass(frozen=True)
 class CountsAs:
-    """Marks an entry with what it counts as where it does not do."""
+    """Marks an entry with the value that takes its place in an unfinished design where it breaks a rule."""
 
     value: float
 

@@ -20,7 +20,7 @@ from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sampling import Pieces
 from workbook.memo import latest
 
-RISE = 1.0  # what every law goes in a time of 1: so large are its velocity and acceleration at least, somewhere
+RISE = 1.0  # of every law in a time of 1: its velocity and acceleration reach at least this size
 
 
 PAGED = tuple(code for code in CODES if FAMILY[code].has_sheet)

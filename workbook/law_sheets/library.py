@@ -119,12 +119,12 @@ def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[st
 
 def varying(model: type[M], varied: Callable[[dict[str, Any], int], dict[str, Any]],
             suited: Callable[[dict[str, Any]], Iterable[str]] = list) -> Callable[[M], list[M]]:  # fmt: skip
-    """Return what gives machines of the same layout as one: its :func:`variations`, as the model has them."""
+    """Return a function from a machine to its :func:`variations`, as models of the same layout."""
     return lambda machine: [model.model_validate(data) for data in variations(machine, varied, suited)]
 
 
 def laws_in(description: Any, names: Container[str]) -> set[str]:
-    """Return those of the laws ``names`` that a description's phases and tools name."""
+    """Return the laws among ``names`` that the phases and tools of a description use."""
     if isinstance(description, dict):
         return set().union(*(laws_in(value, names) for name, value in description.items() if name != "laws"))
     if isinstance(description, list):
@@ -153,7 +153,7 @@ def page_of(name: str, entry: dict[str, Any]) -> Page:
 
 
 def passing(k: int, i: int, laws: dict[str, Any], size: float) -> dict[str, Any]:
-    """Return what the ``i``-th phase passes its begin with, of some, in a book with straight lines."""
+    """Return velocity and acceleration at the begin of every third phase, in a book with straight lines."""
     if (i + k) % 3 != 1 or not any(entry.get("family", name) == "LIN" for name, entry in laws.items()):
         return {}
     sign = -1 if k % 2 else 1

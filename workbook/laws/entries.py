@@ -20,7 +20,7 @@ PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 @dataclass(frozen=True)
 class TakesLaw:
-    """Marks an entry that names one of the book's laws; ``moves`` where the dwell does not do."""
+    """Marks an entry that names one of the book's laws; with ``moves``, any but the dwell."""
 
     moves: bool = False
 
@@ -110,7 +110,7 @@ class Laws(RootModel[dict[str, Entered]]):
         return ("DWL", *self.root)
 
     def called(self, name: str) -> str:
-        """Return what a law was called when its book was built, else what it is called."""
+        """Return the name that a law had when its book was built, else its present name."""
         return self._titles.get(name, name)
 
     def built_as(self, titles: Mapping[str, str]) -> None:

@@ -1,4 +1,4 @@
-"""What the page of a family of laws states, so that everything else need not know the family; what several share.
+"""The page of a family of laws: all that a workbook has to know of it; and what several pages share.
 
 ``@`` in names and formulas stands for the law's name in the book and an underscore, as in :meth:`Sheet.scoped`:
 ``@av`` is the cell ``TVP_av`` of the law TVP, ``[@pieces.d.1]`` the first duration in its table ``TVP_pieces``.
@@ -125,7 +125,7 @@ class Page:
         return self.titled or self.law.name
 
     def made(self, entered: Any) -> Law:
-        """Return the engine's law of what is entered, None where nothing is."""
+        """Return the engine's law with the parameters that are entered."""
         return self.law(**{name: getattr(entered, name) for name in self.fields})
 
     def law_of(self, numbers: Sequence[float]) -> Law:
@@ -150,17 +150,17 @@ class Page:
         return [value_at(entered, parameter.key) for parameter in self.parameters]
 
     def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
-        """Declare what is entered besides the rise shown and the parameters: nothing, of most families."""
+        """Declare entries besides the rise shown and the parameters; most families have none."""
 
     def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
-        """Declare workings that need the whole book, or none."""
+        """Declare workings that need the stack of all laws; most families have none."""
 
     def stepping(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way, as :attr:`wrong` has it."""
         return 0.0
 
     def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
-        """Declare tables behind that of the samples, or none."""
+        """Declare tables behind that of the samples; most families have none."""
 
     def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of one of the book's laws."""
@@ -200,7 +200,7 @@ class Page:
 
 
 def value_at(entered: Any, key: str) -> Any:
-    """Return what is entered at a key such as ``durations.0``."""
+    """Return the entry at a key such as ``durations.0``."""
     field, _, index = key.partition(".")
     value = getattr(entered, field)
     return value[int(index)] if index else value
@@ -245,7 +245,7 @@ BRIEF = LawCheck(
 
 
 def too_brief(durations: Sequence[float], entry: str, fits: Any) -> Iterator[DesignError]:
-    """Yield the fault of durations among which one is none, but lasts less than any stage."""
+    """Yield the fault of a stage that is shorter than the least that cells work out exactly, but not left out."""
     if any(BREAK_TOLERANCE < d < LEAST_STAGE for d in durations):
         said = f"a stage lasts less than {figure(LEAST_STAGE)} of the rise; expected that, or none"
         yield DesignError(entry, said, "brief", fits)

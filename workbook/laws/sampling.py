@@ -119,9 +119,15 @@ def kind(ends: str = "") -> str:
     return f'=IF([stop]="","spare",IF(OR([law]="DWL",{still}),"dwell",IF([lift]>0,"rise",{other})))'
 
 
+def kind_of(phase: Phase) -> str:
+    """Return the kind of a phase; one that moves without a lift is a turn."""
+    if not phase.moves:
+        return "dwell"
+    if phase.lift == 0:
+        return "turn"
+    return "rise" if phase.lift > 0 else "return"
+
+
 def kinds(phases: Sequence[Phase], rows: int) -> list[str]:
-    """Return what each phase is, with the spare rows filled up."""
-    used = [
-        ("rise" if one.lift > 0 else "return" if one.lift < 0 else "turn") if one.moves else "dwell" for one in phases
-    ]
-    return filled(used, rows, "spare")
+    """Return the kind of each phase; spare rows are spare."""
+    return filled([kind_of(phase) for phase in phases], rows, "spare")

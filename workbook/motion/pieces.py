@@ -42,7 +42,7 @@ def phase_columns(rows: PieceRows) -> list[Quantity]:
 
 
 def phase_table_columns(rows: PieceRows, first: str | Sequence[str], pieces: str | Sequence[str]) -> list[Quantity]:
-    """Return those columns with other formulas for the first piece's row on Laws, and how many pieces there are."""
+    """Return these columns by formulas for the first piece's row on Laws and for the number of pieces."""
     at = rows.at
     return [
         calc("rate", "per duration", "1/δ", f"1/{at.x}" if at.x else "",

@@ -1,4 +1,4 @@
-"""What may be asked of a motion: how smooth it is, what it passes where curved phases meet, room for its pieces."""
+"""Requirements of a motion: smoothness, velocity and acceleration where curved phases meet, room for its pieces."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -46,14 +46,14 @@ class RequiredSmoothness:
 
 
 def jump_formulas(required: RequiredSmoothness, degrees: str, size: str, order: str) -> tuple[str, str]:
-    """Return the formulas of a place and of a jump as sentences tell them."""
+    """Return the formulas of a place and of a jump as sentences show them."""
     if required.speed is None:
         return degrees, size
     return f"RADIANS({degrees})/{required.speed[0]}", f"{size}*{required.speed[0]}^{order}{required.lift[0]}"
 
 
 def jump_values(required: RequiredSmoothness, x: float, size: float, order: int) -> tuple[float, float]:
-    """Return them by the engine: x is in rad where they are told over time."""
+    """Return place and jump by the engine, as sentences show them; x is in rad where the motion is over time."""
     return (
         (x, size)
         if required.speed is None
@@ -62,13 +62,13 @@ def jump_values(required: RequiredSmoothness, x: float, size: float, order: int)
 
 
 def entered_rates(phases: Iterable[Any]) -> dict[int, Rates]:
-    """Return what is entered, by the number of the phase that begins there, from 0."""
+    """Return velocity and acceleration entered at the begin of phases, by the number of the phase from 0."""
     return {k: Rates(one.velocity or 0.0, one.acceleration or 0.0) for k, one in enumerate(phases) if one.passes}
 
 
 def rate_columns(velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],
             symbols: tuple[str, str] = ("y'", "y''")) -> list[Quantity]:  # fmt: skip
-    """Return the columns in which it is entered; ``key`` is that of the rows in the description."""
+    """Return the columns of velocity and acceleration entered; ``key`` is that of the rows in the description."""
     return [
         given("velocity", "velocity at its start", symbols[0], units[0], velocities, f"{key}.velocity",
               format="0.0####", source="between two curved phases; empty: 0"),
@@ -111,7 +111,7 @@ def settle_room(machine: Machine, most: int, rest: int, at_once: int = 1) -> int
 
 
 def dwells_for_room(phases: list[dict[str, Any]], given: dict[str, Any], room: int) -> list[dict[str, Any]]:
-    """Return phases of which some are dwells instead, so that their pieces find room; ``given`` are the laws."""
+    """Return phases, some replaced by dwells so that the pieces of all find room; ``given`` are the laws."""
     number, left = piece_counts(Laws.model_validate(given)), room
     for after, phase in zip(range(len(phases) - 1, -1, -1), phases, strict=True):
         if number[phase["law"]] + after > left:

@@ -17,7 +17,7 @@ from workbook.motion.pieces import at_begin, at_place, place_columns
 from workbook.motion.requirements import ABOUT, RequiredSmoothness, jump_formulas, jump_values
 
 RATES = ("v", "a", "j")
-NOTHING: dict[str, Any] = {  # what is told of a jump, by the names of its cells, where nothing jumps
+NOTHING: dict[str, Any] = {  # the values of the cells on a jump, by name, where nothing jumps
     **dict.fromkeys(("what", "unit", "jump", "who", "lines", "says"), ""),
     **dict.fromkeys(("before", "after", "other", "straight"), 0),
     **dict.fromkeys(("place", "size", "slope0", "slope1"), 0.0),
@@ -145,7 +145,7 @@ class Joints:
         ]  # fmt: skip
 
     def _jumps(self, room: int) -> list[Quantity]:
-        """Return what jumps where each piece begins."""
+        """Return the columns of the jumps at the begin of each piece."""
         wraps, marks = self.required.wraps, ("'", "''", "'''")
         last, wrapped = f"[{self.name}.r.last]", room * self.required.periodic
         last = f"IF({wraps},{last},0)" if wraps else last
@@ -260,7 +260,7 @@ class Joints:
         )
 
     def _told(self) -> dict[str, Any]:
-        """Return what is told of the first joint that is less smooth than asked, by the names of its cells."""
+        """Return the values of the cells on the first joint that is less smooth than required, by name."""
         required = self.required
         if not self._worst:
             return NOTHING

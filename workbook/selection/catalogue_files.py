@@ -91,7 +91,7 @@ def others(found: list[str]) -> str:
 
 
 def value(cell: str, entry: str, separator: str) -> Any:
-    """Return what a cell holds: nothing, a text, or a number; what is no number stays a text, which no rule takes."""
+    """Return the entry of a cell: None, a text, or a number; a text in place of a number is refused later."""
     if not cell or entry in TEXTS:
         return cell or None
     text = cell.replace(",", ".") if separator == ";" else cell
@@ -99,7 +99,7 @@ def value(cell: str, entry: str, separator: str) -> Any:
 
 
 def useless(model: type[Row], columns: dict[str, str], given: Product) -> Iterator[str]:
-    """Yield of what is of no use, whatever other numbers would be, the column, what was found, what is expected."""
+    """Yield a sentence for each unusable entry: its column, the entry found, and what is expected."""
     names = {entry: column for column, entry in columns.items()}
     try:
         model.model_validate(given)

@@ -93,13 +93,13 @@ def peak(c: int) -> str:
 
 
 def wanted(table: str, n: int, inertia: str) -> str:
-    """Return the formula of what a motor fails of what is wanted of it in the n-th column, or that it is usable."""
+    """Return the formula of the margin or inertia ratio that a motor misses in the n-th column; yes if none."""
     used = f"[@{table}share{n}.v.same]"
     return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{of("jmax")},"inertia","yes")))'
 
 
 def weak(table: str, n: int, fast: str) -> str:
-    """Return the formula of what a motor fails first in the n-th column: speed, peak torque, or what is wanted."""
+    """Return the formula of what a motor fails first in the n-th column: speed, peak torque, a margin, inertia."""
     other = f'IF([@{table}peak{n}.v.same]>{of("top")},"peak",[@{table}wanted{n}.v.same])'
     return f'IF([{fast}.{n}]>{of("nmax")},"speed",{other})'
 

@@ -71,7 +71,7 @@ Cell = str | tuple[str, float] | tuple[str, float, float]
 
 
 def figures(scope: str, asked: Mapping[str, tuple[float, float]], cells: Mapping[str, Cell]) -> list[Figure]:
-    """Return figures by their cells: a formula of what is asked, a formula with its value, or with a scale besides."""
+    """Return the figures of a shaft by their cells: a formula of a figure of the load, or one with value and scale."""
     each = {name: (cell, *asked[name]) if isinstance(cell, str) else cell for name, cell in cells.items()}
     return [Figure(name, *of, in_scope(each[name][0], scope), *each[name][1:]) for name, of in LABELS.items()]
 
@@ -216,7 +216,7 @@ class PairSelection:
 
     @cached_property
     def listed(self) -> list[Figures]:
-        """The best pairs."""
+        """The figures of the best pairs."""
         g, found = self.grid, []
         for m, r in self.ranked[:BEST]:
             margin = float(shares_of(np.array(1.0), g.uses[m, r]))

@@ -1,6 +1,6 @@
 """Other catalogues and choices at which ``verify`` evaluates a Selection sheet.
 
-Every rank, proposed and named pairs, figures that are missing, limits that are not given, and no pair at all.
+They have every rank, proposed and named pairs, missing figures, missing limits, and no usable pair at all.
 """
 
 from typing import Any

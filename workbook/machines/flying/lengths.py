@@ -19,7 +19,7 @@ def waits(length: str, way: str) -> str:
 
 
 def lengths_columns(machine: CutterView, cuts: Sequence[Cut], length: str, way: str) -> list[Quantity]:
-    """Return what each cut asks for; ``length`` and ``way`` are the references to its length and its strategy."""
+    """Return the columns of speeds, accelerations and load factor of cuts; ``length`` and ``way`` refer to cells."""
 
     def of(name: str, unit: float = 1.0) -> list[float]:
         return [shown(getattr(cut, name), unit) for cut in cuts]

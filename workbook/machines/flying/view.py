@@ -30,7 +30,7 @@ from workbook.selection.pair_selection import Figure, PairSelection, Shaft, aske
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
 LEAST = 1e-3  # Nm, W, rad/s²: what is smaller is next to nothing
-BEFORE = [Figure("beside", "", "", "0", 0.0), Figure("left", "", "", "1", 1.0)]  # what is asked of no pair yet
+BEFORE = [Figure("beside", "", "", "0", 0.0), Figure("left", "", "", "1", 1.0)]  # before a pair is chosen
 DRIVES, DRIVEN = ("*([@pt.S]*[@pt.dir]>=0)", "*([@pt.S]*[@pt.dir]<0)")
 """where the shaft drives the load, and where the load drives it"""
 
@@ -59,17 +59,21 @@ class CutterView:
         self.room = self.sizes.motion_pieces or 0  # rows of the table of the motion's pieces
         self.times = np.linspace(0.0, self.cut.cycle_time, self.sizes.cycle + 1)  # s
         self.lengths = np.linspace(lengths.shortest, lengths.longest, self.sizes.lengths + 1)  # compared, in mm
-        h, stops = self.cut.displacement, self.cut.speed_range[0] <= SAME_LENGTH * self.line
-        # which row of the cases by product length holds: shorter than L_0, as long, longer, too long to keep on
-        self.case = 1 if h > 0.0 else 2 if not h else 4 if stops else 3
         self.limit = shown(self.cut.limit_length, MM) if self.is_drum else 0.0  # L_p,lim; a saw always reverses
+
+    @property
+    def case(self) -> int:
+        """The row of the case by product length: 1 below L_0, 2 as long, 3 longer, 4 too long to keep moving."""
+        if self.cut.displacement >= 0.0:
+            return 1 if self.cut.displacement else 2
+        return 4 if self.cut.speed_range[0] <= SAME_LENGTH * self.line else 3
 
     def of(self, length: float, beyond: Beyond | None = None) -> Cut:
         """Return the cut of a product length in mm, whose drum waits where the cells find the law fastest."""
         return Cut(self.tool, si(length, MM), self.line, self.law, beyond or self.given.beyond, self.peak)
 
     def task(self, cut: Cut) -> Task:
-        """Return what a cut asks of the drive at the tool's shaft, exactly, from the law's coefficients."""
+        """Return the demands of a cut on the drive at the tool's shaft, exact by the law's coefficients."""
         rest = cut.cycle_time - cut.moving_time
         rests = [Phase(Dwell(), 0.0, rest)] if rest > 0.0 else []
         phases = [Phase(self.law, cut.superimposed, cut.moving_time), *rests]
@@ -165,12 +169,14 @@ def mean(one: str, other: str, where: str = "") -> str:
 
 
 def does(cut: Cut) -> str:
-    """Return in a word what the tool does while it re-positions."""
-    return "waits" if cut.waits else "reverses" if cut.reverses else "keeps moving"
+    """Return in words how the tool re-positions."""
+    if cut.waits:
+        return "waits"
+    return "reverses" if cut.reverses else "keeps moving"
 
 
 def check(machine: FlyingCutter) -> None:
-    """Raise DesignError for a law that does not do, and for products that leave no time to re-position."""
+    """Raise DesignError for a law that does not speed up once, or for products that leave no time to re-position."""
     cutter, law = machine.cutter, laws(machine.laws)[machine.cutter.law]
     speeds = law.v(velocity_extremes(law))
     top, falls = int(np.argmax(speeds)), np.diff(speeds)

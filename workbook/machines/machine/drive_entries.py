@@ -1,4 +1,4 @@
-"""What drives an axis of a machine beside its mechanism: load, parts, motor, reducer and catalogues, as entered."""
+"""Entries of a drive beside its mechanism: load, rotating parts, motor, reducer and catalogues."""
 
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal, Self
@@ -48,7 +48,7 @@ class SwingingArm(Model):
 
 
 class AxisLoad(Model):
-    """What hangs on an axis: of one that travels a mass, of one that turns an inertia, and what resists."""
+    """The load of an axis: a mass of one that travels, an inertia of one that turns, and the forces that resist."""
 
     mass: NotNegative = 0.0  # kg
     friction: NotNegative = 0.0  # coefficient
@@ -106,7 +106,7 @@ class AxisMotor(Model):
 
 
 class Reducer(Model):
-    """What stands between motor and mechanism, by its name in the catalogue, or by its figures."""
+    """The gear unit between motor and mechanism, by its name in the catalogue, or by its figures."""
 
     name: Product = ""
     ratio: Annotated[Positive, EmptyCell()] = 1.0  # motor over mechanism

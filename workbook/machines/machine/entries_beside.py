@@ -1,4 +1,4 @@
-"""What stands beside the axes of a machine, as an engineer enters it: switches, and axes that must stay apart."""
+"""Entries of a machine beside its axes: switches, and clearances between axes."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Annotated, Any, ClassVar

@@ -1,4 +1,4 @@
-"""What is true of results by points: the exact engine's, where a sheet is farther off than it states."""
+"""Compare results by points with the exact engine, and report those that are farther off than a sheet states."""
 
 import math
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""A machine as the defined names of a file tell it: its axes, mechanisms, clearances and switches."""
+"""The layout of a machine's book by the defined names of a file: its axes, mechanisms, clearances and switches."""
 
 from collections.abc import Container
 from itertools import permutations
@@ -16,22 +16,22 @@ from workbook.machines.machine.view import UNITS
 
 MARKS = {"mm": "mm", "°": "deg"}
 CHOSEN = "sel_axis"
-"""the name of the cell that says which axis the sheet Selection looks at: by it a file tells that it has one"""
+"""the name of the cell with the axis that the sheet Selection is for; a file with that name has the sheet"""
 
 
 clearance_name = "clear{}_{}_{}".format
-"""names the cell of a clearance by its number and those of its axes: by it a file tells which these are"""
+"""names the cell of a clearance by its number and those of its axes, which a file so tells"""
 switch_name = "switch{}_name".format
 """names the cell that tells what a switch is called: by it a file tells how many there are"""
 
 
 def unit_name(number: int, unit: str) -> str:
-    """Return the name of the cell that says in which unit an axis is entered: by it a file tells that."""
+    """Return the name of the cell with the unit of an axis; from the name alone a file's layout is known."""
     return f"axis{number}_{MARKS[unit]}"
 
 
 def kind_name(number: int, kind: str) -> str:
-    """Return the name of the cell that says which mechanism an axis has: by it a file tells that."""
+    """Return the name of the cell with the mechanism of an axis; from the name alone a file's layout is known."""
     return f"drive{number}_{kind.replace(' ', '_').replace('-', '_')}"
 
 
@@ -75,7 +75,7 @@ def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -
 
 
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
-    """Return the entries that a book's layout tells, and no cell to enter; and tables whose cells may all be empty."""
+    """Return the entries that follow from a book's layout, without a cell; and tables whose cells may all be empty."""
     found: dict[str, Any] = {"master": {"cycle": None, "unit": machine.over.unit} if machine.over.measured else {}}
     for i, axis in enumerate(machine.axes):
         found[f"axes.{i}.unit"] = axis.unit

@@ -141,7 +141,7 @@ def steps_table(sheet: Sheet, one: AxisTables) -> None:
 
 
 def carried_back(values: list[float | None], last: float) -> list[float]:
-    """Return values of steps, those of steps that are not there as of the next one that is."""
+    """Return values of steps; a step that is missing has the value of the next one."""
     found: list[float] = []
     for value in reversed(values):
         found.append(last if value is None else value)

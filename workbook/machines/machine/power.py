@@ -64,7 +64,7 @@ class Mains:
 
 
 def supply(bus: Mains) -> list[Quantity]:
-    """Return what the first sheet tells of all drives: those at a rate of their own are beside the bus."""
+    """Return the results of all drives for the first sheet; those at a rate of their own are beside the bus."""
     hours, beside, size = bus.entered.hours, "SUMPRODUCT((1-[power.bus])*[power.{}])", kw(bus.size)
     peak = bus.peak + float((1.0 - bus.on_bus) @ bus.mains)
     others = [one for one, on_bus in zip(bus.each, bus.on_bus, strict=True) if not on_bus]
@@ -207,9 +207,10 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
         power = f"[drive{number}_cycle.power.same]"
         return f"=[power.bus.{row}]*MAX({power}/power_eta,{power}*power_eta)"
 
-    time = calc("time", over.name, over.symbol, over.unit, "=[cycle1.time.same]", over.shown(machine.angles),
-                format=over.format) if over.measured else \
-        calc("theta", over.angle, "θ", "°", "=[cycle1.theta.same]", machine.angles, format="0.0##")  # fmt: skip
+    time = calc("theta", over.angle, "θ", "°", "=[cycle1.theta.same]", machine.angles, format="0.0##")
+    if over.measured:
+        shown_at = over.shown(machine.angles)
+        time = calc("time", over.name, over.symbol, over.unit, "=[cycle1.time.same]", shown_at, format=over.format)
     sheet.heading("Power over the cycle")
     sheet.table(
         "bus", "The common DC bus at the samples of the cycle", rows, time,

@@ -122,7 +122,7 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
 
 
 def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
-    """Declare the times of a switch: begin, end and duration, the next begin, and what is wrong with each."""
+    """Declare the times of a switch: begin, end and duration, the next begin, and the fault of each."""
     i, times, after = lane.number, lane.times, over.after
     block, name = f"[switches.start1:stop{TIMES}]", f"switch{i}_times"
     start, stop = f"INDEX({block},{i},2*[t]-1)", f"INDEX({block},{i},2*[t])"

@@ -53,7 +53,7 @@ class TimedWindow(ForceWindow):
 
 
 class TimedLoad(AxisLoad):
-    """What hangs on an axis, its process forces in s of the cycle."""
+    """The load of an axis, its process forces in s of the cycle."""
 
     windows: Annotated[list[TimedWindow], Field(max_length=WINDOWS)] = []  # type: ignore[assignment] # noqa: RUF012
 
@@ -148,7 +148,7 @@ class TimedMachine(AnyMachine):
 
 
 def turned(one: Lasting, over: Abscissa) -> Lasting:
-    """Return what lasts from one place of the cycle to another, in degrees of one turn."""
+    """Return entries with ``start`` and ``stop`` of the cycle in degrees of one turn."""
     ends = {name: getattr(one, name) for name in KEYS}
     return one.model_copy(update={name: None if x is None else min(over.degrees(x), TURN) for name, x in ends.items()})
 

@@ -26,7 +26,7 @@ def variants(machine: AnyMachine) -> list[AnyMachine]:
 
 
 def suited_to(kind: str | None) -> Callable[[dict[str, Any]], list[str]]:
-    """Return what tells which laws an axis takes, whatever their parameters and neighbours; ``kind`` is its mechanism.
+    """Return a function that picks the laws that an axis can take beside any neighbours; ``kind`` is its mechanism.
 
     Beside a straight line a phase may move there and back: not behind every mechanism.
     """

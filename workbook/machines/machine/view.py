@@ -27,7 +27,7 @@ BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entri
 class MovingAxis:
     """One axis: its motion with the rests between its phases, and where each of both stands in tables of steps.
 
-    ``given`` has its places in degrees of one turn, ``typed`` as they are entered, ``over`` what.
+    ``given`` has its places in degrees of one turn, ``typed`` in the unit of the abscissa ``over``, as entered.
     """
 
     twin: Self | None = None  # an axis of the same motion at another speed: that is worked out once
@@ -111,7 +111,7 @@ class MovingAxis:
         return Shifted(self.motion, si(self.given.shift, DEGREE))
 
     def unshifted(self, at: Array) -> Unshifted:
-        """Return where samples lie in the motion as its phases tell it."""
+        """Return where samples lie in the motion before its shift."""
         return self.shifted.unshifted(at)
 
     def at(self, x: Array) -> MotionValues[Array]:
@@ -119,7 +119,7 @@ class MovingAxis:
         return self.shifted.over_cycle(x)
 
     def rate(self, size: Real) -> Real:
-        """Return as it is shown a rate that is in SI of the lift."""
+        """Return a velocity, acceleration or jerk as it is shown, from SI."""
         return shown(size, self.over.lift(self.given.unit).size)
 
     def size(self, order: int) -> float:

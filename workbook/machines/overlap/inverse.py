@@ -81,7 +81,7 @@ def inverse_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
 
 
 def all_wanted(machine: OverlapView) -> list[InversionTable]:
-    """Return what is asked of the laws: where the transfer leaves its place and comes to it, how far a tool may go."""
+    """Return the tables of inversions: where the transfer leaves its place and comes to it, how far a tool may go."""
     shares: list[float] = []
     formulas, ends, of_tools = [], [], []
     for station in machine.stations:

@@ -97,7 +97,8 @@ def horner(powers: int, order: int, xi: str) -> str:
     for n in range(powers - 1, max(order, 1) - 1, -1):
         share = perm(n, order)
         scaled = f"[e{n}]" if share == 1 else f"{share}*[e{n}]"
-        text = f"{scaled}+{xi}*({text})" if "*" in text or "+" in text else f"{scaled}+{xi}*{text}" if text else scaled
+        inner = f"({text})" if "*" in text or "+" in text else text
+        text = f"{scaled}+{xi}*{inner}" if text else scaled
     return text if order else f"{xi}*({text})"
 
 
@@ -227,7 +228,7 @@ def at_ends(piece: MotionPiece, order: int) -> list[float]:
 
 
 def leaps(one: AxisHandover) -> tuple[list[float], list[int]]:
-    """Return what y'' is before each piece that lasts, in its phase (0 of the first), and whether it jumps there."""
+    """Return y'' at the end of the piece before, within the phase (0 for its first), and whether y'' jumps there."""
     before, earlier, found = [0.0] * one.room, [], []
     for piece in one.rows.pieces:
         lasts, (first, last) = piece.duration > 0.0, at_ends(piece, 2)

@@ -69,7 +69,7 @@ def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
 
 
 def forces(view: DriveView) -> tuple[tuple[str, str], tuple[str, str]]:
-    """Return what resists without inertia, at the axis, and what drives the load: formula and equation."""
+    """Return the resisting torque at the axis without inertia, and the driving torque: formula and equation."""
     steady, friction = "INDEX([@iv.steady],[iv])", "INDEX([@iv.friction],[iv])"
     viscous = f"+@viscous*{'[vs]' if view.slides else '[v]'}" if view.driven.entered.load.viscous is not None else ""
     if view.slides:

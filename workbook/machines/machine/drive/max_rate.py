@@ -1,6 +1,6 @@
-"""The highest rate of a drive in cells: what stands at any rate, what grows with its square, and where limits are met.
+"""The highest rate of a drive in cells, at which its limiting factor is reached.
 
-With T_s the torque without motion and I = T − T_s, a rate √x times the present one asks for T_s + x I.
+With T_s the torque at standstill and I = T − T_s, a rate of √x times the present one takes T_s + x I.
 """
 
 import math
@@ -48,7 +48,7 @@ LIMITS = {
 
 
 def rates_table(sheet: Sheet, view: DriveView) -> None:
-    """Declare the means that the highest rate hangs on, and up to which rate each limit is held."""
+    """Declare the means that the highest rate depends on, and the rate up to which each limit is held."""
     points, size = view.points, view.scales.torque**2
     own, mixed, growing = mean_squares(points)
     stall, fall, near, half = continuous_line(points, view.driven.motor)

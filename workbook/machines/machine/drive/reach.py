@@ -75,7 +75,7 @@ def linkage_checks(view: DriveView) -> list[Quantity]:
 
 
 def apart(given: MechanismEntry, unit: str) -> str:
-    """Return what is wrong with sizes that do not go together, of a table the first point that does not rise."""
+    """Return the fault of sizes that do not go together; of a table, the first point that does not rise."""
     if isinstance(given, Table):
         for row, (one, other) in enumerate(pairwise(given.points), 2):
             if other.angle <= one.angle or other.position <= one.position:

@@ -1,4 +1,4 @@
-"""What a drive's cycle asks for behind its reducer, whatever that and the motor are: on the sheet of the drive.
+"""The load of a reducer over a drive's cycle, whatever reducer and motor are: on the sheet of the drive.
 
 With J all that turns with the motor, T = J i α + f S/i + T_nl d, f = 1/η where S drives the load and η where the load
 drives it, d the direction: the squares of T are sums of means of α, S and d over the points of the cycle.
@@ -16,7 +16,7 @@ BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
 
 
 def load_of(view: DriveView) -> PointLoad:
-    """Return the engine's view of what the cycle asks for."""
+    """Return the engine's view of the load behind the reducer."""
     ratio = view.driven.reducer.ratio
     inertia = (view.inertia - view.driven.mechanism.on_shaft(0)) * ratio**2
     return PointLoad(view.load, view.speed / ratio, view.reducer_checks[0].value, inertia)
@@ -28,7 +28,7 @@ def turns_of(view: DriveView) -> float:
 
 
 def means(sheet: Sheet, view: DriveView) -> None:
-    """Declare the means over the cycle, and what else hangs on no motor and no reducer."""
+    """Declare the means over the cycle, and all else that depends on neither motor nor reducer."""
     free = "[@pt.free]" if view.brakes else '(1-([@pt.dir]=0)*(@holding="brake"))'
     column, by = ("[@pt.al]", "") if view.varies else ("[@pt.a]", "@i2*")
 

@@ -65,7 +65,9 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     rubbing = "=@friction*@mass*gravity*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
     moved = "=@mass+@belt_mass" if driven.given.kind in BELTED else "=@mass+0" if travels else "=@inertia/10000"
     base, force = ("kg", "N") if travels else ("kg m²", "Nm")
-    travel = "/MIN([@pt.g])" if view.varies else "*MAX(MAX([@pt.dx]),0-MIN([@pt.dx]))" if view.slides else "/@i2"
+    travel = "/MIN([@pt.g])" if view.varies else "/@i2"
+    if view.slides:
+        travel = "*MAX(MAX([@pt.dx]),0-MIN([@pt.dx]))"
     square, largest = "m/φ'²", ", the largest" if driven.train.inertia_varies else ""
     still = STANDSTILL * driven.max_geometric_velocity * driven.axis.speed
 

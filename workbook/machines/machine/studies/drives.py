@@ -82,7 +82,7 @@ class DriveStudy:
         return [load_of(base) for base in self.bases]
 
     def of_rate(self, figure: Callable[[DriveView], float]) -> Array:
-        """Return a figure of each design that hangs on its rate alone."""
+        """Return a figure of each design that depends on its rate alone."""
         return np.array([figure(base) for base in self.bases])[self.rates.places]
 
     @cached_property

@@ -7,6 +7,8 @@ from engine.motion import Phase
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
+from workbook.entries.abscissa import Abscissa
+from workbook.entries.phase import AT_REST
 from workbook.fields.units import shown
 from workbook.law_sheets.page import finite
 from workbook.laws import sampling
@@ -16,8 +18,6 @@ from workbook.machines.machine.motion_tables import AxisTables
 from workbook.motion.cells import RAISED
 from workbook.motion.pieces import room_check
 from workbook.motion.requirements import rate_columns
-from workbook.entries.abscissa import Abscissa
-from workbook.entries.phase import AT_REST
 
 RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
     ("velocity", "vmax", VELOCITY, "C_v h/{}", lambda phase: phase.y1_max),
@@ -62,7 +62,7 @@ def own(one: AxisTables, column: str, formula: str) -> str:
 
 
 def entered(one: AxisTables) -> list[Quantity]:
-    """Return what kind of phase it is, its entries, the kinds of its ends if phases hand over, and where it ends."""
+    """Return the columns of kind and entries, of the kinds of both ends if phases hand over, and of the end."""
     over, axis, key, steps = one.machine.over, one.axis, f"axes.{one.axis.number - 1}.phases.*", f"{one.name}_steps"
 
     def entry(name: str) -> list[Any]:
@@ -95,7 +95,7 @@ def entered(one: AxisTables) -> list[Quantity]:
 
 
 def extremes(one: AxisTables) -> list[Quantity]:
-    """Return what each movement comes to; over a cycle whose length is entered also how long it lasts."""
+    """Return the columns of each movement's greatest rates, and its duration where the cycle's length is entered."""
     axis, over, by = one.axis, one.machine.over, "t" if one.machine.over.tells_time else "δ"
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
     figures = [(word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
@@ -151,7 +151,7 @@ NO_FAULT, KINDS = "empty where it does not", "R rest, G velocity, U reversal, B 
 
 
 def faults(one: AxisTables) -> list[Quantity]:
-    """Return what is wrong with each phase, and the rest before it."""
+    """Return the columns of the faults of each phase, and of the rest before it."""
     over, lacking = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
     return [
         calc("gap", "rest before", "", "°", "=[begin]-IF([k]=1,0,[end-1])", gaps(one), scale=360.0),
