@@ -11,7 +11,7 @@ from workbook.book.quantity import WANTED, Quantity, calc, check
 from workbook.book.sentence import Sentence, figure, first_text, quoted
 
 MESSAGES, MESSAGE, USED = "_messages", "message", "used"
-"""suffix of the block of a table's messages; its columns of the first message of a row, and of rows in use"""
+"""suffix of the block of a table's messages; its columns of the first message in a row, of rows in use"""
 EXPECTED = "_expected"  # behind the name of a single cell: the message beside it
 EMPTY = "no row is filled"
 FULL, IS_FULL = "_full", "the table is full"

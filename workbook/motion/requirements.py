@@ -54,11 +54,9 @@ def jump_formulas(required: RequiredSmoothness, degrees: str, size: str, order: 
 
 def jump_values(required: RequiredSmoothness, x: float, size: float, order: int) -> tuple[float, float]:
     """Return place and jump by the engine, as sentences show them; x is in rad where the motion is over time."""
-    return (
-        (x, size)
-        if required.speed is None
-        else (x / required.speed[1], size * required.speed[1] ** order / required.lift[1])
-    )
+    if required.speed is None:
+        return x, size
+    return x / required.speed[1], size * required.speed[1] ** order / required.lift[1]
 
 
 def entered_rates(phases: Iterable[Any]) -> dict[int, Rates]:
