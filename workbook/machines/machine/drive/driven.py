@@ -59,7 +59,7 @@ def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
 
 def by_angle_of(given: MechanismEntry) -> ByAngle:
     """Return what a slide does by the angle of its axis. Raises ValueError for sizes that cannot be."""
-    given = as_a(PressCrank, given)
+    given = of_kind(PressCrank, given)
     crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
     return slides.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
 
