@@ -56,21 +56,55 @@ def losses(view: DriveView) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
-    """Declare ratios, inertias and what resists, in S1's terms."""
-    driven, one = view.driven, view.tables
-    m, load, size = driven.mechanism, driven.load, view.scales
-    travels = driven.travels
+def by_travel(view: DriveView) -> str:
+    """Return the end of a formula that is multiplied by the load's largest travel over the shaft's angle."""
+    if view.slides:
+        return "*MAX(MAX([@pt.dx]),0-MIN([@pt.dx]))"
+    return "/MIN([@pt.g])" if view.varies else "/@i2"
+
+
+def inertias(view: DriveView, sizes: list[Quantity]) -> list[Quantity]:
+    """Return the rows of the moved mass or inertia, the sizes of the mechanism, and the inertias on both shafts."""
+    driven, m, travels = view.driven, view.driven.mechanism, view.driven.travels
+    moved = "=@mass+0" if travels else "=@inertia/10000"
+    if driven.given.kind in BELTED:
+        moved = "=@mass+@belt_mass"
+    square, largest = "m/φ'²", ", the largest" if driven.train.inertia_varies else ""
+    return [
+        calc("@m", f"Moved {'mass' if travels else 'inertia'}", "m" if travels else "J", "kg" if travels else "kg m²",
+             moved, m.on_shaft(m.last)),
+        *sizes,
+        calc("@tau", "Ratio of the reducer as S1 has it", "τ", "", "=1/@i1", 1.0 / m.stages[0].ratio,
+             "mechanism over motor"),
+        calc("@j0", "Inertia on the motor's shaft, motor included", "J_0", "kg m²",
+             f"=@jm+@j_reducer+{on_shaft('motor')}", driven.at_motor, "motor, reducer, parts"),
+        calc("@j1", "Inertia of parts on the mechanism's shaft", "J_p", "kg m²", f"={on_shaft('mechanism')}",
+             m.on_shaft(1)),
+        calc("@j_shaft", "Inertia at the mechanism's shaft", "J_tot", "kg m²", f"=@j1+@m{by_travel(view)}^2",
+             m.on_shaft(1) + m.on_shaft(m.last) * view.travel**2,
+             f"J_p + {'m (dx/dψ)²' if view.slides else square}{largest}"),
+    ]  # fmt: skip
+
+
+def resisting(view: DriveView) -> list[Quantity]:
+    """Return the rows of the constant load force and of friction."""
+    load, size, travels = view.driven.load, view.scales, view.driven.travels
+    force = "N" if travels else "Nm"
     steady = "=@force+@mass*gravity*SIN(RADIANS(@slope))" if travels else "=@torque+0"
     rubbing = "=@friction*@mass*gravity*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
-    moved = "=@mass+@belt_mass" if driven.given.kind in BELTED else "=@mass+0" if travels else "=@inertia/10000"
-    base, force = ("kg", "N") if travels else ("kg m²", "Nm")
-    travel = "/MIN([@pt.g])" if view.varies else "/@i2"
-    if view.slides:
-        travel = "*MAX(MAX([@pt.dx]),0-MIN([@pt.dx]))"
-    square, largest = "m/φ'²", ", the largest" if driven.train.inertia_varies else ""
-    still = STANDSTILL * driven.max_geometric_velocity * driven.axis.speed
+    return [
+        calc("@steady", "Constant load force", "", force, steady, load.torque, "F + m g sin γ" if travels else "",
+             scale=size.force),
+        calc("@cr", "Constant torque at the mechanism's shaft", "C_r", "Nm", f"=@steady{by_travel(view)}",
+             load.torque * view.travel, "F_r/φ', F_r R of rollers", scale=size.behind),
+        calc("@rub", "Friction", "", force, rubbing, load.friction, "μ m g cos γ" if travels else "", scale=size.force),
+    ]  # fmt: skip
 
+
+def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
+    """Declare ratios, inertias, losses and resisting forces, in S1's terms."""
+    driven, one, axis = view.driven, view.tables, view.driven.axis
+    still = STANDSTILL * driven.max_geometric_velocity * axis.speed
     sheet.heading(
         "Workings: the chain",
         "S1: C_m = J_m/τ ω̇ + τ (C_r + J_tot ω̇), τ = 1/i_1 and ω̇ of the mechanism's shaft; with losses τ over η_1.",
@@ -79,31 +113,15 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
         constant("@built", "Axis, named when the book was built", "", "", driven.entered.called,
                  "the sheet and its checks keep this name", align="left"),
         calc("@faster", "Rate of the drive over the machine's", "", "", "=@rate/timing_rate",
-             shown(driven.axis.speed, one.axis.speed)),
-        calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=omega*@faster", driven.axis.speed),
-        calc("@m", f"Moved {'mass' if travels else 'inertia'}", "mJ"[not travels], base, moved, m.on_shaft(m.last)),
-        *sizes,
-        calc("@tau", "Ratio of the reducer as S1 has it", "τ", "", "=1/@i1", 1.0 / m.stages[0].ratio,
-             "mechanism over motor"),
-        calc("@j0", "Inertia on the motor's shaft, motor included", "J_0", "kg m²",
-             f"=@jm+@j_reducer+{on_shaft('motor')}", driven.at_motor, "motor, reducer, parts"),
-        calc("@j1", "Inertia of parts on the mechanism's shaft", "J_p", "kg m²", f"={on_shaft('mechanism')}",
-             m.on_shaft(1)),
-        calc("@j_shaft", "Inertia at the mechanism's shaft", "J_tot", "kg m²", f"=@j1+@m{travel}^2",
-             m.on_shaft(1) + m.on_shaft(m.last) * view.travel**2,
-             f"J_p + {'m (dx/dψ)²' if view.slides else square}{largest}"),
-        *losses(view),
-        calc("@steady", "Constant load force", "", force, steady, load.torque, "F + m g sin γ" if travels else "",
-             scale=size.force),
-        calc("@cr", "Constant torque at the mechanism's shaft", "C_r", "Nm", f"=@steady{travel}",
-             load.torque * view.travel, "F_r/φ', F_r R of rollers", scale=size.behind),
-        calc("@rub", "Friction", "", force, rubbing, load.friction, "μ m g cos γ" if travels else "", scale=size.force),
+             shown(axis.speed, one.axis.speed)),
+        calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=omega*@faster", axis.speed),
+        *inertias(view, sizes), *losses(view), *resisting(view),
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
              driven.max_geometric_velocity),
-        calc("@amax", "Greatest acceleration", "ÿ", f"{driven.axis.base}/s²",
-             f"=[axes.a.{driven.number}]*@faster^2", driven.axis.max_acceleration),
-        calc("@still", "Standstill: speeds up to", "", f"{driven.axis.base}/s",
-             "=check_zero*@vmax*@omega", still, format="0E+00", scale=max(still, 1e-12)),
+        calc("@amax", "Greatest acceleration", "ÿ", f"{axis.base}/s²", f"=[axes.a.{driven.number}]*@faster^2",
+             axis.max_acceleration),
+        calc("@still", "Standstill: speeds up to", "", f"{axis.base}/s", "=check_zero*@vmax*@omega", still,
+             format="0E+00", scale=max(still, 1e-12)),
         *([calc("@arm", "Arm: torque of its weight, level", "m_a g r_a", "Nm", "=@arm_mass*gravity*@arm_radius/1000",
                 driven.by_angle.moment)] if isinstance(driven.by_angle, Arm) else []),
     )  # fmt: skip
