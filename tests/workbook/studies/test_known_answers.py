@@ -7,6 +7,7 @@ import pytest
 from scipy.optimize import differential_evolution
 
 from engine.laws import law
+from engine.laws.ladder import square_integral
 from engine.selection.front import front
 from tests.workbook.studies.studied import MOTORS, REDUCERS, base, laws, planned, stops
 from workbook.pool import HERE
@@ -81,7 +82,8 @@ def test_the_best_of_the_laws_of_seven_durations():
     def mean_square(shares):
         whole = sum(shares)
         try:
-            return law("MTP", durations=[share / whole for share in shares]).coefficients.ca_rms ** 2
+            pieces = law("MTP", durations=[share / whole for share in shares]).as_pieces()
+            return sum(square_integral(piece) for piece in pieces if piece.duration)
         except (ValueError, ZeroDivisionError):  # no law of these
             return 100.0
 
