@@ -96,13 +96,13 @@ minimise = ["drive3_rms"]
 
 [[vary]]
 key = "axes.Pusher.phases[1].law"
-values = ["MTP", "CIC", "PO5"]
+values = ["MTP", "PO5"]
 
 [[vary]]
 key = "axes.Pusher.phases[1].stop"
 from = 80.0
 to = 105.0
-steps = 3
+steps = 2
 """
 
 
