@@ -1,1 +1,1 @@
-"""Cam tables: a motion rebuilt from what a controller is given, and how far it is from the one that was meant."""
+"""Cam tables: the motion that a controller rebuilds from a table, and its deviation from the one meant."""

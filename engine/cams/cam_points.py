@@ -1,4 +1,4 @@
-"""A table of points as it is given: how precise it is, how fast it begins and ends, splines through few points."""
+"""Points of a cam table: their precision, the rates at its ends; phases found in it, and splines through few points."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -15,29 +15,29 @@ from engine.laws.ends import BoundaryLaw
 from engine.laws.spline import MOST, NARROWEST, Spline
 from engine.motion.pieces import CamProfile
 
-FEW = 6  # points, from which the velocity at an end of a table is told
-ROUND = 24  # numbers, so many of which may be round ones
+FEW = 6  # points, from which the velocity at an end of a table is computed
+ROUND = 24  # numbers: up to so many may be round by chance
 QUINTIC = "PO5"
-LONGER = 2.0  # times its neighbours: an interval between two equal points is a dwell, one along a line is one
-AT_SPEED = 1e-3  # of the fastest: what is slower rests
-SEAM = 1e-2  # of the fastest: so alike are begin and end of a cycle that goes on as it began, as few points tell them
+LONGER = 2.0  # length over the neighbours' from which one interval alone counts as a dwell, or as a straight line
+AT_SPEED = 1e-3  # share of the largest velocity: a slower end is at rest
+SEAM = 1e-2  # share of the largest velocity by which begin and end of a continuous cycle may differ
 
 
 class CamPoints(NamedTuple):
-    """A table of points, which may begin or end on the way."""
+    """Points of a cam table, which may begin or end at speed; arrays of one length, in any units."""
 
     x: Array
     y: Array
-    v: Array | None  # y', where the table has it
-    a: Array | None  # y'', likewise
+    v: Array | None  # y', if the table has it
+    a: Array | None  # y'', if the table has it
     precision: float  # of y
-    begins: bool = False  # on the way: it meets nothing there
-    ends: bool = False  # likewise
-    thinned: float = 0.0  # how far a spline may be from what keeps to no law
-    seam: tuple[float, float] | None = None  # y' and y'' where the cycle goes on as it began
+    begins: bool = False  # whether it begins at speed, with no phase before
+    ends: bool = False  # whether it ends at speed, with no phase after
+    thinned: float = 0.0  # allowed error of a spline in place of a law
+    seam: tuple[float, float] | None = None  # y' and y'' at both ends of a continuous cycle
 
     def part(self, begin: int, end: int) -> "CamPoints":
-        """Return the table from one of its points to another, both counted from 0."""
+        """Return the points from one number to another, both included, from 0."""
         inside = slice(begin, end + 1)
         v, a = (None if rates is None else rates[inside] for rates in (self.v, self.a))
         begins, ends = self.begins and begin == 0, self.ends and end == len(self.x) - 1
@@ -49,7 +49,7 @@ class CamPoints(NamedTuple):
         return float(np.abs(np.diff(self.y) / np.diff(self.x)).max())
 
     def identifies(self, law: Law) -> bool:
-        """Whether so many points tell a law: two with y' and y'' tell a polynomial of degree 5, and no other."""
+        """Return whether the points suffice for a law: two with y' and y'' do for a polynomial of degree 5 only."""
         return len(self.x) > 2 or self.a is None or law.code == QUINTIC
 
     def rate_at(self, side: int) -> tuple[float, float]:
@@ -59,11 +59,11 @@ class CamPoints(NamedTuple):
         return v if self.v is None else float(self.v[side]), a if self.a is None else float(self.a[side])
 
     def moves_at(self, side: int) -> bool:
-        """Whether the table begins (0) or ends (-1) at speed."""
+        """Return whether the table begins (0) or ends (-1) at speed."""
         return abs(self.rate_at(side)[0]) > AT_SPEED * self.fastest
 
     def rates_across(self) -> tuple[float, float] | None:
-        """Return y' and y'' where the cycle goes on as it began, by the points on either side; None where it stops."""
+        """Return y' and y'' across the end of the cycle, from points on both sides; None if they do not continue."""
         if self.v is not None or abs(self.rate_at(0)[0] - self.rate_at(-1)[0]) > SEAM * self.fastest:
             return None
         half = FEW // 2 + 1
@@ -72,9 +72,9 @@ class CamPoints(NamedTuple):
 
 
 def precision(y: Array) -> float:
-    """Return how precise numbers are: half of their last decimal, or what 32 or 64 bits keep of the largest.
+    """Return the precision of numbers: half of the last decimal, or the rounding of the largest in 32 or 64 bits.
 
-    A few numbers may have few decimals because they are round: of these the bits alone count.
+    Few numbers may be round by chance, so their decimals do not count.
     """
     size = float(np.abs(y).max(initial=0.0))
     for digits in range(10 if len(y) > ROUND else 0):
@@ -91,37 +91,36 @@ def _polynomial_rates(x: Array, y: Array) -> tuple[float, float]:
     return float(c[1]) / width, 2.0 * float(c[2]) / width**2 if len(c) > 2 else 0.0
 
 
-LEVEL = 0.01  # of the reach: a movement that comes back so near to where it began is told as two
-BETWEEN = 8  # places of a table whose polynomials are known, from point to point
+LEVEL = 0.01  # share of the range: a movement that returns so near to its begin is divided in two
+BETWEEN = 8  # parts of each interval at which known polynomials are evaluated
 MOST_PHASES = 20
 
 
 @dataclass(frozen=True)
 class FoundPhase:
-    """A phase that was found: a law from x to x and from y by a lift."""
+    """A phase found in a cam table, in its units."""
 
     law: Law
-    begin: float
-    end: float
-    y: float
+    begin: float  # x
+    end: float  # x
+    y: float  # at the begin
     lift: float
-    residual: float = 0.0  # how far the table is from it at most
-    fits: bool = True  # whether it keeps to the table at all
-    known: bool = True  # a law of the registry, and no spline through the points
+    residual: float = 0.0  # largest deviation of the points
+    fits: bool = True  # whether it follows the points at all
+    known: bool = True  # whether its law is of the catalogue, not a spline through points
 
     @property
     def scale(self) -> float:
-        """What the law's s is multiplied by: 1 where the law has the lift in itself."""
+        """Factor of the law's s: 1 if the lift is in the law's boundary values."""
         return 1.0 if isinstance(self.law, BoundaryLaw) and not self.law.ends.at_rest else self.lift
 
     @property
     def rests(self) -> bool:
         """Whether it begins and ends at rest."""
-        at = self.law.start, self.law.end
-        return all(abs(one.v) <= 1e-6 * self.law.coefficients.cv for one in at)
+        return max(abs(self.law.start.v), abs(self.law.end.v)) <= 1e-6 * self.law.coefficients.cv
 
     def rates(self, side: int) -> tuple[float, float]:
-        """Return y' and y'' at its begin (0) or end (1), where its ends are prescribed; else 0."""
+        """Return y' and y'' at its begin (0) or end (1) by its boundary values; 0 without."""
         span = self.end - self.begin
         if isinstance(self.law, Spline):
             return (self.law.slopes[side] or 0.0) * self.lift / span, 0.0
@@ -130,7 +129,7 @@ class FoundPhase:
         return self.law.ends.both("v")[side] / span, self.law.ends.both("a")[side] / span**2
 
     def off(self, of: CamPoints) -> Array:
-        """Return by how much points are off it, or the line that it meets beyond an end that is prescribed."""
+        """Return the deviations from points; beyond an end with a velocity, those of the line through that end."""
         xi = (of.x - self.begin) / (self.end - self.begin)
         inside = np.clip(xi, 0.0, 1.0)
         ends = (self.law.start.v, self.law.end.v) if isinstance(self.law, BoundaryLaw) else (0.0, 0.0)
@@ -138,11 +137,11 @@ class FoundPhase:
 
 
 def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
-    """Return splines one after the other that are at most ``most`` from the points; none where too many are needed.
+    """Return consecutive splines within ``most`` of the points; none if too many are needed.
 
-    ``slopes`` are y' at both ends, what rebuilds the table has it at any place between, and where the table has y',
-    places between its points as well. A movement is parted where it is farthest from its begin if it comes back, and in
-    its middle if a hundred points do not do.
+    ``slopes`` are y' at both ends; ``rebuilt`` gives y' elsewhere, and y between the points if the table has y'. A
+    movement that returns is divided where it is farthest from its begin, one that needs more than a hundred points in
+    its middle.
     """
     if of.v is not None:
         x = subdivided(of.x, BETWEEN)
@@ -167,7 +166,7 @@ def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], mos
 
 
 def _thinned(of: CamPoints, slopes: tuple[float, float], most: float) -> FoundPhase | None:
-    """Return the spline through as few of the points as keep the others within ``most``; None if 100 do not do."""
+    """Return the spline through as few points as keep the others within ``most``; None if it takes more than 100."""
     begin, end = float(of.x[0]), float(of.x[-1])
     lift, span = float(of.y[-1] - of.y[0]), end - begin
     kept = np.array([0, len(of.x) - 1])
@@ -191,5 +190,5 @@ def _thinned(of: CamPoints, slopes: tuple[float, float], most: float) -> FoundPh
 
 
 def _misses(of: CamPoints, kept: NDArray[np.intp], slopes: tuple[float, float]) -> Array:
-    """Return how far each point is from the spline through those that are kept."""
+    """Return the deviation of each point from the spline through those that are ``kept``."""
     return np.abs(spline(of.x[kept], of.y[kept], slopes).at(of.x).y - of.y)

@@ -1,4 +1,4 @@
-"""How far a rebuilt motion is from the one meant, where no sample decides; where the points of a table stand."""
+"""The deviation of a rebuilt motion from the one meant, bounded without samples; the placing of a table's points."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -12,41 +12,41 @@ from engine.laws.base import Array
 from engine.motion.pieces import SAME, CamProfile
 
 DEGREE = 15  # of every polynomial here; a sine over one rad about its middle is one to 1e-13 of its third derivative
-NARROW = 1e-9  # by so much of itself the largest may be larger than what was found
-ROUNDS = 40
+NARROW = 1e-9  # share by which the largest value may exceed the one found
+ROUNDS = 40  # of halving
 TERMS = range(DEGREE + 1)
 BASIS = np.array([
     [sum(comb(i, j) * comb(DEGREE - i, k - j) * (-1) ** (k - j) for j in range(k + 1)) / comb(DEGREE, k) for i in TERMS]
     for k in TERMS
 ])  # fmt: skip
-"""makes the coefficients of powers of t, from −1 to 1, those of Bernstein: the polar form at i times 1, else −1"""
+"""matrix from the coefficients of powers of t, from −1 to 1, to those of Bernstein"""
 LEFT = np.array([[comb(i, j) / 2.0**i for i in TERMS] for j in TERMS])
-RIGHT = LEFT[::-1, ::-1]  # make a row of coefficients that of its left half, and of its right half (de Casteljau)
+RIGHT = LEFT[::-1, ::-1]  # matrices from Bernstein's coefficients to those of the left and right half (de Casteljau)
 
 
 class Largest(NamedTuple):
-    """The largest size of polynomials, and where it is: in which, and at which t from −1 to 1."""
+    """The largest absolute value of several polynomials."""
 
     value: float
-    row: int
-    t: float
+    row: int  # number of the polynomial, from 0
+    t: float  # place, from −1 to 1
 
 
 def product(rows: Array, by: Array) -> Array:
-    """Return the product of many rows and a small matrix, by one thread: the threads of BLAS take longer to begin."""
+    """Return the product of many rows and a small matrix, in one thread: starting those of BLAS takes longer."""
     return np.asarray(np.einsum("nk,ki->ni", rows, by))
 
 
 def bernstein_rows(powers: Array) -> Array:
-    """Return rows of Bernstein's coefficients of polynomials in t from −1 to 1, a column of powers each."""
+    """Return Bernstein's coefficients, a row each, of polynomials in t from −1 to 1, given by columns of powers."""
     used = int(np.flatnonzero(powers.any(axis=1)).max(initial=0)) + 1
     return product(powers[:used].T, BASIS[:used])
 
 
 def largest(rows: Array) -> Largest:
-    """Return the largest size of polynomials between their ends, by rows of coefficients halved until these enclose it.
+    """Return the largest absolute value of polynomials on [−1, 1], from rows of Bernstein's coefficients.
 
-    What was found is at most :data:`NARROW` of itself too small, but for the rounding of the coefficients.
+    A polynomial is within the span of its coefficients; intervals are halved until these leave :data:`NARROW`.
     """
     size = np.abs(rows)
     ends = size[:, [0, -1]]
@@ -70,36 +70,38 @@ def largest(rows: Array) -> Largest:
 
 
 ORDERS = 4  # position, velocity, acceleration, jerk
-WIDEST = 1.0  # rad of a sine in one interval
+WIDEST = 1.0  # angle of a sine within one interval, at most (rad)
 
 
 class Deviation(NamedTuple):
-    """The largest deviation of one derivative over the cycle, where, and the motion's peak: of y its reach."""
+    """The largest deviation of one derivative of y over the cycle, in the units of the motion."""
 
     largest: float
-    x: float
-    peak: float
+    x: float  # where it is
+    peak: float  # largest absolute value of the derivative meant; of y its range
 
     @property
     def share(self) -> float:
-        """The deviation as a share of the peak; infinite where the motion has none, and 0 where neither is."""
-        return self.largest / self.peak if self.peak else float(np.inf) if self.largest else 0.0
+        """The deviation over the peak; for a peak of 0 infinite, or 0 without a deviation."""
+        if self.peak:
+            return self.largest / self.peak
+        return float(np.inf) if self.largest else 0.0
 
 
 @dataclass(frozen=True)
 class Certificate:
-    """How far a rebuilt motion is from the one meant, of y, y', y'' and y''' over the cycle."""
+    """Bounds of the deviation of a rebuilt motion from the one meant, over the cycle."""
 
-    deviations: tuple[Deviation, ...]  # the largest of each
-    jumps: tuple[float, ...]  # the largest between two pieces that rebuilding adds, of y, y' and y''
-    closure: tuple[float, ...]  # what its end fails to meet its begin by in these, beyond the motion's own
+    deviations: tuple[Deviation, ...]  # of y, y', y'' and y'''
+    jumps: tuple[float, ...]  # largest jumps of y, y', y'' at breaks that rebuilding adds
+    closure: tuple[float, ...]  # jumps of y, y', y'' from the end to the begin that rebuilding adds
 
 
 def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
     """Compare a rebuilt motion with the one meant, over the cycle of the latter.
 
-    Between two neighbouring breaks of either both are polynomials and sines. Their difference is enclosed by the
-    coefficients of Bernstein of its Taylor polynomial, which are halved until they show the largest size.
+    Between two neighbouring breaks of either, both are polynomials and sines. The Bernstein coefficients of the Taylor
+    polynomial of their difference bound the deviation; intervals are halved until the bound is close.
     """
     middle, half = intervals(meant, rebuilt)
     difference = local_powers(rebuilt, middle, half) - local_powers(meant, middle, half)
@@ -115,17 +117,17 @@ def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
 
 @lru_cache(maxsize=64)
 def peaks(of: CamProfile) -> tuple[float, ...]:
-    """Return the reach of a motion, and the largest sizes of y', y'' and y'''."""
+    """Return the range of y, and the largest absolute values of y', y'' and y'''."""
     middle, half = intervals(of, of)
     powers = local_powers(of, middle, half)
     y, *rates = (bernstein_rows(derivative_powers(powers, half, order)) for order in range(ORDERS))
     low, high = float(y.min()), float(y.max())  # the motion is within the span of its coefficients
     reach = max(0.0, largest(y - low).value + largest(high - y).value - (high - low))
-    return reach, *(largest(one).value for one in rates)
+    return reach, *(largest(rows).value for rows in rates)
 
 
 def intervals(meant: CamProfile, rebuilt: CamProfile) -> tuple[Array, Array]:
-    """Return middles and halves of the intervals of the cycle of ``meant`` in which both are a polynomial and sines."""
+    """Return middle and half width of each interval of the cycle of ``meant`` without a break of either motion."""
     begin, end = float(meant.edges[0]), float(meant.edges[-1])
     inner = rebuilt.edges[(rebuilt.edges > begin) & (rebuilt.edges < end)]
     edges = np.unique(np.concatenate([meant.edges, inner]))
@@ -145,19 +147,19 @@ def intervals(meant: CamProfile, rebuilt: CamProfile) -> tuple[Array, Array]:
 
 
 def local_powers(of: CamProfile, middle: Array, half: Array) -> Array:
-    """Return a profile between ends that are ``half`` from ``middle`` as powers of t from −1 to 1, a column each."""
+    """Return a profile within ``half`` of each ``middle`` as powers of t from −1 to 1, a column each."""
     powers = of.taylor(middle, of.index(middle), DEGREE + 1)
     return np.asarray(powers * half ** np.arange(DEGREE + 1)[:, None])
 
 
 def derivative_powers(powers: Array, half: Array, order: int) -> Array:
-    """Return the powers of a derivative by x."""
+    """Return the powers of t of the derivative of an order by x, from those of the polynomials."""
     return np.asarray(np.polynomial.polynomial.polyder(powers, order) / half**order)
 
 
 STEPS = 60  # of halving
-CUBIC = 4  # the order of a rule through polynomials of the third degree
-JUMP = 1e-9  # of the largest y' or y'': a smaller jump is none
+CUBIC = 4  # order of a rule by polynomials of degree 3
+JUMP = 1e-9  # share of the largest y' or y'': a smaller jump is rounding
 
 
 def equal_steps(of: CamProfile, n: int) -> Array:
@@ -166,7 +168,7 @@ def equal_steps(of: CamProfile, n: int) -> Array:
 
 
 def subdivided(x: Array, parts: int) -> Array:
-    """Return points with others between each two, at so many equal steps."""
+    """Return points with each interval divided into equal parts."""
     steps = np.linspace(0.0, 1.0, parts, endpoint=False)
     return np.append((x[:-1, None] + np.diff(x)[:, None] * steps).ravel(), x[-1])
 
@@ -174,11 +176,11 @@ def subdivided(x: Array, parts: int) -> Array:
 def spread(
     of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_] | None = None
 ) -> Array:
-    """Return at most n points: the breaks, and between them equal steps by what a rule of an order leaves.
+    """Return at most n points: the breaks, and between them equal steps by the error of a rule of interpolation.
 
-    Between points h apart a rule through polynomials of degree ``order`` − 1 leaves of y'' what goes with
-    h^(order − 2) max|y^(order)|; the steps of each piece are the longest that keep this below one level. Each
-    piece has ``least`` steps, and no more where it is ``exact``. Raises ValueError where n does not do for these.
+    A rule by polynomials of degree ``order`` − 1 between points h apart has an error of y'' in proportion to
+    h^(order − 2) max|y^(order)|; the steps of each piece are the longest that keep it below a common level. Each piece
+    has at least ``least`` steps, and no more if it is ``exact``. Raises ValueError if n is too small for these.
     """
     needed = int(least.sum()) + 1
     if n < needed:
@@ -197,13 +199,13 @@ def spread(
 
 
 def _taken(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.intp]:
-    """Return how many steps each piece has: none more than it would of itself, ``level`` as a share of all."""
+    """Return the number of steps of each piece at a ``level`` from 0, fewest steps, to 1."""
     share = level / max(1.0 - level, 1e-15)
     return np.maximum(np.ceil(np.minimum(sizes * share, 1e7)), least).astype(np.intp)
 
 
 def weights(of: CamProfile, order: int) -> Array:
-    """Return for each piece its length by the root of its largest derivative of an order, beside the largest."""
+    """Return for each piece its length times the root of its largest derivative of an order, over the largest."""
     middle, half = intervals(of, of)
     value = np.abs(bernstein_rows(derivative_powers(local_powers(of, middle, half), half, order))).max(axis=1)
     found = np.zeros(len(of.origins))
@@ -214,13 +216,13 @@ def weights(of: CamProfile, order: int) -> Array:
     sizes = sizes / sizes.max() if sizes.max() > 0.0 else sizes
     if order != CUBIC:
         return sizes
-    # a spline goes on swinging beside a jump of y'', the less the shorter its steps, also in a parabola that it has
+    # a spline oscillates next to a jump of y'', the less the shorter its steps are, even on a parabola
     at = np.isin(of.edges, jumps(of))
     return np.maximum(sizes, np.where(at[:-1] | at[1:], spans / spans.max(), 0.0))
 
 
 def jumps(of: CamProfile) -> Array:
-    """Return the breaks within a profile at which y' or y'' jumps."""
+    """Return the x of the breaks within a profile at which y' or y'' jumps."""
     inner = of.edges[1:-1]
     before, after = of.at(inner, left=True), of.at(inner)
     _, v, a, _ = peaks(of)

@@ -1,4 +1,4 @@
-"""Which phases a table of points was made of: dwells, and the simplest law that each movement keeps to."""
+"""Identification of the phases of a cam table: dwells, and the simplest law that each movement follows."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -14,26 +14,26 @@ from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile, shifted_profile
 
-ROUNDED = 1e-9  # of the reach: what a fit may miss by whatever the data's precision is
-MOST_WAYS = 24  # from turn to turn of a movement: more phases has no composed motion
-FEWEST = 6  # points of positions alone, of which a law has four figures of its own
-DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # to which a begin or an end is rounded, where it still fits
-THINNED = 1e-4  # of the reach: so far a spline may be from points that keep to no law
+ROUNDED = 1e-9  # share of the range: least error that a fit may have
+MOST_WAYS = 24  # strokes between reversals of one movement; with more of them no law is tried
+FEWEST = 6  # points of positions alone, from which four figures of a phase can be fitted
+DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # decimals to which a begin or an end is rounded, if it still fits
+THINNED = 1e-4  # share of the range: allowed error of a spline through points that follow no law
 
 
 class IdentifiedMotion(NamedTuple):
-    """The phases of a table, and by how much the cycle that they are told in begins later than the table."""
+    """The phases of a table over a cycle, in its units."""
 
     found: list[FoundPhase]
-    delay: float = 0.0
+    delay: float = 0.0  # x by which the cycle begins later than the table
 
 
 def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: float = THINNED) -> IdentifiedMotion:
-    """Return the movements of a table with the first law of the registry that each keeps to, in order.
+    """Return the movements of a table in order, each with the first law of the catalogue that it follows.
 
-    What does not move from rest to rest is told as phases that meet at speed. What keeps to no law is a spline through
-    few of the points, no farther from the others than a share of the reach; it does not fit where that takes too many.
-    Where a cycle begins on the way and ``turns`` allows it, it is told from its first dwell at 0 on.
+    A movement that is not from rest to rest becomes phases that meet at speed. One that follows no law becomes splines
+    through few of the points, within ``share`` of the range of the others; it does not fit if they are too many.
+    With ``turns`` a cycle that begins at speed is counted from its first dwell at 0. ``rebuilt`` is the whole profile.
     """
     of = of._replace(thinned=share * float(np.ptp(of.y)))
     begins, ends = (of.moves_at(side) for side in (0, -1))
@@ -41,14 +41,14 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     if turns and begins and ends and home.size:
         k = int(home[0])
         found = _phases(_rolled(of, k), shifted_profile(rebuilt, float(of.x[-1] - of.x[k])))
-        if all(one.fits and one.rests for one in found):
+        if all(phase.fits and phase.rests for phase in found):
             return IdentifiedMotion(found, float(of.x[k] - of.x[0]))
     across = of.rates_across() if begins and ends else None
     return IdentifiedMotion(_phases(of._replace(begins=begins, ends=ends, seam=across), rebuilt))
 
 
 def _dwelling(of: CamPoints) -> NDArray[np.bool_]:
-    """Return which intervals are dwells: between equal points, beside another or long; a turn is none."""
+    """Return whether each interval is a dwell: between equal points, and next to another such or long."""
     still = np.abs(np.diff(of.y)) <= 2.0 * of.precision
     if of.v is not None:
         return np.asarray(still & (np.maximum(np.abs(of.v[:-1]), np.abs(of.v[1:])) <= RATES * of.fastest))
@@ -58,7 +58,7 @@ def _dwelling(of: CamPoints) -> NDArray[np.bool_]:
 
 
 def _rolled(of: CamPoints, k: int) -> CamPoints:
-    """Return the table of a cycle that is told from its point ``k`` on, over the same x."""
+    """Return the table of a cycle that begins at its point ``k``, over the same x."""
     total, travel = float(of.x[-1] - of.x[0]), float(of.y[-1] - of.y[0])
     by = total - float(of.x[k] - of.x[0])
     x = np.concatenate([of.x[k:-1] + by - total, of.x[: k + 1] + by])
@@ -89,7 +89,7 @@ def _phases(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
 def _laid(
     of: CamPoints, rebuilt: CamProfile, edges: Sequence[tuple[int, int]], resting: Sequence[FoundPhase | None]
 ) -> list[FoundPhase]:
-    """Return the phases of a movement some of whose ways from rest to rest keep to no law."""
+    """Return the phases of a movement of which some strokes from rest to rest follow no law."""
     whole = of.part(edges[0][0], edges[-1][1])
     meeting, known = phases_at_speed(whole, rebuilt, _near(whole))
     if not known and any(resting):
@@ -103,31 +103,31 @@ def _laid(
 
 
 def _thinned(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
-    """Return splines from rest to rest through few points; none where it does not rest, or too many are needed."""
+    """Return splines from rest to rest through few points; none if the ends are not at rest, or too many are needed."""
     if np.abs(rebuilt.at(of.x[[0, -1]]).y1).max() > AT_SPEED * of.fastest:
         return []
     return splined(of, rebuilt, (0.0, 0.0), max(of.thinned, _near(of)))
 
 
 def _identify(of: CamPoints, laws: Sequence[Law], span: tuple[int, int], turns: tuple[bool, bool]) -> FoundPhase | None:
-    """Return the law of a movement between two points, if it keeps to one; a turn's point may belong to the next."""
+    """Return the law that a movement between two points follows, or None; the point at a reversal may be left out."""
     for late, early in ((0, 0), (turns[0], 0), (0, turns[1]), turns):
         inner = of.part(span[0] + late, span[1] - early)
         if len(inner.x) >= FEWEST or (inner.a is not None and len(inner.x) > 1):
-            for one in laws:
-                found = _fitted(one, inner, _near(inner)) if inner.identifies(one) else None
+            for law in laws:
+                found = _fitted(law, inner, _near(inner)) if inner.identifies(law) else None
                 if found is not None:
                     return found
     return None
 
 
 def _near(of: CamPoints) -> float:
-    """Return what a fit may miss by."""
+    """Return the allowed error of a fit."""
     return max(2.0 * of.precision, ROUNDED * float(np.ptp(of.y)))
 
 
 def _fitted(law: Law, of: CamPoints, near: float) -> FoundPhase | None:
-    """Return a law's begin, end, y and lift by least squares, in round numbers where these do; None if it misses."""
+    """Return a law with begin, end, y and lift by least squares, in round numbers if they fit; None if none fits."""
     step = float(np.diff(of.x).max())
 
     def off(fit: Array) -> Array:

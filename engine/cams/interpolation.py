@@ -1,4 +1,4 @@
-"""How controllers go between the points of a table: each rule makes a profile of it."""
+"""Rules by which controllers interpolate between the points of a table: each makes a profile of it."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -24,16 +24,16 @@ def lines(x: Array, y: Array) -> CamProfile:
 
 
 def hermite(x: Array, y: Array, v: Array) -> CamProfile:
-    """Return the cubic of each interval that has y and y' at both its ends."""
+    """Return the cubic of each interval with y and y' at both its ends."""
     h = np.diff(x)
     m = np.diff(y) / h
     return _profile(x, y[:-1], v[:-1], (3.0 * m - 2.0 * v[:-1] - v[1:]) / h, (v[:-1] + v[1:] - 2.0 * m) / h**2)
 
 
 def parabolas(x: Array, y: Array) -> CamProfile:
-    """Return cubics whose slope at a point is that of the parabola through it and its neighbours.
+    """Return cubics whose slope at a point is that of the parabola through it and its neighbours; y' is continuous.
 
-    At an end it goes through three points, of two it is the line; y' is continuous and y'' is not.
+    At an end the parabola goes through the nearest three points; of two points the result is a line.
     Source: Bessel's slopes, C. de Boor, A Practical Guide to Splines, IV.
     """
     return lines(x, y) if len(x) == 2 else hermite(x, y, np.gradient(y, x, edge_order=2))
@@ -42,20 +42,20 @@ def parabolas(x: Array, y: Array) -> CamProfile:
 def central(x: Array, y: Array) -> CamProfile:
     """Return cubics whose slope at a point is that of the line between its neighbours, at an end that of the chord.
 
-    At equal steps the slopes inside are those of :func:`parabolas`. Where steps differ, what a mean of both chords'
-    slopes leaves is no more than the larger of what these two leave: it is their mean, and cubics are linear in slopes.
+    At equal steps the slopes inside are those of :func:`parabolas`. At other steps a rule whose slopes are a mean of
+    both has an error of no more than the larger of theirs, as cubics are linear in the slopes.
     """
     chords = np.diff(y) / np.diff(x)
     return hermite(x, y, np.concatenate([chords[:1], (y[2:] - y[:-2]) / (x[2:] - x[:-2]), chords[-1:]]))
 
 
 def quintics(x: Array, y: Array, v: Array, a: Array) -> CamProfile:
-    """Return the polynomial of degree 5 of each interval that has y, y' and y'' at both its ends."""
+    """Return the polynomial of degree 5 of each interval with y, y' and y'' at both its ends."""
     return _profile(x, *quintics_between(x, [one[:-1] for one in (y, v, a)], [one[1:] for one in (y, v, a)]).T)
 
 
 def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> Array:
-    """Return the coefficients of degree 5 of each interval from y, y' and y'' at its begin and at its end."""
+    """Return the six coefficients of each interval from y, y' and y'' at its begin and at its end."""
     h, (y, v, a) = np.diff(x), begin
     d = end[0] - y - (v + 0.5 * a * h) * h
     e = (end[1] - v - a * h) * h
@@ -69,8 +69,8 @@ def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> 
 def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamProfile:
     """Return the cubic spline through the points: y, y' and y'' are continuous.
 
-    ``ends`` are the slopes of a clamped spline; or natural (y'' = 0), not-a-knot (y''' continuous at the last points
-    but one), periodic (y' and y'' alike at both ends). Two points, or three of not-a-knot, have one polynomial.
+    ``ends`` are the slopes of a clamped spline, or "natural" (y'' = 0), "not-a-knot" (y''' continuous at the second
+    point from each end), "periodic" (y' and y'' equal at both ends). A travel is added to a periodic spline as a line.
     """
     from scipy.interpolate import CubicSpline  # slow to import, and most commands need no spline
 
@@ -83,9 +83,9 @@ def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamPro
 
 
 def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArray[np.bool_]) -> CamProfile:
-    """Return lines where ``straight`` says so, one for each interval, and clamped splines between them.
+    """Return lines on the ``straight`` intervals, and clamped splines between them.
 
-    A spline takes a line's slope beside it, those of ``ends`` at the table's. Source: Rockwell, SegmentType of CAM.
+    A spline has the slope of the line next to it, at the table's ends that of ``ends``. Source: Rockwell, SegmentType.
     """
     slope = np.diff(y) / np.diff(x)
     c = np.zeros((len(slope), 4))
@@ -103,17 +103,17 @@ HIGHEST = 6  # power of a segment's polynomial
 
 
 def simple(of: CamProfile) -> NDArray[np.bool_]:
-    """Return which pieces are a polynomial of degree 6 at most, and one sine at most."""
+    """Return whether each piece is a polynomial of at most degree 6 with at most one sine."""
     return np.asarray((of.c[:, HIGHEST + 1 :] == 0.0).all(axis=1) & ((of.sines[:, :, 0] != 0.0).sum(axis=1) <= 1))
 
 
 def straight(of: CamProfile) -> NDArray[np.bool_]:
-    """Return which pieces are a line: a dwell, or a motion at constant velocity."""
+    """Return whether each piece is a line: a dwell, or a motion at constant velocity."""
     return np.asarray((of.c[:, 2:] == 0.0).all(axis=1) & (of.sines[:, :, 0] == 0.0).all(axis=1))
 
 
 def segmented(of: CamProfile, x: Array) -> CamProfile:
-    """Return a motion between places: its own pieces where simple, else quintics; u counts from a place."""
+    """Return a motion between the places x: its own pieces if :func:`simple`, else quintics; u = 0 at each place."""
     begin, end = of.at(x[:-1]), of.at(x[1:], left=True)
     k = of.index(0.5 * (x[:-1] + x[1:]))
     c, sines = np.zeros((len(k), HIGHEST + 1)), np.zeros((len(k), 1, 3))
@@ -128,25 +128,25 @@ def segmented(of: CamProfile, x: Array) -> CamProfile:
 
 
 NEAR, NEAR_ACCELERATION = 1e-9, 1e-5
-"""of the reach of f, and of its largest second derivative: so far may polynomials be off"""
-FIRST, NARROWEST = 4, 1e-7  # intervals of a piece to begin with; of the cycle: the least that is halved
+"""allowed errors of the polynomials, as shares of the range of f(y(x)) and of its largest second derivative"""
+FIRST, NARROWEST = 4, 1e-7  # intervals of a piece at first; share of the cycle below which none is halved
 
 
 class FunctionValues(NamedTuple):
-    """f of a position, df/dy and d²f/dy²."""
+    """A function f of the position y, arrays of one shape."""
 
-    value: Array
-    first: Array
-    second: Array
+    value: Array  # f
+    first: Array  # df/dy
+    second: Array  # d²f/dy²
 
 
 OuterFunction = Callable[[Array], FunctionValues]
 
 
 def composed(of: CamProfile, outer: OuterFunction) -> CamProfile:
-    """Return f(y(x)) over the same cycle; its jumps of acceleration are those of y, where a piece ends.
+    """Return f(y(x)) over the same cycle, ``outer`` being f: a quintic on each interval, none across a break of y.
 
-    With (f∘y)' = f' y' and (f∘y)'' = f'' y'² + f' y'' at both ends of each interval; one whose middle is off is halved.
+    It has (f∘y)' = f' y' and (f∘y)'' = f'' y'² + f' y'' at both ends; an interval off in its middle is halved.
     """
 
     def values(x: Array, k: NDArray[np.intp]) -> tuple[Array, Array, Array]:

@@ -1,4 +1,4 @@
-"""Phases that meet at speed, taken apart: straight lines, laws with prescribed ends, splines for what is left."""
+"""Identification of phases that meet at speed: straight lines, laws with boundary values, splines for the rest."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -14,29 +14,29 @@ from engine.laws.base import Array
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
 from engine.motion.pieces import CamProfile
 
-SHORTEST = 3  # ways from point to point of a straight line, where y' is not known
-TURNS = 12  # of Gauss and Newton
-SETTLED, SLOW = 3, 0.5  # after so many turns the residual must have fallen to so much of itself, or it is another law
-RATES = 1e-5  # of the peak: so far a law's velocity and acceleration may be from a table's
-STEP = 1e-4  # of the interval between points, to see how a break's place matters
-MOST = 8  # quintics in place of a part that is one law no longer
+SHORTEST = 3  # intervals of a straight line, if the table has no y'
+TURNS = 12  # iterations of Gauss and Newton
+SETTLED, SLOW = 3, 0.5  # in so many iterations the residual must fall to this share, else the law is another
+RATES = 1e-5  # share of the peak by which a law's velocity and acceleration may deviate from a table's
+STEP = 1e-4  # share of the interval between points, for derivatives of the deviations by the place of a break
+MOST = 8  # quintics in place of one law
 
 
 class EndLine(NamedTuple):
-    """A line that a curved phase meets, y and y' at ``x``; ``fixed`` where it meets nothing, at that x alone."""
+    """The line that a curved phase meets at one end, in the units of the table."""
 
     x: float
-    y: float
-    v: float
-    a: float = 0.0
-    fixed: bool = False
+    y: float  # at x
+    v: float  # y'
+    a: float = 0.0  # y''
+    fixed: bool = False  # whether the phase has to end at this x, as no phase is beyond
 
 
 def phases_at_speed(of: CamPoints, rebuilt: CamProfile, near: float) -> tuple[list[FoundPhase], bool]:
-    """Return the phases of a movement between rests, or from a table's begin or to its end, that meet at speed.
+    """Return the phases, meeting at speed, of a movement between rests or ends of the table; and if all are known.
 
-    The other is whether each is a line or a law as it is meant. Where a part between lines keeps to no law, it is
-    parted into quintics with y' and y'' where they meet, or into splines; empty where there would be too many.
+    They are known if each is a line or one law. A part between lines that follows no law is divided into quintics with
+    equal y' and y'' where they meet, or into splines. There are no phases if it takes too many.
     """
     found: list[FoundPhase] = []
     known = True
@@ -65,7 +65,7 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile, near: float) -> tuple[li
 
 
 def _settled(found: Sequence[FoundPhase]) -> list[FoundPhase]:
-    """Return phases whose lines begin and end where their neighbours do."""
+    """Return the phases with their lines extended or cut to their neighbours."""
     kept = list(found)
     for k, one in enumerate(found):
         if one.law.code == "LIN":
@@ -78,7 +78,7 @@ def _settled(found: Sequence[FoundPhase]) -> list[FoundPhase]:
 
 
 def _straight_runs(of: CamPoints, near: float) -> list[tuple[int, int]]:
-    """Return from which to which point a table runs along lines."""
+    """Return the first and the last point of each straight line in a table."""
     x, y, h = of.x, of.y, np.diff(of.x)
     slope = np.diff(y) / h
     size = float(np.abs(slope).max())
@@ -90,7 +90,7 @@ def _straight_runs(of: CamPoints, near: float) -> list[tuple[int, int]]:
     around = np.pad(h, 1)
 
     def sparse(begin: int, end: int) -> bool:
-        """Whether the points of a line are so far apart that, as its neighbours', no curve could pass for it there."""
+        """Return whether a line's points are much farther apart than the neighbours', as a controller writes lines."""
         beside = float(max(around[begin], around[end + 1]))
         return 0.0 < LONGER * beside < float(h[begin:end].min())
 
@@ -99,13 +99,13 @@ def _straight_runs(of: CamPoints, near: float) -> list[tuple[int, int]]:
 
 
 def true_runs(flat: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Return from which to which point intervals that follow one another are flat."""
+    """Return the first and the last point of each run of intervals that are true."""
     edges = np.flatnonzero(np.diff(np.pad(flat.astype(np.int8), 1)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def _beside(of: CamPoints, rebuilt: CamProfile, runs: Sequence[tuple[int, int]], k: int) -> EndLine:
-    """Return what a curved phase meets at a point: a line, a rest, or at an end of the table what it has there."""
+    """Return the line, or rest, that a curved phase meets at a point; at an end of the table its own rates there."""
 
     def slope(begin: int, end: int) -> float:
         return float((of.y[end] - of.y[begin]) / (of.x[end] - of.x[begin]))
@@ -123,7 +123,7 @@ def _beside(of: CamPoints, rebuilt: CamProfile, runs: Sequence[tuple[int, int]],
 
 
 def _rates(of: CamPoints, rebuilt: CamProfile, k: int) -> EndLine:
-    """Return y, y' and y'' at a point: the table's own, or those of what rebuilds it."""
+    """Return y, y' and y'' at a point: the table's own, else those of the rebuilt profile."""
     x, y, last = float(of.x[k]), float(of.y[k]), k == len(of.x) - 1
     if (of.begins and k == 0) or (of.ends and last):
         return EndLine(x, y, *(of.seam or of.rate_at(-1 if last else 0)))
@@ -132,7 +132,7 @@ def _rates(of: CamPoints, rebuilt: CamProfile, k: int) -> EndLine:
 
 
 def _made(one: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndLine]) -> FoundPhase | None:
-    """Return a law between two places, with the velocities of its sides; None where it cannot have these."""
+    """Return a law between two x, with the velocities of the lines there; None if it cannot have these."""
     begin, end = places
     first, last = (s.y if s.fixed else s.y + s.v * (x - s.x) for s, x in zip(sides, places, strict=True))
     d = end - begin
@@ -147,13 +147,13 @@ def _made(one: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndLi
 
 
 def _fitted(one: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], near: float) -> FoundPhase | None:
-    """Return a law with its begin and its end where the points want them, by least squares; None if it misses."""
+    """Return a law whose begin and end are fitted to the points by least squares; None if it does not fit."""
     step = np.diff(of.x)[[0, -1]]
     free = np.array([not side.fixed for side in sides])
     free &= len(of.x) >= free.sum() + 2
 
     def made(moved: Array) -> FoundPhase | None:
-        """Return the law with its free ends moved by so much; None where it cannot have these, or moves too far."""
+        """Return the law with its free ends moved; None if it cannot have them, or they are moved too far."""
         by = np.zeros(2)
         by[free] = moved
         return _made(one, (of.x[[0, -1]] + by).tolist(), sides) if np.all(np.abs(by) <= 2.0 * step) else None
@@ -169,7 +169,7 @@ def _fitted(one: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], nea
 
 
 def gauss_newton(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
-    """Return figures that are off by at most ``near``, by Gauss and Newton, no turn beyond ``steps``; else None."""
+    """Return parameters with deviations within ``near`` by Gauss and Newton, moved by ``steps`` at most; else None."""
     missed: list[float] = []
     moves = np.diag(np.where(np.isfinite(steps), STEP * steps, 1.0))
     for _ in range(TURNS + 1):
@@ -189,7 +189,7 @@ def gauss_newton(off: Callable[[Array], Array], fit: Array, steps: Array, near: 
 
 
 def rates_agree(one: FoundPhase, of: CamPoints, typical: Callable[[Array], float] = np.max) -> bool:
-    """Whether y' and y'' of the points are the phase's, where the table has them; y'' at its end is the next one's."""
+    """Return whether y' and y'' of the table, if it has them, are the phase's; at its end those of the next count."""
     d = one.end - one.begin
     at = one.law.evaluate(np.clip((of.x - one.begin) / d, 0.0, 1.0))
     per, peaks = one.scale / d, one.law.coefficients
@@ -204,7 +204,7 @@ def rates_agree(one: FoundPhase, of: CamPoints, typical: Callable[[Array], float
 def _quintics(
     quintic: BoundaryLaw, of: CamPoints, rebuilt: CamProfile, sides: tuple[EndLine, EndLine], most: float
 ) -> list[FoundPhase]:
-    """Return polynomials of degree 5 from point to point, at most :data:`MOST`."""
+    """Return polynomials of degree 5 between points, each as long as ``most`` allows; none if over :data:`MOST`."""
     found: list[FoundPhase] = []
     k, last = 0, len(of.x) - 1
     here = sides[0]

@@ -10,24 +10,27 @@ from numpy.typing import ArrayLike, NDArray
 from engine.drive.motor import continuous
 from engine.laws.base import Array
 
-NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)  # of every product
+NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)  # defaults for all products
 
 
 @dataclass(eq=False)
 class Motors:
-    """A catalogue of motors: arrays, or numbers for all; NaN is not given. Raises ValueError that names one."""
+    """A catalogue of motors: arrays, or one number for all; NaN where a figure is not given.
+
+    Raises ValueError, which names the motor, for figures that are not above 0 or contradict each other.
+    """
 
     names: tuple[str, ...]
     inertia: Array  # J_M (kg m²)
-    rated_torque: Array  # T_M,N (Nm), the continuous torque at the rated speed
-    peak_torque: Array  # T_M,max (Nm), up to the largest speed or the ``full_torque_to``
+    rated_torque: Array  # T_M,N (Nm), continuous at the rated speed
+    peak_torque: Array  # T_M,max (Nm), up to ``full_torque_to``
     max_speed: Array  # ω_M,max (rad/s)
-    size: Array = field(default_factory=NOT_GIVEN)  # kg
-    cost: Array = field(default_factory=NOT_GIVEN)
-    full_torque_to: Array = field(default_factory=NOT_GIVEN)  # rad/s; from there it falls in a straight line
-    end_torque: Array = field(default_factory=NOT_GIVEN)  # to this (Nm) at the largest speed
-    stall_torque: Array = field(default_factory=NOT_GIVEN)  # Nm, from which the continuous torque falls
-    rated_speed: Array = field(default_factory=NOT_GIVEN)  # rad/s; the largest speed if NaN
+    size: Array = field(default_factory=NOT_GIVEN)  # mass (kg)
+    cost: Array = field(default_factory=NOT_GIVEN)  # in any currency
+    full_torque_to: Array = field(default_factory=NOT_GIVEN)  # speed beyond which the peak torque falls (rad/s)
+    end_torque: Array = field(default_factory=NOT_GIVEN)  # peak torque at the largest speed (Nm)
+    stall_torque: Array = field(default_factory=NOT_GIVEN)  # T_0 (Nm), continuous at standstill
+    rated_speed: Array = field(default_factory=NOT_GIVEN)  # rad/s; NaN: the largest speed
 
     def __post_init__(self) -> None:
         positive = ("inertia", "rated_torque", "peak_torque", "max_speed")
@@ -36,39 +39,42 @@ class Motors:
         both = np.isnan(self.full_torque_to) == np.isnan(self.end_torque)
         _require(self, "end_torque", both, "wherever full_torque_to is one")
         _require(self, "full_torque_to", ~(self.full_torque_to >= self.max_speed), "below max_speed")
-        self.stall: Array = np.fmax(self.rated_torque, self.stall_torque)  # at rest, all the time (Nm)
+        self.stall: Array = np.fmax(self.rated_torque, self.stall_torque)  # continuous torque at standstill (Nm)
         unknown = np.isnan(self.rated_speed)
-        self.falls_to = np.where(unknown, self.max_speed, self.rated_speed)  # where that is the rated torque (rad/s)
-        self.knee = np.where(np.isnan(self.full_torque_to), self.max_speed, self.full_torque_to)  # of the peak torque
+        self.falls_to = np.where(unknown, self.max_speed, self.rated_speed)  # speed of the rated torque (rad/s)
+        self.knee = np.where(np.isnan(self.full_torque_to), self.max_speed, self.full_torque_to)  # of the peak (rad/s)
         change = np.nan_to_num(self.end_torque - self.peak_torque)
         beyond, none = self.max_speed - self.knee, np.zeros(change.shape)
         self.slope = np.divide(change, beyond, out=none, where=change != 0.0)  # beyond the knee (Nm per rad/s)
 
     def derated(self, share: float) -> "Motors":
-        """Return them with a share of rated and stall torque left: see :func:`engine.drive.derating`."""
+        """Return the motors with rated and stall torque times a share: see :func:`engine.drive.derating`."""
         return replace(self, rated_torque=self.rated_torque * share, stall_torque=self.stall_torque * share)
 
     def continuous(self, k: Any, speed: ArrayLike) -> Array:
-        """Return what motors ``k`` can give all the time at mean speeds (rad/s), in Nm."""
+        """Return the continuous torque (Nm) of the motors with the index ``k`` at mean speeds (rad/s)."""
         return continuous(self.rated_torque[k], self.stall[k], self.falls_to[k], speed)
 
 
 @dataclass(eq=False)
 class Reducers:
-    """A catalogue of reducers: arrays, or numbers for all; NaN is not given. Raises ValueError that names one."""
+    """A catalogue of reducers: arrays, or one number for all; NaN where a figure is not given.
+
+    Raises ValueError, which names the reducer, for figures that are not above 0 or beyond the limits below.
+    """
 
     names: tuple[str, ...]
     reduction: Array  # i = ω_M/ω_L
     efficiency: Array  # η, at most 1
     inertia: Array  # J_T at the motor's shaft (kg m²)
     max_input_speed: Array  # rad/s
-    max_output_torque: Array  # Nm, up to the ``full_rate``
-    max_mean_torque: Array = field(default_factory=NO_LIMIT)  # of the output (Nm)
-    size: Array = field(default_factory=NOT_GIVEN)  # kg
-    cost: Array = field(default_factory=NOT_GIVEN)
-    no_load: Array = field(default_factory=lambda: np.array(0.0))  # torque at the input (Nm)
-    full_rate: Array = field(default_factory=NO_LIMIT)  # cycles (1/s) up to which the output torque holds
-    cycle_factor: Array = field(default_factory=lambda: np.array(1.0))  # over which it is at more
+    max_output_torque: Array  # Nm, up to ``full_rate``; divided by ``cycle_factor`` beyond
+    max_mean_torque: Array = field(default_factory=NO_LIMIT)  # cubic mean at the output (Nm)
+    size: Array = field(default_factory=NOT_GIVEN)  # mass (kg)
+    cost: Array = field(default_factory=NOT_GIVEN)  # in any currency
+    no_load: Array = field(default_factory=lambda: np.array(0.0))  # no-load torque at the input (Nm)
+    full_rate: Array = field(default_factory=NO_LIMIT)  # cycles per second
+    cycle_factor: Array = field(default_factory=lambda: np.array(1.0))  # f_s, 1 or more
 
     def __post_init__(self) -> None:
         positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque", "full_rate")
@@ -81,7 +87,7 @@ class Reducers:
 def _columns(
     catalogue: Motors | Reducers, positive: tuple[str, ...], other: tuple[str, ...], known: tuple[str, ...]
 ) -> None:
-    """Turn what is given into arrays, one value a name, and refuse what cannot be; ``known`` may be NaN."""
+    """Turn columns into arrays of one value for each name; raise ValueError for wrong values. ``known`` may be NaN."""
     catalogue.names = tuple(catalogue.names)
     count = len(catalogue.names)
     for column in (*positive, *other, *known):

@@ -1,13 +1,14 @@
-"""The designs that no other beats in all that is asked of them."""
+"""The Pareto front: designs that no other design beats in all objectives."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 
 def front(points: ArrayLike) -> NDArray[np.intp]:
-    """Return which points, rows of objectives of which less is better, no other point beats; of equal ones the first.
+    """Return the row numbers of the Pareto-optimal points, of equal ones the first; less is better in each column.
 
-    A point beats another that is nowhere less and somewhere more. They come by the first objective, then the next.
+    A point is beaten by one that is nowhere more and somewhere less. The rows are in order of the first objective,
+    then of the next.
     Source: V. Pareto, Manuale di economia politica (1906); H. T. Kung, F. Luccio, F. P. Preparata, J. ACM 22 (1975).
     """
     values = np.asarray(points, dtype=np.float64)

@@ -1,7 +1,7 @@
-"""Motors by reducers for a cycle: which pairs can do it within limits, and which of them suit it best. SI units.
+"""The matrix of motors by reducers for a cycle: the pairs within limits, and their ranks. SI units.
 
-Torques are those of the points of a cycle (:mod:`engine.selection.point_load`); S5's steps 5 to 7, whose table of pairs
-this is, take the motor as driving all the time.
+Torques are those at the points of a cycle (:mod:`engine.selection.point_load`). Source: S5, steps 5 to 7, whose table
+of pairs takes the motor as driving all the time.
 """
 
 import math
@@ -20,52 +20,52 @@ from engine.selection.task import Task
 
 Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
 RANKS: tuple[str, ...] = get_args(Rank)
-PARTS = 10_000  # of a unit, in which scores are compared
+PARTS = 10_000  # of a unit, to which scores are rounded before they are compared
 
 
 class Requirements(NamedTuple):
-    """What a usable pair meets."""
+    """Requirements of a usable pair, dimensionless."""
 
-    inertia_ratio: float  # at most
-    least_margin: float  # of the rated over the RMS torque
-    greatest_margin: float
-    torque_factor: float  # on the torque that a reducer carries
-    least_peak: float = 1.0  # a motor's peak torque over what is asked of it
-    least_speed: float = 1.0  # its largest speed over what is asked of it
+    inertia_ratio: float  # largest allowed
+    least_margin: float  # continuous torque over RMS torque, at least
+    greatest_margin: float  # likewise, at most
+    torque_factor: float  # factor on the output torque of a reducer
+    least_peak: float = 1.0  # peak torque of a motor over the cycle's, at least
+    least_speed: float = 1.0  # largest speed of a motor over the cycle's, at least
 
 
 class PeakTorqueCurve(NamedTuple):
-    """Peak torque (Nm), the speed (rad/s) up to which it holds, and its fall beyond (Nm s)."""
+    """A motor's peak torque against speed."""
 
-    peak: float
-    knee: float
-    fall: float
+    peak: float  # Nm, up to the knee
+    knee: float  # rad/s
+    fall: float  # decrease beyond the knee (Nm s)
 
 
 class Pair(NamedTuple):
-    """A motor with a reducer: J (kg m²) of what turns with the motor, i, η, no-load torque (Nm)."""
+    """A motor with a reducer."""
 
-    inertia: float
-    ratio: float
-    efficiency: float
-    no_load: float = 0.0
+    inertia: float  # J of all that turns with the motor (kg m²)
+    ratio: float  # i
+    efficiency: float  # η
+    no_load: float = 0.0  # no-load torque (Nm)
 
 
 def reserve(load: PointLoad, pair: Pair, curve: PeakTorqueCurve) -> float:
-    """Return the least that is left below a motor's curve at the points (Nm), for J, i, η and no-load torque."""
+    """Return the least reserve of torque below a motor's curve at the points (Nm)."""
     return curve.peak - max(float(load.peak(pair_arrays(*pair))[0]), falling_demand(load, pair, curve))
 
 
 def falling_demand(load: PointLoad, pair: Pair, curve: PeakTorqueCurve) -> float:
-    """Return the largest |T| + f (n − n_1) at the points (Nm): what they ask of the falling part of a curve."""
+    """Return the largest |T| + f (ω − ω_1) at the points (Nm), the demand on the falling part of a curve."""
     torque, speed = load.torques(pair_arrays(*pair))[0], pair.ratio * load.points.speed
     return float((np.abs(torque) + curve.fall * (speed - curve.knee)).max())
 
 
 def pair_arrays(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: ArrayLike) -> PairArrays:
-    """Return motors with their reducers in a line: J (kg m²), i, η, no-load torque (Nm)."""
-    each = np.broadcast_arrays(*(np.asarray(one, dtype=np.float64) for one in (inertia, ratio, efficiency, no_load)))
-    return PairArrays(*(one.reshape(-1) for one in each))
+    """Return pairs as flat arrays of one length: J (kg m²), i, η, no-load torque (Nm)."""
+    columns = (np.asarray(column, dtype=np.float64) for column in (inertia, ratio, efficiency, no_load))
+    return PairArrays(*(column.reshape(-1) for column in np.broadcast_arrays(*columns)))
 
 
 @dataclass(eq=False)
@@ -75,21 +75,21 @@ class PairMatrix:
     load: PointLoad
     motors: Motors
     reducers: Reducers
-    beside: float  # turns with the motor (kg m²)
+    beside: float  # further inertia on the motor's shaft (kg m²)
     wanted: Requirements
-    rate: float = 0.0  # of cycles (1/s)
+    rate: float = 0.0  # cycles per second
 
     def __post_init__(self) -> None:
         r, rated = self.reducers, self.motors.rated_torque
-        self.beside_motor: Array = r.inertia + self.beside  # what turns with a motor before each reducer (kg m²)
+        self.beside_motor: Array = r.inertia + self.beside  # on the motor's shaft with each reducer (kg m²)
         self.inertias: Array = self.motors.inertia[:, None] + self.beside_motor  # J of each pair (kg m²)
         self.gears = pair_arrays(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)  # of each pair, motor by motor
         self.speed: Array = self.load.speed / r.ratio  # largest speed of the motor before each reducer (rad/s)
         self.at_motor: Array = self.beside_motor + self.load.inertia * r.ratio**2  # inertia that each drives (kg m²)
         self.inertia_ratio: Array = self.at_motor / self.motors.inertia[:, None]  # the same over each motor's
-        self.output_torque = self.wanted.torque_factor * self.load.torque  # that a reducer must hold (Nm)
+        self.output_torque = self.wanted.torque_factor * self.load.torque  # demand on a reducer (Nm)
         held = r.max_output_torque / cycle_factor_at(self.rate, r.full_rate, r.cycle_factor)
-        self.most_output_torque: Array = held  # of each reducer at these cycles (Nm)
+        self.most_output_torque: Array = held  # of each reducer at the rate (Nm)
         strong = (self.output_torque <= held) & (self.load.mean_torque <= r.max_mean_torque)
         self.fits: NDArray[np.bool_] = strong & (self.speed <= r.max_input_speed)  # whether a reducer holds the load
         self.smaller: NDArray[np.int_] = (rated < rated[:, None]).sum(axis=1)  # how many motors are rated less, of each
@@ -110,14 +110,14 @@ class PairMatrix:
 
     @property
     def task(self) -> Task:
-        """What the cycle asks for behind the reducer, as S5 tells it; a mean past ±ω̇_rms T*_rms is rounding."""
+        """The task of S5 at the reducer's output; a mean beyond ±ω̇_rms T*_rms is rounding, and is set to it."""
         means = self.load.squares
         acceleration, torque = math.sqrt(means.own), math.sqrt(means.load + means.load_back)
         most = acceleration * torque
         return Task(acceleration, torque, max(-most, min(most, means.mixed + means.mixed_back)), self.load.speed)
 
     def use(self, motor: int, reducer: int) -> tuple[float, float]:
-        """Return a pair's speed over its motor's largest, its RMS torque over the continuous at the mean speed."""
+        """Return a pair's speed over the motor's largest, and RMS torque over continuous torque at the mean speed."""
         return float(self.speed[reducer] / self.motors.max_speed[motor]), float(self.uses[motor, reducer])
 
     @cached_property
@@ -127,7 +127,7 @@ class PairMatrix:
 
     @cached_property
     def verdicts(self) -> NDArray[np.str_]:
-        """What each pair fails first, or that it is usable."""
+        """The first requirement that each pair fails, or "yes"."""
         m, wanted = self.motors, self.wanted
         fails = {
             "reducer": np.broadcast_to(~self.fits, self.rms.shape),
@@ -138,7 +138,7 @@ class PairMatrix:
 
     @cached_property
     def wanted_verdicts(self) -> NDArray[np.str_]:
-        """What each pair fails of margins and inertia ratio, or that it is usable."""
+        """The first of margins and inertia ratio that each pair fails, or "yes"."""
         fails = {
             "RMS": self.uses * self.wanted.least_margin > 1.0,
             "large": self.uses * self.wanted.greatest_margin < 1.0,
@@ -148,7 +148,7 @@ class PairMatrix:
 
     @cached_property
     def balance(self) -> Array:
-        """The inertia with the motor (kg m²) that each reducer balances: J α_rms/τ = τ S_rms/η. Source: S5, (14)."""
+        """The inertia J on the motor's shaft (kg m²) at which J α_rms/τ = τ S_rms/η. Source: S5, (14)."""
         r, means = self.reducers, self.load.squares
         if not means.own:
             return np.zeros(r.ratio.shape)
@@ -156,7 +156,7 @@ class PairMatrix:
         return np.asarray(r.ratio**2 / r.efficiency * share)
 
     def scores(self, rank: Rank) -> Array:
-        """Return what pairs are ranked by, lowest first, NaN without the figure; of equal motors the less used."""
+        """Return the scores of pairs, the lowest is best, of equal motors that of the less used; NaN without a figure."""
         used = self.uses / (1.0 + self.uses)
         if rank == "smallest motor":
             return self.smaller[:, None] + used
@@ -169,13 +169,16 @@ class PairMatrix:
         return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))
 
     def keys(self, rank: Rank, across: int, rooms: int) -> Array:
-        """Return whole numbers that rise as pairs rank, of ``rooms``, ``across`` in a row; NaN of no rank."""
+        """Return whole numbers in the order of the ranks, NaN of a pair without a rank.
+
+        A key is the rounded score times ``rooms`` plus motor times ``across`` plus reducer, so that no two are equal.
+        """
         score = np.where(self.verdicts == "yes", self.scores(rank), np.nan)
         motor, reducer = np.indices(score.shape)
         return np.asarray(np.floor(score * PARTS + 0.5) * rooms + motor * across + reducer)
 
     def best(self, rank: Rank, across: int, rooms: int) -> list[tuple[int, int]]:
-        """Return motor and reducer of the ranked pairs, from 0, best first."""
+        """Return the numbers of motor and reducer of the ranked pairs, from 0, best first."""
         keys = self.keys(rank, across, rooms)
         order = [int(k) for k in np.argsort(keys, axis=None, kind="stable")][: int(np.isfinite(keys).sum())]
         return [divmod(k, keys.shape[1]) for k in order]

@@ -1,7 +1,7 @@
-"""What a load asks for at its own shaft, β, and the transmission ratios that a motor accepts for it. SI units.
+"""The task of a load at its own shaft, its load factor β, and the transmission ratios a motor accepts. SI units.
 
-τ = ω_L/ω_M throughout. Misprints of S5 mended here: T²_M,rms and T*²_L,rms are printed without the square, τ_min is
-with the plus and τ_max with the minus in (14) and (18), τ_opt has J_r for J_L.
+τ = ω_L/ω_M throughout. Misprints of S5, corrected here: T²_M,rms and T*²_L,rms lack the square, τ_min has the plus and
+τ_max the minus in (14) and (18), τ_opt has J_r for J_L.
 """
 
 import math
@@ -16,13 +16,13 @@ from engine.drive import Load
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 
-AT_REST = 1e-9  # of the mean velocity of a phase
-NOTHING = 1e-9  # rad/s², Nm, rad/s: an acceleration, a torque, a speed no larger than this comes from rounding
+AT_REST = 1e-9  # share of the mean velocity of a phase: a slower end is at rest
+NOTHING = 1e-9  # rad/s², Nm, rad/s: a smaller acceleration, torque or speed is rounding
 
 
 @dataclass(frozen=True)
 class Task:
-    """What the load asks for at its shaft over a cycle: S5, eqs. (14), (15). Raises ValueError for what cannot be."""
+    """The task of a load at its shaft over a cycle: S5, eqs. (14), (15). Raises ValueError for impossible figures."""
 
     acceleration_rms: float  # ω̇_L,rms (rad/s²)
     torque_rms: float  # T*_L,rms (Nm), of the generalized load torque T*_L = T_L + J_L ω̇_L
@@ -39,11 +39,11 @@ class Task:
 
     @classmethod
     def of_load(cls, load: Load, phases: Sequence[Phase], radius: float = 1.0) -> "Task":
-        """Return the task of a load over phases (m and s on a wheel of ``radius`` (m), or rad), exact by the laws.
+        """Return the exact task of a load over phases in s and rad, or in m on a wheel of the ``radius`` (m).
 
-        Its friction resists in a movement, its torque always. What resists and what accelerates do not correlate:
-        ∫ sign(ω) ω̇ dt is what |ω| gains, and ω̇ gains nothing over a cycle either.
-        Raises ValueError where a phase does not begin and end at rest, or no phases are given.
+        Its friction resists in movements, its torque always. Resisting and accelerating torque do not correlate, as
+        neither ∫ω̇ dt nor ∫ sign(ω) ω̇ dt, the gains of ω and |ω|, differ from 0 over a cycle.
+        Raises ValueError if a phase does not begin and end at rest, or no phases are given.
         """
         if not phases or not (math.isfinite(radius) and radius > 0.0):
             raise ValueError(f"{len(phases)} phases and radius {radius:g}; expected a phase and a radius above 0")
@@ -54,14 +54,14 @@ class Task:
         motion = Motion([replace(p, lift=p.lift * per) for p in phases])
         time, acceleration = math.fsum(p.duration for p in phases), motion.y2_rms
         held = [load.torque + load.friction * np.sign(p.lift) for p in phases]
-        square = math.fsum(p.duration / time * float(one) ** 2 for p, one in zip(phases, held, strict=True))
+        square = math.fsum(p.duration / time * float(torque) ** 2 for p, torque in zip(phases, held, strict=True))
         fastest = max(p.law.coefficients.cv * abs(p.lift) / p.duration for p in phases) / radius
         torque = math.sqrt((load.inertia * acceleration) ** 2 + square)
         return cls(acceleration, torque, load.inertia * acceleration**2, fastest)
 
     @property
     def moves(self) -> bool:
-        """Whether the load accelerates and has a torque: without, there is nothing to choose a motor for."""
+        """Whether the load accelerates and has a torque; else no motor can be selected for it."""
         return min(self.acceleration_rms, self.torque_rms, self.max_speed) > NOTHING
 
     @property
@@ -71,12 +71,12 @@ class Task:
 
 
 def accelerating_factor(rated_torque: ArrayLike, inertia: ArrayLike) -> Array:
-    """Return α = T_M,N²/J_M (Nm rad/s²). Source: S5, eq. (15)."""
+    """Return α = T_M,N²/J_M (Nm rad/s²) from Nm and kg m². Source: S5, eq. (15)."""
     return np.asarray(np.square(rated_torque, dtype=np.float64) / np.asarray(inertia, dtype=np.float64))
 
 
 def best_ratio(task: Task, inertia: ArrayLike, efficiency: ArrayLike = 1.0) -> Array:
-    """Return τ_opt = √(J ω̇_rms η/T*_rms), at which the RMS torque is smallest; J (kg m²) is all at the motor's shaft.
+    """Return τ_opt = √(J ω̇_rms η/T*_rms), at which the RMS torque is smallest; J (kg m²) is on the motor's shaft.
 
     NaN for a load that does not move. Source: S5, eq. (14) with its efficiency; (18), where it is √(J_M/J_L).
     """
@@ -87,18 +87,18 @@ def best_ratio(task: Task, inertia: ArrayLike, efficiency: ArrayLike = 1.0) -> A
 
 
 class Ranges(NamedTuple):
-    """The transmission ratios that each motor accepts, arrays over the motors; NaN where a motor is too weak."""
+    """The transmission ratios that each motor accepts, arrays over the motors; NaN if a motor is too weak."""
 
-    accelerating_factor: Array
+    accelerating_factor: Array  # α (Nm rad/s²)
     tau_min: Array
     tau_max: Array
     tau_opt: Array  # at which the RMS torque is smallest; √(τ_min τ_max)
-    tau_limit: Array  # τ_M,lim: a smaller ratio drives the motor beyond its largest speed
+    tau_limit: Array  # τ_M,lim, below which the motor would exceed its largest speed
     lowest: Array  # max(τ_min, τ_M,lim); τ_M,lim of a motor that is too weak
     root: Array  # √(α − β/η), of (14)
     wide: Array  # √(α − β/η + 4 ω̇_rms T*_rms/η), of (14)
     strong: NDArray[np.bool_]  # whether α ≥ β/η
-    accepted: NDArray[np.bool_]  # whether any ratio at all does
+    accepted: NDArray[np.bool_]  # whether the motor accepts any ratio
 
 
 def ratio_ranges(
@@ -128,20 +128,20 @@ def ratio_ranges(
 
 
 def _ends(spare: Array, inertia: ArrayLike, acceleration: ArrayLike, torque: ArrayLike) -> tuple[Array, ...]:
-    """Return both roots of (14), τ_min and τ_max for the spare α − β/η, ω̇_rms and T*_rms/η; NaN below 0."""
+    """Return both roots of (14), τ_min and τ_max, from α − β/η, J, ω̇_rms and T*_rms/η; NaN if α − β/η < 0."""
     half, dw, load = np.sqrt(np.asarray(inertia)), np.asarray(acceleration), np.asarray(torque)
     root = np.sqrt(np.where(spare >= 0.0, spare, np.nan))
     wide = np.sqrt(root**2 + 4.0 * dw * load)
-    smallest = 2.0 * half * dw / (wide + root)  # without the difference of roots
+    smallest = 2.0 * half * dw / (wide + root)  # the difference of the roots would lose digits
     return root, wide, smallest, half / (2.0 * load) * (wide + root)
 
 
 class RatioCurves(NamedTuple):
-    """Range of τ of one motor against the load factor, figure 12 of S5: arrays over its points."""
+    """The range of τ of one motor against the load factor, figure 12 of S5: arrays over the points of the curves."""
 
-    share: Array  # β/(η α), rising to 1, closer together near it
-    load_factor: Array  # β
-    rate_factor: Array  # √(β/β_now), on ω̇ and T* alike
+    share: Array  # β/(η α), rising to 1
+    load_factor: Array  # β (Nm rad/s²)
+    rate_factor: Array  # √(β/β_now), factor of both ω̇ and T*
     root: Array  # √(α − β/η)
     wide: Array  # √(α − β/η + 4 ω̇_rms T*_rms/η)
     tau_min: Array
@@ -152,10 +152,10 @@ class RatioCurves(NamedTuple):
 def ratio_curves(
     task: Task, rated_torque: float, inertia: float, efficiency: float, points: int, begin: tuple[float, float]
 ) -> RatioCurves:
-    """Return the range of τ of a motor (T_M,N in Nm, J_M in kg m²) for a load driven slower and faster, up to β/η = α.
+    """Return the range of τ of a motor (T_M,N in Nm, J_M in kg m²) for a load at other rates, up to β/η = α.
 
-    The k-th share of α is 1 − (1 − s)(1 − k/(n − 1))², k from 0, s the task's own β/(η α), within ``begin``. Ratios
-    are NaN, and the pace 0, for a load that does not move. Source: S5, figure 12, with (14) for a load of any kind.
+    The k-th of n points is at β/(η α) = 1 − (1 − s)(1 − k/(n − 1))², k from 0, s the task's own value, clipped to
+    ``begin``. For a load that does not move the ratios are NaN and the rate factors 0. Source: S5, figure 12 and (14).
     """
     alpha = float(accelerating_factor(rated_torque, inertia))
     first = max(begin[0], min(begin[1], task.load_factor / efficiency / alpha))

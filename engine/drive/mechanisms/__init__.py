@@ -1,4 +1,4 @@
-"""Mechanisms between the gears and the load, by name: gears in line and a last element, which the load hangs on."""
+"""Register of mechanisms by name: each has gears in line and a last element that moves the load."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -12,18 +12,19 @@ class Kind:
     """A kind of mechanism."""
 
     name: str
-    element: str  # its last
-    turns: Callable[[float], float] | None = None  # its speed over the load's (rad/m) by a size; None: 1, or by place
-    belt: bool = False  # whether one moves with the load
+    element: str  # name of its last element
+    turns: Callable[[float], float] | None = None  # size -> speed of the element over the load's (rad/m); None: 1
+    belt: bool = False  # whether a belt moves with the load
 
     def of(
         self, load: Load, size: float = 1.0, efficiency: float = 1.0, gears: Sequence[Stage] = (),
         parts: Sequence[Part] = (), belt: float = 0.0,
     ) -> Mechanism:  # fmt: skip
-        """Return the mechanism of a load behind gears, ``parts`` on their shafts, and a belt of a mass (kg).
+        """Return the mechanism that moves a load, behind gears with ``parts`` on their shafts.
 
-        ``size`` and ``efficiency`` are those of the last element. The belt's own weight balances itself; a mechanism
-        that has none takes no notice of it. Raises ValueError for a size, an efficiency or a mass that cannot be.
+        ``size`` and ``efficiency`` are those of the last element: turns a metre of a screw (1/m), diameter of a wheel,
+        radius of a feed roller (m). The mass of the ``belt`` (kg) moves without lift; kinds without a belt ignore it.
+        Raises ValueError unless size and efficiency are above 0, the efficiency at most 1, and the belt 0 or more.
         """
         require_not_negative(self.name, belt=belt)
         ratio = 1.0
@@ -35,7 +36,7 @@ class Kind:
 
 
 def of_wheel(diameter: float) -> float:
-    """Return 2/D (rad/m) of a wheel. Source: S4, problem 2."""
+    """Return 2/D (rad/m) of a wheel of the diameter D (m). Source: S4, problem 2."""
     return 2.0 / diameter
 
 
@@ -55,4 +56,4 @@ KINDS = {
         Kind("table", "cam"),
     )
 }
-"""every mechanism by its name; the parts behind its gears, rollers and pulleys among them, are entered with it"""
+"""every mechanism by its name; rollers and pulleys are entered as parts"""

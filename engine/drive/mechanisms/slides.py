@@ -1,4 +1,4 @@
-"""Cranks, levers and arms: what drives a slide through a link, to and fro or in full circles. SI units."""
+"""Cranks and levers that drive a slide through a link, to and fro or in full circles; arms. SI units."""
 
 import math
 from abc import ABC, abstractmethod
@@ -14,21 +14,21 @@ from engine.laws.base import Array, require_finite
 
 @dataclass(frozen=True)
 class SlideLinkage(Linkage):
-    """A lever on a shaft in the origin, a link, and a slide on a line, at x = r cos ψ ± √(l² − (r sin ψ − e)²)."""
+    """A lever on a shaft at the origin, a link, and a slide on a line, at x = r cos ψ ± √(l² − (r sin ψ − e)²)."""
 
     name: str
     lever: float  # r (m), at the angle ψ from the direction of the line
     link: float  # l (m)
     offset: float  # e, distance of the line from the shaft (m)
-    side: int  # 1 where the lever is ahead of the line from shaft to slide in the sense of ψ, else −1
-    direction: int  # 1 or −1, of y = ``direction`` (x − ``zero``)
-    zero: float  # m
-    start: float  # ψ at y = 0 (rad), from where φ counts, rising with y
+    side: int  # 1 if ψ of the lever is ahead of the line from shaft to slide, else −1
+    direction: int  # 1 or −1, in y = direction · (x − zero)
+    zero: float  # x at y = 0 (m)
+    start: float  # ψ at y = 0 (rad), where φ = 0; φ rises with y
     bounds: Reach
 
     @property
     def reach(self) -> Reach:
-        """Between which positions the slide can go."""
+        """Range of the slide's positions (m)."""
         return self.bounds
 
     def _shaft(self, y: Array, within: Array) -> ShaftAngles:
@@ -41,10 +41,10 @@ class SlideLinkage(Linkage):
 
 
 def lever_angle(lever: float, link: float, offset: float, side: int, x: Array) -> Array:
-    """Return ψ of a slide at x: that of the line from shaft to slide and, beside it, the triangle's angle A.
+    """Return ψ (rad) for a slide at x (m): the angle of the line from shaft to slide, plus or minus the angle A.
 
-    tan² A/2 = (l − d + r)(l + d − r)/((d + r − l)(d + r + l)), d the distance of slide and shaft, which keeps its
-    digits near the dead centres.
+    A is between lever and line: tan² A/2 = (l − d + r)(l + d − r)/((d + r − l)(d + r + l)), d the distance of slide and
+    shaft; this form is exact near dead centres too.
     """
     d = np.hypot(x, offset)
     over = (link - d + lever) * (link + d - lever)
@@ -54,7 +54,7 @@ def lever_angle(lever: float, link: float, offset: float, side: int, x: Array) -
 
 
 def slopes(lever: float, offset: float, psi: Array, x: Array) -> tuple[Array, Array]:
-    """Return dx/dψ and d²x/dψ² where the lever is at ψ and the slide at x.
+    """Return dx/dψ and d²x/dψ² (m/rad, m/rad²) for the lever at ψ (rad) and the slide at x (m).
 
     With s = r sin ψ − e, c = r cos ψ and q = x − c: −(r sin ψ + s c/q), −(c + (c² − s r sin ψ)/q + s² c²/q³).
     """
@@ -71,13 +71,25 @@ def crank_slider(
     crank: float, rod: float, offset: float = 0.0, zero: DeadCentre = "inner", branch: Branch = "ahead",
     position: float = 0.0,
 ) -> SlideLinkage:  # fmt: skip
-    """Return a crank of radius r with a rod l, and a slide on a line at an offset e from the shaft (m).
+    """Return a crank-slider, of the stroke √((l + r)² − e²) − √((l − r)² − e²). Source: VDI 2727.
 
-    y grows away from a dead centre: from the inner one, where the slide is nearest to the shaft, or from the outer one;
-    where y = 0 it is so far away as ``position`` says. ``branch`` says on which side of the line from shaft to slide
-    the crank is: with an offset the two ways differ. The rod's mass goes to its two pins: what turns with the crank is
-    a part on its shaft, what travels is load. Raises ValueError unless l > r + |e|, for the crank could not turn round.
-    Source: VDI 2727; the stroke is √((l + r)² − e²) − √((l − r)² − e²).
+    The rod's mass is divided between its two pins: the part at the crank is a part on its shaft, the other is load.
+
+    Parameters
+    ----------
+    crank, rod, offset : float, m
+        r, l, and e, the distance of the slide's line from the shaft.
+    zero : {"inner", "outer"}
+        The dead centre from which y grows: "inner", with the slide nearest to the shaft, or "outer".
+    branch : {"ahead", "behind"}
+        Side of the crank from the line of shaft and slide; with an offset the two motions differ.
+    position : float, m
+        Distance of y = 0 from the dead centre.
+
+    Raises
+    ------
+    ValueError
+        Unless l > r + |e|, as the crank could not make full turns.
     """
     require_positive("crank-slider", crank=crank, rod=rod)
     require_finite(offset=offset, position=position)
@@ -96,8 +108,8 @@ def crank_slider(
     return SlideLinkage("crank-slider", crank, rod, offset, side, direction, begin, start, reach)
 
 
-SAME = 1e-9  # of the link, by which the link may be out of the square to count as square to the slide
-FAR = 4.0  # of lever, link and offset together: no slide goes there
+SAME = 1e-9  # share of the link's length by which a link that is square to the slide may deviate
+FAR = 4.0  # times lever, link and offset together: beyond the reach of any slide
 DEAD = "dead centre of lever and link"
 SQUARE = "link square to the slide"
 
@@ -107,10 +119,10 @@ def rocker(
 ) -> SlideLinkage:
     """Return a lever r on a shaft, a link l, and a slide on a line at the distance e from the shaft (m).
 
-    At y = 0 the lever stands at ``angle`` (rad) from the direction of the line; ``ahead`` says whether the slide is
-    then before or behind the lever's end, ``direction`` 1 that y grows forward, −1 backward. Its reach ends where lever
-    and link are in line, or where the link is square to the slide. Raises ValueError where the link does not reach from
-    the lever to the slide, or where y = 0 is an end of the reach.
+    At y = 0 the lever is at ``angle`` (rad) from the direction of the line, and the slide is before (``ahead``) or
+    behind the lever's end; y grows with x (``direction`` 1) or against it (−1). The reach ends where lever and link are
+    in line, or the link is square to the slide. Raises ValueError if the link is too short to reach the slide, or if
+    y = 0 is an end of the reach.
     """
     require_positive("rocker", lever=lever, link=link)
     require_finite(offset=offset, angle=angle)
@@ -133,27 +145,27 @@ def rocker(
 
 
 class EndPlace(NamedTuple):
-    """A place of the slide at which the linkage may lock."""
+    """A candidate for an end of the slide's reach."""
 
-    rest: float  # square of the place; less than 0 where it is none
-    at: float  # the place
-    d: float  # its distance from the shaft
-    along: float  # of the lever's end, along the line
-    x: float  # that place, or that of y = 0 where the linkage does not lock
-    below: float  # x, or far off where x is above y = 0
-    above: float  # x, or far off where x is below
+    rest: float  # square of the place (m²); below 0 if it does not exist
+    at: float  # x of the place (m), or ``zero`` if it does not exist
+    d: float  # its distance from the shaft (m)
+    along: float  # x of the lever's end (m)
+    x: float  # x of the place if the linkage locks there, else ``zero`` (m)
+    below: float  # x if it is below ``zero``, else far below (m)
+    above: float  # x if it is above ``zero``, else far above (m)
     name: str
 
 
 def ends_of(lever: float, link: float, offset: float, side: int, zero: float) -> list[EndPlace]:
-    """Return the places at which a linkage of this side may lock: lever and link in line, or the link square."""
+    """Return the places at which a linkage may lock: lever and link in line, or the link square to the slide."""
     both, far, found = (1.0, -1.0), farther(lever, link, offset), []
     in_line = [((link + way * lever) ** 2 - offset**2, DEAD) for way in both]
     square = [(lever**2 - (offset + way * link) ** 2, SQUARE) for way in both]
     for (rest, name), sign in ((one, sign) for one in (*in_line, *square) for sign in both):
         at = sign * math.sqrt(rest) if rest >= 0.0 else zero
-        turned = lever * math.cos(float(lever_angle(lever, link, offset, side, np.array(at))))
-        along = at if name == DEAD else turned
+        lever_end = lever * math.cos(float(lever_angle(lever, link, offset, side, np.array(at))))
+        along = at if name == DEAD else lever_end
         x = at if rest >= 0.0 and (name == DEAD or abs(at - along) <= SAME * link) else zero
         below, above = x if x < zero else -far, x if x > zero else far
         found.append(EndPlace(rest, at, math.hypot(at, offset), along, x, below, above, name))
@@ -161,35 +173,35 @@ def ends_of(lever: float, link: float, offset: float, side: int, zero: float) ->
 
 
 def farther(lever: float, link: float, offset: float) -> float:
-    """Return what is farther than any slide of these lengths."""
+    """Return a distance (m) beyond the reach of any slide of these lengths (m)."""
     return FAR * (lever + link + abs(offset))
 
 
 class ByAngle(ABC):
-    """A load that follows the angle of its axis."""
+    """A load x(φ) that depends on the angle φ of its axis."""
 
-    steps: int = 1  # equal parts of a cycle in which a rule of points is exact enough
+    steps: int = 1  # equal parts of a cycle that the rule of points needs
     slides: bool = False  # whether its mass travels by x(φ); else it turns with the axis
 
     @abstractmethod
     def slopes(self, angle: Array) -> tuple[Array, Array]:
-        """Return x' and x'' (m per rad, and per rad²) at angles of the axis; 1 and 0 of a load that turns with it."""
+        """Return x' and x'' (m/rad, m/rad²) at angles of the axis (rad); 1 and 0 of a load that turns with it."""
 
     def weight(self, angle: Array) -> Array:
-        """Return the torque (Nm) that holds its weight at angles of the axis, beside what acts on x."""
+        """Return the torque (Nm) that holds the load's weight at angles of the axis (rad)."""
         return np.zeros(np.shape(angle))
 
     def dead_centres(self, low: float, high: float) -> list[float]:
-        """Return the angles between two at which x turns round."""
+        """Return the angles (rad) between two at which x is extreme."""
         return []
 
 
 @dataclass(frozen=True)
 class Arm(ByAngle):
-    """An arm in a vertical plane: m g r (Nm, 0 or more) and its angle φ_0 from the horizontal: m g r cos(φ + φ_0)."""
+    """An arm in a vertical plane, of the torque m g r cos(φ + φ_0). Raises ValueError for a negative moment."""
 
-    moment: float
-    angle: float = 0.0
+    moment: float  # m g r (Nm)
+    angle: float = 0.0  # φ_0, from the horizontal (rad)
 
     def __post_init__(self) -> None:
         require_not_negative("arm", moment=self.moment)
@@ -206,10 +218,10 @@ class Arm(ByAngle):
 
 @dataclass(frozen=True)
 class PressCrank(ByAngle):
-    """A crank that drives a slide by a rod through its dead centres. Source: VDI 2727, crank-slider."""
+    """A crank that drives a slide through its dead centres. Raises ValueError unless l > r + |e|. Source: VDI 2727."""
 
     crank: float  # r (m)
-    rod: float  # l (m), longer than r + |e|, else ValueError
+    rod: float  # l (m)
     offset: float = 0.0  # e (m)
     start: float = 0.0  # φ_0 (rad), of the crank's angle ψ = φ + φ_0 from the line of the slide
     steps = 24
@@ -223,7 +235,7 @@ class PressCrank(ByAngle):
             raise ValueError(f"press crank: rod is {self.rod:g} m; expected more than crank and offset, {least:g} m")
 
     def position(self, angle: Array) -> Array:
-        """Return x = r cos ψ + √(l² − (r sin ψ − e)²) (m), from the shaft, at angles of the axis."""
+        """Return x = r cos ψ + √(l² − (r sin ψ − e)²) (m), from the shaft, at angles of the axis (rad)."""
         psi = angle + self.start
         height = self.crank * np.sin(psi) - self.offset
         return np.asarray(self.crank * np.cos(psi) + np.sqrt(self.rod**2 - height**2))

@@ -1,5 +1,6 @@
-"""A mechanism whose ratio depends on its load's position: by any curve, or by points. SI units."""
+"""Mechanisms whose ratio depends on the load's position: the base class, and a table of positions. SI units."""
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,28 +14,28 @@ from numpy.typing import ArrayLike, NDArray
 from engine.laws.base import Array, require_finite
 
 NEAR_END = 1e-9
-"""of the reach: so near to an end in which the shaft would run away counts as in it, so far beyond another as at it"""
+"""share of the reach: a position must keep this distance from a dead centre, and may exceed another end by it"""
 
 
 class ShaftAngles(NamedTuple):
-    """Angle φ of the shaft (rad) along the load's position y, with φ' = dφ/dy and φ'' (per m, or per rad)."""
+    """Angle of the shaft and its derivatives by the load's position y (m or rad), arrays of one shape."""
 
-    angle: Array
-    first: Array
-    second: Array
+    angle: Array  # φ (rad)
+    first: Array  # φ' (rad/m or 1)
+    second: Array  # φ'' (rad/m² or 1/rad)
 
 
 class Reach(NamedTuple):
-    """Between which positions the load can go, and what is at either end: a dead centre, the end of a table."""
+    """The range of the load's positions (m or rad)."""
 
     low: float
     high: float
-    at_low: str
+    at_low: str  # name of the lower end: a dead centre, the end of a table
     at_high: str
 
 
 class OutOfReachError(ValueError):
-    """A position that a mechanism cannot bring its load to, and by how much it lies beyond the end (0 in it)."""
+    """A position (m or rad) that a mechanism cannot reach: ``by`` is its distance beyond an end, 0 at it."""
 
     def __init__(self, name: str, position: float, by: float, end: str) -> None:
         super().__init__(f"{name}: position {position:.9g} is in or beyond the {end}, by {by:.3g}")
@@ -42,35 +43,39 @@ class OutOfReachError(ValueError):
 
 
 class Linkage(ABC):
-    """A mechanism between a shaft and its load whose ratio φ' changes with the load's position; φ rises with y."""
+    """A mechanism whose ratio φ' depends on the load's position y; the angle φ of its shaft rises with y."""
 
     name: str
-    steady: bool = False  # whether the shaft may stand in the ends of its reach: not in a dead centre, φ' is infinite
+    steady: bool = False  # whether the load may be at the ends of its reach; not in a dead centre, where φ' is infinite
 
     @property
     @abstractmethod
     def reach(self) -> Reach:
-        """Between which positions the load can go."""
+        """Range of the load's positions."""
 
     @abstractmethod
     def _shaft(self, y: Array, within: Array) -> ShaftAngles:
-        """Return the shaft's angle of positions within reach; on a knot, as on the side of ``within``."""
+        """Return the shaft's angles at positions within reach; at a knot φ'' on the side of ``within`` counts."""
 
     @property
     def knots(self) -> tuple[float, ...]:
-        """Positions inside the reach at which φ'' jumps."""
+        """Positions inside the reach at which φ'' jumps (m or rad)."""
         return ()
 
     def shaft(self, position: ArrayLike, within: float | None = None) -> ShaftAngles:
-        """Return φ, φ', φ'' at positions, on a knot as on the side of ``within``. Raises OutOfReachError."""
+        """Return φ, φ', φ'' at positions (m or rad); at a knot φ'' on the side of the position ``within`` counts.
+
+        Raises OutOfReachError for the position farthest beyond the reach.
+        """
         y = np.asarray(position, dtype=np.float64)
-        beyond = [one for at in (y.min(initial=np.inf), y.max(initial=-np.inf)) if (one := self.beyond(float(at)))]
-        if beyond:
-            raise max(beyond, key=lambda one: one.by)
+        extremes = float(y.min(initial=np.inf)), float(y.max(initial=-np.inf))
+        errors = [error for error in map(self.beyond, extremes) if error]
+        if errors:
+            raise max(errors, key=lambda error: error.by)
         return self._shaft(y, y if within is None else np.asarray(within))
 
     def beyond(self, position: float) -> OutOfReachError | None:
-        """Return by how much a position lies beyond an end of the reach, or None; infinite ones stand for none."""
+        """Return the error of a position beyond the reach, or None; an infinite position stands for an empty array."""
         low, high, at_low, at_high = self.reach
         near = near_end(self)
         if not np.isfinite(position) or low + near <= position <= high - near:
@@ -81,24 +86,24 @@ class Linkage(ABC):
 
 
 def near_end(linkage: Linkage) -> float:
-    """Return how near to an end of its reach a position counts as in it; less than 0 where it may stand there."""
+    """Return the least distance of positions from the ends of the reach (m or rad); below 0 if they may be reached."""
     low, high, *_ = linkage.reach
     return (-NEAR_END if linkage.steady else NEAR_END) * (high - low)
 
 
 class Parabolas(NamedTuple):
-    """The parabolas through points and their neighbours."""
+    """Parabolas y(φ) through each point and its neighbours, arrays over the points."""
 
-    slope: Array  # y' by φ
-    bend: Array  # y''
+    slope: Array  # dy/dφ
+    bend: Array  # d²y/dφ²
     second: Array  # φ'' by y
-    widths: tuple[Array, Array]  # of the parts beside
-    flat: Array  # the flatter chord Δφ/Δy beside
-    calm: NDArray[np.bool_]  # whether Bernstein's coefficients of both parts rise with that slope and curvature
+    widths: tuple[Array, Array]  # Δy of the parts before and after the point
+    flat: Array  # the smaller Δφ/Δy of the two parts
+    calm: NDArray[np.bool_]  # whether Bernstein's coefficients of both parts rise with this slope and curvature
 
     @classmethod
     def of(cls, angle: Array, y: Array) -> "Parabolas":
-        """Return them of points; at an end those of the nearest three, of two points those of a straight line."""
+        """Return the parabolas of points; at an end that of the nearest three, of two points a straight line."""
         h, chord = np.diff(y), np.diff(angle) / np.diff(y)
         slope, bend = _through_three(angle, y)
         widths = np.append(h[0], h), np.append(h, h[-1])
@@ -117,17 +122,16 @@ ON_A_POINT = 1e-9  # m or rad: a position of a table this near before a point co
 
 @dataclass(frozen=True)
 class PositionTable(Linkage):
-    """Points (φ in rad, y in m or rad), both strictly rising; between them φ(y) is a polynomial of fifth degree.
+    """A table of positions; between its points φ(y) is a polynomial of degree 5, with φ' and φ'' continuous.
 
     At each point φ' and φ'' are those of the parabola y(φ) through the point and its neighbours (at an end through the
-    nearest three), so that all three are continuous: Hermite interpolation. Where the points bend so sharply that a
-    part might fall, φ'' is 0 and φ' at most 5/4, at least 1/4 of the flatter chord beside it: then Bernstein's
-    coefficients of each part rise, and the curve with them. Raises ValueError for fewer than two points, or points that
-    do not rise.
+    nearest three). Where the points bend so sharply that φ might fall, φ'' is 0 and φ' between 1/4 and 5/4 of the
+    smaller Δφ/Δy beside the point: then Bernstein's coefficients of each part rise, and φ with them. Raises ValueError
+    for fewer than two points, or points that do not rise.
     Source: G. Farin, Curves and Surfaces for CAGD, 7.6, quintic Hermite interpolation; 5.1, Bernstein form.
     """
 
-    points: tuple[tuple[float, float], ...]
+    points: tuple[tuple[float, float], ...]  # (φ in rad, y in m or rad), both rising
     name = "table"
     steady = True
 
@@ -157,12 +161,12 @@ class PositionTable(Linkage):
 
     @cached_property
     def widths(self) -> Array:
-        """How far each point is from the next (m or rad)."""
+        """Δy of each part (m or rad)."""
         return np.diff(self.columns[1])
 
     @cached_property
     def control(self) -> Array:
-        """Bernstein's coefficients of each part, six in a row (rad): as they rise, so does the curve."""
+        """Bernstein's coefficients of each part (rad): shape (parts, 6)."""
         angle, _, slope, bend = self.columns
         h = self.widths
         left, right = h * slope[:-1] / 5.0, h * slope[1:] / 5.0
@@ -172,11 +176,9 @@ class PositionTable(Linkage):
 
     @cached_property
     def powers(self) -> Array:
-        """Coefficients of φ over the share t of each part, from the lowest power: parts by six (rad)."""
+        """Coefficients (rad) of φ over the share t of each part, from the lowest power: shape (parts, 6)."""
         b = self.control.T
-        d1, d2, d3 = (np.diff(b, n, axis=0) for n in (1, 2, 3))
-        d4, d5 = np.diff(b, 4, axis=0), np.diff(b, 5, axis=0)
-        return np.column_stack([b[0], 5.0 * d1[0], 10.0 * d2[0], 10.0 * d3[0], 5.0 * d4[0], d5[0]])
+        return np.column_stack([math.comb(5, n) * np.diff(b, n, axis=0)[0] for n in range(6)])
 
     @property
     def reach(self) -> Reach:
@@ -189,7 +191,7 @@ class PositionTable(Linkage):
         return tuple(y for _, y in self.points[1:-1])
 
     def part(self, y: Array) -> NDArray[np.intp]:
-        """Return the number, from 0, of the part between two points in which positions lie, on a point of the next.
+        """Return the number, from 0, of the part that each position lies in; a point belongs to the part after it.
 
         Up to 1 nm or 1e-9 rad before a point a position counts as on it, so that rounding does not choose the part.
         """
@@ -201,8 +203,8 @@ class PositionTable(Linkage):
         h = self.widths[k]
         t, c = (y - self.columns[1][k]) / h, np.moveaxis(self.powers[k], -1, 0)
         angle, first, second = (np.zeros_like(t) for _ in range(3))
-        for one in c[::-1]:
-            second, first, angle = second * t + 2.0 * first, first * t + angle, angle * t + one
+        for coefficient in c[::-1]:
+            second, first, angle = second * t + 2.0 * first, first * t + angle, angle * t + coefficient
         return ShaftAngles(angle, first / h, second / h**2)
 
 
