@@ -156,7 +156,7 @@ class PairMatrix:
         return np.asarray(r.ratio**2 / r.efficiency * share)
 
     def scores(self, rank: Rank) -> Array:
-        """Return the scores of pairs, the lowest is best, of equal motors that of the less used; NaN without a figure."""
+        """Return the scores of pairs, lowest first, of equal motors that of the less used; NaN without a figure."""
         used = self.uses / (1.0 + self.uses)
         if rank == "smallest motor":
             return self.smaller[:, None] + used
