@@ -10,7 +10,7 @@ from tests.workbook.test_unfinished import small
 from workbook.book.rows import as_rows
 from workbook.build import build, inputs
 from workbook.entries import rules
-from workbook.entries.design import finish_design, fitting
+from workbook.entries.design import finished, fitting
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
@@ -20,7 +20,7 @@ from workbook.templates import TEMPLATES
 def machine_of(name):
     data = small(name)
     template = TEMPLATES[data["template"]]
-    return finish_design(template.model_for(data), template.check, data, lambda: None)
+    return finished(template.model_for(data), template.check, data, lambda: None)
 
 
 def defaulted(name):

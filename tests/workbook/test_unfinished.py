@@ -8,7 +8,7 @@ import pytest
 import tomli_w
 
 from workbook.build import build, described, inputs
-from workbook.entries.design import finish_design
+from workbook.entries.design import finished
 from workbook.errors import FAILS, InputError
 from workbook.judging.batch import Target, exit_code, verify_one
 from workbook.judging.verify import verify
@@ -309,7 +309,7 @@ def test_structure_and_type_refuse_in_one_line(changes, line, tmp_path):
 
 def test_a_finished_design_has_nothing_replaced():
     machine = read_machine(FOLDER / "cutting-machine.toml")
-    again = finish_design(type(machine), lambda made: None, machine.model_dump(), lambda: machine)
+    again = finished(type(machine), lambda made: None, machine.model_dump(), lambda: machine)
     assert again == machine
     assert not again.design.replaced
 

@@ -203,9 +203,7 @@ class Block:
     is_table: bool = True
     blank: str = ""  # of a table: the condition under which a row is not used, and shows nothing but its inputs
     quiet: str = ""  # of a table: the condition under which its results are errors, and are not shown
-    lead: Block | None = (
-        None  # of columns beside a table: that table, whose cells in the same row their formulas may name
-    )
+    lead: Block | None = None  # of columns beside a table: that table, whose cells of the same row formulas may name
     workings: Block | None = None
     """of a table: its workings to the right, whose cells in the same row its formulas may name"""
 

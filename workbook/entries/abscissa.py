@@ -45,14 +45,14 @@ class Abscissa:
     format: str = "0.0##"
     length: float = TURN
     measured: bool = False  # with a length that is entered, in its unit
-    tells_time: bool = True  # whether rates are over time: in s, or in degrees of a shaft at a rate
+    timed: bool = True  # whether rates are over time: in s, or in degrees of a shaft at a rate
     symbols: tuple[str, str, str, str] = ("y", "ẏ", "ÿ", "j")  # of a position and its rates
     extremes: tuple[str, str, str, str] = ("ẏmax", "ÿmax", "j_max", "ÿrms")
     """symbols of the greatest velocity, acceleration and jerk of a phase, and of its RMS acceleration"""
 
     def lift(self, unit: str) -> Lift:
         """Return the unit of lifts in velocity and acceleration: m or rad over time, else as entered."""
-        return (METRES if unit == "mm" else RADIANS) if self.tells_time else ENTERED[unit]
+        return (METRES if unit == "mm" else RADIANS) if self.timed else ENTERED[unit]
 
     def rates(self, unit: str) -> tuple[str, str, str]:
         """Return the units of velocity, acceleration and jerk of an axis whose lifts are in a unit."""
@@ -85,12 +85,8 @@ class Abscissa:
         return f"{figure(self.shown(x))}{self.after}"
 
     def per_rad(self, rate: float, order: int) -> float:
-        """Return an entered derivative of a motion of this order per rad^order."""
+        """Return an entered derivative of a motion per rad^order; with -order the other way round."""
         return rate / float((tau / self.length) ** order) if self.measured else rate
-
-    def by_unit(self, rate: float, order: int) -> float:
-        """Return a derivative per rad^order in the unit of the abscissa."""
-        return rate * float((tau / self.length) ** order) if self.measured else rate
 
     def degrees_formula(self, cell: str) -> str:
         """Return the formula, without its =, of a place in degrees, from the cell in which it is entered."""
@@ -121,12 +117,12 @@ MARKS = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}
 
 def measured(unit: str, length: float) -> Abscissa:
     """Return the abscissa of a cycle of a length in a unit."""
-    (after, symbol, name), tells_time = NAMED[unit], unit == "s"
+    (after, symbol, name), timed = NAMED[unit], unit == "s"
     found = Abscissa(
-        unit, after, symbol, name, "one cycle", "cycle", "t" if tells_time else "δ", "angle of a turn a cycle",
-        "A turn a cycle", "of the cycle", "time", "0.0####", length, measured=True, tells_time=tells_time,
+        unit, after, symbol, name, "one cycle", "cycle", "t" if timed else "δ", "angle of a turn a cycle",
+        "A turn a cycle", "of the cycle", "time", "0.0####", length, measured=True, timed=timed,
     )  # fmt: skip
-    return found if tells_time else replace(found, symbols=BY_X, extremes=(*BY_X[1:], BY_X[2]))
+    return found if timed else replace(found, symbols=BY_X, extremes=(*BY_X[1:], BY_X[2]))
 
 
 def unit_cell_name(unit: str) -> str:

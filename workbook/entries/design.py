@@ -27,9 +27,7 @@ class RefusedError(Exception):
         self.faults = faults
 
 
-def finish_design(
-    model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]
-) -> M:
+def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]) -> M:
     """Return a machine, with entries of ``example`` for faulty numbers; raise RefusedError for other faults."""
     replaced: dict[str, int] = {}  # the turn in which each place was
     faults: list[Fault] = []

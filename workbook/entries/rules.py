@@ -87,22 +87,17 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     elif is_free_text(model, q):
         rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(longest(constraints)))
     else:
-        rule = number_validation(constraints)
+        found = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
+        low, high = found.get(">=", found.get(">", -1e300)), found.get("<", found.get("<=", 1e300))
+        rule = DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
+        if ">" in found and high == 1e300:
+            rule = DataValidation("decimal", operator="greaterThan", formula1=repr(found[">"]))
     rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
     rule.allow_blank = "*" in q.key
     rule.promptTitle = rule.errorTitle = clip(q.label, 32)
     unit = f" [{q.unit}]" if q.unit else ""
     rule.prompt, rule.error = (clip(f"{word} {expected}{unit}.", 255) for word in ("Enter", "Expected"))
     return rule
-
-
-def number_validation(constraints: list[Any]) -> DataValidation:
-    """Return the rule for the cells of a number."""
-    found = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
-    low, high = found.get(">=", found.get(">", -1e300)), found.get("<", found.get("<=", 1e300))
-    if ">" in found and high == 1e300:
-        return DataValidation("decimal", operator="greaterThan", formula1=repr(found[">"]))
-    return DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
 
 
 def is_free_text(model: type[BaseModel], q: Quantity) -> bool:

@@ -18,7 +18,6 @@ from workbook.laws.entries import Laws
 from workbook.laws.family import COEFFICIENTS, LABELS, LEAST_STAGE, POWERS, SECOND, SINE, entries_of
 from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sampling import Pieces
-from workbook.memo import latest
 
 RISE = 1.0  # of every law in a time of 1: its velocity and acceleration reach at least this size
 
@@ -58,11 +57,6 @@ class BookLaws:
             if one.page.has_sheet:
                 law_sheet(book, one, self.sizes, self.stack)
         laws_sheet(book, self.named, self.sizes, self.rows, self.stack, self.hands_over)
-
-
-def latest_laws(given: Laws, sizes: Sizes, hands_over: bool = False) -> BookLaws:
-    """Return the laws of a book, those of the latest one where they are the same."""
-    return latest("laws", (given, sizes, hands_over), lambda: BookLaws(given, sizes, hands_over))
 
 
 class Row(NamedTuple):

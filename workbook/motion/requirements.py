@@ -1,13 +1,11 @@
 """Requirements of a motion: smoothness, velocity and acceleration where curved phases meet, room for its pieces."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Literal, get_args
 
 from engine.laws import Law
 from engine.laws.inverse import law_pieces
-from engine.motion.joining import Rates
 from workbook.book.declare import Quantity, given
 from workbook.entries.machine import Machine
 from workbook.fields.types import EntryError
@@ -57,11 +55,6 @@ def jump_values(required: RequiredSmoothness, x: float, size: float, order: int)
     if required.speed is None:
         return x, size
     return x / required.speed[1], size * required.speed[1] ** order / required.lift[1]
-
-
-def entered_rates(phases: Iterable[Any]) -> dict[int, Rates]:
-    """Return velocity and acceleration entered at the begin of phases, by the number of the phase from 0."""
-    return {k: Rates(one.velocity or 0.0, one.acceleration or 0.0) for k, one in enumerate(phases) if one.passes}
 
 
 def rate_columns(velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],

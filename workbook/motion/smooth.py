@@ -1,6 +1,7 @@
 """How smooth a motion must be: what jumps at the begin of each of its pieces, and the check of what is asked for."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any, Self
 
 import numpy as np
@@ -26,21 +27,18 @@ EMPTY = '""'
 WORDS = ",".join(f'"{word}"' for word in ORDERS)
 
 
+@dataclass(frozen=True, eq=False)
 class Joints:
     """The joints of a motion's pieces: the engine's, and the columns that find them.
 
     The piece before is taken by INDEX: of two columns that take the row above within an IF, LibreOffice 7.4 crashes.
     """
 
-    def __init__(
-        self,
-        rows: PieceRows,
-        required: RequiredSmoothness,
-        found: Sequence[Joint],
-        scales: Rates,
-        phases: Sequence[Phase] = (),
-    ) -> None:
-        self.rows, self.required, self.found, self._scales, self._phases = rows, required, tuple(found), scales, phases
+    rows: PieceRows
+    required: RequiredSmoothness
+    found: Sequence[Joint]
+    scales: Rates  # the size of each derivative
+    phases: Sequence[Phase] = ()
 
     @classmethod
     def of(cls, rows: PieceRows, motion: Motion, required: RequiredSmoothness) -> Self:
@@ -51,7 +49,7 @@ class Joints:
 
     def order(self) -> list[Quantity]:
         """Return the rows that say how many derivatives must be continuous, and which jumps of each are rounding."""
-        entry, (v, a), scales = self.required.entry, self.required.largest, self._scales
+        entry, (v, a), scales = self.required.entry, self.required.largest, self.scales
         jerk = f"{self.required.order}_a*{self.required.quickest or f'MAX([{self.rows.at.phases}.rate])'}"
         lost = (f"check_zero*{v}", f"check_zero*{a}", jerk)
         formula = f'=IF({entry}="velocity",1,IF({entry}="acceleration",2,3))'
@@ -136,11 +134,11 @@ class Joints:
 
         names = list(zip(RATES, ORDERS, strict=True))
         return [
-            *(calc(f"{name}0", word, "", "", f"={begin(n)}", begun(n), scale=self._scales[n - 1],
+            *(calc(f"{name}0", word, "", "", f"={begin(n)}", begun(n), scale=self.scales[n - 1],
                    source="at its begin") for n, (name, word) in enumerate(names, 1)),
             *(calc(f"{name}1", f"{word} reached", "", "",
                    f"=IF([d]>0,{at_place(rows, n, '1')},IF([r]=1,0,[{name}1-1]))",
-                   self._each("end", n, last.end[n - 1], room), scale=self._scales[n - 1], source="at its end")
+                   self._each("end", n, last.end[n - 1], room), scale=self.scales[n - 1], source="at its end")
               for n, (name, word) in enumerate(names, 1)),
         ]  # fmt: skip
 
@@ -162,12 +160,12 @@ class Joints:
                  filled(met, room, 0), format="0", source="0: none"),
             *(calc(f"d{name}", f"jump of {word}", f"Δy{mark}", "",
                    f"=IF([met]>0,[{name}0]-INDEX([{self.name}.{name}1],[met]),0)",
-                   self._each("jump", n, 0.0, room), scale=self._scales[n - 1], source="at its begin")
+                   self._each("jump", n, 0.0, room), scale=self.scales[n - 1], source="at its begin")
               for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, marks, strict=True), 1)),
             calc("order", "what jumps", "", "", order, self._of(lambda joint: joint.order, 0, room),
                  format="0", source="1 y', 2 y'', 3 y" "'''"),
             calc("size", "by how much", "", "", "=CHOOSE([order]+1,0,[dv],[da],[dj])",
-                 self._of(lambda joint: joint.size, 0.0, room), scale=max(self._scales)),
+                 self._of(lambda joint: joint.size, 0.0, room), scale=max(self.scales)),
         ]  # fmt: skip
 
     @property
@@ -250,14 +248,8 @@ class Joints:
         required = self.required
         head = f'{required.of[0]}&" "&' if required.of[0] else ""
         said = f"{required.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
-        return check(
-            name,
-            label,
-            f"{required.order}_piece=0",
-            not self._worst,
-            ABOUT,
-            says=CheckSentence(f"{head}{required.order}_says", said),
-        )
+        says = CheckSentence(f"{head}{required.order}_says", said)
+        return check(name, label, f"{required.order}_piece=0", not self._worst, ABOUT, says=says)
 
     def _told(self) -> dict[str, Any]:
         """Return the values of the cells on the first joint that is less smooth than required, by name."""
@@ -287,6 +279,6 @@ class Joints:
         if not self.rows.at.ends:
             return ()
         used = sorted({one.phase for one in self.rows.pieces})
-        slopes = [slope(self._phases[used.index(row)]) for row in (joint.before, piece.phase)]
+        slopes = [slope(self.phases[used.index(row)]) for row in (joint.before, piece.phase)]
         straight = tuple(jump_values(self.required, 0.0, one, 1)[1] for one in slopes if one is not None)
         return straight if len(straight) > 1 else ()

@@ -10,7 +10,7 @@ import tomli_w
 from pydantic import BaseModel
 
 from workbook.entries import rules
-from workbook.entries.design import RefusedError, as_entered, finish_design, keys_of
+from workbook.entries.design import RefusedError, as_entered, finished, keys_of
 from workbook.entries.machine import Fault, Machine
 from workbook.errors import LONGEST, InputError, ReadError, found
 from workbook.fields.types import LARGEST, SMALLEST, EntryError
@@ -79,7 +79,7 @@ def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate entries; raise InputError for faults of structure or type: other ones make an unfinished design."""
     model = template.model_for(data)
     try:
-        return finish_design(model, template.check, data, lambda: read_machine(template.description))
+        return finished(model, template.check, data, lambda: read_machine(template.description))
     except RefusedError as error:
         raise InputError([f"{where(fault.key)}: {fault.said}" if isinstance(fault, Fault) else told(fault, model, where)
                           for fault in error.faults]) from None  # fmt: skip

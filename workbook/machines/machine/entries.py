@@ -105,9 +105,8 @@ class Axis(Model):
             raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
         slides = self.mechanism is not None and self.mechanism.SLIDES
         moved = f"a {self.mechanism.kind}" if slides and self.mechanism else f"an axis in {self.unit}"
-        for name in (
-            (*drive_entries.TURNING_LOAD, "arm") if slides or self.unit == "mm" else drive_entries.TRAVELLING_LOAD
-        ):
+        load = drive_entries.TRAVELLING_LOAD
+        for name in (*drive_entries.TURNING_LOAD, "arm") if slides or self.unit == "mm" else load:
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of {moved}; expected none")
         return self

@@ -8,14 +8,7 @@ from engine.motion import Phase
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import HIGH, LOW, Pieces
-from workbook.machines.machine.boundary.curves import (
-    curves_between_ends,
-    end_kinds,
-    points,
-    polynomial_extremes,
-    pulse_extremes,
-    step_extremes,
-)
+from workbook.machines.machine.boundary import curves
 from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.memo import latest
@@ -78,7 +71,7 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
         sheet.rows(pieces_in_all(one.pieces), *one.joints.order())
         steps_table(sheet, one)
         room, ends = one.machine.room, one.ends
-        columns, halves = (pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
+        columns, halves = (curves.pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
         pieces_table(
             sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size, *columns, taken=halves
         )
@@ -161,7 +154,7 @@ def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
 
     def how(one: AxisHandover) -> list[Quantity]:
-        return [*curves_between_ends(one), *polynomial_extremes(one), *step_extremes(one)]
+        return [*curves.curves_between_ends(one), *curves.polynomial_extremes(one), *curves.step_extremes(one)]
 
     sheet.heading(TAKEN, ABOUT_TAKEN)
     for one in axes:
@@ -172,7 +165,7 @@ def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
         for name, title, columns in (
             (one.required, f"What the steps of {axis} take", required_ends),
             (at.ends, f"How the steps of {axis} are carried out", how),
-            (one.kinds, f"Ends of the steps of {axis}", end_kinds),
+            (one.kinds, f"Ends of the steps of {axis}", curves.end_kinds),
         ):
             sheet.table(name, title, one.room, *columns(one), blank=spare)
-    points(sheet.book, sheet)
+    curves.points(sheet.book, sheet)

@@ -13,7 +13,7 @@ from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, PER_MINUTE, shown, si
-from workbook.law_sheets.book_laws import LAW_SIZES, latest_laws
+from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
 from workbook.law_sheets.library import laws
 from workbook.laws.sampling import Pieces
 from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
@@ -45,7 +45,8 @@ from workbook.template_outputs import CamAxis, CamSwitch
 
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
-    book_laws = latest_laws(given.laws, given.sizes, bool(given.laws.of("LIN")))
+    of_laws = given.laws, given.sizes, bool(given.laws.of("LIN"))
+    book_laws = latest("laws", of_laws, partial(BookLaws, *of_laws))
     machine = MachineView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     both = [driven(machine, axis, book_laws.stack) for axis in machine.axes]
@@ -101,7 +102,7 @@ def driven(machine: MachineView, axis: MovingAxis, stack: Pieces) -> tuple[AxisT
 def pace(machine: MachineView) -> list[Quantity]:
     """Return the results of how fast the machine goes; where nothing tells that, of how long its cycle is."""
     over, rate = machine.over, machine.given.per_minute
-    if not over.tells_time:
+    if not over.timed:
         return [result("about_cycle", "Length of a cycle", f"{over.symbol}_c", over.unit, "=timing_cycle", over.length)]
     return [result("about_rate", "Production rate", "N", "cycles/min", "=timing_rate", rate),
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time)]  # fmt: skip

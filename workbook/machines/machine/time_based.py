@@ -93,7 +93,7 @@ class TimedMachine(AnyMachine):
     def _in_time(self) -> Self:
         untold = f"a cycle in {self.master.unit} does not tell how time passes, which a drive needs"
         for i, axis in enumerate(self.axes):
-            if axis.motor is not None and not self.over.tells_time:
+            if axis.motor is not None and not self.over.timed:
                 raise EntryError(f"axes.{i}.motor", f"{untold}; expected none, or a cycle in s")
         return self
 
@@ -178,7 +178,7 @@ def in_units_of(data: dict[str, Any], unit: str, cycle: float) -> None:
         size = over.lift(axis["unit"]).size
         axis["shift"] = over.shown(axis["shift"])
         for phase in axis["phases"]:
-            phase |= {name: None if (rate := phase.get(name)) is None else shown(over.by_unit(rate, order), size)
+            phase |= {name: None if (rate := phase.get(name)) is None else shown(over.per_rad(rate, -order), size)
                       for order, name in enumerate(RATES, 1)}  # fmt: skip
     lasting = [one for axis in data["axes"] for one in (*axis["phases"], *axis["load"]["windows"])]
     for one in (*lasting, *(time for switch in data["switches"] for time in switch["on"])):

@@ -18,7 +18,6 @@ from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.extremes import measured
 from workbook.memo import latest
-from workbook.motion.requirements import entered_rates
 
 UNITS = {"mm": MM, "°": DEGREE}
 BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entries
@@ -68,9 +67,10 @@ class MovingAxis:
         return self.twin.motion if self.twin else measured(self.joined.motion)
 
     @cached_property
-    def passed(self) -> dict[int, Rates]:
-        """What is entered for the begin of phases, by their numbers in the motion."""
-        return {self.entered[i]: rates for i, rates in entered_rates(self.given.phases).items()}
+    def entered_rates(self) -> dict[int, Rates]:
+        """Velocity and acceleration entered for the begin of phases, by the numbers of these in the motion."""
+        passing = ((k, p) for k, p in zip(self.entered, self.given.phases, strict=True) if p.passes)
+        return {k: Rates(phase.velocity or 0.0, phase.acceleration or 0.0) for k, phase in passing}
 
     @cached_property
     def joined(self) -> JoinedMotion:
@@ -88,7 +88,7 @@ class MovingAxis:
         spans = si(np.diff([*(begin for *_, begin in steps), last]), DEGREE).tolist()
         made = [Phase(law, si(lift, self.unit), span) for (law, lift, _), span in zip(steps, spans, strict=True)]
         start, begin = si(steps[0][2], DEGREE), si(self.given.position, self.unit)
-        return join_phases(made, self.passed, self.given.repeats, start, begin)
+        return join_phases(made, self.entered_rates, self.given.repeats, start, begin)
 
     @property
     def closes(self) -> bool:

@@ -40,7 +40,7 @@ class AxisHandover:
 
     def __init__(self, rows: PieceRows, axis: MovingAxis, over: Abscissa) -> None:
         self.rows, self.axis, self.over, self.motion = rows, axis, over, axis.motion
-        self.handed = handovers(replace(axis.joined, motion=axis.motion), axis.passed, axis.given.repeats)
+        self.handed = handovers(replace(axis.joined, motion=axis.motion), axis.entered_rates, axis.given.repeats)
         self.entries = f"axis{axis.number}"
         self.required, self.kinds, self.last = rows.at.required, f"{self.entries}_kinds", f"{self.entries}_last"
         self.open, self.room = f'[axes.closes.{axis.number}]="open"', len(rows.firsts)

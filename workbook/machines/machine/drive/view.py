@@ -68,8 +68,7 @@ class DriveView:
         self.cycle: QuadratureCycle = QuadratureCycle(driven.drive_cycle, *told)
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
         self.points = DrivePoints(self.load)
-        velocity = driven.max_geometric_velocity * driven.axis.speed  # by the laws' own peaks
-        turns = abs(driven.mechanism.ratio) * velocity
+        turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
         self.speed = self.points.size(self.points.speed) if self.varies else turns  # the largest of the motor (rad/s)
         limits = driven.motor, driven.reducer.limits, driven.falling, 1.0 / self.time
         self.shares = limit_uses(self.points, self.speed, *limits)  # of each limit, by its name

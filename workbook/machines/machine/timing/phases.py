@@ -96,7 +96,7 @@ def entered(one: AxisTables) -> list[Quantity]:
 
 def extremes(one: AxisTables) -> list[Quantity]:
     """Return the columns of each movement's greatest rates, and its duration where the cycle's length is entered."""
-    axis, over, by = one.axis, one.machine.over, "t" if one.machine.over.tells_time else "δ"
+    axis, over, by = one.axis, one.machine.over, "t" if one.machine.over.timed else "δ"
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
     figures = [(word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
                for k, (word, *_, source, figure) in enumerate(RATES, 1)]  # fmt: skip

@@ -73,16 +73,14 @@ def pace(machine: MachineView) -> list[Quantity]:
             calc("omega", "Speed of the master shaft", "ω", "rad/s", "=2*PI()*timing_rate/60", machine.speed,
                  source="2π n / 60"),
         ]  # fmt: skip
-    what, symbol, forces = (
-        ("Time", "t_c", " and process forces") if over.tells_time else ("Length", f"{over.symbol}_c", "")
-    )
+    what, symbol, forces = ("Time", "t_c", " and process forces") if over.timed else ("Length", f"{over.symbol}_c", "")
     return [
         given("timing_cycle", f"{what} of a cycle", symbol, over.unit, over.length, "master.cycle",
               format=over.format, source=f"phases, shifts, switches{forces} are in {over.unit} of it"),
         constant(unit_cell_name(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
         *([calc("timing_rate", "Production rate", "N", "cycles/min", "=60/timing_cycle", rate, source="60 / t_c")]
-          if over.tells_time else []),
-        calc("omega", "Speed of a turn a cycle" if over.tells_time else f"A turn a cycle, per {over.unit}", "ω",
+          if over.timed else []),
+        calc("omega", "Speed of a turn a cycle" if over.timed else f"A turn a cycle, per {over.unit}", "ω",
              f"rad/{over.unit}", "=2*PI()/timing_cycle", machine.speed,
              source=f"2π / {symbol}; workings count a cycle as one turn, of 360°"),
         calc(TAKEN, f"{what} of a cycle, as taken", "", over.unit, "=IF(timing_cycle>0,timing_cycle,360)", over.length,
@@ -234,7 +232,7 @@ def results(one: AxisTables) -> list[Quantity]:
         result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+{EARLIER}",
                shown(axis.at(one.machine.samples).y, axis.unit), source=POSITION),
         *(result(name, words, symbol, shown_in, f"={factor}*({sampled(one.pieces, order)}){lift}", axis.rate(values),
-                 scale=axis.size(order), source=paced if over.tells_time else by_x)
+                 scale=axis.size(order), source=paced if over.timed else by_x)
           for order, ((name, words, factor, paced, by_x), symbol, shown_in, values) in enumerate(rates, 1)),
     ]  # fmt: skip
 
