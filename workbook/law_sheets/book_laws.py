@@ -134,8 +134,9 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         values = [getattr(one.law.start if at == "first" else one.law.end, d) for one in laws]
         return calc(f"{d}{xi}", f"{label} at ξ = {xi}", f"{d}({xi})", "", formulas, values, scale=RISE)
 
-    ways = stated("way", "meets its neighbours' velocity", "", "way", [end_mode(one.law) for one in laws], format="0",
-                  source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial")  # fmt: skip
+    ways = stated("way", "meets its neighbours' velocity", "", "end_mode", [end_mode(one.law) for one in laws],
+                  source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial",
+                  format="0")  # fmt: skip
     early = constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws])
     ends = [ways, early] if hands_over else []
     sheet.table(
@@ -148,7 +149,8 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
         stated("start", "velocity it begins with", "", "start", [one.law.start.v for one in laws]),
         stated("v_low", "lowest velocity", "", "lowest", [slowest(one.law) for one in laws], scale=1.0),
-        stated("wrong", "step of v the wrong way", "", "wrong", [one.page.stepping(one.law, sizes) for one in laws]),
+        stated("wrong", "step of v the wrong way", "", "wrong_step",
+               [one.page.step_back(one.law, sizes) for one in laws]),
         *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
         stated("low", "lowest position", "s_min", "low", [low for low, _ in reaches], scale=1.0),
         stated("high", "highest position", "s_max", "high", [high for _, high in reaches], scale=1.0),

@@ -189,5 +189,5 @@ def edged(forms: Mapping[int, Stage], **stated: Any) -> Page:
     return Page(
         pieces=tuple(row for found in rows.values() for row in found), workings=stages.workings,
         coefficients=stages.coefficients(), fastest=f"={added([f'@d{k}' for k in rise])}",
-        early=sum(len(rows[k]) for k in rise), **{"way": "=1", **stated},
+        early=sum(len(rows[k]) for k in rise), **{"end_mode": "=1", **stated},
     )  # fmt: skip

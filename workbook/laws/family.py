@@ -108,9 +108,11 @@ class Page:
     single: bool = True  # whether it speeds up once, from rest, and comes to rest, whatever its parameters
     start: str = "=0"  # the formula of the velocity with which it begins
     lowest: str = "=0"  # the formula of its lowest velocity
-    wrong: str = "=0"  # the formula of the greatest step of v the wrong way: down before it is largest, up after it
-    way: str = "=0"
-    """the formula of how it meets neighbours that hand velocity over, as :func:`engine.motion.handover.way` says it"""
+    wrong_step: str = (
+        "=0"  # the formula of the greatest step of v the wrong way: down before it is largest, up after it
+    )
+    end_mode: str = "=0"
+    """the formula of how it meets neighbours that hand velocity over: :func:`engine.motion.handover.end_mode`"""
     early: int = 0  # pieces of its first pulse, of a law of two pulses
     has_sheet: bool = True  # whether its formulas stand in cells of its own, which other sheets refer to
     functions: bool = True  # whether the functions MOTION.* take it
@@ -155,8 +157,8 @@ class Page:
     def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
         """Declare workings that need the stack of all laws; most families have none."""
 
-    def stepping(self, law: Law, sizes: Any) -> float:
-        """Return the greatest step of v the wrong way, as :attr:`wrong` has it."""
+    def step_back(self, law: Law, sizes: Any) -> float:
+        """Return the greatest step of v the wrong way, as :attr:`wrong_step` has it."""
         return 0.0
 
     def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:

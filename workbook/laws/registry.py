@@ -33,8 +33,8 @@ def require_complete(page: Page) -> None:
     wrong = [name for name, *_ in COEFFICIENTS if name not in page.coefficients]
     if len(law.monotone_pieces()) != len(page.pieces):
         wrong.append(f"pieces as many as the engine's {len(law.monotone_pieces())}")
-    ways = {int(found) for found in re.findall(r"(?<=[=,])-?[0-9](?=$|[,)])", page.way)}
-    early = {way: page.early if way == PULSES else 0 for way in ways}
+    modes = {int(found) for found in re.findall(r"(?<=[=,])-?[0-9](?=$|[,)])", page.end_mode)}
+    early = {mode: page.early if mode == PULSES else 0 for mode in modes}
     if early.get(end_mode(law)) != early_of(law):
         wrong.append("how it meets its neighbours, as the engine has it")
     entered = {name: getattr(default, name) for name in page.fields}

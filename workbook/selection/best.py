@@ -127,7 +127,7 @@ def figures(view: PairSelection) -> list[Quantity]:
 NAMED = 6  # pairs that a chart shows
 
 
-def uses(sheet: Sheet, view: PairSelection) -> None:
+def points_of_pairs(sheet: Sheet, view: PairSelection) -> None:
     """Declare the points of the chart, of the drive's pair the last: left of its edge where there is no pair."""
     pairs = view.ranked[:NAMED]
     names = filled([f"{view.motors.names[m]} + {view.reducers.names[r]}" for m, r in pairs], NAMED, "–")
@@ -141,7 +141,7 @@ def uses(sheet: Sheet, view: PairSelection) -> None:
     ))  # fmt: skip
     points = [(k, f"Pair {k}", f"=IF([@order.m.{k}]>0,[@best.n.{k}]/INDEX([motors.nmax],MAX(1,[@order.m.{k}])),0-1)",
                f"=IF([@order.m.{k}]>0,[@best.share.{k}],0-1)", used[k - 1]) for k in numbers]  # fmt: skip
-    own = (view.own.speed / view.held("nmax"), view.own.rms / view.held("rated"))
+    own = (view.own.speed / view.in_use("nmax"), view.own.rms / view.in_use("rated"))
     for k, title, speed, torque, one in [*points, (0, "The drive's pair", "=@own_speed/@held_nmax",
                                                    "=@own_rms/@held_rated", own)]:  # fmt: skip
         sheet.table(f"@use{k}", title, 1, calc("speed", "speed", "", "", speed, [one[0]]),

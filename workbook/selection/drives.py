@@ -12,27 +12,27 @@ from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
 from workbook.fields.units import RPM, shown
-from workbook.selection.grids import DASH, LARGE, continuous, of, wanted, weak
+from workbook.selection.grids import DASH, LARGE, continuous, first_failure, margin_verdict, of_motor
 from workbook.selection.pair_selection import AS_ENTERED, MIXED, SQUARE, PairSelection, rms_of
 
 OWN = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}
 
 
-def chosen(sheet: Sheet, view: PairSelection) -> None:
+def named_drive(sheet: Sheet, view: PairSelection) -> None:
     """Declare the named drive, what its reducer makes of the load, its motor and reducer; all that may be named."""
     number = "MATCH(@axis,[@drives.axis],0)" if len(view.shafts) > 1 else "COUNT([@drives.k])"
     taken = "INDEX([@drives.{}],@no)" if len(view.shafts) > 1 else "[@drives.{}.1]"  # no single cell is looked up alike
     columns = list(zip(*(one.figures for one in view.shafts), strict=True))
     scales = [max(one.scale for one in each) for each in columns]
-    motor, reducer = view.held_names
+    motor, reducer = view.names_in_use
     sheet.rows(
         calc("@no", "Row of the axis", "", "", f"={number}", view.number + 1, format="0"),
         *(calc(f"@{name}", label.capitalize(), "", unit, f"={taken.format(name)}+0", value, scale=scale)
           for (name, label, unit, _, value, _), scale in zip(view.shaft.figures, scales, strict=True)),
         calc("@held_mixed", "Mean of ω̇ S at its motor, with losses", "", "W/s", f"={MIXED.format(**OWN)}",
-             float(view.load.mixed(view.own_gears)[0]), scale=view.shaft.product),
+             float(view.load.mixed(view.own_reducer)[0]), scale=view.shaft.product),
         calc("@held_square", "Mean square torque at its motor, without inertia", "", "N²m²", f"={SQUARE.format(**OWN)}",
-             float(view.load.square(view.own_gears)[0]), scale=view.shaft.torque**2),
+             float(view.load.square(view.own_reducer)[0]), scale=view.shaft.torque**2),
         calc("@held_motor", "Its motor", "", "",
              f'=IF(@held_row=0,"{AS_ENTERED}",INDEX([motors.name],MAX(1,@held_row)))', motor, align="left"),
         calc("@held_reducer", "Its reducer", "", "",
@@ -56,11 +56,11 @@ def points_table(sheet: Sheet, view: PairSelection) -> None:
     sheet.table(
         "@points", "The points of its cycle", len(rows),
         constant("k", "number", "", "", rows),
-        *named(view, "dir", "direction", "", "", view.load.load.direction, format="0"),
-        *named(view, "al", "acceleration", "ω̇", "rad/s²", load.acceleration, "@turns*{}", scale=shaft.turning),
-        *named(view, "S", "output torque of the reducer", "S", "Nm", load.driving + load.driven,
+        *named_figure(view, "dir", "direction", "", "", view.load.load.direction, format="0"),
+        *named_figure(view, "al", "acceleration", "ω̇", "rad/s²", load.acceleration, "@turns*{}", scale=shaft.turning),
+        *named_figure(view, "S", "output torque of the reducer", "S", "Nm", load.driving + load.driven,
                "{}*(1-@brake*([dir]=0))", scale=behind, source="0 where a brake holds the motor"),
-        *named(view, "n", "speed of the shaft", "|n|", "rpm", shown(load.speed, RPM), shaft.rpm,
+        *named_figure(view, "n", "speed of the shaft", "|n|", "rpm", shown(load.speed, RPM), shaft.rpm,
                scale=max(float(shown(load.speed.max(), RPM)), 1e-3)),
         calc("driving", "where it drives the load", "", "Nm", "=IF(@by_power*[S]*[dir]<0,0,[S])", of(load.driving),
              scale=behind),
@@ -74,7 +74,7 @@ def points_table(sheet: Sheet, view: PairSelection) -> None:
 GROUP = 5  # drives among which one formula chooses
 
 
-def named(
+def named_figure(
     view: PairSelection, column: str, label: str, symbol: str, unit: str, values: Array, whole: str = "{}", **more: Any
 ) -> list[Quantity]:
     """Return the column of a figure, within ``whole``, of the named drive; of many, one for each group before it."""
@@ -103,7 +103,7 @@ ABOUT = "Behind the reducer that the drive has, whose own limits are checked on 
 def every_drive(sheet: Sheet, view: PairSelection) -> None:
     """Declare the table of all drives: the pair of each, and the motors that can do it behind its reducer."""
     drives = view.every_drive
-    motors, reducers = zip(*(one.held_names for one in drives), strict=True)
+    motors, reducers = zip(*(one.names_in_use for one in drives), strict=True)
     numbers = range(1, len(drives) + 1)
     sheet.heading("All drives", ABOUT)
     sheet.table(
@@ -131,10 +131,11 @@ def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:
          {"format": DASH, "scale": max(1.0, *(float(one.uses.max()) for one in each))}),
         ("peak", "Their peak torque [Nm]", lambda n: peak(n, drives[n - 1]), "peak", 0.0,
          {"format": DASH, "scale": max(1e-3, *(float(one.peak.max()) for one in each))}),
-        ("wanted", "What is wanted of them", lambda n: wanted("all_", n, "@behind.at"), "wanted_verdicts", LARGE,
-         {"align": "center"}),
+        ("wanted", "What is wanted of them", lambda n: margin_verdict("all_", n, "@behind.at"), "wanted_verdicts",
+         LARGE, {"align": "center"}),
         ("word", "What they fail first; yes: they can do it",
-         lambda n: f'IF({of("on")}=0,"–",{weak("all_", n, "@behind.fast")})', "verdicts", "–", {"align": "center"}),
+         lambda n: f'IF({of_motor("on")}=0,"–",{first_failure("all_", n, "@behind.fast")})', "verdicts", "–",
+         {"align": "center"}),
     )  # fmt: skip
     for name, title, formula, figure, spare, more in tables:
         matrix(sheet, view, f"all_{name}", title, formula, [getattr(one, figure)[:, 0] for one in each], spare, **more)
@@ -147,9 +148,9 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
     down = view.rooms[0]
     beyond = down * (down + 1)
     smallest = [one.usable_behind_own[:1] for one in drives]
-    inertia = [one.held("j") - one.held("jm") for one in drives]
+    inertia = [one.in_use("j") - one.in_use("jm") for one in drives]
     speed = [one.behind_own.speed[0] for one in drives]
-    mean = [one.load.mean_speed * one.held("i") for one in drives]
+    mean = [one.load.mean_speed * one.in_use("i") for one in drives]
     sheet.row += 1
     sheet.table(
         "@behind", "What the reducer of each drive makes of its load", len(drives),
@@ -158,16 +159,16 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
         calc("at", "with the load's", "", "kg m²", of_drive("[j]+@inertia/@held_i^2"),
              [one.behind_own.at_motor[0] for one in drives]),
         calc("turn", "acceleration over that of its points", "", "", of_drive("@turns*@held_i"),
-             [one.held("i") * one.shaft.values["turns"] for one in drives]),
+             [one.in_use("i") * one.shaft.values["turns"] for one in drives]),
         calc("fast", "largest speed, with its margin", "", "rpm", of_drive("@speed*@held_i*30/PI()") + "*@least_speed",
              [shown(one * least, RPM) for one in speed]),
         calc("mean", "mean speed", "", "rpm", of_drive("@mean*@held_i*30/PI()"), [shown(one, RPM) for one in mean]),
         calc("left", "rated torque over that of the named drive", "", "", of_drive("@left") + "/@left",
              [one.shaft.values["left"] / view.shaft.values["left"] for one in drives]),
         calc("mixed", "mean of ω̇ S, with losses", "", "W/s", of_drive(MIXED.format(**OWN)),
-             [float(one.load.mixed(one.own_gears)[0]) for one in drives], scale=product),
+             [float(one.load.mixed(one.own_reducer)[0]) for one in drives], scale=product),
         calc("square", "mean square torque of the load at the motor", "", "N²m²", of_drive(SQUARE.format(**OWN)),
-             [float(one.load.square(one.own_gears)[0]) for one in drives], scale=square),
+             [float(one.load.square(one.own_reducer)[0]) for one in drives], scale=square),
         calc("least", "the smallest motor's place by rated torque", "", "",
              [f'={beyond}-SUMPRODUCT(MAX(([@all_word{n}.v]="yes")*({beyond}-[@all_word.order])))'
               for n in range(1, len(drives) + 1)],
@@ -208,13 +209,13 @@ def matrix(
 def share(n: int) -> str:
     """Return the formula of the RMS torque of the motor of a row over its continuous torque."""
     rms = rms_of(
-        f"({of('jm')}+[@behind.j.{n}])", f"[@drives.held_i.{n}]", f"[@behind.mixed.{n}]", f"[@behind.square.{n}]"
+        f"({of_motor('jm')}+[@behind.j.{n}])", f"[@drives.held_i.{n}]", f"[@behind.mixed.{n}]", f"[@behind.square.{n}]"
     ).replace("@own", f"[@drives.own.{n}]")
-    return f"IF({of('on')}=1,{rms}/({continuous(f'[@behind.mean.{n}]')}*[@behind.left.{n}]),0)"
+    return f"IF({of_motor('on')}=1,{rms}/({continuous(f'[@behind.mean.{n}]')}*[@behind.left.{n}]),0)"
 
 
 def peak(n: int, drive: PairSelection) -> str:
     """Return the formula of the peak torque of the motor of a row: the drive's torque with this motor's inertia."""
     torque, acceleration = (f"{drive.shaft.columns}_{column}" for column in ("T", "al"))
-    other = f"({of('jm')}-[@drives.held_jm.{n}])*[@behind.turn.{n}]"
-    return f"IF({of('on')}=1,SUMPRODUCT(MAX(({torque}+{other}*{acceleration})^2))^0.5,0)"
+    other = f"({of_motor('jm')}-[@drives.held_jm.{n}])*[@behind.turn.{n}]"
+    return f"IF({of_motor('on')}=1,SUMPRODUCT(MAX(({torque}+{other}*{acceleration})^2))^0.5,0)"

@@ -29,8 +29,8 @@ def grids(sheet: Sheet, view: PairSelection) -> None:
     grid(sheet, view, "word", "Which pairs can do it", verdict, g.verdicts, "–", align="center")
     sheet.print_columns = max(sheet.blocks[-1].columns.values())
     sheet.not_printed_below()
-    grid(sheet, view, "wanted", "What is wanted of a pair", lambda c: wanted("", c, "@reducers.j"), g.wanted_verdicts,
-         LARGE, align="center")  # fmt: skip
+    grid(sheet, view, "wanted", "What is wanted of a pair", lambda c: margin_verdict("", c, "@reducers.j"),
+         g.wanted_verdicts, LARGE, align="center")  # fmt: skip
     grid(sheet, view, "share", "RMS torque of the motor over its continuous torque", share, g.uses, format=DASH,
          scale=max(1.0, float(g.uses.max())))  # fmt: skip
     grid(sheet, view, "peak", "Peak torque of the motor [Nm]", peak, g.peak, format=DASH,
@@ -68,46 +68,48 @@ def grid(
                      unused if name == "wanted" else "")  # fmt: skip
 
 
-def of(figure: str) -> str:
+def of_motor(figure: str) -> str:
     """Return a figure of the motor of a row."""
     return f"[@motors.{figure}.same]"
 
 
 def share(c: int) -> str:
     """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
-    rms = rms_of(f"({of('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "mixed", "square")))
-    return f"IF({of('on')}*[@reducers.on.{c}],{rms}/{continuous(f'[@reducers.mean.{c}]')},0)"
+    rms = rms_of(
+        f"({of_motor('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "mixed", "square"))
+    )
+    return f"IF({of_motor('on')}*[@reducers.on.{c}],{rms}/{continuous(f'[@reducers.mean.{c}]')},0)"
 
 
 def continuous(mean: str) -> str:
     """Return the formula of the continuous torque of the motor of a row at a mean speed."""
-    return f"MAX({of('rated')},{of('stall')}-{of('slope')}*{mean})"
+    return f"MAX({of_motor('rated')},{of_motor('stall')}-{of_motor('slope')}*{mean})"
 
 
 def peak(c: int) -> str:
     """Return the formula of the peak torque of the motor of a row; no program takes ABS of an array in MAX alike."""
     torques = torque_of(
-        f"({of('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own"))
+        f"({of_motor('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own"))
     )
-    return f"IF({of('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
+    return f"IF({of_motor('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
 
 
-def wanted(table: str, n: int, inertia: str) -> str:
+def margin_verdict(table: str, n: int, inertia: str) -> str:
     """Return the formula of the margin or inertia ratio that a motor misses in the n-th column; yes if none."""
     used = f"[@{table}share{n}.v.same]"
-    return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{of("jmax")},"inertia","yes")))'
+    return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{of_motor("jmax")},"inertia","yes")))'
 
 
-def weak(table: str, n: int, fast: str) -> str:
+def first_failure(table: str, n: int, fast: str) -> str:
     """Return the formula of what a motor fails first in the n-th column: speed, peak torque, a margin, inertia."""
-    other = f'IF([@{table}peak{n}.v.same]>{of("top")},"peak",[@{table}wanted{n}.v.same])'
-    return f'IF([{fast}.{n}]>{of("nmax")},"speed",{other})'
+    other = f'IF([@{table}peak{n}.v.same]>{of_motor("top")},"peak",[@{table}wanted{n}.v.same])'
+    return f'IF([{fast}.{n}]>{of_motor("nmax")},"speed",{other})'
 
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first: its reducer, or its motor."""
-    motor = weak("", c, "@reducers.fast")
-    return f'IF({of("on")}*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
+    motor = first_failure("", c, "@reducers.fast")
+    return f'IF({of_motor("on")}*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
 
 
 def products(sheet: Sheet, view: PairSelection) -> None:
@@ -125,11 +127,11 @@ def products(sheet: Sheet, view: PairSelection) -> None:
 
 def key(view: PairSelection, c: int) -> str:
     """Return the formula of what a pair is sorted by: what it is ranked by, the lowest first, and its place."""
-    balance, inertia = f"[@reducers.balance.{c}]", f"({of('jm')}+[@reducers.jt.{c}])"
+    balance, inertia = f"[@reducers.balance.{c}]", f"({of_motor('jm')}+[@reducers.jt.{c}])"
     match = f"MAX({balance}/{inertia},{inertia}*[@reducers.unit.{c}])^0.5"
     used = f"(@rank_no<3)*(1-1/(1+[@share{c}.v.same]))"
-    score = f"{of('weight')}+[@reducers.weight.{c}]+IF(@rank_no=3,{match},{used})"
-    usable = f'AND([@word{c}.v.same]="yes",{of("known")}*[@reducers.known.{c}]=1)'
+    score = f"{of_motor('weight')}+[@reducers.weight.{c}]+IF(@rank_no=3,{match},{used})"
+    usable = f'AND([@word{c}.v.same]="yes",{of_motor("known")}*[@reducers.known.{c}]=1)'
     return f'IF({usable},ROUND({PARTS}*({score}),0)*{view.pairs}+[first]+{c - 1},"–")'
 
 

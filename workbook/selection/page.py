@@ -2,9 +2,9 @@
 
 from workbook.book.declare import FIRST, Book, Sheet, calc, check, columns_of, given, result
 from workbook.book.sentence import CheckSentence
-from workbook.selection.best import best_table, chart, order_table, uses
+from workbook.selection.best import best_table, chart, order_table, points_of_pairs
 from workbook.selection.catalogue import FALLING, HALF
-from workbook.selection.drives import chosen, every_drive, motors_by_drives, points_table
+from workbook.selection.drives import every_drive, motors_by_drives, named_drive, points_table
 from workbook.selection.entries import UNCHOSEN, Products, SelectionSizes
 from workbook.selection.grids import grids, products
 from workbook.selection.pair_selection import PairSelection, rms_of
@@ -39,9 +39,9 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "") -> None:
             every_drive(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Workings: the axes")
-        chosen(sheet, view)
+        named_drive(sheet, view)
         points_table(sheet, view)
-        uses(sheet, view)
+        points_of_pairs(sheet, view)
         if len(view.shafts) > 1:
             motors_by_drives(sheet, view)
     if axis:
@@ -110,7 +110,7 @@ def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
               says=CheckSentence("@message", message))
     )  # fmt: skip
     sheet.heading("The pair that the drive has")
-    (motor, reducer), own, torque = view.held_names, view.own, max(view.own.peak, 1e-3)
+    (motor, reducer), own, torque = view.names_in_use, view.own, max(view.own.peak, 1e-3)
     rms = rms_of("@held_j", "@held_i", "@held_mixed", "@held_square")
     sheet.rows(
         result("@own_motor", "Motor", "", "", "=@held_motor&\"\"", motor, align="left"),

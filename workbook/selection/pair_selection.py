@@ -55,7 +55,7 @@ class Figure(NamedTuple):
     scale: float = 0.0
 
 
-def asked(load: PointLoad, turning: float, torque: float) -> dict[str, tuple[float, float]]:
+def load_figures(load: PointLoad, turning: float, torque: float) -> dict[str, tuple[float, float]]:
     """Return the figures of a load with their scales, by those of its acceleration (rad/s²) and its torque (Nm)."""
     own, mixed, mixed_back, square, square_back, way, way_turning, way_behind, way_back = load.squares
     return {
@@ -70,9 +70,9 @@ def asked(load: PointLoad, turning: float, torque: float) -> dict[str, tuple[flo
 Cell = str | tuple[str, float] | tuple[str, float, float]
 
 
-def figures(scope: str, asked: Mapping[str, tuple[float, float]], cells: Mapping[str, Cell]) -> list[Figure]:
+def shaft_figures(scope: str, load: Mapping[str, tuple[float, float]], cells: Mapping[str, Cell]) -> list[Figure]:
     """Return the figures of a shaft by their cells: a formula of a figure of the load, or one with value and scale."""
-    each = {name: (cell, *asked[name]) if isinstance(cell, str) else cell for name, cell in cells.items()}
+    each = {name: (cell, *load[name]) if isinstance(cell, str) else cell for name, cell in cells.items()}
     return [Figure(name, *of, in_scope(each[name][0], scope), *each[name][1:]) for name, of in LABELS.items()]
 
 
@@ -142,7 +142,7 @@ def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
     )  # fmt: skip
 
 
-class Figures(NamedTuple):
+class PairFigures(NamedTuple):
     """What a pair does, in the units of the sheet."""
 
     rms: float
@@ -165,31 +165,33 @@ class PairSelection:
         self.load = self.shaft.load
         self.rooms, self.pairs = (sizes.motors, sizes.reducers), sizes.motors * sizes.reducers
         self.rank = RANKS.index(given.rank) + 1
-        self.wanted = Requirements(given.inertia_ratio, given.least_margin, given.greatest_margin, given.torque_factor,
-                             given.least_peak_margin, given.least_speed_margin)  # fmt: skip
+        self.requirements = Requirements(
+            given.inertia_ratio, given.least_margin, given.greatest_margin, given.torque_factor,
+            given.least_peak_margin, given.least_speed_margin,
+        )  # fmt: skip
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
         self.bare = pair_arrays(0.0, r.reduction, r.efficiency, r.no_load)  # the reducers, before any motor
         own, ranking = self.shaft.values, (given.rank, sizes.reducers, self.pairs)
-        self.grid = PairMatrix(self.load, self.motors, r, own["beside"], self.wanted, si(own["cycles"], PER_HOUR))
+        self.grid = PairMatrix(self.load, self.motors, r, own["beside"], self.requirements, si(own["cycles"], PER_HOUR))
         self.keys = self.grid.keys(*ranking)  # what the pairs are sorted by; NaN where they are not ranked
         self.ranked = self.grid.best(*ranking)  # motor and reducer, best first
 
-    def held(self, name: str) -> float:
+    def in_use(self, name: str) -> float:
         """Return a figure of the pair that the shaft has."""
         return self.shaft.values[f"held_{name}"]
 
     @cached_property
-    def own_gears(self) -> PairArrays:
+    def own_reducer(self) -> PairArrays:
         """The reducer that the drive has."""
-        return pair_arrays(0.0, *(self.held(name) for name in ("i", "eta", "no_load")))
+        return pair_arrays(0.0, *(self.in_use(name) for name in ("i", "eta", "no_load")))
 
     @cached_property
     def behind_own(self) -> PairMatrix:
         """All motors behind the reducer that the drive has, whose own limits are checked on the drive's sheet."""
-        none, own = np.array([np.inf]), self.own_gears
+        none, own = np.array([np.inf]), self.own_reducer
         reducer = Reducers(("own",), own.ratio, own.efficiency, own.inertia, none, none, no_load=own.no_load)
-        return PairMatrix(self.load, self.motors, reducer, self.held("j") - self.held("jm"), self.wanted)
+        return PairMatrix(self.load, self.motors, reducer, self.in_use("j") - self.in_use("jm"), self.requirements)
 
     @cached_property
     def usable_behind_own(self) -> list[int]:
@@ -203,9 +205,9 @@ class PairSelection:
         return [PairSelection(self.given, self.sizes, self.shafts, n) for n in range(len(self.shafts))]
 
     @property
-    def held_names(self) -> tuple[str, str]:
+    def names_in_use(self) -> tuple[str, str]:
         """The names of the drive's motor and reducer."""
-        motor, reducer = int(self.held("row")), int(self.held("gear"))
+        motor, reducer = int(self.in_use("row")), int(self.in_use("gear"))
         return (self.motors.names[motor - 1] if motor else AS_ENTERED,
                 self.reducers.names[reducer - 1] if reducer else AS_ENTERED)  # fmt: skip
 
@@ -215,14 +217,14 @@ class PairSelection:
         return PeakTorqueCurve(float(m.peak_torque[motor]), float(m.knee[motor]), max(0.0, 0.0 - float(m.slope[motor])))
 
     @cached_property
-    def listed(self) -> list[Figures]:
+    def listed(self) -> list[PairFigures]:
         """The figures of the best pairs."""
         g, found = self.grid, []
         for m, r in self.ranked[:BEST]:
             margin = float(shares_of(np.array(1.0), g.uses[m, r]))
             spare = reserve(self.load, g.pair(m, r), self.curve(m))
             peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
-            found.append(Figures(float(g.rms[m, r]), margin, peak, speed, float(g.inertia_ratio[m, r]), spare))
+            found.append(PairFigures(float(g.rms[m, r]), margin, peak, speed, float(g.inertia_ratio[m, r]), spare))
         return found
 
     @cached_property
@@ -231,14 +233,14 @@ class PairSelection:
         return next((k for k, one in enumerate(self.listed) if one.spare >= 0.0), None)
 
     @cached_property
-    def own(self) -> Figures:
+    def own(self) -> PairFigures:
         """The pair that the drive has."""
-        held, inertia = self.held, self.held("j")
-        ratio, motor = held("i"), held("jm")
-        rms = float(self.load.rms(pair_arrays(inertia, ratio, held("eta"), held("no_load")))[0])
+        figure, inertia = self.in_use, self.in_use("j")
+        ratio, motor = figure("i"), figure("jm")
+        rms = float(self.load.rms(pair_arrays(inertia, ratio, figure("eta"), figure("no_load")))[0])
         inertias = (inertia - motor + self.load.inertia / ratio**2) / motor if motor else 0.0
-        margin = held("rated") / rms if rms else 0.0
-        return Figures(rms, margin, held("top"), shown(ratio * self.load.speed, RPM), inertias, held("spare"))
+        margin = figure("rated") / rms if rms else 0.0
+        return PairFigures(rms, margin, figure("top"), shown(ratio * self.load.speed, RPM), inertias, figure("spare"))
 
     def whole(self, table: str) -> str:
         """Return the range of a table of all pairs."""

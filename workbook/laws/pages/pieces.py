@@ -135,7 +135,7 @@ class OwnPage(Page):
         )  # fmt: skip
         missing(sheet, one.law, sizes.pieces)
 
-    def stepping(self, law: Law, sizes: Any) -> float:
+    def step_back(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way from point to point."""
         return float(spread_of(law, sizes.pieces).wrong_way.max())
 
@@ -180,7 +180,7 @@ PAGE = OwnPage(
         "va_min": ("=@va_least", "lowest v·a"),
     },
     fastest="=@v_at", lowest="=@v_least", low="=@s_least", high="=@s_most", named="=@name",
-    of_pieces=OWN_ENTRIES, wrong="=@back", variations=VARIATIONS,
+    of_pieces=OWN_ENTRIES, wrong_step="=@back", variations=VARIATIONS,
 )  # fmt: skip
 
 

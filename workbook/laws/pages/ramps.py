@@ -61,7 +61,7 @@ TRAPEZOIDAL_VELOCITY = Page(
         "va_max": ("=@cv*@ca_max", "at α_v"),
         "va_min": ("=@cv*@ca_min", "at α_w"),
     },
-    fastest="=@av", way="=1", early=1,
+    fastest="=@av", end_mode="=1", early=1,
 )  # fmt: skip
 
 

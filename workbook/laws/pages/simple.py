@@ -9,18 +9,18 @@ from workbook.laws.family import COEFFICIENTS, POLYNOMIAL, REVERSAL, SHARED, Pag
 DWELL = Page(
     source="S3, function motionlaw", entries=None, law=Dwell, has_sheet=False,
     pieces=(PieceRow("rest", "s = 0", "=1"),),
-    coefficients={name: ("=0", "at rest") for name, *_ in COEFFICIENTS}, fastest="=0", way="=-1",
+    coefficients={name: ("=0", "at rest") for name, *_ in COEFFICIENTS}, fastest="=0", end_mode="=-1",
 )  # fmt: skip
 
 STRAIGHT_LINE = Page(
     source="LCamHdl, CONST_VELO", law=StraightLine, pieces=(PieceRow("straight line", "s = ξ", "=1"),),
     coefficients={name: ("=0", "no acceleration") for name, *_ in COEFFICIENTS} | {"cv": ("=1", "v = 1")},
-    fastest="=0", start="=1", lowest="=1", rests=False, way="=-1", single=False,
+    fastest="=0", start="=1", lowest="=1", rests=False, end_mode="=-1", single=False,
 )  # fmt: skip
 
 HALVED = [  # by the stage of one pulse, and of the same backwards
-    edged({k: Stage(form, "=@share"), 8 - k: Stage(form, "=1-@share")}, source=source, **SHARED, law=law, way=way)
-    for law, form, k, way, source in (
+    edged({k: Stage(form, "=@share"), 8 - k: Stage(form, "=1-@share")}, source=source, **SHARED, law=law, end_mode=mode)
+    for law, form, k, mode, source in (
         (ConstantAcceleration, FLAT, 2, "=1", "S3, figure 1; with λ: LCamHdl, D_D_PARABOLA"),
         (Cycloidal, HALF_SINE, 2, "=1", "S2, movement equation; S3; with λ: LCamHdl, D_D_INCLINED_SINE"),
         (SimpleHarmonic, SINE_IN, 3, "=1", "LCamHdl, D_D_BASIC_SINE: s = (1 − cos πξ)/2"),
@@ -50,7 +50,7 @@ POLYNOMIAL_345 = Page(
         "va_max": ("=6075/(686*SQRT(7)*@share)", "S'S''/2λ at x = (7 − √7)/14"),
         "va_min": ("=0-6075/(686*SQRT(7)*(1-@share))", "by symmetry, over 2μ"),
     },
-    fastest="=@share", way=POLYNOMIAL.format(5),
+    fastest="=@share", end_mode=POLYNOMIAL.format(5),
 )  # fmt: skip
 
 POLYNOMIAL_4567 = Page(
@@ -74,7 +74,7 @@ POLYNOMIAL_4567 = Page(
         "va_max": ("=58800/2048*(10/11)^5/(SQRT(11)*@share)", "S'S''/2λ at x = (11 − √11)/22"),
         "va_min": ("=0-58800/2048*(10/11)^5/(SQRT(11)*(1-@share))", "by symmetry, over 2μ"),
     },
-    fastest="=@share", way=POLYNOMIAL.format(7),
+    fastest="=@share", end_mode=POLYNOMIAL.format(7),
 )  # fmt: skip
 
 

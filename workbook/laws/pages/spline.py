@@ -126,7 +126,7 @@ class SplinePage(Page):
         """Declare the table of the intervals."""
         intervals_table(sheet, SplineTable(one.law, sizes.points))
 
-    def stepping(self, law: Law, sizes: Any) -> float:
+    def step_back(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way, interval by interval."""
         return float(SplineTable(law, sizes.points).wrong_way.max()) if isinstance(law, Spline) else 0.0
 
@@ -273,7 +273,7 @@ PAGE = SplinePage(
     },
     fastest="=@v_at", lowest="=MIN([@intervals.v_low])", low="=MIN([@intervals.s_low])",
     high="=MAX([@intervals.s_high])", of_pieces=("c0", "c1"), start="=[@intervals.v.1]",
-    wrong="=MAX([@intervals.wrong])", way="=2", rests=False, single=False,
+    wrong_step="=MAX([@intervals.wrong])", end_mode="=2", rests=False, single=False,
     checks=(
         LawCheck("@enough", "there are points", "@used>1", "enough", spelled(FEW, "@used")),
         LawCheck("@lead", "the points lead from 0 to 1", LEADS, "lead", spelled(LEAD, *OUTER)),

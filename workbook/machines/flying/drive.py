@@ -78,8 +78,8 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
         result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])",
                float(view.left.min()), "at the points", scale=max(size, view.motor.peak_torque)),
         result("@smax", "Output torque of the reducer, peak", "", "Nm", "=MAX(MAX([@pt.S]),0-MIN([@pt.S]))",
-               view.asked.torque, scale=view.torque),
-        result("@smean", "Output torque of the reducer, mean", "", "Nm", CUBIC, view.asked.mean_torque,
+               view.demand.torque, scale=view.torque),
+        result("@smean", "Output torque of the reducer, mean", "", "Nm", CUBIC, view.demand.mean_torque,
                "³√(∫|v||S|³ dt/∫|v| dt)", scale=view.torque),
         result("@balance", "Ratio over the best ratio", "τ/τ_opt", "",
                "=IF(sel_moves=1,1/@i/SQRT(@j*sel_wrms*@eta/sel_trms),0)", view.balance,
@@ -90,7 +90,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
 def checks(view: ToolDrive) -> list[Quantity]:
     """Return the checks of the motor's and the reducer's limits."""
     fastest, strongest, lasting = view.limits
-    speed, mean, torque = view.speed, view.asked.mean_torque, view.chosen.torque_factor * view.asked.torque
+    speed, mean, torque = view.speed, view.demand.mean_torque, view.chosen.torque_factor * view.demand.torque
     return [
         check("@ok_told", "Drive: motor and reducer are in the catalogue", "@motor_row*@reducer_row>0", True,
               says=f'"{UNLISTED}"'),

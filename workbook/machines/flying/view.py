@@ -25,7 +25,7 @@ from workbook.law_sheets.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 from workbook.selection.entries import Selection, SelectionSizes
-from workbook.selection.pair_selection import Figure, PairSelection, Shaft, asked, figures
+from workbook.selection.pair_selection import Figure, PairSelection, Shaft, load_figures, shaft_figures
 
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
@@ -99,8 +99,8 @@ class ToolDrive:
         self.machine, self.chosen, self.sizes = machine, chosen, sizes
         cut, load, scales = machine.cut, machine.load, machine.scales
         bare = cycle_of(cut, train_of(cut, load)).points()
-        self.asked = PointLoad(bare, cut.max_angular_speed, float(np.abs(bare.output_torque).max()), load.inertia)
-        self.torque = max(self.asked.torque, scales["Nm"], LEAST)  # the scale of torques of the shaft
+        self.demand = PointLoad(bare, cut.max_angular_speed, float(np.abs(bare.output_torque).max()), load.inertia)
+        self.torque = max(self.demand.torque, scales["Nm"], LEAST)  # the scale of torques of the shaft
         hardest = float(np.abs(bare.shaft_acceleration).max())
         self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
         self.cycles = "3600/fly_tc", shown(1.0 / cut.cycle_time, PER_HOUR)  # an hour: the formula, and the figure
@@ -138,13 +138,13 @@ class ToolDrive:
         return filled(flat, self.machine.room * values.shape[-1], float(flat[-1]) if spare is None else spare)
 
     def _shaft(self, figures: list[Figure]) -> Shaft:
-        return Shaft("shaft", 1, '="shaft"', "tool", self.machine.room, self.asked, "ABS({})*30/PI()", self.turning,
+        return Shaft("shaft", 1, '="shaft"', "tool", self.machine.room, self.demand, "ABS({})*30/PI()", self.turning,
                      self.torque, figures)  # fmt: skip
 
     def choosing(self) -> PairSelection:
         """Return the choice of motor and reducer, with the pair in use."""
         motor, gears, (m, r) = self.motor, self.gears, self.pair
-        rows = figures("drive_", asked(self.asked, self.turning, self.torque), {
+        rows = shaft_figures("drive_", load_figures(self.demand, self.turning, self.torque), {
             "own": mean("al", "al"), "square": mean("S", "S", DRIVES), "square_back": mean("S", "S", DRIVEN),
             "product": mean("al", "S", DRIVES), "product_back": mean("al", "S", DRIVEN), "way": mean("dir", "dir"),
             "way_turning": mean("al", "dir"), "way_behind": mean("S", "dir", DRIVES),

@@ -112,7 +112,7 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet of a drive, with names of the columns that its samples, Power and Selection look up."""
     drive_sheet(book, view)
     i, names = view.driven.number, {"at": "theta", "T": "T", "n": "n"} | ({"phi": "phi"} if view.varies else {})
-    if view.asked:
+    if view.for_selection:
         names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "Sm" if view.brakes else "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
     book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards

@@ -33,7 +33,7 @@ def suited_to(kind: str | None) -> Callable[[dict[str, Any]], list[str]]:
 
     def suited(laws: dict[str, Any]) -> list[str]:
         pages = {name: page_of(name, entry) for name, entry in laws.items()}
-        straight = [name for name, page in pages.items() if page.way == STRAIGHT and kind not in LINKAGES]
+        straight = [name for name, page in pages.items() if page.end_mode == STRAIGHT and kind not in LINKAGES]
         return straight + [name for name, page in pages.items() if page.law.code not in ("LIN", "PO5", "OWN", "SPL")]
 
     return suited if kind else list

@@ -9,7 +9,7 @@ from engine.selection.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
-from workbook.selection.pair_selection import Shaft, asked, figures
+from workbook.selection.pair_selection import Shaft, load_figures, shaft_figures
 
 DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
 BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
@@ -38,7 +38,7 @@ def means(sheet: Sheet, view: DriveView) -> None:
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
     )
-    found = asked(load_of(view), view.scales.turning, view.scales.behind)
+    found = load_figures(load_of(view), view.scales.turning, view.scales.behind)
     sheet.rows(
         *(calc(f"@ask_{name}", label, symbol, unit, f"={formula}", found[name][0], source, scale=found[name][1])
           for name, label, symbol, unit, formula, source in (
@@ -69,7 +69,8 @@ def shaft_of(view: DriveView) -> Shaft:
     means = ("own", "square", "square_back", "product", "product_back", "way", "way_turning", "way_behind", "way_back",
              "speed", "inertia")  # fmt: skip
     load, turning, behind = load_of(view), view.scales.turning, view.scales.behind
-    rows = figures(f"drive{d.number}_", asked(load, turning, behind), {name: f"@ask_{name}" for name in means} | {
+    demand = load_figures(load, turning, behind)
+    rows = shaft_figures(f"drive{d.number}_", demand, {name: f"@ask_{name}" for name in means} | {
         "mean": "@mean*PI()/30/@i1", "smax": "@smax", "smean": "@smean", "cycles": ("@cycles", view.cycles),
         "beside": ("@ask_beside", d.beside_motor), "turns": ("@ask_turns", turns_of(view)),
         "brake": ("0", 0.0) if view.brakes else ('(@holding="brake")', float(d.holding == "brake")),

@@ -57,7 +57,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
             reach_table(sheet, view, driven.linkage)
         peaks_table(sheet, view)
         max_rate.rates_table(sheet, view)
-        if view.asked:
+        if view.for_selection:
             reducer_load.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
         backward = min(0.0, float(view.cycle.direction.min()))

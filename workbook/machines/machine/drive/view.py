@@ -60,7 +60,7 @@ class DriveView:
         self.rows = self.room + self.steps - 1
         self.slides, self.varies = driven.given.SLIDES, driven.linkage is not None
         self.brakes = driven.entered.motor is not None and driven.entered.motor.brake is not None
-        self.knows_falling, self.asked = machine.selection.knows_falling, machine.selection.axis is not None
+        self.knows_falling, self.for_selection = machine.selection.knows_falling, machine.selection.axis is not None
         self.rate = machine.per_minute if own is None else own
         self.time = driven.drive_cycle.time  # of a cycle (s)
         self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour

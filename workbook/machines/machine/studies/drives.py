@@ -26,8 +26,8 @@ from workbook.selection.catalogue import FULL_CYCLES
 from workbook.template_outputs import Column, Worked
 
 WEIGHED = ("mass", "cost")
-ONE = Column([None], np.zeros(1, dtype=np.intp))  # of what does not differ
-Chosen = tuple[int, int, int]  # motor, reducer and rate of a design, by their places among those that differ
+FIXED = Column([None], np.zeros(1, dtype=np.intp))  # of what does not differ
+DesignPlaces = tuple[int, int, int]  # motor, reducer and rate of a design, by their places among those that differ
 
 
 class DriveStudy:
@@ -38,9 +38,9 @@ class DriveStudy:
     ) -> None:
         self.axis, self.machine, self.products, self.rows = axis, machine, machine.selection, rows
         begin, own = f"axes.{axis.number - 1}", axis.given.rate
-        self.motor_key, self.motors = only(columns, f"{begin}.motor.")
-        self.reducer_key, self.reducers = only(columns, f"{begin}.reducer.")
-        entered = Column([machine.per_minute if own is None else own], ONE.places)
+        self.motor_key, self.motors = varied(columns, f"{begin}.motor.")
+        self.reducer_key, self.reducers = varied(columns, f"{begin}.reducer.")
+        entered = Column([machine.per_minute if own is None else own], FIXED.places)
         self.rates = columns.get(f"{begin}.rate") or (columns.get("master.rate", entered) if own is None else entered)
 
     def axis_with(self, motor: int, reducer: int, rate: int) -> Axis:
@@ -179,13 +179,13 @@ class DriveStudy:
         return mean_bus_power(self.works, self.time, self.machine.power.efficiency)
 
     @cached_property
-    def designs(self) -> list[Chosen]:
+    def designs(self) -> list[DesignPlaces]:
         """What each design has."""
         each = np.broadcast_arrays(self.motors.places, self.reducers.places, self.rates.places)
         return list(zip(*(places.tolist() for places in each), strict=True))
 
     @cached_property
-    def views(self) -> dict[Chosen, DriveView]:
+    def views(self) -> dict[DesignPlaces, DriveView]:
         """The drive of each design at the points of its motion: those at one rate share their load."""
         bases = ((one, self.bases[one[2]]) for one in dict.fromkeys(self.designs))
         return {one: DriveView(base.tables, self.drive(*one), base) for one, base in bases}
@@ -214,17 +214,17 @@ def figures(column: Column, used: Any, products: Any = ()) -> dict[str, Array]:
     return {name: np.array(values, dtype=np.float64)[column.places] for name, values in found.items()}
 
 
-def only(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:
+def varied(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:
     """Return the entry of a motor or reducer that differs, and how; nothing where none does."""
-    return next(((key.removeprefix(begin), one) for key, one in columns.items() if key.startswith(begin)), ("", ONE))
+    return next(((key.removeprefix(begin), one) for key, one in columns.items() if key.startswith(begin)), ("", FIXED))
 
 
-def in_words(ok: Any) -> Any:
-    """Return verdicts in words."""
+def ok_texts(ok: Any) -> Any:
+    """Return ok_texts in words."""
     return np.where(ok, "OK", "FAIL")
 
 
-ASKED: dict[str, Callable[[DriveStudy], Any]] = {
+RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "rate": lambda one: one.rates.each,
     "jtot": lambda one: shown(one.at_motor, KG_CM2),
     "inertias": lambda one: shares_of(one.at_motor, one.motors_used["inertia"]),
@@ -278,7 +278,7 @@ def within(limits: Array, value: Any) -> Any:
 
 def results(one: DriveStudy) -> Worked:
     """Return all results by name, each worked out when it is called."""
-    asked = ASKED | ({"brake_load": lambda one: one.brake_load} if one.bases[0].brakes else {})
+    asked = RESULTS | ({"brake_load": lambda one: one.brake_load} if one.bases[0].brakes else {})
     asked |= {"spare": lambda one: one.extremes.spare} if one.products.knows_falling else {}
     asked |= {cell: lambda one, name=name: one.motors_used[name] for cell, name in MOTORS.items()}
     asked |= {cell: lambda one, name=name: one.reducers_used[name] for cell, name in REDUCERS.items()}
@@ -291,4 +291,4 @@ def checks(one: DriveStudy) -> Worked:
     found = CHECKS | ({"ok_back": lambda one: one.axis.motion.closes} if driven.given.kind in LINKED else {})
     found |= {"ok_brake": lambda one: one.brake_load <= driven.brake.torque} if one.bases[0].brakes else {}
     found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
-    return {f"drive{one.axis.number}_{name}": partial(lambda ok: in_words(ok(one)), ok) for name, ok in found.items()}
+    return {f"drive{one.axis.number}_{name}": partial(lambda ok: ok_texts(ok(one)), ok) for name, ok in found.items()}

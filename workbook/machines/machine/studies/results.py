@@ -19,7 +19,7 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.power import KWH, Mains
 from workbook.machines.machine.studies import drives as each_drive
-from workbook.machines.machine.studies.drives import ONE, DriveStudy, cycles, in_words
+from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles, ok_texts
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.selection.pair_selection import PairSelection
 from workbook.template_outputs import Column, Results, Scaling, Worked
@@ -38,7 +38,7 @@ def part(key: str) -> str:
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
     whole, rows = MachineView(machine, laws(machine.laws)), cache(partial(axes_of, machine))
-    rate = columns.get("master.rate", Column([machine.per_minute], ONE.places))
+    rate = columns.get("master.rate", Column([machine.per_minute], FIXED.places))
     faster = np.asarray(rate.each) / machine.per_minute
     found: Worked = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
     found |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
@@ -61,7 +61,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
         found[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
         found[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
-        checks[f"clear{k}_kept"] = partial(lambda apart: in_words(apart().kept), apart)
+        checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(apart().kept), apart)
     found |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
     each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
@@ -86,9 +86,9 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Worked, Worked]:
         found[f"{table}.v.{i}"] = partial(of_whole, "max_velocity", 1)
         found[f"{table}.a.{i}"] = partial(of_whole, "max_acceleration", 2)
     return found, {
-        f"axis{i}_position": lambda: in_words(axis.motion.complete),
-        f"axis{i}_smooth": lambda: in_words(not shortfalls(axis.motion, given.smoothness, given.repeats)),
-        f"axis{i}_closes": lambda: in_words(axis.closes),
+        f"axis{i}_position": lambda: ok_texts(axis.motion.complete),
+        f"axis{i}_smooth": lambda: ok_texts(not shortfalls(axis.motion, given.smoothness, given.repeats)),
+        f"axis{i}_closes": lambda: ok_texts(axis.closes),
     }
 
 
@@ -101,15 +101,15 @@ def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Worked:
         each = (one.designs if len(one.designs) == count else one.designs * count for one in drives)
 
         @cache
-        def fine(*design: each_drive.Chosen) -> bool:
+        def fine(*design: each_drive.DesignPlaces) -> bool:
             return Mains([one.views[own] for one, own in zip(drives, design, strict=True)], machine.power).fine
 
-        return in_words(np.array([fine(*design) for design in zip(*each, strict=True)]))
+        return ok_texts(np.array([fine(*design) for design in zip(*each, strict=True)]))
 
     def chosen(one: DriveStudy) -> Any:
         """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
         each = (PairSelection(machine.selection, machine.sizes, [shaft_of(base)]) for base in one.bases)
-        return in_words(np.array([choice.proposed is not None for choice in each])[one.rates.places])
+        return ok_texts(np.array([choice.proposed is not None for choice in each])[one.rates.places])
 
     axis, found = machine.selection.axis, {"bus_fine": bus_fine}
     named = [one for one in drives if axis and place_of(axis, [one.axis.given.name]) == 0]
