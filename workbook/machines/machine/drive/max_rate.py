@@ -47,13 +47,12 @@ LIMITS = {
 """of each limit in cells: the limit itself, what stands at any rate, and the share that grows with its square"""
 
 
-def rates_table(sheet: Sheet, view: DriveView) -> None:
-    """Declare the means that the highest rate depends on, and the rate up to which each limit is held."""
+def means(view: DriveView) -> list[Quantity]:
+    """Return the rows of the means that the highest rate depends on, and of the line of the continuous torque."""
     points, size = view.points, view.scales.torque**2
     own, mixed, growing = mean_squares(points)
     stall, fall, near, half = continuous_line(points, view.driven.motor)
-    sheet.heading("Workings: the highest rate", ABOUT)
-    sheet.rows(
+    return [
         calc("@stand", "Mean of T_s²", "A_s", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),
         calc("@mixed", "Mean of T_s I", "B_s", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
              scale=size),
@@ -71,12 +70,17 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
         *many_cycles(view),
         constant("@least_use", "A share that grows less than this is none", "", "", LEAST_USE,
                  "a rate beyond 30,000 times the present one", format="0E+00"),
-    )  # fmt: skip
+    ]  # fmt: skip
+
+
+def rates_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the means that the highest rate depends on, and the rate up to which each limit is held."""
+    sheet.heading("Workings: the highest rate", ABOUT)
+    sheet.rows(*means(view))
     each = list(LIMITS) if view.knows_falling else list(LIMITS)[:-1]
     limits, stands, uses = zip(*(LIMITS[name] for name in each), strict=True)
     level = view.shares["peak torque"]._replace(limit=0.0, use=0.0)
     found = [view.shares.get(name, level) for name in each]  # of a curve that does not fall none is used
-
     met = [one.highest(view.rate) if one.limit else math.inf for one in found]
 
     def in_units(values: Iterable[float]) -> list[float]:
