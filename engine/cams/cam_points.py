@@ -139,9 +139,8 @@ class FoundPhase:
 def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
     """Return consecutive splines within ``most`` of the points; none if too many are needed.
 
-    ``slopes`` are y' at both ends; ``rebuilt`` gives y' elsewhere, and y between the points if the table has y'. A
-    movement that returns is divided where it is farthest from its begin, one that needs more than a hundred points in
-    its middle.
+    ``slopes`` are y' at both ends; ``rebuilt`` gives y' elsewhere, and y between points if the table has y'. A movement
+    that returns is divided farthest from its begin, one that needs more than a hundred points in its middle.
     """
     if of.v is not None:
         x = subdivided(of.x, BETWEEN)

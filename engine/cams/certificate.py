@@ -82,10 +82,8 @@ class Deviation(NamedTuple):
 
     @property
     def share(self) -> float:
-        """The deviation over the peak; for a peak of 0 infinite, or 0 without a deviation."""
-        if self.peak:
-            return self.largest / self.peak
-        return float(np.inf) if self.largest else 0.0
+        """The deviation over the peak; of a peak of 0 infinite, or 0 if there is no deviation."""
+        return self.largest / self.peak if self.peak else float(np.inf if self.largest else 0.0)
 
 
 @dataclass(frozen=True)

@@ -100,14 +100,11 @@ class Load:
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Stages from the motor to the load, parts on their shafts, and the load.
-
-    Raises ValueError for no stages, or a part on a shaft that does not exist.
-    """
+    """Stages from the motor to the load, parts on their shafts, and the load."""
 
     name: str
-    stages: tuple[Stage, ...]  # from the motor to the load
-    parts: tuple[Part, ...]  # on shafts numbered from the motor's, 0, to the load's, the number of stages
+    stages: tuple[Stage, ...]  # from the motor to the load, at least one, else ValueError
+    parts: tuple[Part, ...]  # on shafts from the motor's, 0, to the load's, the number of stages, else ValueError
     load: Load  # on the last shaft
 
     def __post_init__(self) -> None:

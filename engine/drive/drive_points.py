@@ -1,7 +1,4 @@
-"""A motor at the points of its cycle: torque, speed and power, their means and peaks, and the highest rate by them.
-
-A *use* is a figure per limit: the limit is reached at 1/√use times the present rate.
-"""
+"""A motor at the points of its cycle: torque, speed and power, their means and peaks, and the highest rate by them."""
 
 import math
 from dataclasses import dataclass
@@ -52,9 +49,8 @@ class Peak(NamedTuple):
 def peak(values: Array, place: Array) -> Peak:
     """Return the first of the largest values, with the maximum of the parabola through it and its neighbours.
 
-    ``values`` and their abscissae ``place`` have the shape (intervals, 9). Values within 1e-9 of the largest absolute
-    value count as equal. At an end of an interval the value itself is the maximum; if the parabola's lies beyond the
-    neighbours, the largest value is.
+    ``values`` and their abscissae ``place`` have the shape (intervals, 9). At an end of an interval the value itself is
+    the maximum; so is the largest value if the parabola's maximum lies beyond the neighbours.
     """
     y, x = values.ravel(), place.ravel()
     limit = y.max() - TIED * np.abs(y).max()
@@ -147,12 +143,12 @@ LEAST_USE = 1e-9  # a smaller use is rounding: the limit is reached beyond 30,00
 
 
 class LimitUse(NamedTuple):
-    """The use of a limit, in the limit's unit."""
+    """The use of a limit; all but ``use`` in the limit's unit."""
 
     limit: float  # at speed 0
     standing: float  # figure without inertia and viscous friction
     present: float  # figure at the present rate
-    use: float  # over the square of the rate; see the module
+    use: float  # the limit is reached at 1/√use times the present rate
 
     def highest(self, rate: float) -> float:
         """Return the highest rate that the limit allows, for the present one; infinite if there is none."""

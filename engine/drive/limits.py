@@ -111,16 +111,11 @@ class LimitChecks:
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
-        """|T| and the curve (Nm) at the instant of the least reserve.
-
-        Beyond its last corner the curve is taken as constant, as the speed has a check of its own.
-        """
+        """|T| and the curve, constant beyond its last corner, at the least reserve (Nm)."""
         curve = self.limits.peak_curve
         last = float(curve.speed[-1])
 
         def worst(interval: TorqueInterval, least: float) -> tuple[float, float]:
-            """Return the largest excess over the curve, if it is above ``least``, and |T| there (Nm)."""
-
             def excess(u: Array) -> Array:
                 speed = np.clip(interval.motor_speed(u), -last, last)
                 return np.asarray(np.abs(interval.torque(u)) - curve.at(speed))

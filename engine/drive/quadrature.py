@@ -103,10 +103,7 @@ class LoadPoints:
         return self._driving(self.resisting, 0.0)
 
     def _driving(self, force: Array, moved: float) -> Array:
-        """Return the torque at the first stage's output (Nm) for a force at the load: f T/i + J ω̇ over the stages.
-
-        ``moved`` is 1 to count the inertias of the shafts, else 0.
-        """
+        """Return the torque at the first stage's output (Nm) for a force at the load, f T/i + ``moved`` · J ω̇."""
         m, torque = self.train.drive.mechanism, force
         for k in range(m.last - 1, 0, -1):
             ratio = self.first if k == m.last - 1 else m.stages[k].ratio

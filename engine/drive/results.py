@@ -97,10 +97,7 @@ class DriveResults:
         return Energy(math.fsum(e for e in each if e > 0.0), -math.fsum(e for e in each if e < 0.0))
 
     def mean_shaft_torque(self, shaft: int) -> float:
-        """Return the cubic mean ³√(∫|ω||T|³ dt/∫|ω| dt) of a shaft's torque (Nm), 0 at rest.
-
-        Source: Harmonic Drive, average output torque T_av.
-        """
+        """Return ³√(∫|ω||T|³ dt/∫|ω| dt) of a shaft (Nm), 0 at rest. Source: Harmonic Drive, T_av."""
         fastest, peak = self.speed.peak, self.shaft_torque(shaft).peak
         cubes = self._total(lambda one, u: np.abs(one.motor_speed(u) * one.torque(u, shaft) ** 3), fastest * peak**3)
         ways = self._total(_turning, fastest)

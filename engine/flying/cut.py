@@ -83,25 +83,11 @@ class ToolMotion(NamedTuple):
 
 
 class Cut:
-    """The motion of a tool for one product length at one line speed, in the order of S5.
+    """The motion of a tool for a product length L_p (m) at the line speed v_L (m/s), in the order of S5.
 
-    Parameters
-    ----------
-    tool : Tool
-        The tool on its drum or slide.
-    product_length, line_speed : float, m and m/s
-        L_p and v_L.
-    law : Law
-        Law of the motion that is superimposed on the line speed, from rest to rest.
-    beyond : {"standstill", "reversal"}
-        Whether a drum waits at the law's fastest instant, or reverses, for products longer than ``limit_length``.
-    peak : float, optional
-        ξ of the fastest instant; by default the first exact one.
-
-    Raises
-    ------
-    ValueError
-        Unless L_p > L_T and v_L > 0, and for a law that moves backwards or does not end at 1 at rest.
+    ``law`` is superimposed on the line speed. For products longer than ``limit_length`` a drum waits at the law's
+    fastest instant, or reverses, as ``beyond`` says; ``peak`` is the ξ of that instant, by default the exact one.
+    Raises ValueError unless L_p > L_T and v_L > 0, and for a law that moves backwards or does not end at 1 at rest.
     """
 
     def __init__(

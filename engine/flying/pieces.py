@@ -93,10 +93,7 @@ class CutCycle(QuadratureCycle):
 
 
 def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Drivetrain:
-    """Return the drive of the tool's shaft with a load at the shaft (kg m², Nm).
-
-    ``pair`` holds J_M + J_T (kg m²), i, η and the no-load torque of the reducer (Nm).
-    """
+    """Return the tool's shaft with a load (kg m², Nm); ``pair`` is J_M + J_T (kg m²), i, η and no-load torque (Nm)."""
     inertia, ratio, efficiency, no_load = pair
     radius, stage = cut.tool.radius, Stage("reducer", ratio, efficiency)
     shaft = Part("shaft", load.inertia, 1)
@@ -114,9 +111,8 @@ def cycle_of(cut: Cut, train: Drivetrain) -> CutCycle:
 def furthest(load: LoadPoints, still: float) -> tuple[Array, Array]:
     """Return the share of the step before each point at which the tool reverses, and its position (m) there.
 
-    Between two points of opposite speeds v_0, v_1, both above ``still`` (m/s), it reverses at about x = v_0/(v_0 − v_1)
-    of the step, at the position of the cubic through both: to 0.1 % of the stroke. Else the share is 0, and the
-    position that of the point itself.
+    Between two points of opposite speeds v_0, v_1, above ``still`` (m/s), it reverses at about x = v_0/(v_0 − v_1) of
+    the step, at the position of the cubic through both: to 0.1 % of the stroke. Else x = 0, at the point's position.
     """
     s, v, t = (values.ravel() for values in (load.position, load.velocity, load.x))
     s0, v0, step = (np.concatenate([values[:1], values[:-1]]) for values in (s, v, t))

@@ -1,7 +1,4 @@
-"""All zeros of a polynomial plus sines, found through its derivatives; extremes of s, v, a, j and v·a of pieces.
-
-The *ladder* is the row of derivatives of a function: between two neighbouring zeros of f' there is at most one of f.
-"""
+"""All zeros of a polynomial plus sines, found down the ladder of its derivatives; extremes of pieces of a law."""
 
 import itertools
 import math
@@ -185,10 +182,7 @@ def turning_points(piece: Piece, v0: float) -> list[float]:
 def values_by_piece(
     pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
 ) -> list[tuple[Array, Array, Array, Array]]:
-    """Return s, v, a, j of each piece of any duration at its begin, at the u of ``inside``, and at its end.
-
-    ``v0`` is the velocity at the begin of the first piece; ``inside`` takes a piece and the velocity at its begin.
-    """
+    """Return s, v, a, j of each piece of any duration at its begin, at the u of ``inside(piece, v)``, at its end."""
     found = []
     for placed in placed_pieces(pieces, v0):
         if placed.piece.duration > 0.0:
@@ -202,8 +196,7 @@ def values_by_piece(
 def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:
     """Return the coefficients of consecutive pieces that begin with the velocity ``v0``.
 
-    C_j is infinite if a jumps between pieces of any duration, or from ``a0`` before the first or to ``a1`` after the
-    last.
+    C_j is infinite if a jumps between pieces of any duration, or from ``a0`` before them or to ``a1`` after them.
     """
     found = values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
     _, v, a, j = np.concatenate(found, axis=1)

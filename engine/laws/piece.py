@@ -19,14 +19,10 @@ Sine = tuple[float, float, float]  # P, ω, φ of P sin(ωu + φ)
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of a law: a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂), u from its begin.
+    """A piece of a law: a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂), u from its begin."""
 
-    All is dimensionless, for a rise of 1 in the time 1. Raises ValueError for a negative duration, a number of
-    coefficients other than 4 to 6, and numbers that are not finite.
-    """
-
-    duration: float  # share of the law's time
-    c: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)  # c0 to c3, c4 or c5
+    duration: float  # share of the law's time, 0 or more, else ValueError
+    c: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)  # c0 to c3, c4 or c5, else ValueError
     amplitude: float = 0.0  # P
     omega: float = 0.0  # ω, rad per unit of ξ
     phase: float = 0.0  # φ (rad)

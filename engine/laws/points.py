@@ -76,8 +76,7 @@ class Points:
     def local_extremes(self, what: str) -> Array:
         """Return the extreme between each point and the one before it, else the value there; 0 without duration.
 
-        With the values f and the slopes g at the two points the extreme is
-        (g₀ f₁ − g₁ f₀ − g₀ g₁ (u₁ − u₀)/2)/(g₀ − g₁).
+        With values f and slopes g at both points it is (g₀ f₁ − g₁ f₀ − g₀ g₁ (u₁ − u₀)/2)/(g₀ − g₁).
         """
         f, g = self.rates[what], self.rates[SLOPES[what]]
         f0, g0, h = np.roll(f, 1), np.roll(g, 1), self.u - np.roll(self.u, 1)

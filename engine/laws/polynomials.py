@@ -16,12 +16,9 @@ Table = tuple[tuple[int, ...], ...]
 
 @dataclass(frozen=True)
 class BoundaryPolynomial(BoundaryLaw):
-    """The polynomial of least degree that meets boundary values.
+    """The polynomial of least degree that meets boundary values."""
 
-    ``TABLE``, a row for each of c0, c1 … of a(ξ), times the column stroke, v0, v1, a0, a1, j0, j1 gives them.
-    """
-
-    TABLE: ClassVar[Table]
+    TABLE: ClassVar[Table]  # times the column stroke, v0, v1, a0, a1, j0, j1 it is c0, c1 … of a(ξ)
 
     ends: BoundaryValues
 

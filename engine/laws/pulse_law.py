@@ -40,8 +40,7 @@ class Pulse:
 def sine_edged(rise: float, flat: float, fall: float) -> Pulse:
     """Return the pulse sin(πx/2d1), 1, cos(πx/2d3) over the shares d1, d2, d3, x from the begin of each stage.
 
-    Raises ValueError unless the shares are 0 or more and sum to 1.
-    Source: S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'.
+    Raises ValueError unless the shares are 0 or more and sum to 1. Source: S1, 'Modified trapezoidal … curve'.
     """
     return _edged((rise, flat, fall), sine=True)
 

@@ -24,11 +24,7 @@ EXAMPLE: tuple[Point, ...] = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85)
 
 @dataclass(frozen=True)
 class Spline(BoundaryLaw):
-    """The cubic spline through points: v and a are continuous, a is linear between two points.
-
-    Raises ValueError for fewer than 2 or more than 100 points, points that do not rise in ξ from (0, 0) to (1, 1), and
-    numbers that are not finite.
-    """
+    """The cubic spline through points: v and a are continuous, a is linear between two points."""
 
     code = "SPL"
     name = "Cubic spline"
@@ -36,7 +32,7 @@ class Spline(BoundaryLaw):
     source = "the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline"
     vendors = Vendors(twincat="CubicSpline (MC3: 11)")
 
-    points: tuple[Point, ...] = EXAMPLE  # (ξ, s)
+    points: tuple[Point, ...] = EXAMPLE  # 2 to 100 (ξ, s), of rising ξ, from (0, 0) to (1, 1), else ValueError
     slopes: Slopes = (None, None)  # entered velocities at the ends; None: the neighbouring phase's, 0 next to a dwell
     natural: tuple[bool, bool] = (False, False)  # whether each end is natural: a = 0, and v follows
     ends: BoundaryValues = REST

@@ -201,10 +201,9 @@ def joints(
     pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True,
     spans: Sequence[tuple[float, float]] = (),
 ) -> tuple[Joint, ...]:  # fmt: skip
-    """Return the joints at which pieces begin; jumps of derivatives up to ``smooth`` count.
+    """Return the joints of pieces; ``spans`` are the u between which pieces are used, by default whole.
 
-    ``scales`` measure the jumps of y', y'' and y'''. With ``periodic`` the last piece precedes the first. ``spans`` are
-    the parts of the pieces that are used, from u to u; by default each is used whole.
+    Jumps of the derivatives up to ``smooth`` count if they are above 1e-9 of ``scales``.
     """
     found: list[Joint] = []
     asked = ORDERS.index(smooth) + 1

@@ -219,9 +219,8 @@ def in_units(values: MotionValues[Real], x: float, y: float) -> MotionValues[Rea
 def shifted_profile(of: CamProfile, by: float, travel: float | None = None) -> CamProfile:
     """Return y(x − ``by``), the cycle later by an abscissa, over the same range.
 
-    A piece that runs over the end of the cycle is cut there, and begins the range as part of the cycle before, lower by
-    the ``travel`` of a cycle. That is the profile's own by default; the sum of lifts of a motion whose last law does
-    not end at 1 differs. Each whole cycle of ``by`` lowers the profile by a travel too.
+    A piece that runs over the end of the cycle is cut there, and begins the range lower by the ``travel`` of a cycle:
+    by default the profile's own, from which the sum of lifts differs if the last law does not end at 1.
     """
     begin, end, total = float(of.edges[0]), float(of.edges[-1]), of.total
     travel = of.travel if travel is None else travel

@@ -114,10 +114,7 @@ COLLISION_TOLERANCE = HEIGHT
 
 
 class CriticalAngles(NamedTuple):
-    """The six angles at which free travel can be least, arrays of shape (6,).
-
-    They are where the transfer gets into the way and out of it, and where the tool sets off, arrives, leaves, is back.
-    """
+    """Angles of the least free travel: transfer into and out of the way, tool off, arrived, leaving and back."""
 
     raw: Array  # rad, not reduced to one turn
     angle: Array  # rad, within one turn

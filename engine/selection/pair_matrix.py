@@ -169,10 +169,7 @@ class PairMatrix:
         return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))
 
     def keys(self, rank: Rank, across: int, rooms: int) -> Array:
-        """Return whole numbers in the order of the ranks, NaN of a pair without a rank.
-
-        A key is the rounded score times ``rooms`` plus motor times ``across`` plus reducer, so that no two are equal.
-        """
+        """Return keys in the order of ranks, NaN without: rounded score · ``rooms`` + motor · ``across`` + reducer."""
         score = np.where(self.verdicts == "yes", self.scores(rank), np.nan)
         motor, reducer = np.indices(score.shape)
         return np.asarray(np.floor(score * PARTS + 0.5) * rooms + motor * across + reducer)

@@ -43,8 +43,7 @@ class SlideLinkage(Linkage):
 def lever_angle(lever: float, link: float, offset: float, side: int, x: Array) -> Array:
     """Return ψ (rad) for a slide at x (m): the angle of the line from shaft to slide, plus or minus the angle A.
 
-    A is between lever and line: tan² A/2 = (l − d + r)(l + d − r)/((d + r − l)(d + r + l)), d the distance of slide and
-    shaft; this form is exact near dead centres too.
+    With d, the distance of slide and shaft, tan² A/2 = (l − d + r)(l + d − r)/((d + r − l)(d + r + l)).
     """
     d = np.hypot(x, offset)
     over = (link - d + lever) * (link + d - lever)

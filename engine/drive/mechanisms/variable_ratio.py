@@ -63,10 +63,7 @@ class Linkage(ABC):
         return ()
 
     def shaft(self, position: ArrayLike, within: float | None = None) -> ShaftAngles:
-        """Return φ, φ', φ'' at positions (m or rad); at a knot φ'' on the side of the position ``within`` counts.
-
-        Raises OutOfReachError for the position farthest beyond the reach.
-        """
+        """Return φ, φ', φ'' at positions, at a knot as on the side of ``within``, if given. Raises OutOfReachError."""
         y = np.asarray(position, dtype=np.float64)
         extremes = float(y.min(initial=np.inf)), float(y.max(initial=-np.inf))
         errors = [error for error in map(self.beyond, extremes) if error]
