@@ -151,9 +151,9 @@ def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], mos
         begin, end, ends = left.pop()
         y = of.y[begin : end + 1]
         comes_back = bool(abs(y[-1] - y[0]) <= LEVEL * np.ptp(y))
-        one = None if comes_back else _thinned(of.part(begin, end), ends, most)
-        if one:
-            found.append(one)
+        fitted = None if comes_back else _thinned(of.part(begin, end), ends, most)
+        if fitted:
+            found.append(fitted)
             continue
         if end - begin < 2 or len(found) + len(left) >= MOST_PHASES:
             return []
@@ -183,8 +183,8 @@ def _thinned(of: CamPoints, slopes: tuple[float, float], most: float) -> FoundPh
             kept = fewer
     inner = kept[1:-1]
     points = zip(((of.x[inner] - begin) / span).tolist(), ((of.y[inner] - of.y[0]) / lift).tolist(), strict=True)
-    one, other = (slope * span / lift for slope in slopes)
-    law = Spline(((0.0, 0.0), *points, (1.0, 1.0)), (one, other))
+    first, last = (slope * span / lift for slope in slopes)
+    law = Spline(((0.0, 0.0), *points, (1.0, 1.0)), (first, last))
     return FoundPhase(law, begin, end, float(of.y[0]), lift, float(_misses(of, kept, slopes).max()), known=False)
 
 

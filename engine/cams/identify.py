@@ -63,13 +63,13 @@ def _rolled(of: CamPoints, k: int) -> CamPoints:
     by = total - float(of.x[k] - of.x[0])
     x = np.concatenate([of.x[k:-1] + by - total, of.x[: k + 1] + by])
     y = np.concatenate([of.y[k:-1], of.y[: k + 1] + travel])
-    v, a = (None if one is None else np.concatenate([one[k:-1], one[: k + 1]]) for one in (of.v, of.a))
+    v, a = (None if rates is None else np.concatenate([rates[k:-1], rates[: k + 1]]) for rates in (of.v, of.a))
     return of._replace(x=x, y=y, v=v, a=a)
 
 
 def _phases(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     """Return the phases of each movement of a table."""
-    laws = [one() for one in CATALOGUE if one not in (Dwell, PieceLaw)]
+    laws = [family() for family in CATALOGUE if family not in (Dwell, PieceLaw)]
     found: list[FoundPhase] = []
     for begin, end in true_runs(~_dwelling(of)):
         if not np.ptp(of.y[begin : end + 1]):
@@ -81,7 +81,7 @@ def _phases(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
         last = len(edges) - 1
         tried = laws if last < MOST_WAYS else []
         resting = [_identify(of, tried, edge, (k > 0, k < last)) for k, edge in enumerate(edges)]
-        laid = [one for one in resting if one]
+        laid = [phase for phase in resting if phase]
         found += laid if len(laid) == len(resting) else _laid(of, rebuilt, edges, resting)
     return found
 
@@ -93,9 +93,10 @@ def _laid(
     whole = of.part(edges[0][0], edges[-1][1])
     meeting, known = phases_at_speed(whole, rebuilt, _near(whole))
     if not known and any(resting):
-        told = [[one] if one else _thinned(of.part(*edge), rebuilt) for one, edge in zip(resting, edges, strict=True)]
+        strokes = zip(resting, edges, strict=True)
+        told = [[phase] if phase else _thinned(of.part(*edge), rebuilt) for phase, edge in strokes]
         if all(told):
-            return [one for each in told for one in each]
+            return [phase for phases in told for phase in phases]
     if meeting:
         return meeting
     found = _found(law("PO5"), whole, np.array([*whole.x[[0, -1]], whole.y[0], np.ptp(whole.y)]))
@@ -142,11 +143,11 @@ def _fitted(law: Law, of: CamPoints, near: float) -> FoundPhase | None:
     if outside or not rates_agree(_found(law, of, fit), of, np.median):
         return None
     tidied = (np.array([round(value, digits) + 0.0 for value in fit.tolist()]) for digits in DIGITS)
-    fits = (one for one in tidied if one[1] > one[0] and _found(law, of, one).residual <= near)
+    fits = (figures for figures in tidied if figures[1] > figures[0] and _found(law, of, figures).residual <= near)
     return _found(law, of, next(fits, fit))
 
 
 def _found(law: Law, of: CamPoints, fit: Array) -> FoundPhase:
     """Return the phase of a law with a begin, an end, a y and a lift."""
-    one = FoundPhase(law, *fit.tolist())
-    return replace(one, residual=float(np.abs(one.off(of)).max()))
+    phase = FoundPhase(law, *fit.tolist())
+    return replace(phase, residual=float(np.abs(phase.off(of)).max()))

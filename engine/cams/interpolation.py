@@ -51,7 +51,7 @@ def central(x: Array, y: Array) -> CamProfile:
 
 def quintics(x: Array, y: Array, v: Array, a: Array) -> CamProfile:
     """Return the polynomial of degree 5 of each interval with y, y' and y'' at both its ends."""
-    return _profile(x, *quintics_between(x, [one[:-1] for one in (y, v, a)], [one[1:] for one in (y, v, a)]).T)
+    return _profile(x, *quintics_between(x, [rate[:-1] for rate in (y, v, a)], [rate[1:] for rate in (y, v, a)]).T)
 
 
 def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> Array:

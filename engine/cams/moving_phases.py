@@ -42,8 +42,8 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile, near: float) -> tuple[li
     known = True
     runs = _straight_runs(of, near)
     edges = [0, *(k for run in runs for k in run), len(of.x) - 1]
-    laws = [one() for one in CATALOGUE if issubclass(one, BoundaryLaw)]
-    quintic = next(one for one in laws if one.code == QUINTIC)
+    laws = [family() for family in CATALOGUE if issubclass(family, BoundaryLaw)]
+    quintic = next(family for family in laws if family.code == QUINTIC)
     for k, (begin, end) in enumerate(pairwise(edges)):
         if begin == end:
             continue
@@ -54,12 +54,12 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile, near: float) -> tuple[li
         sides = _beside(of, rebuilt, runs, begin), _beside(of, rebuilt, runs, end)
         inner = of.part(begin, end)
         fits = (_fitted(law, inner, sides, near) for law in laws if inner.identifies(law))
-        one = next(filter(None, fits), None)
-        made = [one] if one else _quintics(quintic, inner, rebuilt, sides, near)
+        fitted = next(filter(None, fits), None)
+        made = [fitted] if fitted else _quintics(quintic, inner, rebuilt, sides, near)
         made = made or splined(inner, rebuilt, (sides[0].v, sides[1].v), max(of.thinned, near))
         if not made:
             return [], False
-        known &= one is not None
+        known &= fitted is not None
         found += made
     return _settled(found), known
 
@@ -67,13 +67,13 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile, near: float) -> tuple[li
 def _settled(found: Sequence[FoundPhase]) -> list[FoundPhase]:
     """Return the phases with their lines extended or cut to their neighbours."""
     kept = list(found)
-    for k, one in enumerate(found):
-        if one.law.code == "LIN":
-            begin = kept[k - 1].end if k else one.begin
-            end = found[k + 1].begin if k + 1 < len(found) else one.end
-            slope = one.lift / (one.end - one.begin)
-            y, lift = one.y + slope * (begin - one.begin), slope * (end - begin)
-            kept[k] = replace(one, begin=begin, end=end, y=y, lift=lift)
+    for k, phase in enumerate(found):
+        if phase.law.code == "LIN":
+            begin = kept[k - 1].end if k else phase.begin
+            end = found[k + 1].begin if k + 1 < len(found) else phase.end
+            slope = phase.lift / (phase.end - phase.begin)
+            y, lift = phase.y + slope * (begin - phase.begin), slope * (end - begin)
+            kept[k] = replace(phase, begin=begin, end=end, y=y, lift=lift)
     return kept
 
 
@@ -131,22 +131,22 @@ def _rates(of: CamPoints, rebuilt: CamProfile, k: int) -> EndLine:
     return EndLine(x, y, float(at.y1[0] if of.v is None else of.v[k]), float(at.y2[0] if of.a is None else of.a[k]))
 
 
-def _made(one: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndLine]) -> FoundPhase | None:
+def _made(base: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndLine]) -> FoundPhase | None:
     """Return a law between two x, with the velocities of the lines there; None if it cannot have these."""
     begin, end = places
     first, last = (s.y if s.fixed else s.y + s.v * (x - s.x) for s, x in zip(sides, places, strict=True))
     d = end - begin
     if d <= 0.0:
         return None
-    a0, a1 = (side.a * d**2 if "a" in one.takes and side.fixed else 0.0 for side in sides)
+    a0, a1 = (side.a * d**2 if "a" in base.takes and side.fixed else 0.0 for side in sides)
     try:
-        found, _ = law_with_ends(one, BoundaryValues(last - first, sides[0].v * d, sides[1].v * d, a0, a1))
+        found, _ = law_with_ends(base, BoundaryValues(last - first, sides[0].v * d, sides[1].v * d, a0, a1))
     except EndError:
         return None
     return FoundPhase(found, begin, end, first, last - first, 0.0)
 
 
-def _fitted(one: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], near: float) -> FoundPhase | None:
+def _fitted(base: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], near: float) -> FoundPhase | None:
     """Return a law whose begin and end are fitted to the points by least squares; None if it does not fit."""
     step = np.diff(of.x)[[0, -1]]
     free = np.array([not side.fixed for side in sides])
@@ -156,7 +156,7 @@ def _fitted(one: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], nea
         """Return the law with its free ends moved; None if it cannot have them, or they are moved too far."""
         by = np.zeros(2)
         by[free] = moved
-        return _made(one, (of.x[[0, -1]] + by).tolist(), sides) if np.all(np.abs(by) <= 2.0 * step) else None
+        return _made(base, (of.x[[0, -1]] + by).tolist(), sides) if np.all(np.abs(by) <= 2.0 * step) else None
 
     def off(moved: Array) -> Array:
         return found.off(of) if (found := made(moved)) else np.full(len(of.x), np.inf)
@@ -188,11 +188,11 @@ def gauss_newton(off: Callable[[Array], Array], fit: Array, steps: Array, near: 
     return None
 
 
-def rates_agree(one: FoundPhase, of: CamPoints, typical: Callable[[Array], float] = np.max) -> bool:
+def rates_agree(phase: FoundPhase, of: CamPoints, typical: Callable[[Array], float] = np.max) -> bool:
     """Return whether y' and y'' of the table, if it has them, are the phase's; at its end those of the next count."""
-    d = one.end - one.begin
-    at = one.law.evaluate(np.clip((of.x - one.begin) / d, 0.0, 1.0))
-    per, peaks = one.scale / d, one.law.coefficients
+    d = phase.end - phase.begin
+    at = phase.law.evaluate(np.clip((of.x - phase.begin) / d, 0.0, 1.0))
+    per, peaks = phase.scale / d, phase.law.coefficients
     for given, meant, most in ((of.v, per * at.v, per * peaks.cv), (of.a, per / d * at.a, per / d * peaks.ca)):
         if given is not None:
             near = max(RATES * abs(most), 2.0 * precision(given))
@@ -214,10 +214,10 @@ def _quintics(
             middle = high if best is None and high == last else (low + high + 1) // 2
             there = sides[1] if middle == last else _rates(of, rebuilt, middle)
             ends = here._replace(fixed=True), there._replace(fixed=True)
-            one = _made(quintic, (here.x, there.x), ends)
-            missed = float(np.abs(one.off(of.part(k, middle))).max()) if one else np.inf
-            if one and missed <= most:
-                best, low = (replace(one, residual=missed), there), middle
+            made = _made(quintic, (here.x, there.x), ends)
+            missed = float(np.abs(made.off(of.part(k, middle))).max()) if made else np.inf
+            if made and missed <= most:
+                best, low = (replace(made, residual=missed), there), middle
             else:
                 high = middle - 1
         if best is None or len(found) == MOST:

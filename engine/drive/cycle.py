@@ -169,15 +169,15 @@ class DriveCycle:
     def torque_intervals(self) -> tuple[TorqueInterval, ...]:
         """All torque intervals, in the order of the unshifted motion. Raises OutOfReachError."""
         last = len(self.train.drive.mechanism.stages)
-        return tuple(one for span in self.spans for one in self._through(span, [1.0] * last, last))
+        return tuple(interval for span in self.spans for interval in self._through(span, [1.0] * last, last))
 
     @cached_property
     def spans(self) -> tuple[Span, ...]:
         """All spans, in the order of the unshifted motion. Raises OutOfReachError."""
         found = [span for piece in self.unshifted.moved for span in self._of(piece)]
-        lasts, direction = np.array([((one.high - one.low) / self.speed, one.direction) for one in found]).T
+        lasts, direction = np.array([((span.high - span.low) / self.speed, span.direction) for span in found]).T
         dwells = dwell_times(lasts, direction).tolist()
-        return tuple(one._replace(dwell=dwell) for one, dwell in zip(found, dwells, strict=True))
+        return tuple(span._replace(dwell=dwell) for span, dwell in zip(found, dwells, strict=True))
 
     def _of(self, piece: MotionPiece) -> Iterator[Span]:
         """Yield the spans of a piece."""

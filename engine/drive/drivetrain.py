@@ -210,7 +210,7 @@ class Drivetrain:
         for k in reversed(range(last)):
             stage, behind = m.stages[k], found[0]
             through = factors[k] / stage.ratio
-            turns = math.prod(one.ratio for one in m.stages[k:last])
+            turns = math.prod(later.ratio for later in m.stages[k:last])
             found.insert(
                 0, TorqueCoefficients(through * behind.force, through * behind.inertia + m.on_shaft(k) * turns)
             )

@@ -151,7 +151,7 @@ class QuadratureCycle:
         places = [*sorted(kept), end]
         middles = (np.array(places[:-1]) + np.array(places[1:])) / 2.0
         numbers = np.searchsorted(np.array(begins), middles, side="right") - 1
-        return [Interval(*one) for one in zip(places[:-1], places[1:], numbers.tolist(), strict=True)]
+        return [Interval(*bounds) for bounds in zip(places[:-1], places[1:], numbers.tolist(), strict=True)]
 
     @cached_property
     def direction(self) -> Array:

@@ -68,7 +68,7 @@ class DriveResults:
 
     def shaft_torque(self, shaft: int) -> Bounds:
         """Return the bounds of the torque (Nm) that drives a shaft: 0 is the motor's, 1 the reducer's output."""
-        return self._bounds(lambda one, u: one.torque(u, shaft), lambda one: one.curve(shaft))
+        return self._bounds(lambda part, u: part.torque(u, shaft), lambda part: part.curve(shaft))
 
     @cached_property
     def power(self) -> Bounds:
@@ -78,7 +78,7 @@ class DriveResults:
     @cached_property
     def rms_torque(self) -> float:
         """√(∫T² dt/t) over the cycle (Nm). Source: S4, T_RMS."""
-        squares = self._total(lambda one, u: one.torque(u) ** 2, self.torque.peak**2)
+        squares = self._total(lambda part, u: part.torque(u) ** 2, self.torque.peak**2)
         return math.sqrt(squares / self.drive_cycle.unshifted.total)
 
     @cached_property
@@ -99,7 +99,7 @@ class DriveResults:
     def mean_shaft_torque(self, shaft: int) -> float:
         """Return ³√(∫|ω||T|³ dt/∫|ω| dt) of a shaft (Nm), 0 at rest. Source: Harmonic Drive, T_av."""
         fastest, peak = self.speed.peak, self.shaft_torque(shaft).peak
-        cubes = self._total(lambda one, u: np.abs(one.motor_speed(u) * one.torque(u, shaft) ** 3), fastest * peak**3)
+        cubes = self._total(lambda part, u: np.abs(part.motor_speed(u) * part.torque(u, shaft) ** 3), fastest * peak**3)
         ways = self._total(_turning, fastest)
         return math.cbrt(cubes / ways) if ways else 0.0
 

@@ -89,7 +89,7 @@ class CutCycle(QuadratureCycle):
         """The pieces, in order."""
         begins = [piece.begin for piece in self.pieces]
         ends = [*begins[1:], self.drive_cycle.unshifted.total]
-        return [Interval(*one) for one in zip(begins, ends, range(len(begins)), strict=True)]
+        return [Interval(*bounds) for bounds in zip(begins, ends, range(len(begins)), strict=True)]
 
 
 def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Drivetrain:

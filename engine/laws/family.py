@@ -113,12 +113,12 @@ class Law(ABC):
         """
         early, back, end = self._placed
         pieces = [*early, *(late := back[::-1])]
-        c = np.array([one.piece.row[:POWERS] for one in pieces]).T
+        c = np.array([place.piece.row[:POWERS] for place in pieces]).T
         powers = int(np.flatnonzero(c.any(axis=1)).max(initial=-1)) + 1
-        waves = [[(p, 1.0 / w, w, phi) if w else (0.0,) * 4 for p, w, phi in one.piece.both] for one in pieces]
-        where = [(1.0, -one.begin, *one.constants) for one in early]
-        where += [(-1.0, 1.0 - one.begin, end - one.constants[0], one.constants[1]) for one in late]
-        starts = [one.begin for one in early] + [1.0 - one.begin - one.piece.duration for one in late]
+        waves = [[(p, 1.0 / w, w, phi) if w else (0.0,) * 4 for p, w, phi in place.piece.both] for place in pieces]
+        where = [(1.0, -place.begin, *place.constants) for place in early]
+        where += [(-1.0, 1.0 - place.begin, end - place.constants[0], place.constants[1]) for place in late]
+        starts = [place.begin for place in early] + [1.0 - place.begin - place.piece.duration for place in late]
         sines = (sine for sine in np.array(waves).transpose(1, 2, 0) if sine[0].any())
         return np.array(starts), np.vstack([np.array(where).T, c[:powers], *sines]), powers
 

@@ -61,7 +61,7 @@ class Points:
         self.part, self.u = self.weight * duration, self.share * duration  # share of the rise, place in its piece
         self.xi = np.array(begins(pieces))[self.piece] + self.u
         self.angles = [omega * self.u + phi, omega2 * self.u + phi2]  # ωu + φ of either sine (rad)
-        row = np.array([one.row for one in pieces]).T[:, self.piece]
+        row = np.array([piece.row for piece in pieces]).T[:, self.piece]
         s0, v0 = np.array([(place.s, place.v) for place in placed_pieces(pieces)]).T[:, self.piece]
         s, gained, a, j = gains(self.u, row)
         v = v0 + gained

@@ -124,7 +124,7 @@ def handovers(found: JoinedMotion, through: Mapping[int, Rates], periodic: bool)
 
     def contrary(k: int) -> bool:
         beside = slopes[k], slopes[k - 1] if k or periodic else None
-        return k in through and any(one is not None and not agrees(through[k], one) for one in beside)
+        return k in through and any(rate is not None and not agrees(through[k], rate) for rate in beside)
 
     both = zip(found.motion.phases, found.required, found.kinds, strict=True)
     return tuple(

@@ -201,10 +201,7 @@ def joints(
     pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True,
     spans: Sequence[tuple[float, float]] = (),
 ) -> tuple[Joint, ...]:  # fmt: skip
-    """Return the joints of pieces; ``spans`` are the u between which pieces are used, by default whole.
-
-    Jumps of the derivatives up to ``smooth`` count if they are above 1e-9 of ``scales``.
-    """
+    """Return the joints of pieces, whole or in ``spans`` of u; jumps over 1e-9 of ``scales`` count up to ``smooth``."""
     found: list[Joint] = []
     asked = ORDERS.index(smooth) + 1
     whole = spans or [(0.0, piece.duration) for piece in pieces]
@@ -213,13 +210,13 @@ def joints(
     before = last._replace(phase=-1, end=Rates())
     for piece, span in zip(pieces, whole, strict=True):
         if piece.duration > 0.0:
-            one = last if before.piece_count == 0 else before
+            previous = last if before.piece_count == 0 else before
             begin, end = _ends(piece, span)
             joined = periodic or before.piece_count > 0
-            jump = Rates(*(y - x for x, y in zip(one.end, begin, strict=True))) if joined else Rates()
+            jump = Rates(*(y - x for x, y in zip(previous.end, begin, strict=True))) if joined else Rates()
             jumps = (n for n in range(asked) if abs(jump[n]) > JUMP * scales[n])
             order = next(jumps, -1) + 1
-            before = Joint(piece.begin, before.piece_count + 1, piece.phase, end, one.phase, jump, order)
+            before = Joint(piece.begin, before.piece_count + 1, piece.phase, end, previous.phase, jump, order)
         else:
             before = before._replace(x=piece.begin, before=-1, jump=Rates(), order=0)
         found.append(before)

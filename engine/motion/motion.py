@@ -60,7 +60,7 @@ class Motion:
                 "expected one lift and one law between each two edges"
             )
         rows = enumerate(zip(laws, lifts, np.diff(bounds).tolist(), strict=True), 1)
-        made = [numbered_phase(k, one, float(lift), duration) for k, (one, lift, duration) in rows]
+        made = [numbered_phase(k, family, float(lift), duration) for k, (family, lift, duration) in rows]
         return cls(made, position=position, edges=bounds)
 
     @cached_property

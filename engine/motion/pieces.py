@@ -78,11 +78,11 @@ def pieces_of(scaled: ScaledLaw, phase: int = 0, whole: bool = False) -> list[Mo
     y(u) = y + drift (x_k − x + u) + h [s_k + v_k u/δ + Σ c_i (u/δ)^(i+2)/((i+1)(i+2))
            + P/ω² (sin φ + ωu/δ cos φ − sin(ωu/δ + φ))],      u from x_k = x + ξ_k δ
     """
-    return [_piece(scaled, phase, number, one) for number, one in enumerate(law_pieces(scaled.law, whole))]
+    return [_piece(scaled, phase, number, placed) for number, placed in enumerate(law_pieces(scaled.law, whole))]
 
 
-def _piece(of: ScaledLaw, phase: int, number: int, one: LawPiece) -> MotionPiece:
-    at, begin, piece = of.law.evaluate(one.begin), of.x + one.begin * of.duration, one.piece
+def _piece(of: ScaledLaw, phase: int, number: int, placed: LawPiece) -> MotionPiece:
+    at, begin, piece = of.law.evaluate(placed.begin), of.x + placed.begin * of.duration, placed.piece
     s, v, still, sines = at.s, at.v, 0.0, []
     for p, w, phi in ((piece.amplitude, piece.omega, piece.phase), (piece.amplitude2, piece.omega2, piece.phase2)):
         turns = p / w**2 if w else 0.0

@@ -122,7 +122,7 @@ class Schedule:
         leaves = self.arrival + dwell
         # angles at which the tool sets off, arrives, leaves and is back; not reduced to one turn
         self.edges = self.arrival - into, self.arrival, leaves, leaves + out
-        stays, rests = (one if one > ANGLE_TOLERANCE else 0.0 for one in (dwell, FULL_TURN - dwell - into - out))
+        stays, rests = (angle if angle > ANGLE_TOLERANCE else 0.0 for angle in (dwell, FULL_TURN - dwell - into - out))
         # from the tool's arrival (m, rad); a dwell or rest shorter than the tolerance counts as 0
         self.parts = (
             ScaledLaw(Dwell(), 0.0, stays, 0.0, h),

@@ -91,8 +91,8 @@ def _columns(
             raise ValueError(f"{count} {kinds} are named and {values.size} values of {column} given")
         setattr(catalogue, column, np.broadcast_to(values, (count,)))
         holds = values > 0.0 if column in positive else values >= 0.0
-        _require(catalogue, column, holds | (np.isnan(values) & (column in known)),
-                 "above 0" if column in positive else "0 or more")  # fmt: skip
+        expected = "above 0" if column in positive else "0 or more"
+        _require(catalogue, column, holds | (np.isnan(values) & (column in known)), expected)
 
 
 def _require(catalogue: Motors | Reducers, column: str, holds: NDArray[np.bool_], expected: str) -> None:

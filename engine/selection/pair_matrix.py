@@ -96,7 +96,7 @@ class PairMatrix:
 
     def pair(self, motor: int, reducer: int) -> Pair:
         """Return J, i, η and no-load torque of a pair."""
-        return Pair(*(float(one.reshape(self.inertias.shape)[motor, reducer]) for one in self.gears))
+        return Pair(*(float(column.reshape(self.inertias.shape)[motor, reducer]) for column in self.gears))
 
     @cached_property
     def rms(self) -> Array:

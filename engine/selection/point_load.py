@@ -78,7 +78,7 @@ class PointLoad:
         back = gives_back(torque, load.direction, 0.0) & (load.train.drive.method == "physical")
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
         each = load.shaft_acceleration, driving, driven, np.abs(load.speed), load.direction
-        self.points = ShaftPoints(*(one.ravel() for one in each))
+        self.points = ShaftPoints(*(values.ravel() for values in each))
         weight = load.share * np.abs(load.speed)
         cubes = weight * np.abs(load.output_torque) ** 3
         # cubic mean torque ³√(mean |ω||S|³/mean |ω|) (Nm), by which reducers are rated; 0 without motion
@@ -87,7 +87,7 @@ class PointLoad:
         alpha, ahead, behind, _, way = self.points
         means = [alpha**2, alpha * ahead, alpha * behind, ahead**2, behind**2]
         means += [way**2, alpha * way, ahead * way, behind * way]
-        self.squares = MeanSquares(*(float(load.share.ravel() @ one) for one in means))  # over the cycle
+        self.squares = MeanSquares(*(float(load.share.ravel() @ values) for values in means))  # over the cycle
 
     def rms(self, pairs: PairArrays) -> Array:
         """Return the RMS torque of motors (Nm)."""
@@ -162,8 +162,8 @@ class DriveBatch:
     def _parts(self) -> Iterator[tuple[slice, Array, Array, Array]]:
         """Yield slices of the pairs with torques (Nm), speeds (rad/s) and powers (W): shape (pairs, points)."""
         speed = self.load.load.speed.ravel()
-        for some, one in self.gears.parts(speed.size):
-            torque, fast = self.load.torques(one), one.ratio[:, None] * speed
+        for some, pairs in self.gears.parts(speed.size):
+            torque, fast = self.load.torques(pairs), pairs.ratio[:, None] * speed
             yield some, torque, fast, torque * (fast + self.limits.copper[some, None] * torque)
 
     @cached_property

@@ -132,8 +132,8 @@ def rocker(
     across = math.sin(angle - math.atan2(offset, zero))
     side = 1 if across > 0.0 else -1
     places = ends_of(lever, link, offset, side, zero)
-    low = max(((one.below, one.name) for one in places if one.x < zero), default=None)
-    high = min(((one.above, one.name) for one in places if one.x > zero), default=None)
+    low = max(((place.below, place.name) for place in places if place.x < zero), default=None)
+    high = min(((place.above, place.name) for place in places if place.x > zero), default=None)
     if low is None or high is None or abs(across) < SAME:
         raise ValueError(f"rocker: angle is {angle:g} rad; expected lever and link out of line at position 0")
     if direction < 0:
@@ -161,7 +161,7 @@ def ends_of(lever: float, link: float, offset: float, side: int, zero: float) ->
     both, far, found = (1.0, -1.0), farther(lever, link, offset), []
     in_line = [((link + way * lever) ** 2 - offset**2, DEAD) for way in both]
     square = [(lever**2 - (offset + way * link) ** 2, SQUARE) for way in both]
-    for (rest, name), sign in ((one, sign) for one in (*in_line, *square) for sign in both):
+    for (rest, name), sign in ((candidate, sign) for candidate in (*in_line, *square) for sign in both):
         at = sign * math.sqrt(rest) if rest >= 0.0 else zero
         lever_end = lever * math.cos(float(lever_angle(lever, link, offset, side, np.array(at))))
         along = at if name == DEAD else lever_end

@@ -136,19 +136,19 @@ class PositionTable(Linkage):
         object.__setattr__(self, "points", tuple((float(angle), float(y)) for angle, y in points))
         if len(self.points) < 2:
             raise ValueError(f"table: {len(self.points)} points are given; expected at least two")
-        for k, (one, other) in enumerate(pairwise(self.points), 2):
-            require_finite(angle=other[0], position=other[1])
-            if not (other[0] > one[0] and other[1] > one[1]):
+        for k, (before, after) in enumerate(pairwise(self.points), 2):
+            require_finite(angle=after[0], position=after[1])
+            if not (after[0] > before[0] and after[1] > before[1]):
                 raise ValueError(f"table: point {k} does not rise in angle and position; expected both to")
 
     @cached_property
     def columns(self) -> Array:
         """φ, y, dφ/dy and d²φ/dy² of each point."""
         angle, y = np.array(self.points).T
-        one = self.parabolas
-        held = 1.0 / np.clip(one.slope, 0.8 / one.flat, 4.0 / one.flat)
-        first = np.divide(1.0, one.slope, out=np.ones_like(y), where=one.slope > 0.0)
-        return np.vstack([angle, y, np.where(one.calm, first, held), np.where(one.calm, one.second, 0.0)])
+        fit = self.parabolas
+        held = 1.0 / np.clip(fit.slope, 0.8 / fit.flat, 4.0 / fit.flat)
+        first = np.divide(1.0, fit.slope, out=np.ones_like(y), where=fit.slope > 0.0)
+        return np.vstack([angle, y, np.where(fit.calm, first, held), np.where(fit.calm, fit.second, 0.0)])
 
     @cached_property
     def parabolas(self) -> Parabolas:
@@ -166,10 +166,10 @@ class PositionTable(Linkage):
         """Bernstein's coefficients of each part (rad): shape (parts, 6)."""
         angle, _, slope, bend = self.columns
         h = self.widths
-        left, right = h * slope[:-1] / 5.0, h * slope[1:] / 5.0
-        inner = [angle[:-1] + left, angle[:-1] + 2.0 * left + h**2 * bend[:-1] / 20.0,
-                 angle[1:] - 2.0 * right + h**2 * bend[1:] / 20.0, angle[1:] - right]  # fmt: skip
-        return np.column_stack([angle[:-1], *inner, angle[1:]])
+        begin, end, left, right = angle[:-1], angle[1:], h * slope[:-1] / 5.0, h * slope[1:] / 5.0
+        third = begin + 2.0 * left + h**2 * bend[:-1] / 20.0
+        fourth = end - 2.0 * right + h**2 * bend[1:] / 20.0
+        return np.column_stack([begin, begin + left, third, fourth, end - right, end])
 
     @cached_property
     def powers(self) -> Array:
