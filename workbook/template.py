@@ -45,7 +45,7 @@ class Template(Generic[M]):
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []  # what it is to turn on and off meanwhile
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
     fixed: Callable[[M], dict[str, Any]] = lambda machine: {}  # by key the entries that a layout alone tells
-    truths: Callable[[M], list[str]] = lambda machine: []  # a line for each result farther from the exact than told
+    deviations: Callable[[M], list[str]] = lambda machine: []  # a line for each result farther from the exact than told
     rates: Callable[[M], list[str]] = lambda machine: []  # of these the lines on highest rates alone
     others: Mapping[str, Other[M]] = field(default_factory=dict)  # other ways to tell a machine, by their own key
     folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template

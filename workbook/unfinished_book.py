@@ -17,7 +17,7 @@ from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
 from workbook.book.summary import check_cells
 from workbook.entries.machine import Fault, Machine
-from workbook.law_sheets.library import named
+from workbook.law_sheets.library import named_laws
 from workbook.laws.entries import key_of
 
 OK = "OK"
@@ -34,7 +34,7 @@ class Unfinished:
 
     def __init__(self, book: Book, machine: Machine) -> None:
         self.book, self.design = book, machine.design
-        self.laws = {one.key: f"laws.{key_of(one.name)}" for one in named(machine.laws)}
+        self.laws = {one.key: f"laws.{key_of(one.name)}" for one in named_laws(machine.laws)}
         self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
         self.dependence = Dependence(book)
         self.hanging = cache(self.dependence.on)

@@ -57,7 +57,7 @@ def place_of(name: str, names: Iterable[str]) -> int:
     return next((i for i, each in enumerate(names) if each.lower() == name.lower()), -1)
 
 
-def alike(name: str) -> str:
+def lookup_key(name: str) -> str:
     """Return one text for all names that some program could take for one: by case, dots of an i, width, ß and ss."""
     return normalize("NFKC", normalize("NFKC", name).upper().casefold()).replace("\u0307", "")
 
@@ -66,11 +66,11 @@ def require_distinct(names: Iterable[str], kind: str, key: str) -> None:
     """Raise EntryError, at ``key`` with the number of the entry, for a name that a look-up takes for one before it."""
     seen: dict[str, str] = {}
     for i, each in enumerate(names):
-        first = seen.get(alike(each))
+        first = seen.get(lookup_key(each))
         if first is not None:
             like = "" if first == each else f", which a look-up takes for {first!r}"
             raise EntryError(key.format(i), f"a second {kind} is named {each!r}{like}; expected a name of its own")
-        seen[alike(each)] = each
+        seen[lookup_key(each)] = each
 
 
 LONGEST = 31  # characters of a sheet's title, as UTF-16 counts them; Excel's limit
@@ -81,9 +81,9 @@ RESERVED = ("Summary", "Cycle", "Drive cycle", "Pieces", "Laws", "Export", "Chec
 def sheet_title(name: str, taken: Iterable[str]) -> str:
     """Return a title for the sheet of a name; Law for a name of which nothing is left."""
     words = cut(re.sub(r"[\[\]:*?/\\]", "-", name), LONGEST) or "Law"
-    others = {alike(title) for title in (*taken, *RESERVED)}
+    others = {lookup_key(title) for title in (*taken, *RESERVED)}
     found, more = words, 1
-    while alike(found) in others:
+    while lookup_key(found) in others:
         more += 1
         ending = f" ({more})"
         found = cut(words, LONGEST - len(ending)) + ending

@@ -21,18 +21,18 @@ class EntryError(ValueError):
         self.field = field
 
 
-def usual(value: float) -> float:
+def not_tiny(value: float) -> float:
     """Return a number; raise EntryError for one so near to 0 that products of it are 0 or lose their digits."""
     if 0 < abs(value) < TINIEST:
         raise EntryError("", f"found {value:g}; expected 0, or at least {TINIEST:g} in size")
     return value
 
 
-Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST), AfterValidator(usual)]
+Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST), AfterValidator(not_tiny)]
 Positive = Annotated[float, Field(gt=0, ge=SMALLEST, le=LARGEST)]
-NotNegative = Annotated[float, Field(ge=0, le=LARGEST), AfterValidator(usual)]
-Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False), AfterValidator(usual)]
-Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False), AfterValidator(usual)]
+NotNegative = Annotated[float, Field(ge=0, le=LARGEST), AfterValidator(not_tiny)]
+Share = Annotated[float, Field(ge=0, le=1, allow_inf_nan=False), AfterValidator(not_tiny)]
+Angle = Annotated[float, Field(ge=0, le=360, allow_inf_nan=False), AfterValidator(not_tiny)]
 
 
 class EmptyCell:

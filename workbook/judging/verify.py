@@ -49,7 +49,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     judge(file, entries.template, machine, report, names, given=entries.computed, named=witnesses)
     report.witnesses += [Ran(name, None) for name in absent]
     if not machine.design.replaced:
-        report.notes += entries.template.truths(machine)
+        report.notes += entries.template.deviations(machine)
     return report
 
 

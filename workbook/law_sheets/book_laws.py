@@ -12,7 +12,7 @@ from engine.motion.handover import end_mode
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, declare_or_copy, result
 from workbook.book.rows import LEAST
 from workbook.entries.machine import Sizes
-from workbook.law_sheets.library import NamedLaw, named
+from workbook.law_sheets.library import NamedLaw, named_laws
 from workbook.law_sheets.page import finite, law_sheet
 from workbook.laws.entries import Laws
 from workbook.laws.family import COEFFICIENTS, LABELS, LEAST_STAGE, POWERS, SECOND, SINE, entries_of
@@ -34,7 +34,7 @@ class BookLaws:
 
     def __init__(self, given: Laws, sizes: Sizes, hands_over: bool = False) -> None:
         self.given, self.sizes, self.hands_over = given, sizes, hands_over
-        self.named = named(given)
+        self.named = named_laws(given)
         self.laws = {one.name: one.law for one in self.named}
         self.rows = stacked(self.named, sizes)
         found = groupby(self.rows, key=lambda row: row.number)

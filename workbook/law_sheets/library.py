@@ -57,7 +57,7 @@ class NamedLaw:
         return in_scope(text, f"{self.slug}_")
 
 
-def named(given: Laws) -> list[NamedLaw]:
+def named_laws(given: Laws) -> list[NamedLaw]:
     """Return the laws of a book in the order of their numbers."""
     return [
         NamedLaw(name, number, FAMILY[given[name].family if given[name] else name], given[name], given.called(name))
@@ -67,10 +67,10 @@ def named(given: Laws) -> list[NamedLaw]:
 
 def laws(given: Laws) -> dict[str, Law]:
     """Return the engine's laws by name, in the order of their numbers."""
-    return {one.name: one.law for one in named(given)}
+    return {one.name: one.law for one in named_laws(given)}
 
 
-def numbered(names: Iterable[str]) -> dict[str, str]:
+def numbered_laws(names: Iterable[str]) -> dict[str, str]:
     """Return the family of each law that has a name of its own, by its key such as ``MTP8``, in their order."""
     found = [match for match in map(CALLED.fullmatch, names) if match and match[1] in ENTRIES]
     return {f"{match[1]}{match[2]}": match[1] for match in sorted(found, key=lambda match: int(match[2]))}

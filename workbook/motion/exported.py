@@ -24,7 +24,7 @@ class ShiftCells(NamedTuple):
     by: str
     near: str
     travel: str  # what a cycle goes on by, nothing where it always comes back
-    told: Callable[[Array], Unshifted]
+    unshifted: Callable[[Array], Unshifted]
     lifts: float
 
 
@@ -36,7 +36,7 @@ class Exportable(NamedTuple):
     rows: PieceRows
     units: tuple[str, str, str, str]  # those shown of x, y, y' and y''
     unit: tuple[float, float]  # what one of the motion's x and y is in them
-    turned: str  # the formula of that for y
+    y_factor: str  # the formula of that for y
     size: Callable[[int], float]  # how large each derivative grows
     later: ShiftCells | None = None
     scope: str = ""  # what the names of its cells begin with
@@ -68,7 +68,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     """Return x, y, y' and y'', then how each sample finds its piece."""
     rows, later = axis.rows, axis.later
     at = np.linspace(0.0, rows.end, n + 1)
-    told = later.told(at) if later else Unshifted(np.zeros(n + 1), at)
+    told = later.unshifted(at) if later else Unshifted(np.zeros(n + 1), at)
     found = evaluated(rows.pieces, told.x, 0.0, rows.end)
     x, y, v, a, _ = (at, *found)
     shown = in_units(MotionValues(y + told.cycles * (later.lifts if later else 0.0), v, a, found.y3), *axis.unit)
@@ -78,7 +78,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     told_as = (
         ("y", "position", "y", POSITION), ("y1", "velocity", "y'", "dy/dx"), ("y2", "acceleration", "y''", "d²y/dx²"),
     )  # fmt: skip
-    found_by = [f"({sampled(rows, order)}){axis.turned}{per[order]}" for order in range(len(told_as))]
+    found_by = [f"({sampled(rows, order)}){axis.y_factor}{per[order]}" for order in range(len(told_as))]
     found_by[0] += f"+[n]*{later.travel}" if later and later.travel else ""
     at_phases: list[Quantity] = []  # where each sample is as phases tell it, if elsewhere
     if later:

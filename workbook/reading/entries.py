@@ -12,7 +12,7 @@ from workbook.entries import rules
 from workbook.entries.design import set_at
 from workbook.entries.machine import ExportEntry, Machine, named
 from workbook.errors import DisputedError, InputError, ReadError, found
-from workbook.law_sheets.library import numbered, with_laws
+from workbook.law_sheets.library import numbered_laws, with_laws
 from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
 from workbook.reading.files import BookFile, is_formula, require_narrow
 from workbook.reading.table_fit import ends_lost, fitted
@@ -42,7 +42,7 @@ class Entries:
         self._between: list[str] = []
         self._emptied: list[str] = []
         self.gone: dict[tuple[str, int], list[str]] = {}
-        self._laws = numbered(file.places)
+        self._laws = numbered_laws(file.places)
         default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
         axis = next((i for i in range(1, MOST + 1) if named(i) in file.places), None)  # of the sheet Export, if any
         if axis is not None:

@@ -60,10 +60,10 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
     size = view.motor_torque
     sheet.heading("Results")
     sheet.rows(
-        result("@motor", "Motor", "", "", '=INDEX([motors.name],MAX(1,@motor_row))&""', view.before.motors.names[m],
+        result("@motor", "Motor", "", "", '=INDEX([motors.name],MAX(1,@motor_row))&""', view.proposal.motors.names[m],
                align="left"),
         result("@reducer", "Reducer", "", "", '=INDEX([reducers.name],MAX(1,@reducer_row))&""',
-               view.before.reducers.names[r], align="left"),
+               view.proposal.reducers.names[r], align="left"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", "=MAX([@pt.T])", float(points.torque.max()),
                scale=size),
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", "=MIN([@pt.T])", float(points.torque.min()), scale=size),
@@ -107,7 +107,7 @@ def checks(view: ToolDrive) -> list[Quantity]:
 def in_use(sheet: Sheet, view: ToolDrive) -> None:
     """Declare the figures of the motor and the reducer in use."""
     (m, r), motor, (inertia, ratio, efficiency, no_load) = view.pair, view.motor, view.gears
-    ranked, place = view.before.ranked, (view.before.proposed or 0) + 1
+    ranked, place = view.proposal.ranked, (view.proposal.proposed or 0) + 1
     sheet.heading("Motor and reducer in use")
 
     def row(kind: str, column: str, found: int) -> Quantity:
@@ -128,7 +128,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         row("reducer", "r", r + 1),
         of("@jm", "Inertia of the motor", "J_M", "kg m²", "motor.jm", motor.inertia),
         of("@jt", "Inertia of the reducer at its input", "J_T", "kg m²", "reducer.jt",
-           float(view.before.reducers.inertia[r])),
+           float(view.proposal.reducers.inertia[r])),
         calc("@j", "Both", "J", "kg m²", "=@jm+@jt", inertia),
         of("@i", "Reduction", "i", "", "reducer.i", ratio, "1/τ"),
         of("@eta", "Efficiency of the reducer", "η", "", "reducer.eta", efficiency),

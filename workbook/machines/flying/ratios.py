@@ -22,7 +22,7 @@ class RatiosSheet:
     """The sheet of a drive."""
 
     def __init__(self, view: ToolDrive) -> None:
-        self.view, self.choice, self.task = view, view.before, view.before.grid.task
+        self.view, self.choice, self.task = view, view.proposal, view.proposal.grid.task
         self.rooms, self.efficiency = self.choice.rooms, view.chosen.efficiency
         self.first = float(self.choice.reducers.ratio[0])
         m, motor = self.choice.motors, view.motor

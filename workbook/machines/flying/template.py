@@ -75,7 +75,7 @@ def axes(machine: FlyingCutter) -> list[CamAxis]:
     ]
 
 
-def truths(given: FlyingCutter) -> list[str]:
+def deviations(given: FlyingCutter) -> list[str]:
     """Return a line on the stroke, where its points are farther off than the sheet states."""
     view = CutterView(given, BookLaws(given.laws, given.sizes).laws)
     told, exact = ToolDrive(view, given.selection, given.sizes).stroke, view.cut.stroke
@@ -123,4 +123,4 @@ SIZES = LAW_SIZES | {
     "reducers": ("reducers", 0),
 }  # fmt: skip
 VARIED = varying(FlyingCutter, varied, single_humped)
-TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, SIZES, check, axes=axes, truths=truths)
+TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, SIZES, check, axes=axes, deviations=deviations)

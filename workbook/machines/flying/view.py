@@ -30,7 +30,7 @@ from workbook.selection.pair_selection import Figure, PairSelection, Shaft, load
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
 LEAST = 1e-3  # Nm, W, rad/s²: what is smaller is next to nothing
-BEFORE = [Figure("beside", "", "", "0", 0.0), Figure("left", "", "", "1", 1.0)]  # before a pair is chosen
+UNPAIRED = [Figure("beside", "", "", "0", 0.0), Figure("left", "", "", "1", 1.0)]  # before a pair is chosen
 DRIVES, DRIVEN = ("*([@pt.S]*[@pt.dir]>=0)", "*([@pt.S]*[@pt.dir]<0)")
 """where the shaft drives the load, and where the load drives it"""
 
@@ -104,17 +104,17 @@ class ToolDrive:
         hardest = float(np.abs(bare.shaft_acceleration).max())
         self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
         self.cycles = "3600/fly_tc", shown(1.0 / cut.cycle_time, PER_HOUR)  # an hour: the formula, and the figure
-        self.before = PairSelection(chosen, sizes, [self._shaft([*BEFORE, Figure("cycles", "", "", *self.cycles)])])
+        self.proposal = PairSelection(chosen, sizes, [self._shaft([*UNPAIRED, Figure("cycles", "", "", *self.cycles)])])
 
-        ranked, motors, reducers = self.before.ranked, self.before.motors, self.before.reducers
-        m, r = ranked[self.before.proposed or 0] if ranked else (0, 0)  # the first of all where no pair can do it
+        ranked, motors, reducers = self.proposal.ranked, self.proposal.motors, self.proposal.reducers
+        m, r = ranked[self.proposal.proposed or 0] if ranked else (0, 0)  # the first of all where no pair can do it
         m = place_of(chosen.motor, motors.names) if chosen.motor else m
         self.pair = m, place_of(chosen.reducer, reducers.names) if chosen.reducer else r  # in use, by places from 0
-        self.gears = self.before.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
+        self.gears = self.proposal.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
         self.motor = Motor(*(float(one[self.pair[0]]) for one in of))
-        self.falling = TorqueFall(*self.before.curve(self.pair[0])[1:])
-        limits = reducers.max_input_speed, self.before.grid.most_output_torque, reducers.max_mean_torque
+        self.falling = TorqueFall(*self.proposal.curve(self.pair[0])[1:])
+        limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
         found = [float(one[self.pair[1]]) for one in limits]
         self.limits = [0.0 if np.isinf(one) else one for one in found]  # of the reducer; 0: none
 
@@ -126,7 +126,7 @@ class ToolDrive:
         self.motor_torque = max(self.peak, self.torque / self.gears.ratio, LEAST)  # the scale of its torques
         self.left = self.falling.reserve(self.motor.peak_torque, self.points.torque, self.points.speed)
         self.reserve = reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
-        task, (inertia, ratio, efficiency, _) = self.before.grid.task, self.gears
+        task, (inertia, ratio, efficiency, _) = self.proposal.grid.task, self.gears
         best = ratio * float(best_ratio(task, inertia, efficiency))
         self.balance = 1.0 / best if task.moves else 0.0  # τ/τ_opt; 0 of a load that does not move: S5, (18), step 7
         self.turns = furthest(self.load, self.cycle.still)  # where the tool stands between points

@@ -139,7 +139,7 @@ class ClearanceView:
         return float(self.gaps(self.lowest_at).min())
 
     @property
-    def kept(self) -> bool:
+    def is_left(self) -> bool:
         """Whether the gap that is asked for is left."""
         return meets_least(self.least, self.given.least, self.size)
 
@@ -152,7 +152,7 @@ def clearances_sheet(book: Book, apart: list[ClearanceView]) -> None:
     sheet = book.sheet("Clearances", f"Axes that must stay apart: the least gap over a {period}, and where it is.")
     sheet.heading("Enter", "gap = offset + factor · position + factor · position, in the unit of the first axis.")
     table(sheet, apart)
-    sheet.checks(*map(kept, apart))
+    sheet.checks(*map(clearance_check, apart))
     sheet.not_printed_below()
     for one in apart:
         sheet.heading(f"Workings: clearance {one.number}", ABOUT)
@@ -205,7 +205,7 @@ def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
                       one.given.name, align="left") for one in apart))  # fmt: skip
 
 
-def kept(one: ClearanceView) -> Quantity:
+def clearance_check(one: ClearanceView) -> Quantity:
     """Return the check of a clearance."""
     n, after, unit = one.number, one.over.after, one.unit
     gap, entered, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
@@ -213,7 +213,7 @@ def kept(one: ClearanceView) -> Quantity:
     says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
     said = f"{round(one.over.shown(one.place), AT):.15g}{after}; expected at least {one.given.least:.15g} {unit}"
     return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", f"{gap}>={entered}-check_zero*[gaps.size.{n}]",
-                 one.kept, says=CheckSentence(says, f"{one.given.name}{place.said}{said}"))  # fmt: skip
+                 one.is_left, says=CheckSentence(says, f"{one.given.name}{place.said}{said}"))  # fmt: skip
 
 
 def at_angles(one: ClearanceView, angles: Array) -> list[Quantity]:

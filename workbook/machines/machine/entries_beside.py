@@ -34,7 +34,7 @@ class TimeOn(Model):
         return {"anyOf": [pair, handler(core)]}
 
     @property
-    def told(self) -> bool:
+    def complete(self) -> bool:
         """Whether both ends are entered."""
         return self.start is not None and self.stop is not None
 
@@ -58,7 +58,7 @@ class SwitchEntry(Model):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a time with one end, and the first that does not last or is not over where another begins."""
-        half = (k for k, time in enumerate(self.on) if not time.told and time != type(time)())
+        half = (k for k, time in enumerate(self.on) if not time.complete and time != type(time)())
         yield from (DesignError(f"on.{k}", HALF.words, HALF.rule, UNUSED) for k in [*half][:1])
         yield from meeting(self) if self.PLACED else ()
 
@@ -120,6 +120,8 @@ def spelled(told: Any) -> Any:
     def clearance(one: Mapping[str, Any]) -> Any:
         return {**one, **{end: names[one[end]] for end in ENDS if type(one.get(end)) is int and one[end] in names}}
 
-    each = {"switches": switch, "clearances": clearance}
-    return {**told, **{key: [spell(one) if isinstance(one, Mapping) else one for one in told[key]]
-                       for key, spell in each.items() if isinstance(told.get(key), list)}}  # fmt: skip
+    found = dict(told)
+    for key, spell in (("switches", switch), ("clearances", clearance)):
+        if isinstance(told.get(key), list):
+            found[key] = [spell(one) if isinstance(one, Mapping) else one for one in told[key]]
+    return found

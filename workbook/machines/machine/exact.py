@@ -57,7 +57,7 @@ def exact_highest(view: DriveView) -> tuple[float, str]:
     return shown(found.speed / math.tau, PER_MINUTE), found.limit
 
 
-def truths(machine: AnyMachine) -> list[str]:
+def deviations(machine: AnyMachine) -> list[str]:
     """Return a line for each result that is farther from the exact engine's than its sheet states, and on rates."""
     lines = [line for view in drives_of(machine) for line in (*results_of(view), *rate_of(view))]
     rows = axes_of(machine)

@@ -36,23 +36,23 @@ class Lane:
         self.given, self.number = given, number
         self.typed: list[TimeOn] = filled(typed.on, TIMES, TimeOn())
         self.times: list[TimeOn] = filled(given.on, TIMES, TimeOn())
-        self.told = {k: (time.start, time.stop) for k, time in enumerate(self.times)
+        self.entered = {k: (time.start, time.stop) for k, time in enumerate(self.times)
                      if time.start is not None and time.stop is not None}  # fmt: skip
 
     @cached_property
     def switch(self) -> Switch:
         """The switch over a turn of the master shaft (rad)."""
-        on = tuple((si(start, DEGREE), si(stop, DEGREE)) for start, stop in self.told.values())
+        on = tuple((si(start, DEGREE), si(stop, DEGREE)) for start, stop in self.entered.values())
         return Switch(self.given.name, on)
 
     def each(self, values: Sequence[T], spare: T) -> list[T]:
         """Return a value for each time: those of the ones that are entered, in their order."""
-        return [dict(zip(self.told, values, strict=True)).get(k, spare) for k in range(TIMES)]
+        return [dict(zip(self.entered, values, strict=True)).get(k, spare) for k in range(TIMES)]
 
     @property
     def until_next(self) -> list[float]:
         """From the begin of each time to the next begin of the switch (degrees); a turn where there is no other."""
-        begins = {k: start for k, (start, _) in self.told.items()}
+        begins = {k: start for k, (start, _) in self.entered.items()}
         return self.each(
             [min(((b - a) % TURN for j, b in begins.items() if j != k), default=TURN) for k, a in begins.items()], 0.0
         )
@@ -139,7 +139,7 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
     sheet.table(
         name, f"Switch {i}: its times in degrees of the {over.period}", TIMES,
         constant("t", "time", "", "", list(NUMBERS)),
-        calc("used", "is entered", "", "", f'=IF(OR({start}="",{stop}=""),0,1)', lane.each([1] * len(lane.told), 0),
+        calc("used", "is entered", "", "", f'=IF(OR({start}="",{stop}=""),0,1)', lane.each([1] * len(lane.entered), 0),
              format="0"),
         angle("begin", "on from", f"={over.degrees_formula(start)}", [time.start or 0.0 for time in times]),
         angle("end", "to", f"={over.degrees_formula(stop)}", [time.stop or 0.0 for time in times]),

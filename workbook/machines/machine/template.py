@@ -24,7 +24,7 @@ from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.exact import rates, truths
+from workbook.machines.machine.exact import deviations, rates
 from workbook.machines.machine.file_layout import fixed, laid_out
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
@@ -216,7 +216,7 @@ TEMPLATE = Template(
     fixed=fixed,
     axes=axes,
     scaling=SCALING,
-    truths=truths,
+    deviations=deviations,
     rates=rates,
     switches=switches,
     others={"master.cycle": Other(TimedMachine, told_in_seconds)},

@@ -178,8 +178,9 @@ def in_units_of(data: dict[str, Any], unit: str, cycle: float) -> None:
         size = over.lift(axis["unit"]).size
         axis["shift"] = over.shown(axis["shift"])
         for phase in axis["phases"]:
-            phase |= {name: None if (rate := phase.get(name)) is None else shown(over.per_rad(rate, -order), size)
-                      for order, name in enumerate(RATES, 1)}  # fmt: skip
+            for order, name in enumerate(RATES, 1):
+                if phase.get(name) is not None:
+                    phase[name] = shown(over.per_rad(phase[name], -order), size)
     lasting = [one for axis in data["axes"] for one in (*axis["phases"], *axis["load"]["windows"])]
     for one in (*lasting, *(time for switch in data["switches"] for time in switch["on"])):
         one |= {end: None if one[end] is None else over.shown(one[end]) for end in KEYS}

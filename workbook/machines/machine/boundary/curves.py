@@ -234,7 +234,8 @@ def leaps(one: AxisHandover) -> tuple[list[float], list[int]]:
         lasts, (first, last) = piece.duration > 0.0, at_ends(piece, 2)
         earlier.append(before[piece.phase] if lasts else 0.0)
         found.append(int(lasts and abs(first - earlier[-1]) > LOST * one.step_of(piece).phase.y2_max))
-        before[piece.phase] = last if lasts else before[piece.phase]
+        if lasts:
+            before[piece.phase] = last
     return earlier, found
 
 

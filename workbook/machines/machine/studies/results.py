@@ -11,7 +11,7 @@ from engine.drive.results import total_bus_power
 from engine.motion.joining import shortfalls
 from workbook.fields.texts import place_of
 from workbook.fields.units import KW, shown
-from workbook.law_sheets.library import laws, named
+from workbook.law_sheets.library import laws, named_laws
 from workbook.laws.family import COEFFICIENTS
 from workbook.machines.machine.clearances import ClearanceView
 from workbook.machines.machine.drive.reducer_load import shaft_of
@@ -43,7 +43,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     found: Worked = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
     found |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
     checks: Worked = {}
-    for law in [one for one in named(machine.laws) if one.page.has_sheet]:
+    for law in [one for one in named_laws(machine.laws) if one.page.has_sheet]:
         found |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
         verdicts = law.page.verdicts(law, machine.sizes)
         checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts if not q.rule}
@@ -61,7 +61,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
         found[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
         found[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
-        checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(apart().kept), apart)
+        checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(apart().is_left), apart)
     found |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
     each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
