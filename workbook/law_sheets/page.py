@@ -27,18 +27,20 @@ def finite(value: float) -> float | str:
     return value if math.isfinite(value) else "∞"
 
 
-def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> Sheet:
+def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> Sheet:
     """Declare the sheet of one law, and return it."""
-    page, law, entered = one.page, one.law, one.entered
-    sheet = book.sheet(sheet_title(one.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})")
-    sheet.called = one.called
+    page, law, entered = named.page, named.law, named.entered
+    sheet = book.sheet(
+        sheet_title(named.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})"
+    )
+    sheet.called = named.called
     rise = Phase(law, si(entered.lift, MM), entered.time)
-    with sheet.scoped(f"{one.slug}_"):
+    with sheet.scoped(f"{named.slug}_"):
         sheet.heading("Enter")
-        entries(sheet, one)
-        page.enter(sheet, one, sizes)
-        results(sheet, one, rise)
-        page.work(sheet, one, stack, sizes)
+        entries(sheet, named)
+        page.enter(sheet, named, sizes)
+        results(sheet, named, rise)
+        page.work(sheet, named, stack, sizes)
         if page.pieces:
             a = " + ".join(words for name, words in SPELLED.items() if name in page.columns) or "0"
             sheet.heading("Pieces", f"On each piece a(u) = {a}, u = ξ − ξ_k; velocity and position are carried on.")
@@ -49,15 +51,15 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
                 constant("name", "piece", "", "", [row.name for row in rows], align="left"),
                 constant("k", "number", "k", "", list(range(1, len(rows) + 1))),
                 calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
-                *(calc(name, *LABELS[name], "", [row.formulas[name] for row in rows], [one[name] for one in values])
+                *(calc(name, *LABELS[name], "", [row.formulas[name] for row in rows], [entry[name] for entry in values])
                   for name in page.columns),
                 constant("equation", "equation in the books", "", "", [row.equation for row in rows], align="left"),
             )  # fmt: skip
-        sheet.checks(*page.verdicts(one, sizes))
+        sheet.checks(*page.verdicts(named, sizes))
         for row, d, words in ((5, "s", "position"), (20, "v", "velocity"), (35, "a", "acceleration")):
             chart = Chart(
-                f"{one.called}: {words} {d}(ξ)", "ξ = t / t_a", d, (Series(d, "[@samples.xi]", f"[@samples.{d}]"),),
-                f"Dimensionless {words} of the law {one.called} over the rise, from 0 to 1", (0, 1, 0.1),
+                f"{named.called}: {words} {d}(ξ)", "ξ = t / t_a", d, (Series(d, "[@samples.xi]", f"[@samples.{d}]"),),
+                f"Dimensionless {words} of the law {named.called} over the rise, from 0 to 1", (0, 1, 0.1),
             )  # fmt: skip
             sheet.chart(chart, column=BEHIND - 6, row=row, width=6, height=14)
         sheet.row = max(sheet.row, 50)
@@ -65,32 +67,32 @@ def law_sheet(book: Book, one: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -
         sheet.one_page = True
         sheet.heading("Table")
         samples(sheet, rise, entered.lift, sizes.law, stack, page.of_pieces or page.columns)
-        page.detail(sheet, one, stack, sizes)
+        page.detail(sheet, named, stack, sizes)
     return sheet
 
 
-def entries(sheet: Sheet, one: NamedLaw) -> None:
+def entries(sheet: Sheet, named: NamedLaw) -> None:
     """Declare the law's name, the rise that is shown, and the law's parameters."""
-    page, entered = one.page, one.entered
+    page, entered = named.page, named.entered
     called = (
         given("@called", "Name of the law", "", "",
-              one.name, f"{one.key}.called", align="center", source="by which a phase takes it"),
+              named.name, f"{named.key}.called", align="center", source="by which a phase takes it"),
         constant("@built", "Named when the book was built", "", "",
-                 one.called, align="center", source="the sheet and its checks keep this name"),
+                 named.called, align="center", source="the sheet and its checks keep this name"),
     )  # fmt: skip
     sheet.rows(
-        *(() if one.basic else called),
-        given("@h", "Rise shown", "h", "mm", entered.lift, f"{one.key}.lift", source="any; a return is negative"),
-        given("@t", "Time of the rise", "t_a", "s", entered.time, f"{one.key}.time"),
+        *(() if named.basic else called),
+        given("@h", "Rise shown", "h", "mm", entered.lift, f"{named.key}.lift", source="any; a return is negative"),
+        given("@t", "Time of the rise", "t_a", "s", entered.time, f"{named.key}.time"),
         *(given(p.name, p.label, p.symbol, "",
-                value_at(entered, p.key), f"{one.key}.{p.key}", format="0.0000", source=p.source)
+                value_at(entered, p.key), f"{named.key}.{p.key}", format="0.0000", source=p.source)
           for p in page.parameters),
     )  # fmt: skip
 
 
-def results(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
+def results(sheet: Sheet, named: NamedLaw, rise: Phase) -> None:
     """Declare the law's coefficients and what they are worked out from, then the largest rates of the rise."""
-    page, law = one.page, one.law
+    page, law = named.page, named.law
     sheet.heading("Results: the coefficients, for unit rise and time")
     for name, label, symbol in COEFFICIENTS:
         formula, words = page.coefficients[name]
@@ -99,7 +101,7 @@ def results(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
     if workings := page.workings(law):
         sheet.heading("Workings")
         sheet.rows(*workings)
-    finding = f'=MATCH("{one.name}",law_code,0)' if one.basic else "=MATCH(@called,law_code,0)"
+    finding = f'=MATCH("{named.name}",law_code,0)' if named.basic else "=MATCH(@called,law_code,0)"
     sheet.heading("Results: the rise h in the time t_a")
     sheet.rows(
         calc("@h_m", "Rise in metres", "h", "m", "=@h/1000", rise.lift, source="h / 1000"),
@@ -108,7 +110,7 @@ def results(sheet: Sheet, one: NamedLaw, rise: Phase) -> None:
                "=MAX(@ca_max,-@ca_min)*ABS(@h_m)/@t^2", rise.y2_max, source="C_a h / t_a²"),
         result("@yrms", "RMS acceleration over the rise", "ÿ_rms", "m/s²",
                "=@ca_rms*ABS(@h_m)/@t^2", rise.y2_rms, source="C_a,rms h / t_a²"),
-        calc("@no", "Number on the sheet Laws", "", "", finding, one.number, format="0"),
+        calc("@no", "Number on the sheet Laws", "", "", finding, named.number, format="0"),
     )  # fmt: skip
 
 

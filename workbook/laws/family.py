@@ -151,27 +151,27 @@ class Page:
         """Return the parameters that are entered, in a row."""
         return [value_at(entered, parameter.key) for parameter in self.parameters]
 
-    def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
+    def enter(self, sheet: Sheet, named: Any, sizes: Any) -> None:
         """Declare entries besides the rise shown and the parameters; most families have none."""
 
-    def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+    def work(self, sheet: Sheet, named: Any, stack: Any, sizes: Any) -> None:
         """Declare workings that need the stack of all laws; most families have none."""
 
     def step_back(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way, as :attr:`wrong_step` has it."""
         return 0.0
 
-    def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+    def detail(self, sheet: Sheet, named: Any, stack: Any, sizes: Any) -> None:
         """Declare tables behind that of the samples; most families have none."""
 
-    def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
+    def verdicts(self, named: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of one of the book's laws."""
-        name, end = one.called, one.law.end
+        name, end = named.called, named.law.end
         ends = f"{name} ends at s = 1{', at rest' if self.rests else ''}"
         s = amount("[@samples.s.last]", end.s, "s(1) = ", ", ")
         v = amount("[@samples.v.last]", end.v, "v(1) = ", "")
         return [
-            *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{one.key}:{each.rule}", each.says)
+            *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{named.key}:{each.rule}", each.says)
               for each in self.checks),
             check("@ends", ends, RESTS if self.rests else REACHES, True, says=s.then(v)),
         ]  # fmt: skip

@@ -119,37 +119,37 @@ class OwnPage(Page):
             for k, piece in enumerate(pieces, 1)
         ]
 
-    def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
+    def enter(self, sheet: Sheet, named: Any, sizes: Any) -> None:
         """Declare the name and the table of pieces."""
-        sheet.rows(given("@name", "Name of the own law", "", "", one.entered.name, f"{one.key}.name"))
-        pieces_entered(sheet, one.entered, one.key, sizes.pieces)
+        sheet.rows(given("@name", "Name of the own law", "", "", named.entered.name, f"{named.key}.name"))
+        pieces_entered(sheet, named.entered, named.key, sizes.pieces)
 
-    def work(self, sheet: Sheet, one: Any, stack: sampling.Pieces, sizes: Any) -> None:
+    def work(self, sheet: Sheet, named: Any, stack: sampling.Pieces, sizes: Any) -> None:
         """Declare what the coefficients are worked out from, and by how much the law misses."""
         sheet.heading("Workings", WITHIN)
         sheet.rows(
             calc("@first", "Row of its first piece on the sheet Laws", "", "",
-                 "=MATCH(@no,piece_number,0)", float(stack.first[one.number]), format="0"),
+                 "=MATCH(@no,piece_number,0)", float(stack.first[named.number]), format="0"),
             constant("@most_turn", "Largest turn of a sine on its piece", "", "rad", MOST_TURN),
-            *extremes(spread_of(one.law, sizes.pieces)),
+            *extremes(spread_of(named.law, sizes.pieces)),
         )  # fmt: skip
-        missing(sheet, one.law, sizes.pieces)
+        missing(sheet, named.law, sizes.pieces)
 
     def step_back(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way from point to point."""
         return float(spread_of(law, sizes.pieces).wrong_way.max())
 
-    def detail(self, sheet: Sheet, one: Any, stack: sampling.Pieces, sizes: Any) -> None:
+    def detail(self, sheet: Sheet, named: Any, stack: sampling.Pieces, sizes: Any) -> None:
         """Declare the points on the pieces."""
         sheet.heading("Table of points")
-        points_table(sheet, spread_of(one.law, sizes.pieces), stack.first[one.number], stack)
+        points_table(sheet, spread_of(named.law, sizes.pieces), stack.first[named.number], stack)
 
-    def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
+    def verdicts(self, named: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the own law."""
-        turn, end, name = max(p.omega * p.duration for p in one.law.as_pieces()), one.law.end, one.called
+        turn, end, name = max(p.omega * p.duration for p in named.law.as_pieces()), named.law.end, named.called
         return [
             check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
-                  rule=f"{one.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
+                  rule=f"{named.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
             check("@reaches", f"{name}: the law reaches s = 1", REACHES, abs(end.s - 1) < ZERO,
                   says=amount("[@samples.s.last]", end.s, "s(1) = ", "")),
             check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero", abs(end.v) < ZERO,

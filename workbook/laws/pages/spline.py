@@ -96,45 +96,45 @@ class SplinePage(Page):
             (piece, {name: shown.get(name, "=0").format(k) for name in ENTRIES}) for k, piece in enumerate(pieces, 1)
         ]
 
-    def enter(self, sheet: Sheet, one: Any, sizes: Any) -> None:
+    def enter(self, sheet: Sheet, named: Any, sizes: Any) -> None:
         """Declare slopes and ends, and the table of points."""
-        points = one.entered
+        points = named.entered
         sheet.rows(
-            *(given(f"@{slope}", f"Velocity at its {end}", f"v({xi})", "", getattr(points, slope), f"{one.key}.{slope}",
-                    format="0.0####", source="empty: 0, or natural")
+            *(given(f"@{slope}", f"Velocity at its {end}", f"v({xi})", "", getattr(points, slope),
+                    f"{named.key}.{slope}", format="0.0####", source="empty: 0, or natural")
               for xi, (slope, end) in enumerate(zip(("first_slope", "last_slope"), ENDS, strict=True))),
-            given("@natural", "Natural, without acceleration", "", "", points.natural, f"{one.key}.natural",
+            given("@natural", "Natural, without acceleration", "", "", points.natural, f"{named.key}.natural",
                   align="center", source="none, begin, end or both: of ends without a slope"),
         )  # fmt: skip
-        at = SplineTable(one.law, sizes.points)
+        at = SplineTable(named.law, sizes.points)
         table = sheet.table(
             "@points", "Fill one row each, in order; from (0, 0) to (1, 1); leave spare rows empty", at.rows,
             constant("k", "point", "k", "", list(range(1, at.rows + 1))),
             given("xi", "place", "ξ", "", filled([p.at for p in points.points], sizes.points, None),
-                  f"{one.key}.points.*.at", format="0.0####", source="share of the time"),
+                  f"{named.key}.points.*.at", format="0.0####", source="share of the time"),
             given("s", "position", "s", "", filled([p.s for p in points.points], sizes.points, None),
-                  f"{one.key}.points.*.s", format="0.0####", source="share of the rise"),
+                  f"{named.key}.points.*.s", format="0.0####", source="share of the rise"),
         )  # fmt: skip
         sheet.workings(table, "@solved", "Workings: the spline's moments", BEHIND, *elimination(at))
 
-    def work(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+    def work(self, sheet: Sheet, named: Any, stack: Any, sizes: Any) -> None:
         """Declare what the table of points is worked out from."""
         sheet.heading("Workings")
-        sheet.rows(*solution(SplineTable(one.law, sizes.points)))
+        sheet.rows(*solution(SplineTable(named.law, sizes.points)))
 
-    def detail(self, sheet: Sheet, one: Any, stack: Any, sizes: Any) -> None:
+    def detail(self, sheet: Sheet, named: Any, stack: Any, sizes: Any) -> None:
         """Declare the table of the intervals."""
-        intervals_table(sheet, SplineTable(one.law, sizes.points))
+        intervals_table(sheet, SplineTable(named.law, sizes.points))
 
     def step_back(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way, interval by interval."""
         return float(SplineTable(law, sizes.points).wrong_way.max()) if isinstance(law, Spline) else 0.0
 
-    def verdicts(self, one: Any, sizes: Any) -> list[Quantity]:
+    def verdicts(self, named: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the points, and that of the law's end."""
         says = CheckSentence('"s(1) = "&ROUND([@samples.s.last],9)', "s(1) = 1")
-        end = check("@ends", f"{one.called} ends at s = 1", REACHES, True, says=says)
-        return [*super().verdicts(one, sizes)[:-1], end]
+        end = check("@ends", f"{named.called} ends at s = 1", REACHES, True, says=says)
+        return [*super().verdicts(named, sizes)[:-1], end]
 
 
 ROOT = "SQRT([w])"

@@ -205,21 +205,21 @@ def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
                       one.given.name, align="left") for one in apart))  # fmt: skip
 
 
-def clearance_check(one: ClearanceView) -> Quantity:
+def clearance_check(gap: ClearanceView) -> Quantity:
     """Return the check of a clearance."""
-    n, after, unit = one.number, one.over.after, one.unit
-    gap, entered, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
-    place = amount(gap, one.least, ": ", f" {unit} at ")
+    n, after, unit = gap.number, gap.over.after, gap.unit
+    least, entered, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
+    place = amount(least, gap.least, ": ", f" {unit} at ")
     says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
-    said = f"{round(one.over.shown(one.place), AT):.15g}{after}; expected at least {one.given.least:.15g} {unit}"
-    return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", f"{gap}>={entered}-check_zero*[gaps.size.{n}]",
-                 one.is_left, says=CheckSentence(says, f"{one.given.name}{place.said}{said}"))  # fmt: skip
+    said = f"{round(gap.over.shown(gap.place), AT):.15g}{after}; expected at least {gap.given.least:.15g} {unit}"
+    return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", f"{least}>={entered}-check_zero*[gaps.size.{n}]",
+                 gap.is_left, says=CheckSentence(says, f"{gap.given.name}{place.said}{said}"))  # fmt: skip
 
 
-def at_angles(one: ClearanceView, angles: Array) -> list[Quantity]:
+def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
     """Return the columns of both axes at angles of the column theta: cycles begun, piece, u, position; and the gap."""
-    found, n = [], one.number
-    for rows, mark, of, y in zip(one.rows, MARKS, OF, one.positions(angles), strict=True):
+    found, n = [], gap.number
+    for rows, mark, of, y in zip(gap.rows, MARKS, OF, gap.positions(angles), strict=True):
         axis, told = rows.axis, rows.axis.unshifted(si(angles, DEGREE))
         late, place = f"[axes_taken.late.{axis.number}]", sampled(rows.pieces, 0, mark)
         own = f"({place})*1000" if axis.given.unit == "mm" else f"DEGREES({place})"
@@ -230,63 +230,63 @@ def at_angles(one: ClearanceView, angles: Array) -> list[Quantity]:
                  shown(told.x, DEGREE), format="0.0##", scale=TURN, source="θ − shift − 360 n_c"),
             *finding(rows.pieces, f"p{mark}", told.x, of, mark),
             calc(f"y{mark}", f"{of}position", "y", axis.given.unit, f"={own}+[n{mark}]*[axes.travel.{axis.number}]",
-                 y, scale=one.size),
+                 y, scale=gap.size),
         ]  # fmt: skip
     entered = f"[clearances.offset.{n}]+[clearances.factor1.{n}]*[ya]+[clearances.factor2.{n}]*[yb]"
-    return [*found, calc("gap", "gap", "", one.unit, f"={entered}", one.gaps(angles), scale=one.size,
+    return [*found, calc("gap", "gap", "", gap.unit, f"={entered}", gap.gaps(angles), scale=gap.size,
                          source="offset + factor · position + factor · position")]  # fmt: skip
 
 
-def least(sheet: Sheet, one: ClearanceView) -> None:
+def least(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare the positions of both axes, and the gap, at the lowest of the points and at that of the parabolas."""
-    first = f"INDEX([clear{one.number}_points.{{}}],MATCH(1,[clear{one.number}_points.{{}}],0))".format
+    first = f"INDEX([clear{gap.number}_points.{{}}],MATCH(1,[clear{gap.number}_points.{{}}],0))".format
     place = f"=IF([k]=1,{first('theta', 'nearest')},{first('angle', 'near')})"
     sheet.table(
-        f"clear{one.number}_least", "Where the gap is least", 2,
+        f"clear{gap.number}_least", "Where the gap is least", 2,
         constant("k", "lowest", "", "", [1, 2], source="1 point, 2 parabola"),
-        calc("theta", one.over.angle, "θ", "°", place, one.lowest_at, scale=TURN, format="0.0##"),
-        *at_angles(one, one.lowest_at),
+        calc("theta", gap.over.angle, "θ", "°", place, gap.lowest_at, scale=TURN, format="0.0##"),
+        *at_angles(gap, gap.lowest_at),
     )  # fmt: skip
 
 
-def points(sheet: Sheet, one: ClearanceView) -> None:
+def points(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare the gap and its slope at points of the cycle, and the lowest point of the parabola before each."""
-    n, angles, low = one.number, one.angles, one.lowest
-    at, size, first = f"[clear{n}_cuts.begina:middleb]", one.size, "=IF([k]=1,0,{})"
+    n, angles, low = gap.number, gap.angles, gap.lowest
+    at, size, first = f"[clear{n}_cuts.begina:middleb]", gap.size, "=IF([k]=1,0,{})"
     lost, last, end = f"check_zero*[gaps.size.{n}]", len(angles), f"MAX([clear{n}_points.k])"
     sheet.table(
         f"clear{n}_points", "The gap over the turn", last,
         constant("k", "point", "k", "", list(range(1, last + 1))),
-        calc("theta", one.over.angle, "θ", "°", f"=IF([k]={end},360,MAX(0,SMALL({at},MAX(1,[k]-1))*([k]>1)))",
+        calc("theta", gap.over.angle, "θ", "°", f"=IF([k]={end},360,MAX(0,SMALL({at},MAX(1,[k]-1))*([k]>1)))",
              angles, scale=TURN, format="0.0##", source="0, the places below in their order, 360"),
-        *at_angles(one, angles),
+        *at_angles(gap, angles),
         *(calc(f"v{mark}", f"{of}geometric velocity", "y'", rows.at.unit(1), f"={sampled(rows.pieces, 1, mark)}",
                values, scale=rows.axis.motion.size(1))
-          for mark, of, rows, values in zip(MARKS, OF, one.rows, one.velocities, strict=True)),
-        calc("slope", "slope of the gap", "", f"{one.unit}/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", one.slopes,
-             scale=float(np.abs(one.slopes).max()), source="factor · y' + factor · y'"),
-        calc("fall", "by the slope before, it rises", "g_0", one.unit,
+          for mark, of, rows, values in zip(MARKS, OF, gap.rows, gap.velocities, strict=True)),
+        calc("slope", "slope of the gap", "", f"{gap.unit}/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", gap.slopes,
+             scale=float(np.abs(gap.slopes).max()), source="factor · y' + factor · y'"),
+        calc("fall", "by the slope before, it rises", "g_0", gap.unit,
              first.format("[slope-1]*RADIANS([theta]-[theta-1])"), low.fall, scale=size),
-        calc("rise", "it rises", "g_1", one.unit, first.format("[gap]-[gap-1]"), low.rise, scale=size),
+        calc("rise", "it rises", "g_1", gap.unit, first.format("[gap]-[gap-1]"), low.rise, scale=size),
         calc("share", "lowest at this share of the way", "z", "",
              f"=IF(AND([fall]<0-{lost},[fall]<2*[rise]),[fall]/(2*([fall]-[rise])),1)", low.share,
              source="g_0/(2(g_0 − g_1)) between both points, else 1"),
-        calc("low", "lowest gap on the way", "", one.unit, "=IF([share]<1,[gap-1]+[fall]*[share]/2,[gap])", low.gap,
+        calc("low", "lowest gap on the way", "", gap.unit, "=IF([share]<1,[gap-1]+[fall]*[share]/2,[gap])", low.gap,
              scale=size, source="gap before + g_0 z/2"),
         *(calc(near, f"{words} is the least of all", "", "",
-               f"=IF([{name}]<=MIN([clear{n}_points.{name}])+{lost},1,0)", one.near(values), format="0")
-          for near, name, words, values in (("nearest", "gap", "gap", one.gaps(angles)),
+               f"=IF([{name}]<=MIN([clear{n}_points.{name}])+{lost},1,0)", gap.near(values), format="0")
+          for near, name, words, values in (("nearest", "gap", "gap", gap.gaps(angles)),
                                             ("near", "low", "lowest gap", low.gap))),
         calc("angle", "lowest at", "θ", "°", "=IF([share]<1,[theta-1]+[share]*([theta]-[theta-1]),[theta])",
              low.angle, scale=TURN, format="0.0##"),
     )  # fmt: skip
 
 
-def cuts(sheet: Sheet, one: ClearanceView) -> None:
+def cuts(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare where the pieces of both axes begin and have their middle, from 0 to 360°."""
-    columns, room = [], one.rows[0].machine.room
-    for end, (rows, mark, of) in enumerate(zip(one.rows, MARKS, OF, strict=True)):
-        i, (begin, middle) = rows.axis.number, one.cuts(end)
+    columns, room = [], gap.rows[0].machine.room
+    for end, (rows, mark, of) in enumerate(zip(gap.rows, MARKS, OF, strict=True)):
+        i, (begin, middle) = rows.axis.number, gap.cuts(end)
         late = f"INDEX([axis{i}_pieces.begin],[r])+[axes_taken.late.{i}]"
         half = f"[begin{mark}]+DEGREES(INDEX([axis{i}_pieces.d],[r])/2)"
         columns += [
@@ -295,5 +295,5 @@ def cuts(sheet: Sheet, one: ClearanceView) -> None:
             for name, words, place, values in (("begin", "a piece begins", late, begin),
                                                ("middle", "its middle", half, middle))
         ]  # fmt: skip
-    sheet.table(f"clear{one.number}_cuts", "The pieces of both axes over the turn", room,
+    sheet.table(f"clear{gap.number}_cuts", "The pieces of both axes over the turn", room,
                 constant("r", "piece", "k", "", list(range(1, room + 1))), *columns)  # fmt: skip

@@ -82,9 +82,9 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
     sheet.print_columns = 20
 
 
-def steps_table(sheet: Sheet, one: AxisTables) -> None:
+def steps_table(sheet: Sheet, tables: AxisTables) -> None:
     """Declare the steps: a rest before each phase and behind the last, of no length where there is none."""
-    t, n, axis = one.name, one.rows, one.axis
+    t, n, axis = tables.name, tables.rows, tables.axis
     motion, base = axis.motion, axis.base
 
     def each(rest: str, phase: str) -> list[str]:
@@ -95,12 +95,12 @@ def steps_table(sheet: Sheet, one: AxisTables) -> None:
 
     def of(figure: Callable[[int, Phase], Any], spare: Any) -> list[Any]:
         each = (figure(k, phase) for k, phase in enumerate(motion.phases))
-        return spread(each, axis.places, one.steps, spare)
+        return spread(each, axis.places, tables.steps, spare)
 
     begin = [text.replace(f"[{t}.end.0]", "0") for text in each(f"=[{t}.end.{{before}}]", f"=[{t}.begin.{{}}]")]
     rest = f"=IF([{t}.begin.{{behind}}]-[begin]>check_zero,RADIANS([{t}.begin.{{behind}}]-[begin]),0)"
     span = [text.replace(f"[{t}.begin.{n + 1}]", "360") for text in each(rest, f"=[{t}.span.{{}}]")]
-    ends, handed, start = motion.ends, one.ends, f"[axes_taken.y0.{axis.number}]"
+    ends, handed, start = motion.ends, tables.ends, f"[axes_taken.y0.{axis.number}]"
 
     def own(column: str, formula: str) -> str:
         return handed.own(column, formula) if handed else formula
@@ -111,12 +111,12 @@ def steps_table(sheet: Sheet, one: AxisTables) -> None:
     )
     entered = [end for p in axis.given.phases for end in (p.start, p.stop)]
     sheet.table(
-        f"{t}_steps", STEPS.format(axis.number), one.steps,
-        constant("k", "step", "k", "", list(range(1, one.steps + 1))),
-        calc("begin", "begins at", "", "°", begin, filled([0.0, *entered], one.steps, 360.0), scale=360.0,
+        f"{t}_steps", STEPS.format(axis.number), tables.steps,
+        constant("k", "step", "k", "", list(range(1, tables.steps + 1))),
+        calc("begin", "begins at", "", "°", begin, filled([0.0, *entered], tables.steps, 360.0), scale=360.0,
              format="0.0##"),
         calc("span", "duration", "δ", "rad", span, of(lambda _, p: p.duration, 0.0)),
-        calc("no", "law number", "", "", each("=1", f"=[{t}.no.{{}}]"), list(one.pieces.numbers), format="0"),
+        calc("no", "law number", "", "", each("=1", f"=[{t}.no.{{}}]"), list(tables.pieces.numbers), format="0"),
         calc("h", "lift", "h", base, each("=0", f"=[{t}.h.{{}}]"), of(lambda _, p: p.lift, 0.0)),
         calc("y0", "start position", "y_0", base, f"=IF([k]=1,{start},[y0-1]+[h-1])",
              carried_back(of(lambda k, _: ends[k].begin.y, None), motion.position + motion.lifts_sum), "lifts before",
@@ -125,9 +125,9 @@ def steps_table(sheet: Sheet, one: AxisTables) -> None:
              of(lambda k, _: motion.reaches[k][0], motion.position), scale=motion.size(0)),
         calc("high", "highest position", "", base, own("high", HIGH.format(start)),
              of(lambda k, _: motion.reaches[k][1], motion.position), scale=motion.size(0)),
-        *phase_columns(one.pieces),
+        *phase_columns(tables.pieces),
         *([] if not handed else [
-            calc(name, f"greatest {word}", "", one.at.unit(order), each("=0*[k]", f"=[{t}.{name}.{{}}]"),
+            calc(name, f"greatest {word}", "", tables.at.unit(order), each("=0*[k]", f"=[{t}.{name}.{{}}]"),
                  of(figure, 0.0), scale=motion.size(order)) for order, (name, word, figure) in enumerate(fastest, 1)
         ]),
     )  # fmt: skip

@@ -276,19 +276,21 @@ def within(limits: Array, value: Any) -> Any:
     return (limits == 0.0) | (value <= limits)
 
 
-def results(one: DriveStudy) -> Worked:
+def results(study: DriveStudy) -> Worked:
     """Return all results by name, each worked out when it is called."""
-    asked = RESULTS | ({"brake_load": lambda one: one.brake_load} if one.bases[0].brakes else {})
-    asked |= {"spare": lambda one: one.extremes.spare} if one.products.knows_falling else {}
-    asked |= {cell: lambda one, name=name: one.motors_used[name] for cell, name in MOTORS.items()}
-    asked |= {cell: lambda one, name=name: one.reducers_used[name] for cell, name in REDUCERS.items()}
-    return {f"drive{one.axis.number}_{name}": partial(figure, one) for name, figure in asked.items()}
+    asked = RESULTS | ({"brake_load": lambda study: study.brake_load} if study.bases[0].brakes else {})
+    asked |= {"spare": lambda study: study.extremes.spare} if study.products.knows_falling else {}
+    asked |= {cell: lambda study, name=name: study.motors_used[name] for cell, name in MOTORS.items()}
+    asked |= {cell: lambda study, name=name: study.reducers_used[name] for cell, name in REDUCERS.items()}
+    return {f"drive{study.axis.number}_{name}": partial(figure, study) for name, figure in asked.items()}
 
 
-def checks(one: DriveStudy) -> Worked:
+def checks(study: DriveStudy) -> Worked:
     """Return the checks of its sheet that entries do not decide."""
-    driven = one.bases[0].driven
-    found = CHECKS | ({"ok_back": lambda one: one.axis.motion.closes} if driven.given.kind in LINKED else {})
-    found |= {"ok_brake": lambda one: one.brake_load <= driven.brake.torque} if one.bases[0].brakes else {}
+    driven = study.bases[0].driven
+    found = CHECKS | ({"ok_back": lambda study: study.axis.motion.closes} if driven.given.kind in LINKED else {})
+    found |= {"ok_brake": lambda study: study.brake_load <= driven.brake.torque} if study.bases[0].brakes else {}
     found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
-    return {f"drive{one.axis.number}_{name}": partial(lambda ok: ok_texts(ok(one)), ok) for name, ok in found.items()}
+    return {
+        f"drive{study.axis.number}_{name}": partial(lambda ok: ok_texts(ok(study)), ok) for name, ok in found.items()
+    }

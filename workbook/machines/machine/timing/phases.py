@@ -27,28 +27,28 @@ RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
 """by the order of the derivative: what it is, its greatest size in tables of steps, by the law, and its equation"""
 
 
-def phases_table(sheet: Sheet, one: AxisTables) -> None:
+def phases_table(sheet: Sheet, tables: AxisTables) -> None:
     """Declare the phases of an axis; their geometric extremes are workings only of a machine without a rate."""
-    measured, base = one.machine.over.measured, one.axis.base
+    measured, base = tables.machine.over.measured, tables.axis.base
     shown_as = calc if measured else result
     geometric = [
-        shown_as(f"y{k}", f"geometric {word}", "y" + k * "'", f"{base}/rad{RAISED[k]}", own(one, most, formula),
-                 moving(one, figure), source=source.format("δ"))
+        shown_as(f"y{k}", f"geometric {word}", "y" + k * "'", f"{base}/rad{RAISED[k]}", own(tables, most, formula),
+                 moving(tables, figure), source=source.format("δ"))
         for k, (word, most, formula, source, figure) in enumerate(RATES, 1)
     ]  # fmt: skip
     sheet.table(
-        one.name, f"Phases of axis {one.axis.number}: fill one row each, in order; between them it rests; "
-        "leave spare rows empty", one.rows,
-        *entered(one), *([] if measured else geometric), *extremes(one),
-        *used(one), *(geometric if measured else []), *faults(one),
+        tables.name, f"Phases of axis {tables.axis.number}: fill one row each, in order; between them it rests; "
+        "leave spare rows empty", tables.rows,
+        *entered(tables), *([] if measured else geometric), *extremes(tables),
+        *used(tables), *(geometric if measured else []), *faults(tables),
         rules=[AT_REST],
     )  # fmt: skip
 
 
-def moving(one: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
+def moving(tables: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
     """Return a figure of each phase that moves, 0 of the others."""
-    moves = one.axis.moves
-    return [finite(figure(moves[k])) if k in moves else 0.0 for k in range(one.rows)]
+    moves = tables.axis.moves
+    return [finite(figure(moves[k])) if k in moves else 0.0 for k in range(tables.rows)]
 
 
 def doubled(formula: str) -> str:
@@ -56,54 +56,60 @@ def doubled(formula: str) -> str:
     return formula.replace(",[k])", ",2*[k])")
 
 
-def own(one: AxisTables, column: str, formula: str) -> str:
+def own(tables: AxisTables, column: str, formula: str) -> str:
     """Return a formula of each phase: that of its own ends, if phases of the book hand over, or the law's."""
-    return doubled(one.ends.own(column, formula)) if one.ends else formula
+    return doubled(tables.ends.own(column, formula)) if tables.ends else formula
 
 
-def entered(one: AxisTables) -> list[Quantity]:
+def entered(tables: AxisTables) -> list[Quantity]:
     """Return the columns of kind and entries, of the kinds of both ends if phases hand over, and of the end."""
-    over, axis, key, steps = one.machine.over, one.axis, f"axes.{one.axis.number - 1}.phases.*", f"{one.name}_steps"
+    over, axis, key, steps = (
+        tables.machine.over,
+        tables.axis,
+        f"axes.{tables.axis.number - 1}.phases.*",
+        f"{tables.name}_steps",
+    )
 
     def entry(name: str) -> list[Any]:
-        return filled([getattr(p, name) for p in axis.typed.phases], one.rows, None)
+        return filled([getattr(p, name) for p in axis.typed.phases], tables.rows, None)
 
     passing: list[Quantity] = []
-    if one.ends:
-        units, symbols = (one.at.unit(1), one.at.unit(2)), ("y'", "y''")
+    if tables.ends:
+        units, symbols = (tables.at.unit(1), tables.at.unit(2)), ("y'", "y''")
         if over.measured:
             units, symbols = over.rates(axis.given.unit)[:2], over.symbols[1:3]
         passing = rate_columns(entry("velocity"), entry("acceleration"), key, units, symbols)
-        kinds = zip(*(step.kinds for _, step in one.ends.phases), strict=True)
+        kinds = zip(*(step.kinds for _, step in tables.ends.phases), strict=True)
         for end, values in zip(("begin", "end"), kinds, strict=True):
-            passing.append(result(f"{end}s", f"kind of its {end}", "", "", f"=INDEX([{one.name}_kinds.{end}s],2*[k])",
-                                  filled(values, one.rows, ""), align="center", source=KINDS))  # fmt: skip
+            passing.append(result(f"{end}s", f"kind of its {end}", "", "",
+                                  f"=INDEX([{tables.name}_kinds.{end}s],2*[k])", filled(values, tables.rows, ""),
+                                  align="center", source=KINDS))  # fmt: skip
     y = f"INDEX([{steps}.y0],2*[k])+INDEX([{steps}.h],2*[k])-[lack]"
     reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
     ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
     return [
-        calc("kind", "phase", "", "", doubled(sampling.kind(one.at.ends)),
-             sampling.kinds(axis.phases, one.rows)),
+        calc("kind", "phase", "", "", doubled(sampling.kind(tables.at.ends)),
+             sampling.kinds(axis.phases, tables.rows)),
         given("start", "from", "", over.unit, entry("start"), f"{key}.start", format=over.format),
         given("stop", "to", "", over.unit, entry("stop"), f"{key}.stop", format=over.format),
         given("lift", "lift", "h", axis.given.unit, entry("lift"), f"{key}.lift", format="0.0##"),
         given("law", "law", "", "", entry("law"), f"{key}.law", choices="=law_code"),
         *passing,
         result("y", "position at its end", "y", axis.given.unit, f'=IF([kind]="spare",0,{reached})',
-               filled(ends, one.rows), scale=shown(axis.motion.size(0), axis.unit), source="lifts up to it"),
+               filled(ends, tables.rows), scale=shown(axis.motion.size(0), axis.unit), source="lifts up to it"),
     ]  # fmt: skip
 
 
-def extremes(one: AxisTables) -> list[Quantity]:
+def extremes(tables: AxisTables) -> list[Quantity]:
     """Return the columns of each movement's greatest rates, and its duration where the cycle's length is entered."""
-    axis, over, by = one.axis, one.machine.over, "t" if one.machine.over.timed else "δ"
+    axis, over, by = tables.axis, tables.machine.over, "t" if tables.machine.over.timed else "δ"
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
     figures = [(word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
                for k, (word, *_, source, figure) in enumerate(RATES, 1)]  # fmt: skip
-    rms, mean = f"{own(one, 'rms', f'={RMS}')}*omega^2{lift}", "C_a,rms h/{}²"
+    rms, mean = f"{own(tables, 'rms', f'={RMS}')}*omega^2{lift}", "C_a,rms h/{}²"
 
     def timed(k: int, figure: Callable[[Phase], float]) -> list[float | str]:
-        return moving(one, lambda phase: axis.rate(figure(phase) * axis.speed**k))
+        return moving(tables, lambda phase: axis.rate(figure(phase) * axis.speed**k))
 
     return [
         *(result(name, word, symbols[k - 1], units[k - 1], f"={speed}" if k < 3 else f'=IF(ISNUMBER([y3]),{speed},"∞")',
@@ -113,22 +119,23 @@ def extremes(one: AxisTables) -> list[Quantity]:
                source=mean.format(by) if over.measured else f"{mean.format('δ')} ω²"),
         *([
             result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',
-                   filled([over.shown(p.stop - p.start) for p in axis.given.phases], one.rows), scale=over.length),
+                   filled([over.shown(p.stop - p.start) for p in axis.given.phases], tables.rows), scale=over.length),
             result("rests", "rest before", "", over.unit, f"={over.shown_formula('[gap]')}",
-                   [over.shown(gap) for gap in gaps(one)], scale=over.length),
+                   [over.shown(gap) for gap in gaps(tables)], scale=over.length),
         ] if over.measured else []),
     ]  # fmt: skip
 
 
-def used(one: AxisTables) -> list[Quantity]:
+def used(tables: AxisTables) -> list[Quantity]:
     """Return law, lift and angles of each phase as the cells compute with them."""
-    n, phases, over, turned = one.rows, one.axis.phases, one.machine.over, one.axis.given.phases
+    n, phases, over, turned = tables.rows, tables.axis.phases, tables.machine.over, tables.axis.given.phases
     start, stop = over.degrees_formula("[start]"), over.degrees_formula("[stop]")
-    laws = filled([one.machine.given.laws.number(p.law) for p in turned], n, 1)
+    laws = filled([tables.machine.given.laws.number(p.law) for p in turned], n, 1)
     return [
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", LAW_NUMBER, laws, format="0"),
-        calc("h", "lift", "h", one.axis.base, "=[lift]/1000" if one.axis.given.unit == "mm" else "=RADIANS([lift])",
+        calc("h", "lift", "h", tables.axis.base,
+             "=[lift]/1000" if tables.axis.given.unit == "mm" else "=RADIANS([lift])",
              filled([p.lift for p in phases], n), source="conversion"),
         calc("span", "duration", "δ", "rad", f'=IF([stop]="",0,RADIANS({stop}-{start}))',
              filled([p.duration for p in phases], n), source="conversion"),
@@ -150,17 +157,17 @@ EARLY = (
 NO_FAULT, KINDS = "empty where it does not", "R rest, G velocity, U reversal, B both"
 
 
-def faults(one: AxisTables) -> list[Quantity]:
+def faults(tables: AxisTables) -> list[Quantity]:
     """Return the columns of the faults of each phase, and of the rest before it."""
-    over, lacking = one.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
+    over, lacking = tables.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
     return [
-        calc("gap", "rest before", "", "°", "=[begin]-IF([k]=1,0,[end-1])", gaps(one), scale=360.0),
+        calc("gap", "rest before", "", "°", "=[begin]-IF([k]=1,0,[end-1])", gaps(tables), scale=360.0),
         calc("backwards", "runs backwards", "", "", BACKWARDS.format(over.after), "", source=NO_FAULT),
         calc("early", "begins too early", "", "", EARLY.format(over.after, over.shown_formula("0-[gap]")), "",
              source=NO_FAULT),
         *([beyond(over)] if over.measured else []),
-        calc("lack", "jump of y", "Δy", one.axis.base, own(one, "", lacking),
-             filled([p.missing_lift for p in one.axis.phases], one.rows), source="at its end: the law's lack"),
+        calc("lack", "jump of y", "Δy", tables.axis.base, own(tables, "", lacking),
+             filled([p.missing_lift for p in tables.axis.phases], tables.rows), source="at its end: the law's lack"),
     ]  # fmt: skip
 
 
@@ -177,17 +184,17 @@ def going_beyond(last: str, over: Abscissa) -> str:
     return f'"goes to "&{at}&"{over.after}, "&{by}&"{over.after} beyond the cycle"'
 
 
-def gaps(one: AxisTables) -> list[float]:
+def gaps(tables: AxisTables) -> list[float]:
     """Return how long the axis rests before each phase, in degrees; before the first spare row, behind the last."""
-    phases, n = one.axis.given.phases, one.rows
+    phases, n = tables.axis.given.phases, tables.rows
     begins, ends = filled([p.start for p in phases], n, 360.0), [0.0, *filled([p.stop for p in phases], n, 360.0)]
     return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
 
-def axis_checks(sheet: Sheet, one: AxisTables) -> None:
+def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
     """Declare the checks of one axis; each calls it by its number, as it may get another name."""
-    axis, t, i = one.axis, one.name, one.axis.number
-    motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", one.machine.over
+    axis, t, i = tables.axis, tables.name, tables.axis.number
+    motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", tables.machine.over
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
 
     def none_in(column: str, rule: str, said: str) -> Quantity:
@@ -202,9 +209,9 @@ def axis_checks(sheet: Sheet, one: AxisTables) -> None:
         *([none_in("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []),
         check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{lift}", motion.complete,
               says=amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}")),
-        room_check(f"{t}_room", one.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
-        *(one.ends.checks(t, f"{label}: ") if one.ends else []),
-        one.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
+        room_check(f"{t}_room", tables.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
+        *(tables.ends.checks(t, f"{label}: ") if tables.ends else []),
+        tables.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
         check(f"{t}_closes", f"{label}: the cycle closes",
               f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{lift})', axis.closes,
               "in position, or, as a feed, in velocity, or is open",

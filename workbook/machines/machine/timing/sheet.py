@@ -184,9 +184,9 @@ def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
         sheet.chart_row(*charts[:3], width=(columns + 2) // 3, height=18)
 
 
-def cycle_sheet(book: Book, machine: MachineView, one: AxisTables, floor: int) -> None:
+def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int) -> None:
     """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
-    over, axis, i, told = machine.over, one.axis, one.axis.number, one.axis.unshifted(machine.samples)
+    over, axis, i, told = machine.over, tables.axis, tables.axis.number, tables.axis.unshifted(machine.samples)
     title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
     unit, lowest, highest = axis.given.unit, f"[axes.low.{i}]", f"[axes.high.{i}]"
@@ -211,37 +211,37 @@ def cycle_sheet(book: Book, machine: MachineView, one: AxisTables, floor: int) -
         sheet.table(
             f"cycle{i}", f"The axis over the {over.name}", len(machine.angles),
             time if over.measured else theta,
-            *results(one),
+            *results(tables),
             calc("lane", "in the diagram", "", "", f"=@floor+@scale*([y]-{EARLIER})", lane),
             *([theta] if over.measured else []),
             calc("p", "angle of its phases", "", "°",
                  "=[theta]-@late-360*INT((MIN([theta],timing_end)-@late+eps)/360)", shown(told.x, DEGREE),
                  format="0.0##", source="θ − shift, less whole turns; the end has the left limit", scale=360.0),
-            *finding(one.pieces, "p", told.x),
+            *finding(tables.pieces, "p", told.x),
         )  # fmt: skip
     sheet.unprinted, sheet.widths = True, {FIRST: 14}
 
 
-def results(one: AxisTables) -> list[Quantity]:
+def results(tables: AxisTables) -> list[Quantity]:
     """Return the motion of an axis in time, or by the abscissa whose length is entered alone."""
-    axis, unit, over = one.axis, one.axis.given.unit, one.machine.over
-    timed = axis.motion.at_speed(axis.unshifted(one.machine.samples).x, axis.speed)
-    y, lift = sampled(one.pieces, 0), over.lift(unit).shown
+    axis, unit, over = tables.axis, tables.axis.given.unit, tables.machine.over
+    timed = axis.motion.at_speed(axis.unshifted(tables.machine.samples).x, axis.speed)
+    y, lift = sampled(tables.pieces, 0), over.lift(unit).shown
     rates = zip(CURVES[1:], over.symbols[1:], over.rates(unit), timed[1:], strict=True)
     return [
         result("y", "position", "y", unit, f"={f'1000*({y})' if unit == 'mm' else f'DEGREES({y})'}+{EARLIER}",
-               shown(axis.at(one.machine.samples).y, axis.unit), source=POSITION),
-        *(result(name, words, symbol, shown_in, f"={factor}*({sampled(one.pieces, order)}){lift}", axis.rate(values),
+               shown(axis.at(tables.machine.samples).y, axis.unit), source=POSITION),
+        *(result(name, words, symbol, shown_in, f"={factor}*({sampled(tables.pieces, order)}){lift}", axis.rate(values),
                  scale=axis.size(order), source=paced if over.timed else by_x)
           for order, ((name, words, factor, paced, by_x), symbol, shown_in, values) in enumerate(rates, 1)),
     ]  # fmt: skip
 
 
-def exportable(one: AxisTables) -> Exportable:
+def exportable(tables: AxisTables) -> Exportable:
     """Return an axis as the sheet Export may have it."""
-    axis, i, unit, over = one.axis, one.axis.number, one.axis.given.unit, one.machine.over
+    axis, i, unit, over = tables.axis, tables.axis.number, tables.axis.given.unit, tables.machine.over
     units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
     later = ShiftCells(f"[axes_taken.late.{i}]", "eps", f"[axes.travel.{i}]", axis.unshifted, axis.motion.lifts_sum)
-    return Exportable(axis.given.name, f"=[axes.name.{i}]", one.pieces, units,
+    return Exportable(axis.given.name, f"=[axes.name.{i}]", tables.pieces, units,
                       (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
                       "*1000" if unit == "mm" else "*180/PI()", axis.motion.size, later, over=over)  # fmt: skip

@@ -28,31 +28,31 @@ OFFSET = ("@offset", "Offset of the slide's line from the shaft", "e", "mm", "of
 WORD = {"format": "", "align": "left"}
 
 
-def area(one: SlideLinkage, d: Array | float) -> Any:
+def area(linkage: SlideLinkage, d: Array | float) -> Any:
     """Return four areas of the triangle where the slide is at d from the shaft (m²), by its sides."""
-    r, rod = one.lever, one.link
+    r, rod = linkage.lever, linkage.link
     return np.sqrt(np.maximum(0.0, (rod + r - d) * (rod - r + d) * (d + r - rod) * (d + r + rod)))
 
 
-def lengths(one: SlideLinkage, lever: str, link: str) -> list[Quantity]:
+def lengths(linkage: SlideLinkage, lever: str, link: str) -> list[Quantity]:
     """Return the rows of lever, link and offset in m, by the entries of the first two."""
     return [
-        calc("@r", "Lever", "r", "m", f"=@{lever}/1000", one.lever),
-        calc("@l", "Link", "l", "m", f"=@{link}/1000", one.link),
-        calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
+        calc("@r", "Lever", "r", "m", f"=@{lever}/1000", linkage.lever),
+        calc("@l", "Link", "l", "m", f"=@{link}/1000", linkage.link),
+        calc("@e", "Offset", "e", "m", "=@offset/1000", linkage.offset),
     ]
 
 
-def begun(one: SlideLinkage) -> list[Quantity]:
+def begun(linkage: SlideLinkage) -> list[Quantity]:
     """Return the rows of the lever where the motion begins, and of what is an end of the reach."""
-    d = float(np.hypot(one.zero, one.offset))
+    d = float(np.hypot(linkage.zero, linkage.offset))
     return [
         calc("@d0", "Slide to the shaft, where the motion begins", "d_0", "m", "=SQRT(@x0^2+@e^2)", d),
-        calc("@k0", "Four areas of the triangle there", "K_0", "m²", f"={AREA.format(d='@d0')}", area(one, d), "Heron",
-             scale=one.link**2),
+        calc("@k0", "Four areas of the triangle there", "K_0", "m²", f"={AREA.format(d='@d0')}", area(linkage, d),
+             "Heron", scale=linkage.link**2),
         calc("@psi0", "Angle of the lever where the motion begins", "ψ_0", "rad",
-             f"={ANGLE.format(x='@x0', d='@d0', k='@k0')}", one.start, "from the direction of the slide's line"),
-        calc("@near_end", "So near to an end counts as in it", "", "m", "=check_zero*(@high-@low)", near_end(one),
+             f"={ANGLE.format(x='@x0', d='@d0', k='@k0')}", linkage.start, "from the direction of the slide's line"),
+        calc("@near_end", "So near to an end counts as in it", "", "m", "=check_zero*(@high-@low)", near_end(linkage),
              "in a dead centre the shaft may go on either way", format="0E+00"),
     ]  # fmt: skip
 
