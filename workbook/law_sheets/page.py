@@ -30,9 +30,8 @@ def finite(value: float) -> float | str:
 def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> Sheet:
     """Declare the sheet of one law, and return it."""
     page, law, entered = named.page, named.law, named.entered
-    sheet = book.sheet(
-        sheet_title(named.called, [sheet.title for sheet in book.sheets]), f"{page.title} ({page.source})"
-    )
+    title = sheet_title(named.called, [sheet.title for sheet in book.sheets])
+    sheet = book.sheet(title, f"{page.title} ({page.source})")
     sheet.called = named.called
     rise = Phase(law, si(entered.lift, MM), entered.time)
     with sheet.scoped(f"{named.slug}_"):

@@ -49,8 +49,8 @@ class DriveView:
 
     Of the table of intervals it has the ``rows``: of pieces of the motion (their ``room``), cut at edges of process
     forces and at even ``steps`` of the cycle. The load of one that ``slides`` travels while its axis turns; the ratio
-    of one that ``varies`` depends on the position; the figures of the brake are known of one that ``brakes``; a sheet
-    Selection asks for points that are ``asked``. ``rate`` is the one that it is sized at (cycles/min). A view ``like``
+    of one that ``varies`` depends on the position; the figures of the brake are known of one that ``brakes``; the
+    points of one ``for_selection`` are on that sheet. ``rate`` is the one that it is sized at (cycles/min). A view ``like``
     it is of the same load behind another motor or reducer.
     """
 

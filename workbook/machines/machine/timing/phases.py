@@ -63,12 +63,8 @@ def own(tables: AxisTables, column: str, formula: str) -> str:
 
 def entered(tables: AxisTables) -> list[Quantity]:
     """Return the columns of kind and entries, of the kinds of both ends if phases hand over, and of the end."""
-    over, axis, key, steps = (
-        tables.machine.over,
-        tables.axis,
-        f"axes.{tables.axis.number - 1}.phases.*",
-        f"{tables.name}_steps",
-    )
+    over, axis, steps = tables.machine.over, tables.axis, f"{tables.name}_steps"
+    key = f"axes.{axis.number - 1}.phases.*"
 
     def entry(name: str) -> list[Any]:
         return filled([getattr(p, name) for p in axis.typed.phases], tables.rows, None)
@@ -88,8 +84,7 @@ def entered(tables: AxisTables) -> list[Quantity]:
     reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
     ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
     return [
-        calc("kind", "phase", "", "", doubled(sampling.kind(tables.at.ends)),
-             sampling.kinds(axis.phases, tables.rows)),
+        calc("kind", "phase", "", "", doubled(sampling.kind(tables.at.ends)), sampling.kinds(axis.phases, tables.rows)),
         given("start", "from", "", over.unit, entry("start"), f"{key}.start", format=over.format),
         given("stop", "to", "", over.unit, entry("stop"), f"{key}.stop", format=over.format),
         given("lift", "lift", "h", axis.given.unit, entry("lift"), f"{key}.lift", format="0.0##"),
@@ -128,14 +123,14 @@ def extremes(tables: AxisTables) -> list[Quantity]:
 
 def used(tables: AxisTables) -> list[Quantity]:
     """Return law, lift and angles of each phase as the cells compute with them."""
-    n, phases, over, turned = tables.rows, tables.axis.phases, tables.machine.over, tables.axis.given.phases
+    n, axis, over = tables.rows, tables.axis, tables.machine.over
+    phases, turned = axis.phases, axis.given.phases
     start, stop = over.degrees_formula("[start]"), over.degrees_formula("[stop]")
     laws = filled([tables.machine.given.laws.number(p.law) for p in turned], n, 1)
     return [
         constant("k", "row", "k", "", list(range(1, n + 1))),
         calc("no", "law number", "", "", LAW_NUMBER, laws, format="0"),
-        calc("h", "lift", "h", tables.axis.base,
-             "=[lift]/1000" if tables.axis.given.unit == "mm" else "=RADIANS([lift])",
+        calc("h", "lift", "h", axis.base, "=[lift]/1000" if axis.given.unit == "mm" else "=RADIANS([lift])",
              filled([p.lift for p in phases], n), source="conversion"),
         calc("span", "duration", "δ", "rad", f'=IF([stop]="",0,RADIANS({stop}-{start}))',
              filled([p.duration for p in phases], n), source="conversion"),
