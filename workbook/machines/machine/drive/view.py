@@ -50,13 +50,13 @@ class DriveView:
     Of the table of intervals it has the ``rows``: of pieces of the motion (their ``room``), cut at edges of process
     forces and at even ``steps`` of the cycle. The load of one that ``slides`` travels while its axis turns; the ratio
     of one that ``varies`` depends on the position; the figures of the brake are known of one that ``brakes``; the
-    points of one ``for_selection`` are on that sheet. ``rate`` is the one that it is sized at (cycles/min). A view ``like``
-    it is of the same load behind another motor or reducer.
+    points of one ``for_selection`` are on that sheet. ``rate`` is the one that it is sized at (cycles/min). A view
+    ``like`` another is of the same load behind another motor or reducer.
     """
 
-    def __init__(self, one: AxisTables, driven: Driven, like: "DriveView | None" = None) -> None:
-        self.tables, self.driven, machine, own = one, driven, one.machine.given, driven.entered.rate
-        self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, one.machine.room
+    def __init__(self, tables: AxisTables, driven: Driven, like: "DriveView | None" = None) -> None:
+        self.tables, self.driven, machine, own = tables, driven, tables.machine.given, driven.entered.rate
+        self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, tables.machine.room
         self.rows = self.room + self.steps - 1
         self.slides, self.varies = driven.given.SLIDES, driven.linkage is not None
         self.brakes = driven.entered.motor is not None and driven.entered.motor.brake is not None
@@ -64,8 +64,10 @@ class DriveView:
         self.rate = machine.per_minute if own is None else own
         self.time = driven.drive_cycle.time  # of a cycle (s)
         self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour
-        told = (like.cycle.pieces, like.cycle.near) if like else (list(one.pieces.pieces), one.axis.motion.tolerance)
-        self.cycle: QuadratureCycle = QuadratureCycle(driven.drive_cycle, *told)
+        pieces, near = list(tables.pieces.pieces), tables.axis.motion.tolerance
+        if like:
+            pieces, near = like.cycle.pieces, like.cycle.near
+        self.cycle: QuadratureCycle = QuadratureCycle(driven.drive_cycle, pieces, near)
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
         self.points = DrivePoints(self.load)
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
