@@ -24,14 +24,14 @@ class CutPart(NamedTuple):
     """A part of the cycle: some consecutive pieces of a law with a constant velocity superimposed."""
 
     scaled: ScaledLaw
-    opens: float  # time at which the part begins (s)
+    begin: float  # time at which the part begins (s)
     first: int  # number of its first piece of the law, from 0
-    taken: int  # number of pieces
+    used: int  # number of pieces
 
     def pieces(self, number: int, whole: bool = False) -> list[MotionPiece]:
         """Return its pieces, with ``number`` as that of their phase."""
-        found = pieces_of(self.scaled, number, whole)[self.first : self.first + self.taken] if self.taken else []
-        return [replace(piece, begin=max(piece.begin, self.opens)) for piece in found]
+        found = pieces_of(self.scaled, number, whole)[self.first : self.first + self.used] if self.used else []
+        return [replace(piece, begin=max(piece.begin, self.begin)) for piece in found]
 
 
 def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart, CutPart]:

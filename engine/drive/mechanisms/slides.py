@@ -131,7 +131,7 @@ def rocker(
     zero = lever * math.cos(angle) + (1.0 if ahead else -1.0) * math.sqrt(rest)
     across = math.sin(angle - math.atan2(offset, zero))
     side = 1 if across > 0.0 else -1
-    places = ends_of(lever, link, offset, side, zero)
+    places = lock_places(lever, link, offset, side, zero)
     low = max(((place.below, place.name) for place in places if place.x < zero), default=None)
     high = min(((place.above, place.name) for place in places if place.x > zero), default=None)
     if low is None or high is None or abs(across) < SAME:
@@ -143,7 +143,7 @@ def rocker(
     return SlideLinkage("rocker", lever, link, offset, side, 1 if direction > 0 else -1, zero, start, reach)
 
 
-class EndPlace(NamedTuple):
+class LockPlace(NamedTuple):
     """A candidate for an end of the slide's reach."""
 
     rest: float  # square of the place (m²); below 0 if it does not exist
@@ -156,9 +156,9 @@ class EndPlace(NamedTuple):
     name: str
 
 
-def ends_of(lever: float, link: float, offset: float, side: int, zero: float) -> list[EndPlace]:
+def lock_places(lever: float, link: float, offset: float, side: int, zero: float) -> list[LockPlace]:
     """Return the places at which a linkage may lock: lever and link in line, or the link square to the slide."""
-    both, far, found = (1.0, -1.0), farther(lever, link, offset), []
+    both, far, found = (1.0, -1.0), far_off(lever, link, offset), []
     in_line = [((link + way * lever) ** 2 - offset**2, DEAD) for way in both]
     square = [(lever**2 - (offset + way * link) ** 2, SQUARE) for way in both]
     for (rest, name), sign in ((candidate, sign) for candidate in (*in_line, *square) for sign in both):
@@ -167,11 +167,11 @@ def ends_of(lever: float, link: float, offset: float, side: int, zero: float) ->
         along = at if name == DEAD else lever_end
         x = at if rest >= 0.0 and (name == DEAD or abs(at - along) <= SAME * link) else zero
         below, above = x if x < zero else -far, x if x > zero else far
-        found.append(EndPlace(rest, at, math.hypot(at, offset), along, x, below, above, name))
+        found.append(LockPlace(rest, at, math.hypot(at, offset), along, x, below, above, name))
     return found
 
 
-def farther(lever: float, link: float, offset: float) -> float:
+def far_off(lever: float, link: float, offset: float) -> float:
     """Return a distance (m) beyond the reach of any slide of these lengths (m)."""
     return FAR * (lever + link + abs(offset))
 

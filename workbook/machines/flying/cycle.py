@@ -92,7 +92,7 @@ def motion_tables(sheet: Sheet, machine: CutterView, rows: PieceRows, stack: Pie
         calc("begin", "its time starts at", "", "s",
              ["=0", "=fly_stop", "=fly_wait", "=fly_tr"], [one.x for one in of]),
         calc("opens", "begins at", "", "s",
-             ["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"], [part.opens for part in parts]),
+             ["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"], [part.begin for part in parts]),
         calc("drift", "drift", "v", "m/s", ["=fly_v", "=0", "=fly_v", "=fly_v"], [one.drift for one in of]),
         calc("y0", "position there", "s", "m",
              ["=0", "=IF(fly_waits=1,fly_v*fly_stop+fly_h1/1000*[standing.s.1],0)", "=0",
