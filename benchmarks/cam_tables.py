@@ -24,8 +24,8 @@ from engine.laws.base import Array
 from engine.motion import Motion, Phase
 from engine.motion.pieces import CamProfile, profile_of_motion
 from workbook.controllers.registry import target, targets
-from workbook.controllers.tabulation import automatic, certified, reread, tabulated
-from workbook.controllers.target import Handed
+from workbook.controllers.tabulation import automatic, certify_table, reread, tabulate
+from workbook.controllers.target import CamExport
 from workbook.reports.html import Line, plot
 from workbook.template_outputs import CamAxis
 
@@ -90,8 +90,8 @@ def spent(task: Callable[[], object]) -> float:
 
 def export(axis: CamAxis) -> None:
     one = target("codesys")
-    made = certified(one, tabulated(one, axis, POINTS), axis.profile)
-    certified(one, reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table), axis.profile)
+    made = certify_table(one, tabulate(one, axis, POINTS), axis.profile)
+    certify_table(one, reread(one, one.write(CamExport(made.table, "demo", (), ("°", "mm"))), made.table), axis.profile)
 
 
 def costs() -> Table:

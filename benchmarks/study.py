@@ -21,7 +21,7 @@ from workbook.judging.batch import Target, verify_many
 from workbook.pool import cores
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.studies.folder import Parts
-from workbook.studies.plan import Plan, planned
+from workbook.studies.plan import Plan, make_plan
 from workbook.studies.run import run
 from workbook.studies.space import Study
 from workbook.template import FOLDER
@@ -47,7 +47,7 @@ def study(designs: int, folder: Path) -> Plan:
     feeding = {"axes": machine.axes[:1], "clearances": []}
     feeding["selection"] = machine.selection.model_copy(update={"axis": None})
     write_text(folder / "feed.toml", write_machine(machine.model_copy(update=feeding)))
-    return planned(Study.model_validate(told), folder / "feed.toml", "benchmark")
+    return make_plan(Study.model_validate(told), folder / "feed.toml", "benchmark")
 
 
 def one_pass(rows: int) -> float:

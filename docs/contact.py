@@ -10,7 +10,7 @@ import tempfile
 from html import escape
 from pathlib import Path
 
-from workbook.build import committed
+from workbook.build import committed_descriptions
 from workbook.witnesses.engines import convert
 
 FOLDER = Path(__file__).parent / "contact"
@@ -33,7 +33,9 @@ def contact() -> Path:
     FOLDER.mkdir(exist_ok=True)
     for old in FOLDER.glob("*.png"):
         old.unlink()
-    books = "".join(f"<h2>{escape(path.stem)}</h2>\n{''.join(map(figure, pages(path)))}" for path in committed())
+    books = "".join(
+        f"<h2>{escape(path.stem)}</h2>\n{''.join(map(figure, pages(path)))}" for path in committed_descriptions()
+    )
     sheet = FOLDER / "index.html"
     sheet.write_text(f"{HEAD}{books}", encoding="utf-8", newline="\n")
     return sheet

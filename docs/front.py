@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import tostring
 
-from workbook.pool import HERE
+from workbook.pool import THIS_PROCESS
 from workbook.reports.study import names_of, picture
 from workbook.studies.evaluate import Evaluator, require_names
 from workbook.studies.folder import Parts
@@ -30,7 +30,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         parts = Parts(Path(folder, "r.csv"), plan.digest, plan.space.size)
         with parts.opened(False, False):
-            found = run(plan, parts, HERE, lambda count, before: None)
+            found = run(plan, parts, THIS_PROCESS, lambda count, before: None)
     drawn = tostring(picture(plan.study, found.best, named), encoding="unicode")
     (HERE_LIES / "front.svg").write_text(drawn + "\n", encoding="utf-8", newline="\n")
     print(f"{found.designs:,} designs, {found.feasible:,} feasible")

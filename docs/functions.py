@@ -22,7 +22,7 @@ from tests.functions.calc import Calc
 from workbook.book.address import Address
 from workbook.functions import publish
 from workbook.functions.names import definitions
-from workbook.witnesses.engines import Formulon, IronCalc, LibreOffice, cells
+from workbook.witnesses.engines import Formulon, IronCalc, LibreOffice, formulon_values
 
 PAGE = Path(__file__).with_suffix(".md")
 HEAD = """\
@@ -79,7 +79,7 @@ def by_formulon(path: Path) -> list[Any]:
     """Return what the names answer, computed by formulon."""
     with formulon.Workbook.load(written_to(path, True, all_required).read_bytes()) as book:
         book.recalc()
-        held = cells(book)
+        held = formulon_values(book)
     return [held.get(Address("Sheet", row, 7)) for row in range(1, len(ASKED) + 1)]
 
 

@@ -11,12 +11,12 @@ from workbook.book.rows import as_rows
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.judging.carry_over import carried_over, not_carried
+from workbook.judging.carry_over import find_additions, not_carried
 from workbook.judging.matching import Match
-from workbook.judging.repair import in_order
+from workbook.judging.repair import repair_book
 from workbook.judging.report import OK
-from workbook.pool import collector_paused, swept_between
-from workbook.reading.descriptions import checked, counted, read_machine, require_possible, template_named
+from workbook.pool import collecting_between, collector_paused
+from workbook.reading.descriptions import counted_from_1, read_machine, require_possible, template_named, validated
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.reading.guard import inspect
@@ -25,7 +25,7 @@ from workbook.selection.catalogue_files import Product, read_motors, read_reduce
 from workbook.selection.entries import MOST_PRODUCTS, Products
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 from workbook.writing.archive import same_book
 from workbook.writing.output_files import refuse_existing
 from workbook.writing.write import save
@@ -42,11 +42,11 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
     """
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
-    require_possible(template, machine, counted)
+    require_possible(template, machine, counted_from_1)
     with collector_paused():
         book = template.declare(machine)
         save(book, type(machine), path, overwrite, require_readable)
-    return failing(book)
+    return failing_checks(book)
 
 
 def require_readable(draft: Path) -> None:
@@ -59,7 +59,7 @@ def require_readable(draft: Path) -> None:
         raise InputError([f"sizes: too large a workbook to be verified: {refusal}; expected fewer samples"]) from None
 
 
-def failing(book: Book) -> list[str]:
+def failing_checks(book: Book) -> list[str]:
     """Return a line for each check of a book that fails, axes by their names; then one on all that depends on these."""
     named = [(q, block.size) for block in book.blocks.values() if block.name == "axes" for q in block.quantities]
     names = [str(name) for q, rows in named if q.name == "name" for name in as_rows(q.value, rows, q.name)]
@@ -74,7 +74,7 @@ def failing(book: Book) -> list[str]:
     return [*lines, *([f"Without a result yet: {'; '.join(open_)}"] if open_ else [])]
 
 
-def described(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:
+def read_description(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:
     """Read a machine description, its choice of motor and reducer among the catalogues that are named.
 
     Where none is named, and the description has none of its own, motors.csv and reducers.csv beside it are taken.
@@ -98,19 +98,19 @@ def described(path: Path, motors: Path | None = None, reducers: Path | None = No
         if len(products) > MOST_PRODUCTS:
             raise InputError([f"{file}: {len(products)} products; expected at most {MOST_PRODUCTS}"])
         data["sizes"][entry] = max(data["sizes"][entry], len(products))  # tables have room for them
-    return checked(template_named(machine.template, str(path)), data, lambda key: f"{path}: {key}")
+    return validated(template_named(machine.template, str(path)), data, lambda key: f"{path}: {key}")
 
 
-def inputs(path: Path) -> tuple[Machine, list[str]]:
+def read_inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
-    match, machine, notes = entered(path)
+    match, machine, notes = read_entered(path)
     return machine, notes + not_carried(match, machine.template)
 
 
-def entered(path: Path) -> tuple[Match, Machine, list[str]]:
+def read_entered(path: Path) -> tuple[Match, Machine, list[str]]:
     """Return a workbook with what belongs into its cells, what was entered, and lines on entries that are no values."""
     file = open_book(path)
-    entries = Entries(file, agreed, in_order)
+    entries = Entries(file, agreed_values, repair_book)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
     notes += [f"{one.sheet}!{one.cell}: {one.computed}; expected {one.expected}" for one in entries.moved]
@@ -122,17 +122,17 @@ def entered(path: Path) -> tuple[Match, Machine, list[str]]:
 
 def regenerate(path: Path, output: Path, overwrite: bool = False) -> tuple[list[str], list[str]]:
     """Build a workbook anew from what was entered into an old one; return what is left behind, and failing checks."""
-    match, machine, notes = entered(path)
+    match, machine, notes = read_entered(path)
     template = TEMPLATES[machine.template]
-    require_possible(template, machine, counted)
+    require_possible(template, machine, counted_from_1)
     with collector_paused():
         book = template.declare(machine)
-        own = carried_over(match, book)
+        own = find_additions(match, book)
         save(book, type(machine), output, overwrite, require_readable, own)
-    return notes + not_carried(match, machine.template, own), failing(book)
+    return notes + not_carried(match, machine.template, own), failing_checks(book)
 
 
-def committed() -> list[Path]:
+def committed_descriptions() -> list[Path]:
     """Return the committed machine descriptions, several of some templates; the workbook of each lies beside it."""
     return sorted(FOLDER.glob("*.toml"))
 
@@ -141,8 +141,8 @@ def write_templates() -> list[Path]:
     """Generate the workbook of every committed machine description, and the files of the functions."""
     from workbook.functions import publish  # slow to import, and no other command needs it
 
-    books = [description.with_suffix(".xlsx") for description in committed()]
-    for book in swept_between(books):
+    books = [description.with_suffix(".xlsx") for description in committed_descriptions()]
+    for book in collecting_between(books):
         build(read_machine(book.with_suffix(".toml")), book, overwrite=True)
     return [*books, *publish.write_files()]
 
@@ -153,7 +153,7 @@ def stale_templates() -> list[Path]:
 
     found = []
     with tempfile.TemporaryDirectory() as folder:
-        for description in swept_between(committed()):
+        for description in collecting_between(committed_descriptions()):
             book = description.with_suffix(".xlsx")
             build(read_machine(description), fresh := Path(folder) / book.name)
             if not (book.exists() and same_book(fresh, book)):

@@ -10,12 +10,12 @@ from typing import Any, Self, TypeVar
 
 import workbook
 from workbook.errors import MotionbookError
-from workbook.pool import HERE, Died, Pool, cores
+from workbook.pool import THIS_PROCESS, Pool, WorkerDied, cores
 
 T = TypeVar("T")
 R = TypeVar("R")
 MOST_JOBS = 61  # Windows waits for no more processes at once
-SWEPT = 32  # pieces of work, between two searches for garbage: a command runs with the search off
+COLLECT_EVERY = 32  # pieces of work, between two searches for garbage: a command runs with the search off
 WAIT = "10s"  # for a scheduler
 LOCAL = {
     "distributed.scheduler.allowed-failures": 0,  # a task whose worker died comes back, and is tried alone
@@ -26,7 +26,7 @@ LOCAL = {
     "distributed.comm.timeouts.connect": WAIT,
 }
 LOGGERS = ("distributed", "distributed.client", "tornado", "tornado.application", "asyncio")
-FEWER = {"distributed.comm.retry.count": 0, "distributed.comm.timeouts.connect": WAIT}
+REMOTE = {"distributed.comm.retry.count": 0, "distributed.comm.timeouts.connect": WAIT}
 
 
 class ClusterError(MotionbookError):
@@ -38,7 +38,7 @@ def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
     """Give who works: this process for one job, processes for more, a cluster by its scheduler; raise ClusterError."""
     wanted = min(jobs or cores(), MOST_JOBS)
     if scheduler is None and wanted <= 1:
-        yield HERE
+        yield THIS_PROCESS
         return
     import distributed  # noqa: F401 - it sets levels of its own when it is imported
 
@@ -73,9 +73,9 @@ def remote(scheduler: str) -> Iterator[Any]:
     import dask
     from distributed import Client
 
-    with dask.config.set(FEWER):
+    with dask.config.set(REMOTE):
         try:
-            asyncio.run(answered(scheduler))
+            asyncio.run(require_answer(scheduler))
             client = Client(scheduler, timeout=WAIT, set_as_default=False)
         except Exception as error:  # an address, a port, or what speaks there may be anything
             said = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
@@ -95,7 +95,7 @@ def remote(scheduler: str) -> Iterator[Any]:
                 client.close(timeout=1)
 
 
-async def answered(scheduler: str) -> None:
+async def require_answer(scheduler: str) -> None:
     """Have a scheduler say in time who it is: for a port that is silent Dask's client waits for minutes."""
     from asyncio import wait_for
 
@@ -124,7 +124,7 @@ class Workers(Pool):
         with local(1) as client:
             yield type(self)(client, "")
 
-    def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | Died]]:
+    def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | WorkerDied]]:
         """Yield each task with what the function gives; one more than there are workers are handed out."""
         from distributed import as_completed
 
@@ -135,7 +135,7 @@ class Workers(Pool):
 
         def hand_out() -> None:
             while len(running) < most and (task := next(waiting, None)) is not None:
-                future = self.client.submit(shallow, function, task, *shared, pure=False)
+                future = self.client.submit(without_recursion_error, function, task, *shared, pure=False)
                 running[future.key] = task
                 finished.add(future)
 
@@ -148,7 +148,7 @@ class Workers(Pool):
                 del future
                 hand_out()
                 count += 1
-                if not count % SWEPT:
+                if not count % COLLECT_EVERY:
                     gc.collect()
                 yield task, came
         finally:
@@ -163,7 +163,7 @@ class Workers(Pool):
         try:
             return future.result()
         except KilledWorker:
-            return Died()
+            return WorkerDied()
         except (CancelledError, TimeoutError, OSError) as error:
             if future.status == "error":
                 raise
@@ -171,7 +171,7 @@ class Workers(Pool):
             raise ClusterError(f"the scheduler{where} is gone, or it was told to stop") from error
 
 
-def shallow(function: Callable[..., R], *arguments: Any) -> R:
+def without_recursion_error(function: Callable[..., R], *arguments: Any) -> R:
     """Return what a function gives; too deep a recursion is another error, since Dask waits for ever for its own."""
     try:
         return function(*arguments)

@@ -19,7 +19,7 @@ def visible(text: str, kept: str = "") -> str:
                    for c in text)  # fmt: skip
 
 
-def found(value: Any) -> str:
+def quoted(value: Any) -> str:
     """Return what was found as an engineer wrote it, in short and in one line."""
     if isinstance(value, bool):
         return str(value).upper()

@@ -21,20 +21,20 @@ SOURCES = Path(__file__).parents[1]
 MOST = 1_000_000  # bytes of what is remembered of a file
 
 
-def recall(what: str, sha256: str) -> dict[str, Any] | None:
+def load_cached(what: str, sha256: str) -> dict[str, Any] | None:
     """Return what is remembered of a file; None where nothing is, or what a changed program remembered."""
     with suppress(OSError, ValueError, RuntimeError):  # the last of a system that knows no home
         path = folder() / f"{sha256}.{what}.json"
         if path.stat().st_size <= MOST:
             known = json.loads(path.read_bytes())
-            if isinstance(known, dict) and known.get("program") == program():
+            if isinstance(known, dict) and known.get("program") == program_digest():
                 return known
     return None
 
 
-def remember(what: str, sha256: str, data: dict[str, Any]) -> None:
+def store_cached(what: str, sha256: str, data: dict[str, Any]) -> None:
     """Remember ``data`` of a file; where that cannot be written, it is found out again another time."""
-    text = json.dumps(data | {"program": program()})
+    text = json.dumps(data | {"program": program_digest()})
     with suppress(OSError, RuntimeError, WriteError):
         write_text(folder() / f"{sha256}.{what}.json", text, overwrite=True)
 
@@ -50,7 +50,7 @@ def folder() -> Path:
 
 
 @cache
-def program() -> str:
+def program_digest() -> str:
     """Return what tells this program from another: its modules by name, size and time of change, and Python."""
     told = hashlib.sha256(f"{sys.version} {platform.machine()}".encode())
     for room in ("engine", "workbook"):

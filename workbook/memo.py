@@ -1,4 +1,4 @@
-"""What was made lately, found again by what it was made of, as far as :func:`remember` asks a process for it."""
+"""What was made lately, found again by what it was made of, as far as :func:`enable_memo` asks a process for it."""
 
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -9,18 +9,18 @@ _known: dict[str, list[tuple[Any, Any]]] = {}
 _most = 0
 
 
-def remember(most: int) -> None:
+def enable_memo(most: int) -> None:
     """Remember from now on so many things of each kind."""
     global _most
     _most = most
 
 
-def remembers() -> bool:
+def memo_enabled() -> bool:
     """Whether anything is remembered."""
     return _most > 0
 
 
-def latest(kind: str, of: Any, make: Callable[[], T]) -> T:
+def memoized(kind: str, of: Any, make: Callable[[], T]) -> T:
     """Return what was made of an equal thing if it is remembered, else make it."""
     known = _known.setdefault(kind, [])
     place = next((k for k, (other, _) in enumerate(known) if other == of), None)

@@ -15,7 +15,7 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-class Died:
+class WorkerDied:
     """What comes of a task whose worker died."""
 
 
@@ -24,7 +24,7 @@ class Pool:
 
     distant = False  # whether they may be other machines, which do not see this one's files
 
-    def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | Died]]:
+    def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | WorkerDied]]:
         """Yield each task with what ``function(task, *shared)`` gives, as they are finished, taken as there is room."""
         for task in tasks:
             yield task, function(task, *shared)
@@ -34,7 +34,7 @@ class Pool:
         return nullcontext(self)
 
 
-HERE = Pool()
+THIS_PROCESS = Pool()
 
 
 @contextmanager
@@ -49,7 +49,7 @@ def collector_paused() -> Iterator[None]:
             gc.enable()
 
 
-def swept_between(items: Iterable[T]) -> Iterator[T]:
+def collecting_between(items: Iterable[T]) -> Iterator[T]:
     """Yield items, and search between two of them: a command runs with the search off, and one book may be large."""
     for n, item in enumerate(items):
         if n:

@@ -17,7 +17,7 @@ M = TypeVar("M", bound=Machine)
 MOST = 99  # parts of a kind that are told apart by numbers
 
 
-class Other(NamedTuple, Generic[M]):
+class Alternative(NamedTuple, Generic[M]):
     """Another way to tell a machine: the model of such a description, and the same machine told so."""
 
     model: type[M]
@@ -47,12 +47,12 @@ class Template(Generic[M]):
     fixed: Callable[[M], dict[str, Any]] = lambda machine: {}  # by key the entries that a layout alone tells
     deviations: Callable[[M], list[str]] = lambda machine: []  # a line for each result farther from the exact than told
     rates: Callable[[M], list[str]] = lambda machine: []  # of these the lines on highest rates alone
-    others: Mapping[str, Other[M]] = field(default_factory=dict)  # other ways to tell a machine, by their own key
+    others: Mapping[str, Alternative[M]] = field(default_factory=dict)  # by the key that only such a description has
     folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template
 
     def model_for(self, data: Any) -> type[M]:
         """Return the model that checks a description."""
-        return next((other.model for key, other in self.others.items() if has(data, key)), self.model)
+        return next((other.model for key, other in self.others.items() if has_key(data, key)), self.model)
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""
@@ -77,7 +77,7 @@ class Template(Generic[M]):
         return self.folder / f"{self.name}.xlsx"
 
 
-def has(data: Any, key: str) -> bool:
+def has_key(data: Any, key: str) -> bool:
     """Whether a description has a key."""
     for part in key.split("."):
         if not isinstance(data, Mapping) or part not in data:

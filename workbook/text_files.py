@@ -16,7 +16,7 @@ CONTROL = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x19\x1b-\x1f\x7f]")
 OTHER = "this is a device or a pipe"
 
 
-def odd(path: Path) -> str:
+def irregular_kind(path: Path) -> str:
     """Return what ``path`` leads to unless that is a regular file; nothing is opened: a pipe would wait for ever."""
     return KINDS.get(stat.S_IFMT(path.stat().st_mode), OTHER)
 
@@ -24,11 +24,11 @@ def odd(path: Path) -> str:
 def require_file(path: Path, expected: str) -> None:
     """Raise ReadError unless ``path`` is a regular file, or a link to one."""
     try:
-        kind = odd(path)
+        kind = irregular_kind(path)
     except (FileNotFoundError, NotADirectoryError) as error:
         raise ReadError(f"{path}: there is no such file") from error
     except (OSError, ValueError) as error:
-        raise unread(path, error, expected) from error
+        raise read_error(path, error, expected) from error
     if kind:
         raise ReadError(f"{path}: {kind}; expected {expected}")
 
@@ -43,7 +43,7 @@ def read_text(path: Path, expected: str, most: int = MOST, foreign: bool = False
         with path.open("rb") as file:
             data = file.read(most + 1)
     except OSError as error:
-        raise unread(path, error, expected) from error
+        raise read_error(path, error, expected) from error
     if len(data) > most:
         raise ReadError(f"{path}: {path.stat().st_size:,} bytes; expected {expected}, of at most {most:,}")
     known = ["utf-8-sig", *(["cp1252"] if foreign and not CONTROL.search(data) else [])]
@@ -53,6 +53,6 @@ def read_text(path: Path, expected: str, most: int = MOST, foreign: bool = False
     raise ReadError(f"{path}: this is not a text; expected {expected} in UTF-8")
 
 
-def unread(path: Path, error: Exception, expected: str) -> ReadError:
+def read_error(path: Path, error: Exception, expected: str) -> ReadError:
     """Return the error for a file that the system does not give."""
     return ReadError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}; expected {expected}")

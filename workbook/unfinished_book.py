@@ -26,10 +26,10 @@ MOST_TURNS = 1000
 
 def with_entries(book: Book, machine: Machine) -> Book:
     """Return the book of a machine, with what was entered of its unfinished design."""
-    return Unfinished(book, machine).book if machine.design.replaced else book
+    return UnfinishedBook(book, machine).book if machine.design.replaced else book
 
 
-class Unfinished:
+class UnfinishedBook:
     """A book that is being changed: entries first, then what is known of the checks, then what hangs on entries."""
 
     def __init__(self, book: Book, machine: Machine) -> None:

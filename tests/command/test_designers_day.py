@@ -6,7 +6,7 @@ import tomllib
 import openpyxl
 import pytest
 
-from workbook.build import build, described
+from workbook.build import build, read_description
 
 MACHINE = """
 template = "machine"
@@ -118,7 +118,7 @@ def desk(tmp_path_factory):
 @pytest.fixture(scope="module")
 def book(desk):
     """The machine's workbook: all its checks are OK."""
-    assert build(described(desk / "machine.toml"), desk / "machine.xlsx") == []
+    assert build(read_description(desk / "machine.toml"), desk / "machine.xlsx") == []
     return desk / "machine.xlsx"
 
 

@@ -6,10 +6,10 @@ import pytest
 
 from tests.foreign.books import BOOKS, VARIABLE
 from tests.foreign.mutants import Trial, sample
-from workbook.oracle.declarations import load
+from workbook.oracle.declarations import load_oracle
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
-from workbook.witnesses.engines import convert, program
+from workbook.witnesses.engines import convert, libreoffice_path
 
 every_book = pytest.mark.parametrize("book", BOOKS, ids=lambda book: book.name)
 
@@ -29,7 +29,7 @@ def sound(there, tmp_path):
 
 
 def judged(path, book, witnesses=("pycel", "formualizer")):
-    return Judge(open_book(path), load(book.declarations)).judge(100, witnesses=witnesses)
+    return Judge(open_book(path), load_oracle(book.declarations)).judge(100, witnesses=witnesses)
 
 
 @every_book
@@ -52,7 +52,7 @@ def test_without_these_faults_nothing_is_named(sound, book):
 @every_book
 @pytest.mark.nightly
 def test_nothing_is_named_of_what_libreoffice_saves_of_it(sound, book, tmp_path):
-    if program() is None:
+    if libreoffice_path() is None:
         pytest.skip("LibreOffice is not on this machine")
     folder = tmp_path / "saved"
     folder.mkdir()
@@ -62,7 +62,7 @@ def test_nothing_is_named_of_what_libreoffice_saves_of_it(sound, book, tmp_path)
 @every_book
 @pytest.mark.parametrize("size", [10, pytest.param(1000, marks=pytest.mark.nightly)])
 def test_faults_that_change_an_output_are_named(sound, book, size):
-    trial = Trial(open_book(sound), load(book.declarations))
+    trial = Trial(open_book(sound), load_oracle(book.declarations))
     outcomes = {fault: trial.outcome(fault) for fault in sample(trial.judge, size, seed=37)}
     missed = [str(fault) for fault, outcome in outcomes.items() if outcome == "missed"]
     named = Counter(outcomes.values())["named"]

@@ -10,7 +10,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from tests.workbook.office import MODULE, TIMEOUT
-from workbook.witnesses.engines import PROFILE, program
+from workbook.witnesses.engines import PROFILE, libreoffice_path
 
 FILTERS = {"xlsx": "Calc MS Excel 2007 XML", "ods": "calc8"}
 MACRO = """
@@ -75,10 +75,10 @@ class Calc:
         return target
 
     def _office(self, *arguments):
-        self._run(program(), "--headless", "--norestore", *arguments)
+        self._run(libreoffice_path(), "--headless", "--norestore", *arguments)
 
     def _packages(self, *arguments):
-        self._run(Path(program()).resolve().with_name("unopkg"), *arguments)
+        self._run(Path(libreoffice_path()).resolve().with_name("unopkg"), *arguments)
 
     def _run(self, command, *arguments):
         user = {}

@@ -17,7 +17,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Book
 from workbook.book.formula import Area, Formula
 from workbook.entries.machine import Machine
-from workbook.judging.comparison import TOLERANCE, Right, difference
+from workbook.judging.comparison import TOLERANCE, ExpectedValues, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.judging.verify import Report, judge
 from workbook.machines.machine.mechanism import LINKED
@@ -111,7 +111,7 @@ class Bench:
 
         Else they hold what they compute, so that rounding is what it is in the book.
         """
-        right = Right(self.match, self.template.declare(machine))
+        right = ExpectedValues(self.match, self.template.declare(machine))
         expected = {a: right.get(a) for a, p in self.pairs.items() if p.declared_formula}
         given = {a: right.get(a) for a, p in self.pairs.items() if p.cell.quantity.role == "input"}
         computed = expected if assumed else self.model.evaluate(given)

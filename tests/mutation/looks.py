@@ -19,7 +19,7 @@ from workbook.build import build
 from workbook.errors import ReadError
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Report
-from workbook.judging.verify import displayed, verify
+from workbook.judging.verify import check_display, verify
 from workbook.reading.files import open_book
 from workbook.writing.archive import unzipped, zipped
 
@@ -57,7 +57,7 @@ class Looks:
         """Return the cells at which ``verify`` finds that something else is shown."""
         path, report = self.path.with_name("looks.xlsx"), Report(self.path, self.template.name)
         changed.save(path)
-        displayed(Match(open_book(path), self.declared), self.model, {}, report)
+        check_display(Match(open_book(path), self.declared), self.model, {}, report)
         return {f"{f.sheet}!{f.cell}" for f in report.findings}
 
     def numbers(self) -> list[Pair]:

@@ -11,7 +11,7 @@ from typing import Any
 from tests.laws import PAGED, blended
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.reading.descriptions import checked
+from workbook.reading.descriptions import validated
 from workbook.templates import MODULES, TEMPLATES
 
 TRIES = 200
@@ -28,7 +28,7 @@ def machine(given: Machine, drawn: random.Random) -> Machine:
     varied = import_module(f"tests.mutation.draw_{MODULES[given.template]}").varied
     for _ in range(TRIES):
         try:
-            made = checked(TEMPLATES[given.template], varied(given.model_dump(), drawn), str)
+            made = validated(TEMPLATES[given.template], varied(given.model_dump(), drawn), str)
         except InputError as error:
             refused = str(error)
         else:

@@ -8,11 +8,11 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.book.address import Address
 from workbook.judging.carry_over import not_carried
-from workbook.judging.comparison import TOLERANCE, Right, difference
+from workbook.judging.comparison import TOLERANCE, ExpectedValues, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.writing import archive
 from workbook.writing.write import parts
@@ -103,13 +103,13 @@ def entered(template, machine):
     """The machine that is read back from the cells of a machine's book, and in lines what of it is not carried over."""
     written = opened(template.declare(machine), type(machine))
     file = BookFile(Path("book.xlsx"), written, find_places(written))
-    back = Entries(file, agreed).machine()
+    back = Entries(file, agreed_values).machine()
     return back, not_carried(Match(file, template.declare(back)), template.name)
 
 
 def compared(match, book, values):
     """The formula cells whose value is not the engine's, in words; and how many formula cells there are."""
-    right = Right(match, book)
+    right = ExpectedValues(match, book)
     pairs = [pair for pair in match.pairs if pair.declared_formula]
     wrong = [
         f"{pair.cell.block.name}.{pair.cell.quantity.name}[{pair.cell.i}]: {values[a]} for {right.get(a)}"

@@ -6,7 +6,7 @@ from functools import cache
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from workbook.witnesses.engines import program
+from workbook.witnesses.engines import libreoffice_path
 
 TIMEOUT = 180  # seconds
 MODULE = """<?xml version="1.0" encoding="UTF-8"?>
@@ -60,4 +60,4 @@ def profile(locale):
 
 
 def started(folder):
-    return [program(), "--headless", "--norestore", f"-env:UserInstallation={Path(folder).as_uri()}"]
+    return [libreoffice_path(), "--headless", "--norestore", f"-env:UserInstallation={Path(folder).as_uri()}"]

@@ -8,7 +8,7 @@ import pytest
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from tests.workbook.test_unfinished import small
 from workbook.book.rows import as_rows
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.entries import rules
 from workbook.entries.design import finished, fitting
 from workbook.errors import InputError
@@ -64,9 +64,9 @@ def test_an_emptied_entry_is_missing_and_not_its_default(name, block, column, tm
     assert report.unfinished
     assert any(f"{place.quantities[0].label if not place.is_table else ''}" in c.says and "empty" in c.says
                for c in report.failing)  # fmt: skip
-    found, _ = inputs(tmp_path / "edited.xlsx")
+    found, _ = read_inputs(tmp_path / "edited.xlsx")
     build(found, tmp_path / "new.xlsx")
-    assert (verify(tmp_path / "new.xlsx").findings, inputs(tmp_path / "new.xlsx")[0]) == ([], found)
+    assert (verify(tmp_path / "new.xlsx").findings, read_inputs(tmp_path / "new.xlsx")[0]) == ([], found)
 
 
 def test_a_coefficient_without_a_duration_makes_no_rise_of_two(tmp_path):
@@ -104,7 +104,7 @@ def test_a_row_left_blank_above_another_is_told_in_one_line(name, table, tmp_pat
     sheet.cell(place.row + free + 1, place.columns[last.name]).value = value
     book.save(tmp_path / "edited.xlsx")
     try:
-        lines = inputs(tmp_path / "edited.xlsx")[1]
+        lines = read_inputs(tmp_path / "edited.xlsx")[1]
     except InputError as refused:
         lines = refused.lines
     (line,) = [line for line in lines if "nothing is entered" in line]

@@ -15,17 +15,17 @@ from tests.workbook import office
 from tests.workbook.cells import disagreeing, entered
 from tests.workbook.composed import COMPOSED, DESCRIBED
 from tests.workbook.judging.test_real_edits import numbers
-from workbook.build import build, committed, inputs
+from workbook.build import build, committed_descriptions, read_inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.engines import program
+from workbook.witnesses.engines import libreoffice_path
 
 STATIONS = "indexing-overlap-stations"
 DAY, MACHINES = 7, 16  # random machines of each layout, the same every day
-needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
+needs_office = pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
 
 
 @pytest.fixture(scope="module", params=by_day([*DESCRIBED, STATIONS], COMPOSED))
@@ -51,17 +51,17 @@ def test_every_formula_cell_has_an_engine_value(template):
 def test_a_random_machine_comes_back_from_its_book(layout, k, tmp_path):
     drawn, path = machine(layout, random.Random(seed(k))), tmp_path / "book.xlsx"
     build(drawn, path)
-    assert inputs(path) == (drawn, [])
+    assert read_inputs(path) == (drawn, [])
     assert verify(path).findings == []
 
 
-@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 @pytest.mark.sample(6)
 def test_every_committed_book_verifies(path):
     assert verify(path.with_suffix(".xlsx")).findings == []
 
 
-@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 @pytest.mark.sample(5)
 def test_every_committed_machine_comes_back_from_its_cells(path):
     given = read_machine(path)
@@ -130,7 +130,7 @@ def test_rows_above_every_table_columns_and_other_titles_change_nothing(layout, 
     report = verify(edited, ["pycel", "saved"])
     assert [f"{f.sheet}!{f.cell} {f.kind}" for f in report.findings] == []
     assert report.own == []
-    assert numbers(inputs(edited)[0]) == numbers(layout)
+    assert numbers(read_inputs(edited)[0]) == numbers(layout)
 
 
 def first_number(sheet):

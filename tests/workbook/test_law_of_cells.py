@@ -12,7 +12,7 @@ from benchmarks.scale import of_axes
 from tests.workbook.cells import opened
 from tests.workbook.machines.test_machine_linked import linked, small
 from tests.workbook.machines.test_machine_tables import BENT, PHASES
-from workbook.build import committed
+from workbook.build import committed_descriptions
 from workbook.judging.matching import is_formula
 from workbook.judging.structure import ALLOWED
 from workbook.machines.machine.mechanism import LINKED, some_mechanism
@@ -32,7 +32,7 @@ PLAIN = re.compile(r"\d{1,6}(\.\d{1,6})?|1E[+-]?\d+|10{9}", re.I)
 REFERENCE = re.compile(r"(?:('[^']+'|[A-Za-z_]\w*)!)?(\$?[A-Z]{1,3}\$?\d+(?::\$?[A-Z]{1,3}\$?\d+)?)(?![\w(])")
 TEXT = re.compile(r'"[^"]*"')
 LINKAGES = {kind: some_mechanism(kind).model_dump() for kind in LINKED} | {"table": BENT}
-BOOKS = {path.stem: path for path in committed()} | {"12 axes": 12} | LINKAGES
+BOOKS = {path.stem: path for path in committed_descriptions()} | {"12 axes": 12} | LINKAGES
 """committed descriptions; machines of so many axes with drives; one with each mechanism of a changing ratio"""
 
 

@@ -12,7 +12,7 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook import build as making
 from workbook import file_cache
-from workbook.build import build, described, inputs
+from workbook.build import build, read_description, read_inputs
 from workbook.commands import make
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
@@ -79,7 +79,7 @@ def test_what_is_left_behind_is_named(what, built, tmp_path):
     book = openpyxl.load_workbook(built)
     put(book)
     book.save(tmp_path / "edited.xlsx")
-    machine, notes = inputs(tmp_path / "edited.xlsx")
+    machine, notes = read_inputs(tmp_path / "edited.xlsx")
     assert notes == [line]
     assert machine == read_machine(DESCRIPTION)
 
@@ -91,11 +91,11 @@ def test_pictures_and_text_boxes_are_counted(built, tmp_path):
         for part in old.namelist():
             data = old.read(part)
             new.writestr(part, data.replace(b"</wsDr>", box.replace(b"xdr:", b"")) if "drawing1" in part else data)
-    assert inputs(path)[1] == ["shapes and text boxes are not carried over: 1 in all"]
+    assert read_inputs(path)[1] == ["shapes and text boxes are not carried over: 1 in all"]
 
 
 def test_nothing_is_left_of_an_untouched_book(built):
-    assert inputs(built)[1] == []
+    assert read_inputs(built)[1] == []
 
 
 def test_the_committed_catalogues_are_referred_to(tmp_path):
@@ -107,7 +107,7 @@ def test_the_committed_catalogues_are_referred_to(tmp_path):
     (tmp_path / "machine.toml").write_text(text, encoding="utf-8")
     head = "name,inertia_kgcm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm"
     (tmp_path / "motors.csv").write_text(f"{head}\nX,0.01,2,3,3000\n", encoding="utf-8")
-    again = described(tmp_path / "machine.toml")
+    again = read_description(tmp_path / "machine.toml")
     assert again == machine
     build(machine, tmp_path / "one.xlsx")
     build(again, tmp_path / "other.xlsx")
@@ -125,7 +125,7 @@ def test_what_was_read_of_the_same_bytes_is_remembered_with_its_notes(built, tmp
     make.inputs(tmp_path / "edited.xlsx", tmp_path / "first.toml", force=False)
     first = capsys.readouterr()
     assert OWN["a number"][1] in " ".join((first.out + first.err).split())
-    monkeypatch.setattr(making, "inputs", lambda path: pytest.fail("read again"))
+    monkeypatch.setattr(making, "read_inputs", lambda path: pytest.fail("read again"))
     make.inputs(tmp_path / "edited.xlsx", tmp_path / "again.toml", force=False)
     assert capsys.readouterr().err == first.err
     assert (tmp_path / "again.toml").read_text("utf-8") == (tmp_path / "first.toml").read_text("utf-8")

@@ -13,7 +13,7 @@ import pytest
 from tests.workbook.composed import EXERCISE, composed
 from workbook.book.address import Address
 from workbook.book.formula import Area, read, reference
-from workbook.build import build, committed
+from workbook.build import build, committed_descriptions
 from workbook.entries.machine import Machine
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
@@ -147,7 +147,7 @@ def hanging(book):
     return {key: (min(d), 1.0 if key[-1] else max(x) - min(x)) for key, (d, x) in found.items()}
 
 
-@pytest.mark.parametrize("description", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("description", committed_descriptions(), ids=lambda path: path.stem)
 @pytest.mark.sample(2)
 def test_no_look_up_hangs_on_less_than_a_billionth(description):
     machine = read_machine(description)

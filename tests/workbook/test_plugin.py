@@ -10,12 +10,12 @@ from tests.mutation.examine import Tally, examined, names_it_first
 from tests.workbook.cells import disagreeing, entered
 from tests.workbook.dimensions.test_dimensions import Labelled, not_named
 from tests.workbook.serve.test_fields import entries, parts, values
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.starter.hoist import TEMPLATE
-from workbook.studies.evaluate import Evaluator, of_book
+from workbook.studies.evaluate import Evaluator, book_value
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
 
@@ -40,7 +40,7 @@ def test_every_formula_cell_has_an_engine_value(hoist):
 def test_its_book_agrees_and_its_inputs_come_back(hoist, tmp_path):
     build(hoist, tmp_path / "hoist.xlsx")
     assert verify(tmp_path / "hoist.xlsx", ["pycel", "formualizer"]).findings == []
-    assert inputs(tmp_path / "hoist.xlsx") == (hoist, [])
+    assert read_inputs(tmp_path / "hoist.xlsx") == (hoist, [])
 
 
 def test_every_variation_agrees_and_comes_back(hoist):
@@ -72,7 +72,7 @@ def test_a_study_of_it_says_what_its_books_say(hoist, tmp_path):
     found = Evaluator(plan).table(0, plan.space.columns(0, 3))
     books = [TEMPLATE.declare(hoist.model_copy(update={"mass": mass})) for mass in (50.0, 100.0, 150.0)]
     for name in ("peak", "rms"):
-        assert list(found.results[name]) == [of_book(book, name) for book in books]
+        assert list(found.results[name]) == [book_value(book, name) for book in books]
 
 
 def test_the_browser_s_form_has_a_field_for_each_of_its_entries():

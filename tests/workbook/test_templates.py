@@ -2,9 +2,9 @@
 
 import pytest
 
-from workbook.build import build, committed
+from workbook.build import build, committed_descriptions
 from workbook.errors import InputError
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import read_machine, validated
 from workbook.templates import TEMPLATES
 
 BACKWARDS = [{"duration": 0.5, "c0": -4.0}, {"duration": 0.5, "c0": 12.0}]  # s(1) = 1
@@ -28,17 +28,17 @@ def backwards(name):
     return data
 
 
-@pytest.mark.parametrize("description", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("description", committed_descriptions(), ids=lambda path: path.stem)
 def test_variations_pass_the_check_and_come_back_as_entries(description):
     machine = read_machine(description)
     template = TEMPLATES[machine.template]
     for variant in template.variants(machine):
-        assert checked(template, variant.model_dump(), str) == variant
+        assert validated(template, variant.model_dump(), str) == variant
 
 
 @pytest.mark.parametrize("name", OWN)
 def test_what_only_the_engine_can_see_makes_a_design_unfinished(name):
-    (fault,) = checked(TEMPLATES[name], backwards(name), str).design.faults
+    (fault,) = validated(TEMPLATES[name], backwards(name), str).design.faults
     assert (fault.key, fault.said) == OWN[name][1]
 
 

@@ -7,7 +7,7 @@ import openpyxl
 import pytest
 import tomli_w
 
-from workbook.build import build, described, inputs
+from workbook.build import build, read_description, read_inputs
 from workbook.entries.design import finished
 from workbook.errors import FAILS, InputError
 from workbook.judging.batch import Target, exit_code, verify_one
@@ -193,7 +193,7 @@ def written(data, path):
 @pytest.mark.sample(3)
 def test_out_in_and_through(name, case, tmp_path):
     changes, check, sentence = CASES[name][case]
-    machine = described(written(changed(small(name), changes), tmp_path / "machine.toml"))
+    machine = read_description(written(changed(small(name), changes), tmp_path / "machine.toml"))
     lines = build(machine, tmp_path / "book.xlsx")
     named = check or ""
     for i, axis in enumerate(getattr(machine, "axes", []), 1):
@@ -206,12 +206,12 @@ def test_out_in_and_through(name, case, tmp_path):
     told = [c for c in report.failing if c.what == check] if check else report.failing
     assert [c for c in told if c.found == "FAIL" and c.says.endswith(sentence)]
     assert report.compared + report.unfinished == report.declared
-    back, notes = inputs(tmp_path / "book.xlsx")
+    back, notes = read_inputs(tmp_path / "book.xlsx")
     assert (back, notes) == (machine, [])
     build(back, tmp_path / "again.xlsx")
     assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
     (tmp_path / "again.toml").write_text(write_machine(back), encoding="utf-8")
-    assert described(tmp_path / "again.toml") == machine
+    assert read_description(tmp_path / "again.toml") == machine
 
 
 EDITED = {
@@ -238,7 +238,7 @@ PASTED = [pytest.param(name, edit, marks=[pytest.mark.nightly] if name in SLOW e
 @pytest.mark.sample(2)
 def test_what_is_pasted_into_a_book(name, edit, tmp_path):
     """No validation holds it back: the sheet, verify, inputs and regenerate take it alike."""
-    machine = described(written(small(name), tmp_path / "machine.toml"))
+    machine = read_description(written(small(name), tmp_path / "machine.toml"))
     build(machine, tmp_path / "book.xlsx")
     block, column, row, value = edit
     place = TEMPLATES[machine.template].declare(machine).blocks[block]
@@ -249,15 +249,17 @@ def test_what_is_pasted_into_a_book(name, edit, tmp_path):
     assert (report.findings, report.holds) == ([], False)
     assert report.unfinished
     assert any(c.found == "FAIL" and c.says for c in report.failing)
-    found, _ = inputs(tmp_path / "edited.xlsx")
+    found, _ = read_inputs(tmp_path / "edited.xlsx")
     assert len(found.design.replaced) >= 1
     build(found, tmp_path / "new.xlsx")
-    assert (verify(tmp_path / "new.xlsx").findings, inputs(tmp_path / "new.xlsx")[0]) == ([], found)
+    assert (verify(tmp_path / "new.xlsx").findings, read_inputs(tmp_path / "new.xlsx")[0]) == ([], found)
 
 
 def test_empty_cells_have_no_value(tmp_path):
     """A cell that is unfinished keeps its formula and is saved without a value; no cell has an error value."""
-    machine = described(written(changed(small("cutting-machine"), [("master", "rate", 0.0)]), tmp_path / "m.toml"))
+    machine = read_description(
+        written(changed(small("cutting-machine"), [("master", "rate", 0.0)]), tmp_path / "m.toml")
+    )
     build(machine, tmp_path / "book.xlsx")
     declared = TEMPLATES["machine"].declare(machine)
     formulas = openpyxl.load_workbook(tmp_path / "book.xlsx")
@@ -271,7 +273,9 @@ def test_empty_cells_have_no_value(tmp_path):
 
 
 def test_an_overlap_of_one_axis_leaves_the_others_and_the_laws(tmp_path):
-    machine = described(written(changed(small("cutting-machine"), [(*MOVED, 1, "start", 60.0)]), tmp_path / "m.toml"))
+    machine = read_description(
+        written(changed(small("cutting-machine"), [(*MOVED, 1, "start", 60.0)]), tmp_path / "m.toml")
+    )
     book = TEMPLATES["machine"].declare(machine)
     unfinished = {(c.block.name, c.quantity.name) for c in book.cells() if c.expected is None and c.quantity.formula}
     blocks = {block for block, _ in unfinished}
@@ -302,7 +306,7 @@ def test_an_overlap_of_one_axis_leaves_the_others_and_the_laws(tmp_path):
 )
 def test_structure_and_type_refuse_in_one_line(changes, line, tmp_path):
     with pytest.raises(InputError) as refused:
-        described(written(changed(small("cutting-machine"), changes), tmp_path / "machine.toml"))
+        read_description(written(changed(small("cutting-machine"), changes), tmp_path / "machine.toml"))
     (told,) = refused.value.lines
     assert line in told
 
@@ -316,7 +320,9 @@ def test_a_finished_design_has_nothing_replaced():
 
 def test_verify_reads_the_sentence_of_the_sheet(tmp_path):
     """A decimal comma, and fewer digits, are the same sentence; another row is another one."""
-    machine = described(written(changed(small("cutting-machine"), [(*MOVED, 1, "start", 84.5)]), tmp_path / "m.toml"))
+    machine = read_description(
+        written(changed(small("cutting-machine"), [(*MOVED, 1, "start", 84.5)]), tmp_path / "m.toml")
+    )
     build(machine, tmp_path / "book.xlsx")
     file = open_book(tmp_path / "book.xlsx")
     said = TEMPLATES["machine"].declare(machine).blocks["axis2_follows_says"].quantities[0].value

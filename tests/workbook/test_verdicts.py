@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from workbook.build import committed
+from workbook.build import committed_descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -33,10 +33,10 @@ VERDICTS: dict[str, tuple[int, list[str]]] = {  # checks in the book, and those 
 
 
 def test_every_committed_machine_is_listed() -> None:
-    assert sorted(path.stem for path in committed()) == sorted(VERDICTS)
+    assert sorted(path.stem for path in committed_descriptions()) == sorted(VERDICTS)
 
 
-@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 def test_its_checks_are_so_many_and_these_of_them_fail(path: Path) -> None:
     machine = read_machine(path)
     book = TEMPLATES[machine.template].declare(machine)
@@ -46,7 +46,7 @@ def test_its_checks_are_so_many_and_these_of_them_fail(path: Path) -> None:
 
 def test_a_rougher_machine_is_told_by_its_check() -> None:
     """S3's second example asks for velocity alone: asked for acceleration, its trapezoid falls short."""
-    machine = read_machine(next(path for path in committed() if path.stem == "motion-composer-example-2"))
+    machine = read_machine(next(path for path in committed_descriptions() if path.stem == "motion-composer-example-2"))
     data = machine.model_dump()
     data["axes"][0]["smoothness"] = "acceleration"
     book = TEMPLATES[machine.template].declare(type(machine).model_validate(data))

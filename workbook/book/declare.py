@@ -29,7 +29,7 @@ from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Block, Cell, Quantity, calc, check, columns_of, constant, entries_of, given, result
 from workbook.book.rows import as_rows
 from workbook.book.sheet import FIRST, Sheet, Text
-from workbook.memo import latest, remembers
+from workbook.memo import memo_enabled, memoized
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "RowRule", "Sheet", "Text",
@@ -128,7 +128,7 @@ def quoted(title: str) -> str:
 
 def declare_or_copy(book: Book, kind: str, of: tuple[Any, ...], declare: Callable[[], None]) -> None:
     """Declare sheets, or copy those that were declared of equal things behind sheets of the same titles."""
-    if not remembers():
+    if not memo_enabled():
         declare()
         return
     fresh: list[Book] = []
@@ -143,7 +143,7 @@ def declare_or_copy(book: Book, kind: str, of: tuple[Any, ...], declare: Callabl
         fresh.append(kept)
         return kept
 
-    found = latest(kind, (*of, *(sheet.title for sheet in book.sheets)), made)
+    found = memoized(kind, (*of, *(sheet.title for sheet in book.sheets)), made)
     if not fresh:
         book.guards += found.guards
         book.column_names |= found.column_names

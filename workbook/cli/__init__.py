@@ -11,7 +11,7 @@ from typer.exceptions import TyperException
 from workbook.cli import tools
 from workbook.cli.books import app
 from workbook.errors import AGREES, UNREADABLE, MotionbookError
-from workbook.reports.terminal import ERR, lasting, say
+from workbook.reports.terminal import ERR, say, tolerant_outputs
 
 __all__ = ["app", "main", "tools"]
 
@@ -21,8 +21,8 @@ def main() -> None:
 
     A terminal that takes no more, as ``| head -1`` leaves one, does not change the exit code; a file that is full does.
     """
-    with lasting() as fault_of_output:
-        code = ran()
+    with tolerant_outputs() as fault_of_output:
+        code = run_command()
         fault = fault_of_output()
         if fault is not None and not isinstance(fault, BrokenPipeError):
             say(ERR, f"what was to be printed could not be written: {fault.strerror}", "red")
@@ -30,7 +30,7 @@ def main() -> None:
     sys.exit(code)
 
 
-def ran() -> int:
+def run_command() -> int:
     """Return the exit code of the command, its faults told."""
     try:
         return int(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped

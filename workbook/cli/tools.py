@@ -49,7 +49,7 @@ def export(
     """
     from workbook.commands import export as exporting
 
-    asked = exporting.asked_for(to_target, points, tolerance or (), separator, decimal, unverified, equidistant, of)
+    asked = exporting.parse_options(to_target, points, tolerance or (), separator, decimal, unverified, equidistant, of)
     raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report, switches, fresh))
 
 

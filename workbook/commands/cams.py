@@ -8,17 +8,17 @@ import numpy as np
 
 from engine.cams.identify import THINNED
 from engine.motion.pieces import SAME
-from workbook.commands.export import LOAD, SHAFT, Switched, chosen, shafts, takes, tolerated
-from workbook.commands.verify import opened, vouched
+from workbook.commands.export import LOAD, SHAFT, SwitchFile, choose_axes, parse_tolerance, shafts, switch_format
+from workbook.commands.verify import open_finished, verified_header
 from workbook.controllers import as_description
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.table import equidistant
-from workbook.controllers.tabulation import certified
+from workbook.controllers.tabulation import certify_table
 from workbook.controllers.target import Target, Track, differences, read_table, text_of
 from workbook.errors import AGREES, DISAGREES, ReadError, TargetError, visible
-from workbook.reading.descriptions import checked, template_named, write_machine
-from workbook.reports.cams import excess, show, told
-from workbook.reports.terminal import ERR, give, say, say_data, say_json
+from workbook.reading.descriptions import template_named, validated, write_machine
+from workbook.reports.cams import certificate_data, excess, show
+from workbook.reports.terminal import ERR, print_or_write, say, say_data, say_json
 from workbook.template_outputs import CamSwitch
 from workbook.templates import TEMPLATES
 from workbook.writing.output_files import refuse_existing, refuse_itself
@@ -31,7 +31,7 @@ NEAR = 1e-6  # of the cycle: so far the file's may be from the book's
 def read(file: Path, source: str, output: Path | None, force: bool, tolerance: str | None = None) -> None:
     """Tell what a controller's file was made of, and write it as a description."""
     target = target_named(source)
-    order, share = tolerated(tolerance) if tolerance is not None else ("y", THINNED)
+    order, share = parse_tolerance(tolerance) if tolerance is not None else ("y", THINNED)
     if order != "y":
         raise TargetError(f"--tolerance {tolerance}: expected y and a share of the reach, as y=0.01%")
     if output is not None:
@@ -45,10 +45,10 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
         raise TargetError(f"{file}: no motion can be fitted to its points ({error})") from error
     title = f"Read from {visible(file.name)}"
     title = title if len(title) <= LONGEST else f"{title[: LONGEST - 1]}…"
-    data = as_description.composed(found, table, units, title)
-    machine = checked(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
+    data = as_description.compose(found, table, units, title)
+    machine = validated(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
-    for line in as_description.lines(found, units):
+    for line in as_description.movement_lines(found, units):
         say(ERR, line)
     if found.delay:
         say(ERR, f"It begins on the way: written as an axis that is {found.delay:.9g} {units[0]} later")
@@ -56,14 +56,14 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     if units[0] == "°" and equidistant(table.x) and abs(reach + step - TURN) < NEAR * TURN:  # as of a column a degree
         said = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
         say(ERR, f"{said}; if it is a turn, add its end", "yellow")
-    give(write_machine(machine), output, force)
+    print_or_write(write_machine(machine), output, force)
 
 
 def read_switches(file: Path, source: str, output: Path | None) -> None:
     """Tell the switches of a controller's file as entries of a machine's description."""
     if output is not None:
         raise TargetError("switches alone are no machine; expected no -o: paste what is printed into a description")
-    found, rows = lanes_of(file, target_named(source)), []
+    found, rows = read_tracks(file, target_named(source)), []
     say(ERR, f"{len(found)} switches, {sum(len(one.on) for one in found)} times of being on")
     for one in found:
         times = ", ".join(f"[{begin:.9g}, {end:.9g}]" for begin, end in one.on)
@@ -81,17 +81,17 @@ def compare(
     if switches == (axis is not None):
         raise TargetError("expected either --axis NAME or --switches")
     if switches:
-        lanes_of(file, target)  # what cannot be read is told before the book is verified
-    held = dict(map(tolerated, tolerance)) or dict(target.tolerance)
+        read_tracks(file, target)  # what cannot be read is told before the book is verified
+    held = dict(map(parse_tolerance, tolerance)) or dict(target.tolerance)
     table = None if switches else read_table(file, target)
-    machine, before = opened(book)
+    machine, before = open_finished(book)
     template = TEMPLATES[machine.template]
-    meant = None if table is None else chosen(template.axes(machine), axis, template.name)[0]
+    meant = None if table is None else choose_axes(template.axes(machine), axis, template.name)[0]
     if meant and of == SHAFT:
         (meant,) = shafts([meant], everything=False)
-    vouched(book, before, unverified, fresh)
+    verified_header(book, before, unverified, fresh)
     if table is None or meant is None:
-        return compared(book, template.switches(machine), file, target, as_json)
+        return compare_tracks(book, template.switches(machine), file, target, as_json)
     profile = meant.profile
     for given, own in zip(table.x[[0, -1]], profile.edges[[0, -1]], strict=True):
         if abs(float(given) - float(own)) > max(NEAR, SAME) * profile.total:
@@ -99,9 +99,9 @@ def compare(
                 f"{file}: x runs from {table.x[0]:.9g} to {table.x[-1]:.9g}; {meant.name} from "
                 f"{profile.edges[0]:.9g} to {profile.edges[-1]:.9g} {meant.x_unit}: expected the same cycle"
             )
-    made = certified(target, table, profile)
+    made = certify_table(target, table, profile)
     if as_json:
-        say_json(told(meant, made, target, str(file)))
+        say_json(certificate_data(meant, made, target, str(file)))
     else:
         show(meant, made, target)
     if made.excess(held) <= 1.0:
@@ -110,20 +110,20 @@ def compare(
     return DISAGREES
 
 
-def lanes_of(file: Path, target: Target) -> list[Track]:
+def read_tracks(file: Path, target: Target) -> list[Track]:
     """Return the switches of a controller's file; raise ReadError, in one line, where it is none."""
-    tappets = takes(target)
+    tappets = switch_format(target)
     try:
         return tappets.read(text_of(file, target))
     except TargetError as error:
         raise ReadError(f"{file}: {error}") from None
 
 
-def compared(book: Path, lanes: Sequence[CamSwitch], file: Path, target: Target, as_json: bool) -> int:
+def compare_tracks(book: Path, lanes: Sequence[CamSwitch], file: Path, target: Target, as_json: bool) -> int:
     """Compare the switches of a file with those of a book; return the exit code."""
-    tappets = takes(target, lanes)
-    pairs = list(zip(lanes, differences(lanes, lanes_of(file, target)), strict=True))
-    found = Switched(pairs, "", tappets, file)
+    tappets = switch_format(target, lanes)
+    pairs = list(zip(lanes, differences(lanes, read_tracks(file, target)), strict=True))
+    found = SwitchFile(pairs, "", tappets, file)
     if as_json:
         say_json(found.told(target))
     else:

@@ -9,18 +9,18 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from engine.timing import SwitchDifference
-from workbook.commands.verify import opened, vouched
+from workbook.commands.verify import open_finished, verified_header
 from workbook.controllers.registry import target as target_named
 from workbook.controllers.registry import targets
-from workbook.controllers.tabulation import Made, allowed, automatic, certified, reread, tabulated
-from workbook.controllers.target import MOST_OFF, Handed, HandedTracks, Tappets, Target, differences, header, tracks
+from workbook.controllers.tabulation import CertifiedTable, automatic, certify_table, require_count, reread, tabulate
+from workbook.controllers.target import MOST_OFF, CamExport, SwitchExport, Tappets, Target, differences, header, tracks
 from workbook.entries.machine import Machine
 from workbook.errors import AGREES, DISAGREES, TargetError, WriteError, visible
 from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_json, show_table, shown
 from workbook.template_outputs import CamAxis, CamSwitch
 from workbook.templates import TEMPLATES
-from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_one_for_two, write_text
+from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_same_file, write_text
 
 AUTO = "auto"
 LOAD, SHAFT = "load", "shaft"
@@ -28,7 +28,7 @@ SEPARATORS = {"semicolon": ";", "comma": ",", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
 
 
-class Switched(NamedTuple):
+class SwitchFile(NamedTuple):
     """The switches of a machine with their file's text, and how each differs when that is read back."""
 
     pairs: Sequence[tuple[CamSwitch, SwitchDifference]]
@@ -63,7 +63,7 @@ class Switched(NamedTuple):
                 "untested": [claim.what for claim in self.tappets.untested]}  # fmt: skip
 
 
-def takes(target: Target, switches: Sequence[CamSwitch] | None = None) -> Tappets:
+def switch_format(target: Target, switches: Sequence[CamSwitch] | None = None) -> Tappets:
     """Return how a target takes switches; raise TargetError where it does not, or where the machine has none."""
     if switches is not None and not switches:
         raise TargetError("the machine has no switches; expected some, or --axis NAME")
@@ -73,20 +73,20 @@ def takes(target: Target, switches: Sequence[CamSwitch] | None = None) -> Tappet
     return target.tappets
 
 
-def switched(
+def export_switches(
     machine: str, switches: Sequence[CamSwitch], target: Target, signs: tuple[str, str], mark: Sequence[str], path: Path
-) -> Switched:
+) -> SwitchFile:
     """Return the file of a machine's switches, read back."""
-    tappets = takes(target)
+    tappets = switch_format(target)
     header = (f"Switches of {machine}: {tappets.title}", "angles in °; on from one to the other", *mark,
               *(f"untested: {claim.what} ({claim.source})" for claim in tappets.untested))  # fmt: skip
     cycle, held = switches[0].switch.cycle, tracks(switches, tappets)
-    text = tappets.write(HandedTracks(held, "Switches", tuple(map(visible, header)), cycle, *signs))
+    text = tappets.write(SwitchExport(held, "Switches", tuple(map(visible, header)), cycle, *signs))
     found = differences(switches, tappets.read(text))
-    return Switched(list(zip(switches, found, strict=True)), text, tappets, path)
+    return SwitchFile(list(zip(switches, found, strict=True)), text, tappets, path)
 
 
-class Asked(NamedTuple):
+class Options(NamedTuple):
     """What is asked of an export beside the book."""
 
     target: Target
@@ -98,19 +98,19 @@ class Asked(NamedTuple):
     of: str  # the load or the motor's shaft
 
 
-class Exported(NamedTuple):
+class AxisFile(NamedTuple):
     """An axis with its file's text, and what was made of it when that was read back."""
 
     axis: CamAxis
     text: str
-    made: Made
+    made: CertifiedTable
     path: Path
 
 
-def asked_for(
+def parse_options(
     to: str, points: str, tolerance: Sequence[str], separator: str, decimal: str, unverified: bool, equal: bool = False,
     of: str = LOAD,
-) -> Asked:  # fmt: skip
+) -> Options:  # fmt: skip
     """Return what is asked for; raise TargetError where it cannot be meant."""
     target = target_named(to)
     if equal and target.spacing == "breaks":
@@ -119,18 +119,18 @@ def asked_for(
     if points != AUTO and not re.fullmatch(r"[0-9]{1,7}", points):
         raise TargetError(f"--points {points}: expected a number of points, or {AUTO}")
     if points != AUTO:
-        allowed(target, int(points))
+        require_count(target, int(points))
     for name, value, known in (("separator", separator, SEPARATORS), ("decimal", decimal, DECIMALS)):
         if name not in target.signs and value != next(iter(known)):
             raise TargetError(f"{to} has no {name} to choose; expected no --{name}")
     if SEPARATORS[separator] == DECIMALS[decimal]:
         raise TargetError("a comma parts the columns and is the decimal sign; expected two signs")
-    held = dict(map(tolerated, tolerance))
+    held = dict(map(parse_tolerance, tolerance))
     count, signs = None if points == AUTO else int(points), (SEPARATORS[separator], DECIMALS[decimal])
-    return Asked(target, count, held or dict(target.tolerance), bool(held), signs, unverified, of)
+    return Options(target, count, held or dict(target.tolerance), bool(held), signs, unverified, of)
 
 
-def tolerated(text: str) -> tuple[str, float]:
+def parse_tolerance(text: str) -> tuple[str, float]:
     """Return the order and the share that a tolerance such as a=1% names."""
     found = re.fullmatch(r"([yvaj])=([0-9]+(?:\.[0-9]*)?|\.[0-9]+)%", text.strip())
     if not found or not float(found[2]):
@@ -139,19 +139,19 @@ def tolerated(text: str) -> tuple[str, float]:
 
 
 def export(
-    book: Path, axis: str | None, asked: Asked, output: Path | None, everything: bool, force: bool, as_json: bool,
+    book: Path, axis: str | None, asked: Options, output: Path | None, everything: bool, force: bool, as_json: bool,
     report: Path | None = None, switches: bool = False, fresh: bool = False,
 ) -> int:  # fmt: skip
     """Write an axis of a book, its switches, or all of it as a target's files; return the exit code."""
     if [axis is not None, everything, switches].count(True) != 1:
         raise TargetError("expected either --axis NAME, --switches or --all")
-    page.ready(report, (".html", ".htm"), force)
+    page.require_writable(report, (".html", ".htm"), force)
     if output is not None and not everything:
         refuse_itself(output, book)
         refuse_existing(output, force)
-        refuse_one_for_two(output, report)
-    machine, before = opened(book)
-    axes, lanes, names = planned(machine, axis, asked, everything, switches)
+        refuse_same_file(output, report)
+    machine, before = open_finished(book)
+    axes, lanes, names = plan_export(machine, axis, asked, everything, switches)
     beside = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
     paths = beside if output is None or everything else [output]  # with --all, -o names the folder in which they lie
     there = [path for path in paths if os.path.lexists(path)]
@@ -161,16 +161,16 @@ def export(
                          "there, -o names another place)")  # fmt: skip
     for path in paths:
         refuse_existing(path, force)
-    refuse_one_for_two(*paths, report)
-    mark = vouched(book, before, asked.unverified, fresh)
+    refuse_same_file(*paths, report)
+    mark = verified_header(book, before, asked.unverified, fresh)
     with ERR.status("Exporting …"):
         state = (f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name)))
         told = ", ".join([machine.title, *state])
         found = [
-            exported(told, one, name, asked, mark, path) for one, name, path in zip(axes, names, paths, strict=False)
+            export_axis(told, one, name, asked, mark, path) for one, name, path in zip(axes, names, paths, strict=False)
         ]
-        turned = switched(told, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
-    if not kept(found, turned, asked, as_json):
+        turned = export_switches(told, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
+    if not show_certificates(found, turned, asked, as_json):
         return DISAGREES
     page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
@@ -180,8 +180,8 @@ def export(
     return AGREES
 
 
-def planned(
-    machine: Machine, axis: str | None, asked: Asked, everything: bool, switches: bool
+def plan_export(
+    machine: Machine, axis: str | None, asked: Options, everything: bool, switches: bool
 ) -> tuple[list[CamAxis], Sequence[CamSwitch], list[str]]:
     """Return axes and switches to export, and what each file is called, the switches' last; raise TargetError.
 
@@ -190,9 +190,9 @@ def planned(
     template = TEMPLATES[machine.template]
     known, lanes = template.axes(machine), template.switches(machine) if switches or everything else []
     called = dict(zip((one.name for one in known), slugs([one.name for one in known]), strict=True))
-    axes = [] if switches else chosen(known, axis, machine.template)
+    axes = [] if switches else choose_axes(known, axis, machine.template)
     if switches:
-        takes(asked.target, lanes)
+        switch_format(asked.target, lanes)
     elif lanes and asked.target.tappets is None:
         left = ", ".join(visible(one.name) for one in lanes)
         say(ERR, f"{asked.target.name} takes no switches: {left} stay in the book", "yellow")
@@ -222,11 +222,11 @@ def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
     return found
 
 
-def kept(found: Sequence[Exported], turned: Switched | None, asked: Asked, as_json: bool) -> bool:
+def show_certificates(found: Sequence[AxisFile], turned: SwitchFile | None, asked: Options, as_json: bool) -> bool:
     """Print the certificates, what is untested, what misses a tolerance; return whether all keeps to what was asked."""
     target = asked.target
     if as_json:
-        told: list[Any] = [cams.told(one.axis, one.made, target, str(one.path)) for one in found]
+        told: list[Any] = [cams.certificate_data(one.axis, one.made, target, str(one.path)) for one in found]
         say_json([*told, *([turned.told(target)] if turned else [])])
     else:
         for one in found:
@@ -247,7 +247,7 @@ def kept(found: Sequence[Exported], turned: Switched | None, asked: Asked, as_js
     return not missed
 
 
-def chosen(axes: Sequence[CamAxis], name: str | None, template: str) -> list[CamAxis]:
+def choose_axes(axes: Sequence[CamAxis], name: str | None, template: str) -> list[CamAxis]:
     """Return the axis of a name, or all; raise TargetError where there is none."""
     if not axes:
         raise TargetError(f"{template} has no axis that a controller could be given")
@@ -269,14 +269,14 @@ def slugs(names: Sequence[str]) -> list[str]:
     ]
 
 
-def exported(machine: str, axis: CamAxis, name: str, asked: Asked, mark: Sequence[str], path: Path) -> Exported:
+def export_axis(machine: str, axis: CamAxis, name: str, asked: Options, mark: Sequence[str], path: Path) -> AxisFile:
     """Return the text of the file of a machine's axis, and the certificate of what a reader of its own finds in it."""
     target = asked.target
     made = (automatic(target, axis, asked.tolerance) if asked.points is None
-            else certified(target, tabulated(target, axis, asked.points), axis.profile))  # fmt: skip
+            else certify_table(target, tabulate(target, axis, asked.points), axis.profile))  # fmt: skip
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
     lines = (f"{machine}, axis {axis.name}: {target.title}",
              header(made.points, " or ".join(made.certificates), equal, units), *mark,
              *(f"untested: {claim.what} ({claim.source})" for claim in target.untested))  # fmt: skip
-    text = target.write(Handed(made.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs))
-    return Exported(axis, text, certified(target, reread(target, text, made.table), axis.profile), path)
+    text = target.write(CamExport(made.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs))
+    return AxisFile(axis, text, certify_table(target, reread(target, text, made.table), axis.profile), path)

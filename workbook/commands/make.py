@@ -8,14 +8,14 @@ import workbook
 from workbook import build as making
 from workbook.commands.verify import digest_of
 from workbook.description import schema as schemas
-from workbook.description.commented import commented
+from workbook.description.commented import commented_description
 from workbook.errors import AGREES, DISAGREES, InputError, WriteError
-from workbook.file_cache import recall, remember
+from workbook.file_cache import load_cached, store_cached
 from workbook.reading.descriptions import template_named, write_machine
-from workbook.reports.terminal import ERR, OUT, give, say, shown
+from workbook.reports.terminal import ERR, OUT, print_or_write, say, shown
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_one_for_two, refuse_suffix, write_text
+from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_same_file, refuse_suffix, write_text
 
 INPUTS = "inputs"
 STARTER = Path(workbook.__file__).parent / "starter"
@@ -29,7 +29,7 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
     refuse_itself(target, source)
     refuse_suffix(target)
     with ERR.status(shown(f"Building {target} …")):
-        described = making.described(source, motors, reducers)
+        described = making.read_description(source, motors, reducers)
         failing = making.build(described, target, overwrite=force)
     say(OUT, f"Built {target.absolute()}")
     show("FAIL ", failing, "yellow")
@@ -44,14 +44,14 @@ def inputs(book: Path, output: Path | None, force: bool) -> None:
         refuse_existing(output, force)
     with ERR.status(shown(f"Reading {book} …")):
         sha256 = digest_of(book)
-        known = recall(INPUTS, sha256) if sha256 else None
+        known = load_cached(INPUTS, sha256) if sha256 else None
         if not known:
-            machine, notes = making.inputs(book)
+            machine, notes = making.read_inputs(book)
             known = {"text": write_machine(machine), "notes": notes}
             if sha256 and sha256 == digest_of(book):
-                remember(INPUTS, sha256, known)
+                store_cached(INPUTS, sha256, known)
     show("Note:", known["notes"])
-    give(known["text"], output, force)
+    print_or_write(known["text"], output, force)
 
 
 def regenerate(book: Path, output: Path, force: bool) -> None:
@@ -76,7 +76,7 @@ def templates(check: bool) -> int:
     for path in stale:
         say(ERR, f"{path}: stale; run 'motionbook templates' and commit it")
     if check and not stale:
-        OUT.print(f"{len(making.committed())} workbooks up to date")
+        OUT.print(f"{len(making.committed_descriptions())} workbooks up to date")
     return DISAGREES if stale else AGREES
 
 
@@ -92,11 +92,11 @@ def new(template: str, output: Path | None, force: bool) -> None:
     target = output or Path(f"{chosen.name}.toml")
     refuse_existing(target, force)
     beside = target.parent / f"{chosen.name}.schema.json"
-    refuse_one_for_two(target, beside)
+    refuse_same_file(target, beside)
     made = schemas.text(schemas.schema(chosen))
     if not (beside.is_file() and beside.read_bytes() == made.encode()):
         write_text(beside, made, force)
-    write_text(target, commented(chosen, f"./{beside.name}"), force)
+    write_text(target, commented_description(chosen, f"./{beside.name}"), force)
     say(OUT, f"Wrote {target.absolute()}, and {beside.name} beside it, from which an editor completes its keys")
 
 
@@ -128,4 +128,4 @@ def renamed(text: str, name: str) -> str:
 def schema(template: str | None, output: Path | None, force: bool) -> None:
     """Write the schema of a template's descriptions, or of any template's."""
     made = schemas.any_schema() if template is None else schemas.schema(template_named(template, "TEMPLATE"))
-    give(schemas.text(made), output, force)
+    print_or_write(schemas.text(made), output, force)

@@ -6,17 +6,17 @@ from pathlib import Path
 from openpyxl import load_workbook
 from openpyxl.styles import PatternFill
 
-from workbook.differences.design import compare, read
+from workbook.differences.design import compare, read_design
 from workbook.errors import AGREES, DISAGREES, InputError
-from workbook.judging.verify import present
+from workbook.judging.verify import available_witnesses
 from workbook.oracle.cells import draft
-from workbook.oracle.declarations import load
-from workbook.oracle.judge import FIRST, Judge, Judged, describe
+from workbook.oracle.declarations import load_oracle
+from workbook.oracle.judge import FIRST, Judge, OracleReport, describe
 from workbook.reading.files import BookFile, open_book
 from workbook.reports import differences as told
 from workbook.reports import page
 from workbook.reports.page import figure
-from workbook.reports.terminal import ERR, OUT, give, say, say_json, show_table, shown
+from workbook.reports.terminal import ERR, OUT, print_or_write, say, say_json, show_table, shown
 from workbook.witnesses.registry import WITNESSES as REGISTER
 from workbook.writing.output_files import refuse_existing, refuse_itself, replace
 
@@ -26,9 +26,9 @@ COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
 
 def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) -> int:
     """Tell what differs between two books or descriptions; return the exit code."""
-    page.ready(html, (".html",), force)
+    page.require_writable(html, (".html",), force)
     with ERR.status(shown(f"Comparing {old} and {new} …")):
-        before, after = read(old), read(new)
+        before, after = read_design(old), read_design(new)
     if before.machine.template != after.machine.template:
         kinds = f"{old} is of the template {before.machine.template}, {new} of {after.machine.template}"
         raise InputError([f"{kinds}; expected two of one template"])
@@ -53,8 +53,8 @@ def against(
         refuse_existing(marked, force)
     with ERR.status(shown(f"Comparing {path} with {declarations} …")):
         file = open_book(path)
-        names = [name for name in present(witnesses)[0] if not REGISTER[name]().kept]
-        found = Judge(file, load(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
+        names = [name for name in available_witnesses(witnesses)[0] if not REGISTER[name]().kept]
+        found = Judge(file, load_oracle(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
     if marked is not None:  # a copy in which the formula cells of each class have a colour of their own
         copy = load_workbook(path)
         for cell, kind in found.coverage.items():
@@ -73,10 +73,10 @@ def against(
 
 def write_draft(path: Path, output: Path | None, force: bool) -> None:
     """Write a first file of declarations for a workbook."""
-    give(draft(open_book(path)), output, force)
+    print_or_write(draft(open_book(path)), output, force)
 
 
-def show(file: BookFile, found: Judged) -> None:
+def show(file: BookFile, found: OracleReport) -> None:
     """Print the findings as a table, and how many formula cells are of each class."""
     if found.wrong:
         rows = [(describe(file, one.cell), one.kind, figure(one.found, 9), figure(one.expected, 9), one.at)

@@ -7,17 +7,17 @@ from datetime import datetime
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from workbook.build import described
+from workbook.build import read_description
 from workbook.cluster import pool
 from workbook.errors import AGREES, DISAGREES, FAILS, InputError, ReadError, WriteError
 from workbook.pool import cores
 from workbook.reports import study as page
 from workbook.reports.console import progress
 from workbook.reports.terminal import ERR, OUT, say
-from workbook.studies.evaluate import Evaluator, Named, listed, require_names
+from workbook.studies.evaluate import Evaluator, Labels, listed_results, require_names
 from workbook.studies.folder import ENDS, Parts, join, read, require_format
 from workbook.studies.plan import Plan, read_study
-from workbook.studies.run import Judged, paced, picked, run
+from workbook.studies.run import BookCheck, build_design, measure_pace, run
 from workbook.studies.summary import Summary
 from workbook.writing.output_files import refuse_existing, replace, write_text
 
@@ -39,10 +39,10 @@ def study(
     require_format(results)
     if pick is not None and not plan.study.goals:
         raise InputError([f"{path}: --pick takes the best, and no objective is told; expected minimise or maximise"])
-    found = at_hand(plan, results) if pick is not None else None
+    found = finished_study(plan, results) if pick is not None else None
     if found is None:
         named = require_names(plan, str(path))
-        found = ran(plan, results, named, scheduler, jobs, resume, unverified, force)
+        found = run_study(plan, results, named, scheduler, jobs, resume, unverified, force)
     if pick is None or not found.feasible:
         return AGREES if found.feasible else FAILS
     if not 1 <= pick <= len(found.best):
@@ -50,13 +50,13 @@ def study(
     target = book or results.with_name(f"{results.stem}-{pick}.xlsx")
     refuse_existing(target, force)
     with ERR.status("Building and verifying …"):
-        judged = picked(plan, found.best[pick - 1], target, force)
+        judged = build_design(plan, found.best[pick - 1], target, force)
     say(OUT, f"Built {target.absolute()}")
     return show_judged(judged)
 
 
-def ran(
-    plan: Plan, results: Path, named: Named, scheduler: str | None, jobs: int | None, resume: bool,
+def run_study(
+    plan: Plan, results: Path, named: Labels, scheduler: str | None, jobs: int | None, resume: bool,
     unverified: bool, force: bool,
 ) -> Summary:  # fmt: skip
     """Run a study to its end, write results, what is known of them, and the page."""
@@ -67,7 +67,7 @@ def ran(
         refuse_existing(one, over)
     begin = time.perf_counter()
     with ERR.status("Measuring how long a design takes …"):
-        pace = paced(plan)
+        pace = measure_pace(plan)
     parts.step, seconds = pace.step(plan.space), pace.seconds(plan.space)
     at_once = 1 if seconds < SHORT else jobs or cores()
     with pool(at_once, scheduler) as workers, parts.opened(resume, force):
@@ -94,7 +94,7 @@ def ran(
     judged = None
     if found.best and not unverified:  # the best one's book, where nobody looks
         with TemporaryDirectory() as folder, ERR.status("Verifying the best …"):
-            judged = picked(plan, found.best[0], Path(folder) / "best.xlsx", False)
+            judged = build_design(plan, found.best[0], Path(folder) / "best.xlsx", False)
     write_text(others[1], page.page(plan, found, named, judged, datetime.now().astimezone()), over)
     parts.remove()
     show(plan, found, results, seconds)
@@ -120,18 +120,18 @@ def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
 
 def listing(base: Path) -> int:
     """Print which results a study of a machine may ask for: first what is fast."""
-    for heading, names in listed(described(base)):
+    for heading, names in listed_results(read_description(base)):
         say(OUT, f"{heading}: {len(names):,}", "bold")
         for name, (words, unit) in names:
             say(OUT, f"  {name}  {words}" + (f" [{unit}]" if unit else ""))
     return AGREES
 
 
-def at_hand(plan: Plan, results: Path) -> Summary | None:
+def finished_study(plan: Plan, results: Path) -> Summary | None:
     """Return what is known of a study that was run, also under another name; None if it was not; raise ReadError."""
     own = results.with_suffix(".json")
     for path in (own, *sorted(results.parent.glob("*.json"))):
-        if found := known(plan, path, path == own):
+        if found := summary_from(plan, path, path == own):
             return found
     if own.exists():
         said = "results of this study before it or its machine was changed"
@@ -139,7 +139,7 @@ def at_hand(plan: Plan, results: Path) -> Summary | None:
     return None
 
 
-def known(plan: Plan, path: Path, own: bool) -> Summary | None:
+def summary_from(plan: Plan, path: Path, own: bool) -> Summary | None:
     """Return what a file tells of a study; None where it is another one's, or none."""
     try:
         data = json.loads(read(path) or "{}")
@@ -170,7 +170,7 @@ def show(plan: Plan, found: Summary, results: Path, seconds: float) -> None:
     say(OUT, f"Wrote {results.absolute()}, and beside it .html and .json")
 
 
-def show_judged(judged: Judged) -> int:
+def show_judged(judged: BookCheck) -> int:
     """Print whether a design's book says what the study said; return the exit code."""
     say(OUT, page.judged_line(judged), "green" if judged.holds else "red")
     return AGREES if judged.holds else DISAGREES

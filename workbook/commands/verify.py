@@ -13,19 +13,19 @@ from workbook import build as making
 from workbook.cluster import pool
 from workbook.entries.machine import Machine
 from workbook.errors import DISAGREES, TargetError
-from workbook.file_cache import recall, remember
+from workbook.file_cache import load_cached, store_cached
 from workbook.judging import batch
-from workbook.judging.batch import digest, state
+from workbook.judging.batch import file_digest, file_state
 from workbook.judging.report import Report
-from workbook.judging.verify import present
+from workbook.judging.verify import available_witnesses
 from workbook.judging.verify import verify as judged
 from workbook.pool import cores
 from workbook.reports import console, page
 from workbook.reports.page import junit as junit_xml
 from workbook.reports.page import sarif as as_sarif
 from workbook.reports.terminal import ERR, OUT, say, shown
-from workbook.text_files import odd
-from workbook.writing.output_files import refuse_one_for_two
+from workbook.text_files import irregular_kind
+from workbook.writing.output_files import refuse_same_file
 
 VERDICT = "verdict"
 DAILY = "pycel"  # the witness that is asked unless told otherwise
@@ -37,20 +37,20 @@ def verify(
     scheduler: str | None = None,
 ) -> int:  # fmt: skip
     """Verify books, print what came of them and write the reports asked for; return the exit code."""
-    page.ready(report, (".html", ".htm"), force)
-    page.ready(junit, (".xml",), force)
-    page.ready(sarif, (".sarif", ".json"), force)
-    refuse_one_for_two(report, junit, sarif)
+    page.require_writable(report, (".html", ".htm"), force)
+    page.require_writable(junit, (".xml",), force)
+    page.require_writable(sarif, (".sarif", ".json"), force)
+    refuse_same_file(report, junit, sarif)
     asked = list(dict.fromkeys(witnesses or [DAILY]))  # each once, in the order named
-    present(asked)
-    targets, failed = batch.find(books)
+    available_witnesses(asked)
+    targets, failed = batch.find_workbooks(books)
     most = min(jobs or cores(), len(targets))
     with pool(most, scheduler) as workers, console.progress(ERR, "Verifying", len(targets)) as bar:
         outcomes = batch.verify_many(targets, asked, workers, lambda one: bar(1, one.path.name)) + failed
     alone = len(books) == 1 and not os.path.isdir(books[0])
     for one in outcomes if alone else ():
         if one.report is not None:
-            keep(one.sha256, one.report)
+            cache_verdict(one.sha256, one.report)
     console.show(outcomes, OUT, ERR, as_json, alone, everything)
     when = datetime.now().astimezone()
     page.write(report, lambda: page.page(outcomes, when), force)
@@ -62,28 +62,28 @@ def verify(
 State = tuple[int, int] | None
 
 
-def opened(book: Path) -> tuple[Machine, State]:
+def open_finished(book: Path) -> tuple[Machine, State]:
     """Return what is entered in a book, and the file's state before; end the command for an unfinished design."""
-    before = state(book)
-    machine, _ = making.inputs(book)
+    before = file_state(book)
+    machine, _ = making.read_inputs(book)
     if machine.design.replaced:
         say(ERR, f"{book}: the design is unfinished ({machine.design.faults[0].said}); nothing is exported", "red")
         raise typer.Exit(DISAGREES)
     return machine, before
 
 
-def vouched(book: Path, before: State, unverified: bool, fresh: bool = False) -> tuple[str, ...]:
+def verified_header(book: Path, before: State, unverified: bool, fresh: bool = False) -> tuple[str, ...]:
     """Return the header's lines on a book that is right or not to be asked; end the command, told why, if wrong."""
     lines = ["NOT VERIFIED: nobody compared the book with the engine"] if unverified else []
     if not unverified:  # these bytes are verified once, unless ``fresh``
         sha256 = digest_of(book)
-        known = recall(VERDICT, sha256) if sha256 and not fresh else None
+        known = load_cached(VERDICT, sha256) if sha256 and not fresh else None
         if not known:
             with ERR.status(shown(f"Verifying {book} …")):
                 report = judged(book)
             known = {"findings": len(report.findings), "failing": [check.line for check in report.failing]}
             if sha256 and sha256 == digest_of(book):
-                keep(sha256, report)
+                cache_verdict(sha256, report)
         if findings := int(known["findings"]):
             said = f"{findings:,} cells of the book are not what the engine computes"
             say(ERR, f"{book}: {said}; motionbook verify names them, --unverified exports all the same", "red")
@@ -91,22 +91,22 @@ def vouched(book: Path, before: State, unverified: bool, fresh: bool = False) ->
         lines += [f"the design FAILS: {line}" for line in known["failing"]]
     for line in lines:
         say(ERR, f"Warning: {line}", "yellow")
-    mark = f"made by motionbook {__version__} from {book.name}, SHA-256 {digest(book)}"
-    if before != state(book):
+    mark = f"made by motionbook {__version__} from {book.name}, SHA-256 {file_digest(book)}"
+    if before != file_state(book):
         raise TargetError(f"{book}: it changed while it was read; try again")
     return (mark, *lines)
 
 
-def keep(sha256: str, report: Report) -> None:
+def cache_verdict(sha256: str, report: Report) -> None:
     """Remember what verify says of a file, unless the witness of every day had no say, or one had no values."""
     answered = any(ran.name == DAILY and ran.answered for ran in report.witnesses)
     if answered and not any(finding.kind == "witness" for finding in report.findings):
         failing = [check.line for check in report.failing]
-        remember(VERDICT, sha256, {"findings": len(report.findings), "failing": failing})
+        store_cached(VERDICT, sha256, {"findings": len(report.findings), "failing": failing})
 
 
 def digest_of(book: Path) -> str | None:
     """Return the SHA-256 of a regular file; None of what is none: reading it says why."""
     with suppress(OSError, ValueError):
-        return None if odd(book) else digest(book)
+        return None if irregular_kind(book) else file_digest(book)
     return None

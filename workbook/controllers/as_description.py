@@ -54,7 +54,7 @@ def units_of(text: str) -> tuple[str, str]:
     return (found[1], found[2]) if found else ("°", "mm")
 
 
-def lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
+def movement_lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
     """Return a line for each movement: its law, from where to where, its lift, and what the table is off by."""
     x, y = units
     said = []
@@ -69,7 +69,7 @@ def lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
     return said
 
 
-def composed(read: IdentifiedMotion, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
+def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
     """Return the description of a machine of one axis, without its rate; raise TargetError for what none can have."""
     x, y = units
     if x not in MEASURES or y not in ENTERED:
@@ -87,12 +87,12 @@ def composed(read: IdentifiedMotion, table: Table, units: tuple[str, str], title
     begin, end = float(table.x[0]), float(table.x[-1])
     near, reached = NEXT * (end - begin), begin
     for k, one in enumerate(found):
-        name, law = named(one, k)
+        name, law = law_entry(one, k)
         laws |= law
         start = one.begin if one.begin - reached > near else reached
         reached = one.end
         places = {"start": rounded(start - begin), "stop": rounded(reached - begin)}
-        phases.append({"law": name, "lift": one.lift, **places, **passing(found, k, near, units)})
+        phases.append({"law": name, "lift": one.lift, **places, **boundary_rates(found, k, near, units)})
     phases = phases or [{"law": "DWL", "lift": 0.0, "start": 0.0, "stop": rounded(end - begin)}]
     travel = sum(one.lift for one in found)
     closes = abs(travel) <= NEXT * max((abs(one.lift) for one in found), default=1.0)
@@ -125,7 +125,7 @@ def require_end(found: Sequence[FoundPhase], closes: bool, begin: float) -> None
                           "an axis ends at rest, or as it begins")  # fmt: skip
 
 
-def passing(found: Sequence[FoundPhase], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
+def boundary_rates(found: Sequence[FoundPhase], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
     """Return y' and y'' of a phase where another curved one, or none, ends: as machines have them, of s in m or rad."""
     before = found[k - 1]
     meets = k == 0 or found[k].begin - before.end <= near
@@ -142,7 +142,7 @@ def rounded(x: float) -> float:
     return float(f"{x:.12g}")
 
 
-def named(one: FoundPhase, k: int) -> tuple[str, dict[str, Any]]:
+def law_entry(one: FoundPhase, k: int) -> tuple[str, dict[str, Any]]:
     """Return the name of a movement's law in a description, and its entry there where it needs one."""
     if isinstance(one.law, Spline):
         points = [{"at": at, "s": s} for at, s in one.law.points]

@@ -78,7 +78,7 @@ def _clamped(table: Table) -> CamProfile:
     return interpolation.parted_spline(table.x, table.y, slopes, table.straight)
 
 
-def given(part: T | None, said: str) -> T:
+def required_part(part: T | None, said: str) -> T:
     """Return a part of a table; raise TargetError where it has none."""
     if part is None:
         raise TargetError(f"the table has no {said}")
@@ -96,7 +96,7 @@ RULES: dict[str, Rule] = {  # what is between the points, by name
     "periodic cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "periodic"), 4, 2),
     LOCAL: Rule(lambda t: interpolation.parabolas(t.x, t.y), 4, 2),
     CENTRAL: Rule(lambda t: interpolation.central(t.x, t.y), 4, 2),
-    "quintics": Rule(lambda t: interpolation.quintics(t.x, t.y, given(t.v, BOTH), given(t.a, BOTH)), 6),
-    "polynomials": Rule(lambda t: given(t.profile, "polynomials; expected them"), 6),
+    "quintics": Rule(lambda t: interpolation.quintics(t.x, t.y, required_part(t.v, BOTH), required_part(t.a, BOTH)), 6),
+    "polynomials": Rule(lambda t: required_part(t.profile, "polynomials; expected them"), 6),
 }
 SPLINES = tuple(name for name in RULES if "spline" in name)

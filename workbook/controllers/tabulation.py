@@ -13,7 +13,7 @@ from engine.cams.interpolation import straight
 from engine.laws.base import Array
 from engine.motion.pieces import SAME, CamProfile
 from workbook.controllers.table import RULES, Rule, Table
-from workbook.controllers.target import Target, parsed
+from workbook.controllers.target import Target, parse_table
 from workbook.controllers.texts import step_of
 from workbook.errors import TargetError
 from workbook.template_outputs import CamAxis
@@ -33,7 +33,7 @@ BEFORE = 1e-5  # of the cycle: so far before a jump of y' or y'' stands a point 
 WITHIN = 1e-3  # of a way from point to point: so near to its ends a break, rounded to 32 bits, may lie
 
 
-class Made(NamedTuple):
+class CertifiedTable(NamedTuple):
     """A table for a target, and the certificate of each rule that may be its."""
 
     table: Table
@@ -62,26 +62,27 @@ def rules_of(target: Target, table: Table) -> dict[str, Rule]:
     return {name: RULES[name] for name in named}
 
 
-def certified(target: Target, table: Table, meant: CamProfile) -> Made:
+def certify_table(target: Target, table: Table, meant: CamProfile) -> CertifiedTable:
     """Return a table with its certificates."""
-    return Made(table, {name: certify(meant, rule.made(table)) for name, rule in rules_of(target, table).items()})
+    rules = rules_of(target, table).items()
+    return CertifiedTable(table, {name: certify(meant, rule.made(table)) for name, rule in rules})
 
 
-def tabulated(target: Target, axis: CamAxis, n: int) -> Table:
+def tabulate(target: Target, axis: CamAxis, n: int) -> Table:
     """Return the table of at most n points, in the target's numbers: at equal steps, or on breaks and as rules need."""
-    allowed(target, n)
+    require_count(target, n)
     of, units = axis.profile, (axis.x_unit, axis.y_unit)
     if target.spacing == "equal":
-        return filled(target, of, equal_steps(of, n), units)
-    if n < (needed := fewest(target, of)):
+        return table_at(target, of, equal_steps(of, n), units)
+    if n < (needed := fewest_points(target, of)):
         raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
     exact = target.exact(of) if target.exact else None
     before = before_jumps(target, of)
     x = spread(of, n - len(before), RULES[target.rules[0]].order, steps(target, of), exact)
-    return filled(target, of, np.union1d(x, before), units)
+    return table_at(target, of, np.union1d(x, before), units)
 
 
-def allowed(target: Target, n: int) -> None:
+def require_count(target: Target, n: int) -> None:
     """Raise TargetError for a number of points that a target cannot have."""
     least, most = target.points
     if not least <= n <= most:
@@ -101,7 +102,7 @@ def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
     return np.where(target.exact(of), 1, least) if target.exact else least
 
 
-def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> Table:
+def table_at(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> Table:
     """Return the table of a motion at places as the target holds it, the motion's breaks moved to where x is."""
     number = target.number
     x_step, y_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest), step_of(units[1])
@@ -123,7 +124,7 @@ def filled(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> 
     return Table(x, number.rounded(y, y_step), had[0], had[1], had[2], (first, second), lines, steps=(x_step, y_step))
 
 
-def fewest(target: Target, of: CamProfile) -> int:
+def fewest_points(target: Target, of: CamProfile) -> int:
     """Return the fewest points that do for a motion."""
     needed = 0 if target.spacing == "equal" else int(steps(target, of).sum()) + 1 + len(before_jumps(target, of))
     return max(target.points[0], needed)
@@ -131,7 +132,7 @@ def fewest(target: Target, of: CamProfile) -> int:
 
 def reread(target: Target, text: str, made: Table) -> Table:
     """Return what an independent reader finds in the file; slopes that go beside it are taken from what was made."""
-    table = parsed(text, target)
+    table = parse_table(text, target)
     return table if table.slopes or not made.slopes else replace(table, slopes=made.slopes)
 
 
@@ -141,30 +142,30 @@ class Tries:
 
     target: Target
     axis: CamAxis
-    made: dict[int, Made] = field(default_factory=dict)
+    made: dict[int, CertifiedTable] = field(default_factory=dict)
     spent: int = 0
 
-    def of(self, n: int) -> Made | None:
+    def of(self, n: int) -> CertifiedTable | None:
         """Return the table of n points at most with its certificate; None where the work is done."""
         if n not in self.made:
             if self.spent > WORK:
                 return None
-            one = certified(self.target, tabulated(self.target, self.axis, n), self.axis.profile)
+            one = certify_table(self.target, tabulate(self.target, self.axis, n), self.axis.profile)
             self.spent += (n + len(self.axis.profile.edges)) * len(one.certificates)
             self.made[n] = one
         return self.made[n]
 
 
-def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> Made:
+def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> CertifiedTable:
     """Return the table of the fewest points within the tolerance, else the best: of several one that keeps y and v."""
     tries = Tries(target, axis)
-    best = nearest(tries, tolerance)
+    best = search_table(tries, tolerance)
     if best.excess(tolerance) <= 1.0:
         return best
     for orders in range(max(map(ORDERS.index, tolerance)), 0, -1):
         lower = {order: tolerance.get(order) or min(one for name, one in tolerance.items() if ORDERS.index(name) > k)
                  for k, order in enumerate(ORDERS[:orders])}  # fmt: skip
-        other = nearest(tries, lower)
+        other = search_table(tries, lower)
         lost = max(best.share(order) for order in tolerance) >= LOST
         kept = other.excess(tolerance) * BETTER <= best.excess(tolerance)
         if other.excess(lower) < best.excess(lower) and (lost or kept):
@@ -174,14 +175,14 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     return best
 
 
-def tried(tries: Tries, tolerance: Mapping[str, float]) -> Iterator[Made]:
+def candidates(tries: Tries, tolerance: Mapping[str, float]) -> Iterator[CertifiedTable]:
     """Yield tables of more and more points: the more of them, the farther each is from what is tolerated."""
     target, of = tries.target, tries.axis.profile
     if target.counts:
         yield from filter(None, map(tries.of, target.counts))
         return
     equal = target.spacing == "equal"
-    n, most = fewest(target, of), min(target.points[1], MOST_EQUAL if equal else MOST_TRIED)
+    n, most = fewest_points(target, of), min(target.points[1], MOST_EQUAL if equal else MOST_TRIED)
     n = max(n, min(len(of.edges), most)) if equal else n
     while n <= most and (made := tries.of(n)):
         yield made
@@ -189,14 +190,14 @@ def tried(tries: Tries, tolerance: Mapping[str, float]) -> Iterator[Made]:
         n = min(max(n + 1, int(n * growth)), most) if n < most else most + 1
 
 
-def nearest(tries: Tries, tolerance: Mapping[str, float]) -> Made:
+def search_table(tries: Tries, tolerance: Mapping[str, float]) -> CertifiedTable:
     """Return the table of the fewest points that keeps to the tolerance, or the first that comes nearest."""
     target = tries.target
-    best: Made | None = None
+    best: CertifiedTable | None = None
     before, idle = 0, 0
-    for made in tried(tries, tolerance):
+    for made in candidates(tries, tolerance):
         if made.excess(tolerance) <= 1.0:  # between it and the one before, to a hundredth of the points
-            low, high = max(before, fewest(target, tries.axis.profile) - 1), made.points
+            low, high = max(before, fewest_points(target, tries.axis.profile) - 1), made.points
             while high - low > max(1, high // COARSE) and not target.counts and (one := tries.of((low + high) // 2)):
                 if one.excess(tolerance) <= 1.0:
                     made, high = one, (low + high) // 2
@@ -210,15 +211,15 @@ def nearest(tries: Tries, tolerance: Mapping[str, float]) -> Made:
             break
         before = made.points
     if best is None:
-        said = f"{tries.axis.name} has breaks for {fewest(target, tries.axis.profile)} points"
+        said = f"{tries.axis.name} has breaks for {fewest_points(target, tries.axis.profile)} points"
         raise TargetError(f"{target.name}: {said}; at most {target.points[1]} fit")
     return best
 
 
-def curve(target: Target, axis: CamAxis) -> list[Made]:
+def curve(target: Target, axis: CamAxis) -> list[CertifiedTable]:
     """Return tables from the fewest points to the most that are tried, for a picture."""
-    low, high = fewest(target, axis.profile), min(target.points[1], MOST_TRIED)
+    low, high = fewest_points(target, axis.profile), min(target.points[1], MOST_TRIED)
     if low > high:
         return []
     counts = target.counts or dict.fromkeys(round(n) for n in np.geomspace(low, high, DRAWN))
-    return [certified(target, tabulated(target, axis, n), axis.profile) for n in counts]
+    return [certify_table(target, tabulate(target, axis, n), axis.profile) for n in counts]

@@ -40,7 +40,7 @@ class Claim(NamedTuple):
     source: str
 
 
-class Claimed:
+class ClaimedFormat:
     """A format, of which ``claims.toml`` tells by its name what is held for true."""
 
     name: str
@@ -57,7 +57,7 @@ class Claimed:
         return [claim for claim in self.claims if claim.certainty == "untested"]
 
 
-class Handed(NamedTuple):
+class CamExport(NamedTuple):
     """What a writer is given: a table in the target's numbers, a name, and what is said of it in the header."""
 
     table: Table
@@ -69,12 +69,12 @@ class Handed(NamedTuple):
     decimal: str = "."
 
 
-def layout(name: str, **more: Any) -> Callable[[Any], str]:
+def by_template(name: str, **more: Any) -> Callable[[Any], str]:
     """Return what writes a file as the template of that name in ``targets`` has it, with functions that this calls."""
 
     def write(handed: Any) -> str:
         given = {"handed": handed, "literal": literal} | more
-        if isinstance(handed, Handed):
+        if isinstance(handed, CamExport):
             points = list(zip(*(map(literal, column) for column in handed.table.columns.values()), strict=True))
             given |= {"cam": f"Cam_{handed.name}", "points": points, "n": len(points)}
         return LAYOUTS.load(name).generate(**given).decode()
@@ -90,7 +90,7 @@ class Track(NamedTuple):
     on: tuple[tuple[float, float], ...]
 
 
-class HandedTracks(NamedTuple):
+class SwitchExport(NamedTuple):
     """What a writer is given: tracks in the target's numbers, a name, and what is said of them in the header."""
 
     tracks: Sequence[Track]
@@ -112,12 +112,12 @@ class HandedTracks(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Tappets(Claimed):
+class Tappets(ClaimedFormat):
     """How a target takes switches: who writes and who reads their file, of what numbers, and how certain that is."""
 
     name: str
     title: str
-    write: Callable[[HandedTracks], str]
+    write: Callable[[SwitchExport], str]
     read: Callable[[str], list[Track]]
     number: Number = LREAL
     tracks: int = MOST_TRACKS
@@ -125,7 +125,7 @@ class Tappets(Claimed):
 
 
 @dataclass(frozen=True)
-class Target(Claimed):
+class Target(ClaimedFormat):
     """A controller, or a format of tables."""
 
     name: str
@@ -133,7 +133,7 @@ class Target(Claimed):
     suffix: str
     columns: tuple[str, ...]  # what a point has
     rules: tuple[str, ...]  # what may be between points; of several, where no document tells, the worst is a bound
-    write: Callable[[Handed], str]
+    write: Callable[[CamExport], str]
     read: Callable[[str], Table]
     number: Number = LREAL
     points: tuple[int, int] = (2, 10_000)  # the fewest and the most
@@ -168,7 +168,7 @@ def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
     return found
 
 
-def gathered(text: str, rows: Iterable[Sequence[float]], cycle: float = 360.0) -> list[Track]:
+def tracks_of_rows(text: str, rows: Iterable[Sequence[float]], cycle: float = 360.0) -> list[Track]:
     """Return the tracks of times, with the names that comments of the text tell; raise TargetError, by track."""
     names = {int(number): name.strip() for number, name in CALLED.findall(text)}
     found: dict[int, list[tuple[float, float]]] = {number: [] for number in names}
@@ -204,7 +204,7 @@ def differences(given: Sequence[CamSwitch], found: Sequence[Track]) -> list[Swit
 def read_table(path: Path, target: Target) -> Table:
     """Return the table of a target's file; raise ReadError, in one line, where it is none."""
     try:
-        return parsed(text_of(path, target), target)
+        return parse_table(text_of(path, target), target)
     except TargetError as error:
         raise ReadError(f"{path}: {error}") from None
 
@@ -214,7 +214,7 @@ def text_of(path: Path, target: Target) -> str:
     return read_text(path, f"a file for {target.name}", MOST, foreign=True).rstrip("\x1a\x00")
 
 
-def parsed(text: str, target: Target) -> Table:
+def parse_table(text: str, target: Target) -> Table:
     """Return the table of a text; raise TargetError for none, a part of one, and numbers by which fits overflow."""
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is refused by point
         table = target.read(text)

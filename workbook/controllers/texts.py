@@ -108,7 +108,7 @@ def read_stand(text: str) -> float:
     return float(found[1]) if found else 0.0
 
 
-def written(columns: Iterable[Array], separator: str = ";", decimal: str = ".", number: Number = LREAL) -> str:
+def as_lines(columns: Iterable[Array], separator: str = ";", decimal: str = ".", number: Number = LREAL) -> str:
     """Return columns of numbers as lines that end as Windows ends them."""
     rows = ([number.text(value) for value in row] for row in zip(*columns, strict=True))
     return "".join(f"{separator.join(row).replace('.', decimal)}\r\n" for row in rows)
@@ -186,7 +186,7 @@ def row(n: int, line: str, separator: str | None, decimals: set[str]) -> list[fl
     return found
 
 
-def stripped(text: str) -> str:
+def without_comments(text: str) -> str:
     """Return a text without its comments."""
     return COMMENT.sub(" ", text)
 
@@ -213,13 +213,13 @@ def columns(found: Iterable[tuple[int, str, str]], names: Sequence[str]) -> list
 
 def indexed(text: str, names: Sequence[str]) -> list[Array]:
     """Return the columns that ``NAME[1].field := value;`` assigns."""
-    return columns(((int(i), name, value) for i, name, value in INDEXED.findall(stripped(text))), names)
+    return columns(((int(i), name, value) for i, name, value in INDEXED.findall(without_comments(text))), names)
 
 
 def grouped(text: str, names: Sequence[str]) -> list[Array]:
     """Return the columns that ``(field := value, …)`` initialises, a group an element."""
     found, index = [], -1
-    for name, value in ASSIGNED.findall(stripped(text)):
+    for name, value in ASSIGNED.findall(without_comments(text)):
         index += name == names[0]
         found.append((index, name, value))
     return columns(found, names)
@@ -231,22 +231,22 @@ def points(text: str, columns: Sequence[Array], count: str = "") -> Table:
     v, a = rates or (None, None)
     table = Table(x, y, v, a)
     if count:
-        counted(text, count, len(table.x))
+        require_count(text, count, len(table.x))
     return table
 
 
-def scalar(text: str, name: str) -> float | None:
+def assigned_number(text: str, name: str) -> float | None:
     """Return the number that is assigned to a name once; None where none is. Raises TargetError for two that differ."""
-    found = {value for known, value in ASSIGNED.findall(stripped(text)) if known == name}
+    found = {value for known, value in ASSIGNED.findall(without_comments(text)) if known == name}
     if len(found) > 1:
         raise TargetError(f"{name} is {' and '.join(sorted(found)[:2])}; expected one table in a file")
     value = found.pop() if found else None
     return float(value) if value and PLAIN.fullmatch(value) else None
 
 
-def counted(text: str, name: str, points: int) -> None:
+def require_count(text: str, name: str, points: int) -> None:
     """Raise TargetError where a count is told that is not that of the points."""
-    told = scalar(text, name)
+    told = assigned_number(text, name)
     if told is not None and told != points:
         raise TargetError(f"{name} is {told:g}, {points} points follow; expected as many (is the file cut off?)")
 
@@ -256,7 +256,7 @@ PAIR = re.compile(rf"\[\s{{0,9}}({NUMBER})\s{{0,9}},\s{{0,9}}({NUMBER})\s{{0,9}}
 
 def pairs(text: str, begin: str, end: str) -> list[Array]:
     """Return x and y of ``:= [x, y, …]`` or ``:= [[x, y], …]``; raise TargetError where that is not so."""
-    _, found, rest = stripped(text).partition(begin)
+    _, found, rest = without_comments(text).partition(begin)
     body, closed, _ = rest.partition(end)
     values = [value.strip() for value in PAIR.sub(r"\1, \2", body + end[1:]).split(",")] if found and closed else []
     if len(values) < 4 or len(values) % 2 or not all(map(PLAIN.fullmatch, values)):

@@ -20,17 +20,17 @@ REST = (
 )
 
 
-def commented(template: AnyTemplate, schema: str) -> str:
+def commented_description(template: AnyTemplate, schema: str) -> str:
     """Return a new description of a template; ``schema`` is the file that editors complete its keys from."""
     data = tomllib.loads(template.description.read_text(encoding="utf-8"))
     if "axes" in data:  # two of them at most, and nothing that is rare
         data = {name: value for name, value in data.items() if name not in RARE} | {"axes": data["axes"][:AXES]}
-    file = File(sections(template))
-    first = "\n".join([f"#:schema {schema}", *remarks(HEAD)])
-    return "\n\n".join([first, *file.tables("", "", data), "\n".join(remarks(REST)), *file.rest()]) + "\n"
+    file = DescriptionWriter(sections(template))
+    first = "\n".join([f"#:schema {schema}", *comments(HEAD)])
+    return "\n\n".join([first, *file.tables("", "", data), "\n".join(comments(REST)), *file.rest()]) + "\n"
 
 
-class File:
+class DescriptionWriter:
     """A description that is being written; each key is explained where it first stands."""
 
     def __init__(self, known: Sequence[Section]) -> None:
@@ -69,7 +69,7 @@ class File:
         used = [row for row in key.rows if any(row.name in one for one in value)]
         self.told |= {(row.path, kind) for row in used}
         if new:
-            yield from remarks(f"{key.meaning}: {', '.join(with_unit(row) for row in used)}")
+            yield from comments(f"{key.meaning}: {', '.join(with_unit(row) for row in used)}")
         yield f"{key.name} = ["
         yield from (f"  {toml(row)}," for row in value)
         yield "]"
@@ -86,7 +86,7 @@ class File:
             rows = [
                 row for key in one.keys if key not in keys for row in key.rows if (row.path, one.kind) not in self.told
             ]
-            lines = [text for key in keys for text in spare(key)]
+            lines = [text for key in keys for text in unused_key_lines(key)]
             for row in rows:
                 lines += line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))
             title = one.path.removesuffix(".*").replace(".*", "")
@@ -97,7 +97,7 @@ class File:
         yield "\n".join(laws)
 
 
-def spare(key: Key) -> Iterator[str]:
+def unused_key_lines(key: Key) -> Iterator[str]:
     """Yield the lines of a key that the example does not have."""
     default = default_of(key)
     more = f"; else {default}" if default not in ("", "none") and not key.rows else ""
@@ -128,10 +128,10 @@ def line(text: str, remark: str) -> Iterator[str]:
     elif len(joined := f"{text:<{COLUMN}}  # {remark}") <= WIDTH:
         yield joined
     else:
-        yield from remarks(remark)
+        yield from comments(remark)
         yield text
 
 
-def remarks(text: str) -> list[str]:
+def comments(text: str) -> list[str]:
     """Return a text as comments."""
     return [f"# {one}" for one in textwrap.wrap(text, WIDTH - 2, break_long_words=False, break_on_hyphens=False)]

@@ -15,7 +15,7 @@ from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.registry import CODES, FAMILY
 from workbook.reading.descriptions import read_machine
 from workbook.selection.entries import COMMITTED
-from workbook.template import FOLDER, has
+from workbook.template import FOLDER, has_key
 from workbook.templates import AnyTemplate
 
 ONE = re.compile(r"\.\d+(?=\.|$)")
@@ -107,12 +107,12 @@ def sections(template: AnyTemplate, other: str = "") -> list[Section]:
     paths = [template.description, *sorted(FOLDER.glob("*.toml"))]
     committed = [tomllib.loads(path.read_text(encoding="utf-8")) for path in paths]
     own, ways = [data for data in committed if data["template"] == template.name], [other] if other else template.others
-    own.sort(key=lambda data: any(has(data, way) for way in ways) != bool(other))  # with that key first, or last
-    found = Walk(cells, own).sections((type(machine),), "", machine.title)
+    own.sort(key=lambda data: any(has_key(data, way) for way in ways) != bool(other))  # with that key first, or last
+    found = ModelWalk(cells, own).sections((type(machine),), "", machine.title)
     return sorted(found, key=lambda section: LAST.get(section.path.partition(".")[0], 0))
 
 
-class Walk:
+class ModelWalk:
     """Goes through the models of a template; ``cells`` are its inputs by key, ``data`` are descriptions."""
 
     def __init__(self, cells: Mapping[str, Quantity], data: Sequence[Mapping[str, Any]]) -> None:
@@ -133,14 +133,14 @@ class Walk:
         for kind, model in by_kind.items():
             own = [(name, field) for name, field in model.model_fields.items() if name not in fields]
             keys = tuple(self._key(join(path, name), field, kind) for name, field in own)
-            yield Section(path, said(model), (model,), keys, kind)
+            yield Section(path, doc_line(model), (model,), keys, kind)
         for name, found in below:
             if found and issubclass(found[0], Laws):
                 yield from self._laws(join(path, name))
             elif found:
                 annotated, constraints = unwrap(fields[name].annotation, fields[name].metadata)
                 many = f": {expectation(annotated, constraints)}" if get_origin(annotated) is list else ""
-                about = said(found[0].__base__ if found[1:] else found[0])
+                about = doc_line(found[0].__base__ if found[1:] else found[0])
                 yield from self.sections(found, join(path, name) + (".*" if many else ""), about + many)
 
     def _example(self, path: str, kind: str = "") -> Any:
@@ -160,12 +160,11 @@ class Walk:
         kind, constraints = unwrap(field.annotation, field.metadata)
         table = next(iter(tables(get_args(kind)[0])), None) if get_origin(kind) is list else None
         cell = self._cells.get(path) or self._of_law(path)
-        meaning = (
-            field.description or WORDS.get(path) or (cell.label if cell else said(table) if table else listed(path))
-        )
+        otherwise = cell.label if cell else doc_line(table) if table else list_meaning(path)
+        meaning = field.description or WORDS.get(path) or otherwise
         more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
         default = None if field.is_required() else field.get_default(call_default_factory=True)
-        rows = [self._key(join(f"{path}.*", name), one, of, first(default, name))
+        rows = [self._key(join(f"{path}.*", name), one, of, first_value(default, name))
                 for name, one in (table.model_fields.items() if table else ())]  # fmt: skip
         unit = cell.unit if cell else str(more.get("unit", ""))
         shown = listed_in if listed_in is not None else self._example(path, of)
@@ -186,12 +185,12 @@ class Walk:
         return self._cells.get(f"laws.{SHOWN}.{name}")
 
 
-def first(rows: Any, name: str) -> Any:
+def first_value(rows: Any, name: str) -> Any:
     """Return an entry of the first of some rows that has it."""
     return next((found for row in rows or [] if (found := getattr(row, name, None)) not in (None, "")), None)
 
 
-def listed(path: str) -> str:
+def list_meaning(path: str) -> str:
     """Return what the numbers of a list of a law's are."""
     code, name = path.split(".")[1], path.rpartition(".")[2]
     return "; ".join(p.label for p in FAMILY[code].parameters if p.key.startswith(f"{name}.")) if code in FAMILY else ""
@@ -208,7 +207,7 @@ def join(path: str, name: str) -> str:
     return f"{path}.{name}" if path else name
 
 
-def said(model: type[BaseModel] | None) -> str:
+def doc_line(model: type[BaseModel] | None) -> str:
     """Return the first line of what a model says of itself."""
     return ((model.__doc__ if model else "") or "").strip().partition("\n")[0].rstrip(".")
 

@@ -18,9 +18,9 @@ CATALOGUES = ("motors", "reducers")
 
 def schema(template: AnyTemplate) -> dict[str, Any]:
     """Return the schema of a template's descriptions, each key with its meaning, unit and example."""
-    made = one_way(template.model, sections(template))
+    made = model_schema(template.model, sections(template))
     for way, other in template.others.items():
-        another = one_way(other.model, sections(template, way))
+        another = model_schema(other.model, sections(template, way))
         above, _, last = way.rpartition(".")
         asked = {"properties": {above: {"required": [last]}}, "required": [above]}
         defs = made.pop("$defs") | another.pop("$defs")
@@ -28,7 +28,7 @@ def schema(template: AnyTemplate) -> dict[str, Any]:
     return {"$schema": DRAFT, **made}
 
 
-def one_way(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
+def model_schema(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
     """Return the schema of the descriptions that a model checks, all but which draft it is of."""
     made = model.model_json_schema()
     for law in ENTRIES.values():
@@ -38,7 +38,7 @@ def one_way(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
     others = {"type": "object", "required": ["family"], "properties": {"family": {"enum": [*ENTRIES]}}}
     made["$defs"]["Laws"] = {"type": "object", "properties": known_laws, "additionalProperties": others}
     for section in known:
-        for key, node in placed(section, model, made):
+        for key, node in key_nodes(section, model, made):
             node["description"] = remark(key)
             if key.example is not None and not key.rows:
                 node["examples"] = [key.example]
@@ -52,18 +52,18 @@ def one_way(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
     return made
 
 
-def placed(section: Section, model: type[BaseModel], made: dict[str, Any]) -> Iterator[tuple[Key, dict[str, Any]]]:
+def key_nodes(section: Section, model: type[BaseModel], made: dict[str, Any]) -> Iterator[tuple[Key, dict[str, Any]]]:
     """Yield each key of a section with its places in the schema of a model."""
     begin = f"{section.path}." if section.path else ""
     for one in section.models:
         table = made if one is model else made["$defs"][one.__name__]
         for key in (*section.keys, *(row for one in section.keys for row in one.rows)):
-            node = at(made, table, key.path.removeprefix(begin))
+            node = node_at(made, table, key.path.removeprefix(begin))
             if node is not None and (key.name != KIND or not section.models[1:]):
                 yield key, node
 
 
-def at(made: dict[str, Any], table: Any, path: str) -> dict[str, Any] | None:
+def node_at(made: dict[str, Any], table: Any, path: str) -> dict[str, Any] | None:
     """Return the place of a key in a table of a schema, through references and optional tables, or None."""
     for part in path.split("."):
         for choice in [choice for choice in table.get("anyOf", ()) if choice.get("type") != "null"]:
@@ -122,36 +122,36 @@ def page() -> str:
         laws = laws or [section for section in found if section.path.startswith("laws.")]
         own = [section for section in found if not section.path.startswith("laws.")]
         parts.append(f"## {name}\n\n{own[0].models[0].__doc__ or ''}\n")
-        parts += [described(section) for section in own]
-        parts += [differing(key, found, sections(template, key)) for key in template.others]
-    return "\n".join([*parts, LAWS, *(described(section) for section in laws)])
+        parts += [section_text(section) for section in own]
+        parts += [alternative_text(key, found, sections(template, key)) for key in template.others]
+    return "\n".join([*parts, LAWS, *(section_text(section) for section in laws)])
 
 
-def differing(other: str, own: Iterable[Section], told: Iterable[Section]) -> str:
+def alternative_text(other: str, own: Iterable[Section], told: Iterable[Section]) -> str:
     """Return the table of the keys that another way to tell a machine has, or takes in other units or ranges."""
 
     def lined(found: Iterable[Section]) -> dict[str, tuple[str, ...]]:
-        return {f"{key.path}.{line[0]}": line for one in found for key in one.keys for line in lines("", [key])}
+        return {f"{key.path}.{line[0]}": line for one in found for key in one.keys for line in key_lines("", [key])}
 
     known = lined(own)
     rows = [(*line[:-1], "") for key, line in lined(told).items() if known.get(key, ())[1:4] != line[1:4]]
-    return f"### With `{other}`\n\nWhat differs then.\n\n{tabled(rows)}"
+    return f"### With `{other}`\n\nWhat differs then.\n\n{md_table(rows)}"
 
 
-def described(section: Section) -> str:
+def section_text(section: Section) -> str:
     """Return the table of a section, with those of its lists."""
     kind = f" with `kind = {toml(section.kind)}`" if section.kind else ""
     title = f"### `[{section.path}]`{kind}\n\n{section.about}.\n\n" if section.path else ""
-    return f"{title}{tabled(lines(section.path, section.keys))}" if section.keys else title.rstrip("\n") + "\n"
+    return f"{title}{md_table(key_lines(section.path, section.keys))}" if section.keys else title.rstrip("\n") + "\n"
 
 
-def tabled(told: Iterable[tuple[str, ...]]) -> str:
+def md_table(told: Iterable[tuple[str, ...]]) -> str:
     """Return lines as a table, with titles."""
     rows = [TITLES, ("---",) * len(TITLES), *told]
     return "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
 
 
-def lines(path: str, keys: Iterable[Key]) -> Iterator[tuple[str, ...]]:
+def key_lines(path: str, keys: Iterable[Key]) -> Iterator[tuple[str, ...]]:
     """Yield a line for each key, and below a list one for each entry of its rows."""
     for key in keys:
         shown = key.path.removeprefix(f"{path}.")
@@ -161,7 +161,7 @@ def lines(path: str, keys: Iterable[Key]) -> Iterator[tuple[str, ...]]:
             code(shown), plain(key.meaning), plain(key.unit), plain(key.expected),
             code(default) if default not in ("", "none") and not key.rows else default, example,
         )  # fmt: skip
-        yield from lines(path, key.rows)
+        yield from key_lines(path, key.rows)
 
 
 def code(text: str) -> str:

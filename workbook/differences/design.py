@@ -13,17 +13,17 @@ from workbook.book.declare import Block, Book
 from workbook.book.quantity import SAYS
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
-from workbook.judging.carry_over import own_things
+from workbook.judging.carry_over import left_behind
 from workbook.judging.comparison import is_number
-from workbook.judging.layout import laid_out, layout
-from workbook.judging.repair import in_order
+from workbook.judging.layout import layout_findings, match_layout
+from workbook.judging.repair import repair_book
 from workbook.judging.report import FAIL, OK, Report
-from workbook.judging.structure import structure
+from workbook.judging.structure import check_structure
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 
 LONG = 40  # rows of a table of samples or points: those are compared by the results made of them
 NAMES = ("name", "axis", "sheet")  # the columns by which the rows of a table are called
@@ -106,23 +106,23 @@ def rows_of(block: Block, axis: str) -> list[str]:
             for number, name in enumerate(names, 1)]  # fmt: skip
 
 
-def read(path: Path) -> Design:
+def read_design(path: Path) -> Design:
     """Read a workbook or a description; raise ReadError or InputError where it is neither."""
     if path.suffix.lower() == ".toml":
         machine = read_machine(path)
         return Design(path, machine, TEMPLATES[machine.template].declare(machine))
     file = open_book(path)
-    entries = Entries(file, agreed, in_order)
+    entries = Entries(file, agreed_values, repair_book)
     machine = entries.machine()
-    match, _ = laid_out(file, entries.template, machine)
-    report = Report(file.path, entries.template.name, findings=[*entries.moved, *layout(match)])
-    structure(match, report)
+    match, _ = match_layout(file, entries.template, machine)
+    report = Report(file.path, entries.template.name, findings=[*entries.moved, *layout_findings(match)])
+    check_structure(match, report)
     edited = [f"{one.sheet}!{one.cell} ({one.what}): {one.computed}" for one in report.findings]
     ours = {pair.address.sheet for pair in match.pairs}
     own = [f"the sheet {title!r}" for title in file.workbook.sheetnames if title not in ours]
     formulas = file.contents.formulas
     own += [f"{a}: {formulas[a]}" for a in file.contents.formula_cells if a not in match.numbers and a in formulas]
-    own += [line.replace(" are not carried over", "") for line in own_things(match, ours)]
+    own += [line.replace(" are not carried over", "") for line in left_behind(match, ours)]
     return Design(path, machine, TEMPLATES[machine.template].declare(machine), edited, own)
 
 
@@ -171,8 +171,8 @@ class Differences:
 def compare(old: Design, new: Design) -> Differences:
     """Return what differs between two designs of one template."""
     return Differences(
-        changed(old.entries(), new.entries()), changed(old.results(), new.results()),
-        changed(old.checks(), new.checks()), one_sided(old.edited, new.edited), one_sided(old.own, new.own),
+        changes(old.entries(), new.entries()), changes(old.results(), new.results()),
+        changes(old.checks(), new.checks()), one_sided(old.edited, new.edited), one_sided(old.own, new.own),
     )  # fmt: skip
 
 
@@ -181,7 +181,7 @@ def one_sided(old: list[str], new: list[str]) -> dict[str, list[str]]:
     return {"old": [line for line in old if line not in new], "new": [line for line in new if line not in old]}
 
 
-def changed(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[Change]:
+def changes(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[Change]:
     """Return the figures that differ, in the order of the new book; what only the old one has comes last."""
     found = []
     for key in [*after, *(key for key in before if key not in after)]:

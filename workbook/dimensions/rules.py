@@ -10,7 +10,7 @@ from itertools import chain
 from workbook.book.address import Address
 from workbook.book.columns import Node, tree
 from workbook.book.formula import Area, FormulaError
-from workbook.dimensions.units import NONE, Dimension, dimension_of, is_either, powers, written
+from workbook.dimensions.units import NONE, Dimension, dimension_of, dimension_text, is_either, powers
 from workbook.reading.contents import Contents
 
 # functions whose arguments, and result, have one dimension
@@ -51,7 +51,7 @@ def plain(number: float) -> bool:
     return not number or any(one >= 0.5 and math.isclose(one, round(one), rel_tol=1e-12) for one in either)
 
 
-class Reading:
+class FormulaChecker:
     """One formula with the terms of its arguments; ``wrong`` has what cannot be, in words."""
 
     def __init__(self, arguments: Sequence[Term]) -> None:
@@ -76,7 +76,7 @@ class Reading:
         if sign == "±":
             return parts[0]
         numbers = [part.number for part in parts if part.number is not None]
-        if len(numbers) == len(parts) and (made := computed(sign, *numbers)) is not None:
+        if len(numbers) == len(parts) and (made := number_of(sign, *numbers)) is not None:
             return Term(number=made, free=True)
         if sign in "+-":
             return self.like("a sum", parts)
@@ -93,7 +93,7 @@ class Reading:
         each = (part.several if part.dimension is None else (part.dimension,) for part in every)
         known = dict.fromkeys(chain.from_iterable(each))
         if len(known) > 1:
-            self.wrong.append(f"{what} of {' and '.join(map(written, known))}")
+            self.wrong.append(f"{what} of {' and '.join(map(dimension_text, known))}")
         if len(known) == 1:
             return Term(next(iter(known)))
         return FREE if every and not known and all(part.free for part in every) else UNKNOWN
@@ -103,12 +103,12 @@ class Reading:
         self.require_number("an exponent", exponent)
         if base.factor is None or (base.factor != NONE and exponent.number is None):
             return UNKNOWN
-        return Term(raised(base.factor, exponent.number or 0.0))
+        return Term(power_of(base.factor, exponent.number or 0.0))
 
     def require_number(self, what: str, term: Term) -> None:
         """Note where a term that must be a number or an angle has a dimension."""
         if term.dimension not in (None, NONE):
-            self.wrong.append(f"{what} of {written(term.dimension)}")
+            self.wrong.append(f"{what} of {dimension_text(term.dimension)}")
 
     def call(self, name: str, parts: list[Term]) -> Term:
         """Return the term of a call; unknown for a function that is not known here."""
@@ -154,13 +154,13 @@ def product(parts: Sequence[Term], signs: Sequence[int]) -> Term:
     return Term(found)
 
 
-def raised(dimension: Dimension, exponent: float) -> Dimension:
+def power_of(dimension: Dimension, exponent: float) -> Dimension:
     """Return a power of a dimension, its exponents as fractions so that √x² is x."""
     found = {name: Fraction(power * exponent).limit_denominator(60) for name, power in powers(dimension).items()}
     return Dimension({name: float(power) for name, power in found.items()})
 
 
-def computed(sign: str, *numbers: float) -> float | None:
+def number_of(sign: str, *numbers: float) -> float | None:
     """Return the value of an operation with numbers; None where there is none."""
     try:
         value = COMPUTED[sign](*numbers) if sign in COMPUTED else None
@@ -178,7 +178,7 @@ class Dimensions:
     known: int = 0
 
 
-class Walk:
+class UnitWalk:
     """The terms of cells met so far: ``units`` are run through formulas; a cell with a unit has its dimension."""
 
     def __init__(self, contents: Contents, units: Mapping[Address, str]) -> None:
@@ -197,14 +197,14 @@ class Walk:
         found = Dimensions()
         for cell in order:
             formula = self.contents.formulas[cell]
-            reading = Reading([self.argument(one) for one in formula.arguments])
+            reading = FormulaChecker([self.argument(one) for one in formula.arguments])
             try:
                 made, wrong = reading.of(tree(formula.shape)), reading.wrong
             except (FormulaError, RecursionError):
                 made, wrong = UNKNOWN, []
             label = self.terms.setdefault(cell, made).dimension
             if label is not None and made.dimension is not None and made.dimension != label:
-                wrong.append(f"{written(made.dimension)} where the unit says {written(label)}")
+                wrong.append(f"{dimension_text(made.dimension)} where the unit says {dimension_text(label)}")
             if wrong and not is_either(self.units.get(cell, "")):
                 found.wrong[cell] = "; ".join(dict.fromkeys(wrong))
             found.formulas += 1

@@ -29,7 +29,7 @@ def dimension_of(unit: str) -> Dimension | None:
         text, at = part.translate(POWERS).strip(), 0
         while at < len(text):
             match = FACTOR.match(text, at)
-            if match is None or (one := of_word(match["word"])) is None:
+            if match is None or (one := word_dimension(match["word"])) is None:
                 return None
             found *= one ** (int(match["power"] or 1) * (-1 if k else 1))
             between = BETWEEN.match(text, match.end())
@@ -43,7 +43,7 @@ def is_either(unit: str) -> bool:
 
 
 @cache
-def of_word(word: str) -> Dimension | None:
+def word_dimension(word: str) -> Dimension | None:
     """Return the dimension of one unit; None where pint knows none of that name."""
     if word in WORDS:
         return dimension_of(WORDS[word]) if WORDS[word] else NONE
@@ -62,7 +62,7 @@ def powers(dimension: Dimension) -> dict[str, float]:
 
 
 @cache
-def written(dimension: Dimension) -> str:
+def dimension_text(dimension: Dimension) -> str:
     """Return a dimension as a product of SI units, such as ``kg·m^2/s^3``."""
     there = [(unit, powers(dimension).get(name, 0.0)) for name, unit in BASE.items()]
     above, below = ("·".join(unit + (f"^{sign * power:g}" if sign * power != 1 else "")

@@ -64,7 +64,7 @@ class Function(NamedTuple):
         return f"{NAMESPACE}.{self.key}"
 
 
-def told(texts: Sequence[str]) -> Text:
+def with_law_texts(texts: Sequence[str]) -> Text:
     """Return texts of three languages with the codes of the laws, and with what each law takes."""
     made = []
     for words, text in zip(zip(*TAKES.values(), strict=True), texts, strict=True):
@@ -74,7 +74,7 @@ def told(texts: Sequence[str]) -> Text:
     return Text(*made)
 
 
-ARGUMENTS = {name: Argument(one["kind"], Text(*one["name"]), told(one["help"]), one.get("optional", False))
+ARGUMENTS = {name: Argument(one["kind"], Text(*one["name"]), with_law_texts(one["help"]), one.get("optional", False))
              for name, one in TEXTS["arguments"].items()}  # fmt: skip
-FUNCTIONS = [Function(key, told(one["help"]), [ARGUMENTS[name] for name in one["arguments"]])
+FUNCTIONS = [Function(key, with_law_texts(one["help"]), [ARGUMENTS[name] for name in one["arguments"]])
              for key, one in TEXTS["functions"].items()]  # fmt: skip

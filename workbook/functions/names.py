@@ -18,7 +18,7 @@ from math import lcm
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from workbook.functions.addin.motion_functions.library import LAWS, OWN, Declared, mirrored
+from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm, mirrored
 from workbook.functions.declarations import FUNCTIONS
 
 SOURCE = Path(__file__).with_name("formulas.txt")
@@ -182,7 +182,7 @@ def of_parameters(function: Callable[..., Any], text: Callable[[Any], str]) -> s
     return f"LET({let}, {found})" if let else found
 
 
-def written(law: Declared) -> str:
+def pieces_formula(law: LawForm) -> str:
     """Return the pieces of a law that writes them out; all but the first have no use for its velocity."""
 
     def rows(pieces: Sequence[Mapping[str, Any]]) -> str:
@@ -192,7 +192,7 @@ def written(law: Declared) -> str:
     return of_parameters(law.pieces, rows) if law.pieces else ""
 
 
-def halves(law: Declared) -> str:
+def polynomial_formula(law: LawForm) -> str:
     """Return the pieces of a symmetric polynomial: its half over the share, and the same backwards over the rest."""
     first = [2 * Fraction(c) for c in law.half]
 
@@ -203,7 +203,7 @@ def halves(law: Declared) -> str:
     return f"LET(share, INDEX(p, 1), rest, 1 - share, VSTACK({half('share', first)}, {half('rest', mirrored(first))}))"
 
 
-def fits(law: Declared) -> str:
+def domain_condition(law: LawForm) -> str:
     """Return the condition under which a law can have the parameters ``p``."""
     conditions = ["_MOTION.LASTS(_MOTION.SEVEN(code, p))"] if law.stages else []
     for k, domain in law.domains.items():
@@ -215,7 +215,7 @@ def fits(law: Declared) -> str:
     return f"AND({', '.join(conditions)})" if len(conditions) > 1 else "".join(conditions) or "TRUE"
 
 
-def by_law(text: Callable[[Declared], str], otherwise: str, **more: str) -> str:
+def by_law(text: Callable[[LawForm], str], otherwise: str, **more: str) -> str:
     """Return a formula that chooses by ``code``; laws of the same text together, those of none left out."""
     found: dict[str, list[str]] = {}
     for code, one in more.items():
@@ -238,9 +238,9 @@ def tables() -> dict[str, str]:
     return {
         "delivered": by_law(lambda law: array(law.delivered) if law.delivered else "", "0", OWN=array(OWN[0])),
         "count": by_law(lambda law: str(len(law.delivered)), "#VALUE!"),
-        "fits": by_law(fits, "FALSE"),
+        "fits": by_law(domain_condition, "FALSE"),
         "built": by_law(lambda law: stages.format(str(law.straight).upper()) if law.stages else
-                        halves(law) if law.half else written(law), "#VALUE!", OWN="_MOTION.FULL(p)"),
+                        polynomial_formula(law) if law.half else pieces_formula(law), "#VALUE!", OWN="_MOTION.FULL(p)"),
         "seven": by_law(lambda law: of_parameters(law.stages, lambda d: f"VSTACK({spelled(*d)})") if law.stages else "",
                         "#VALUE!"),
         "meets": by_law(lambda law: f"IF(INDEX(p, 1) = 1 / 2, {len(law.half) // 2}, 0)" if law.half else

@@ -79,7 +79,7 @@ class Interval(Model):
     duration: NotNegative
 
 
-class Shown(Model):
+class PageInputs(Model):
     """Every input of the page."""
 
     law: LawCode = "MTP"
@@ -107,10 +107,10 @@ class Shown(Model):
         return join_phases([phase.made for phase in self.phases], periodic=False).motion
 
 
-EXAMPLE = Shown.model_validate(TEXTS["example"])
+EXAMPLE = PageInputs.model_validate(TEXTS["example"])
 
 
-def declare(shown: Shown) -> Book:
+def declare(shown: PageInputs) -> Book:
     """Declare the book."""
     book = Book("motion-functions", "Motion laws as functions")
     sheet = book.sheet("Functions", 'Motion laws as functions of your own sheets, as in  =MOTION.S("CIC", B7, 0)')
@@ -127,7 +127,7 @@ def declare(shown: Shown) -> Book:
     return book
 
 
-def introduction(sheet: Sheet, shown: Shown) -> None:
+def introduction(sheet: Sheet, shown: PageInputs) -> None:
     """Say how the functions come into another workbook, and whether they compute here; declare what examples take."""
     sheet.heading("In your own workbook")
     for line in (
@@ -150,7 +150,7 @@ def introduction(sheet: Sheet, shown: Shown) -> None:
     )
 
 
-def parameters(sheet: Sheet, shown: Shown) -> None:
+def parameters(sheet: Sheet, shown: PageInputs) -> None:
     """Declare the parameters of the laws that take any."""
     laws, pieces = shown.laws, shown.laws["OWN"].pieces
     sheet.heading("Parameters of the laws", "The other laws take none: 0 stands in their place.")
@@ -173,7 +173,7 @@ def parameters(sheet: Sheet, shown: Shown) -> None:
     ))  # fmt: skip
 
 
-def functions(sheet: Sheet, shown: Shown) -> None:
+def functions(sheet: Sheet, shown: PageInputs) -> None:
     """Declare a row a function: how it is called, its result for the entries, what it gives."""
     calls = [f"{f.name}({', '.join(a.shown for a in f.arguments)})" for f in FUNCTIONS]
     formulas = [f"={f.name}({','.join(ARGUMENTS[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
@@ -186,7 +186,7 @@ def functions(sheet: Sheet, shown: Shown) -> None:
     ).quiet = QUIET  # fmt: skip
 
 
-def results(shown: Shown) -> list[Any]:
+def results(shown: PageInputs) -> list[Any]:
     """Return the engine's value of each function for the entries, #NUM! where there is none."""
     law, motion, k = shown.one.evaluate(shown.xi), shown.motion.at(shown.x), shown.one.coefficients
     xi = "#NUM!" if shown.law == "DWL" else inverse(shown.one, shown.s)
@@ -209,7 +209,7 @@ def curve(title: str, x: str, y: str, x_axis: str, y_axis: str, table: str) -> C
     return Chart(title, x_axis, y_axis, (line,), f"{title} over {x_axis}, sampled in the table below", span)
 
 
-def motion(sheet: Sheet, shown: Shown) -> None:
+def motion(sheet: Sheet, shown: PageInputs) -> None:
     """Declare the table of phases, and the charts of the motion."""
     phases, rows = shown.phases, len(shown.phases) + EMPTY_PHASES
     p = [filled(phase.p, WIDTH, None) for phase in phases]
@@ -230,7 +230,7 @@ def motion(sheet: Sheet, shown: Shown) -> None:
     sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=13)
 
 
-def sums(sheet: Sheet, shown: Shown) -> None:
+def sums(sheet: Sheet, shown: PageInputs) -> None:
     """Declare the shafts and the profile."""
     sheet.heading("Shafts that turn together, and a profile constant in each interval")
     tables = (
@@ -244,7 +244,7 @@ def sums(sheet: Sheet, shown: Shown) -> None:
         ))  # fmt: skip
 
 
-def samples(sheet: Sheet, shown: Shown) -> None:
+def samples(sheet: Sheet, shown: PageInputs) -> None:
     """Declare what each argument takes, then the sampled law and the sampled motion."""
     found: dict[str, Argument] = {a.name.en: a for f in FUNCTIONS for a in f.arguments}
     sheet.heading("The arguments")

@@ -18,7 +18,7 @@ from workbook import __version__
 from workbook.errors import WriteError
 from workbook.functions.declarations import FUNCTIONS, NAMESPACE, TEXTS, Text
 from workbook.functions.names import definitions
-from workbook.functions.page import EXAMPLE, Shown, declare
+from workbook.functions.page import EXAMPLE, PageInputs, declare
 from workbook.template import FOLDER
 from workbook.writing import archive
 from workbook.writing.archive import same_book
@@ -39,11 +39,11 @@ The names that begin with _ are called by the others: take them all.
 PACKAGE = resources.files("workbook.functions") / "addin"
 
 
-def write_book(path: Path, shown: Shown = EXAMPLE) -> None:
+def write_book(path: Path, shown: PageInputs = EXAMPLE) -> None:
     """Write the workbook of the names; what says whether they compute has no saved value, which programs would show."""
     names = [DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored) for one in definitions()]
-    made = parts(declare(shown), Shown, names, f"{NAMESPACE}.")  # a copied sheet brings along these names alone
-    pack(archive.dynamic(made | {SHEET: WHETHER.sub(rb"\1\2", made[SHEET])}), path, overwrite=True)
+    made = parts(declare(shown), PageInputs, names, f"{NAMESPACE}.")  # a copied sheet brings along these names alone
+    pack(archive.with_dynamic_arrays(made | {SHEET: WHETHER.sub(rb"\1\2", made[SHEET])}), path, overwrite=True)
 
 
 def write_text(path: Path) -> None:

@@ -17,9 +17,9 @@ from typing import Literal, NamedTuple
 from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError, visible
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
-from workbook.pool import HERE, Died, Pool, collector_paused, swept_between
+from workbook.pool import THIS_PROCESS, Pool, WorkerDied, collecting_between, collector_paused
 from workbook.reading.files import SUFFIXES
-from workbook.text_files import odd
+from workbook.text_files import irregular_kind
 
 MOST_READ = 2**24  # bytes of a workbook's list of names
 
@@ -45,7 +45,7 @@ class Outcome:
     seconds: float = 0.0
 
 
-def without(path: Path, reason: str, verdict: Verdict = "unreadable") -> Outcome:
+def no_report(path: Path, reason: str, verdict: Verdict = "unreadable") -> Outcome:
     """Return the outcome for a file of which there is no report."""
     return Outcome(path, verdict, reason=visible(f"{path}: {reason}"))
 
@@ -65,37 +65,38 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
     try:
-        if not target.named and (kind := odd(path) or (foreign(path) and "holds no machine of motionbook")):
-            return without(path, kind, "no machine")
-        before = state(path)
+        kind = "" if target.named else irregular_kind(path) or (foreign(path) and "holds no machine of motionbook")
+        if kind:
+            return no_report(path, kind, "no machine")
+        before = file_state(path)
         with collector_paused():
             report = verify(path, witnesses)
-        sha256 = digest(path)
-        if before and state(path) != before:
-            return without(path, "cannot be read: it changed while it was read; try again")
+        sha256 = file_digest(path)
+        if before and file_state(path) != before:
+            return no_report(path, "cannot be read: it changed while it was read; try again")
     except MotionbookError as error:
         return Outcome(path, "unreadable", reason=str(error))
     except FileNotFoundError:
-        return without(path, "there is no such file")
+        return no_report(path, "there is no such file")
     except OSError as error:
-        return without(path, f"cannot be read: {error.strerror or error}")
+        return no_report(path, f"cannot be read: {error.strerror or error}")
     except Exception as error:  # one strange file must not take the others' verdicts with it
         failed = f"({type(error).__name__}: {error})"
-        return without(path, f"verifying it failed inside motionbook {failed}; please report this")
+        return no_report(path, f"verifying it failed inside motionbook {failed}; please report this")
     if report.findings and all(one.kind == "witness" for one in report.findings):  # no cell is known to be wrong
         found = report.findings[0]
-        return without(path, f"{found.cell} gave no values to compare: {found.computed}")
+        return no_report(path, f"{found.cell} gave no values to compare: {found.computed}")
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
 
 
-def digest(path: Path) -> str:
+def file_digest(path: Path) -> str:
     """Return the SHA-256 of a file."""
     with path.open("rb") as data:
         return hashlib.file_digest(data, "sha256").hexdigest()
 
 
-def state(path: Path) -> tuple[int, int] | None:
+def file_state(path: Path) -> tuple[int, int] | None:
     """Return size and time of change of a file, None where there is none."""
     with suppress(OSError):  # opening it says why
         return (known := path.stat()).st_size, known.st_mtime_ns
@@ -105,7 +106,7 @@ def state(path: Path) -> tuple[int, int] | None:
 LARGEST = 200_000_000  # bytes of a file that is sent
 
 
-class Sent(NamedTuple):
+class SentBook(NamedTuple):
     """A workbook for a machine that may not see the file: its bytes, or None where they cannot be had."""
 
     target: Target
@@ -113,15 +114,15 @@ class Sent(NamedTuple):
     data: bytes | None
 
 
-def sent(target: Target) -> Sent:
+def packed_book(target: Target) -> SentBook:
     """Return a workbook as it is handed out; one that cannot be read goes by its path, and the worker says so."""
     path, data = target.path.absolute(), None
     with suppress(OSError):
         data = path.read_bytes() if path.is_file() and path.stat().st_size <= LARGEST else None
-    return Sent(target, str(path), data)
+    return SentBook(target, str(path), data)
 
 
-def verify_sent(book: Sent, witnesses: Sequence[str]) -> Outcome:
+def verify_sent(book: SentBook, witnesses: Sequence[str]) -> Outcome:
     """Verify a workbook on another machine; its outcome names it as it was named here."""
     name = book.target.path
     with tempfile.TemporaryDirectory() as folder:
@@ -141,14 +142,14 @@ def exit_code(outcomes: Iterable[Outcome]) -> int:
     return DISAGREES if "disagrees" in verdicts else FAILS if "fails" in verdicts else AGREES
 
 
-def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
+def find_workbooks(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
     """Return the workbooks that paths name or hold, each once and no hidden or lock files, and what cannot be read."""
     targets: dict[Path, Target] = {}
     failed: list[Outcome] = []
     for path in paths:
         if os.path.isdir(path):  # not where the system cannot tell, as of a name longer than any
-            if not (found := list(within(path, failed))):
-                failed.append(without(path, "there is no workbook in this folder"))
+            if not (found := list(workbooks_in(path, failed))):
+                failed.append(no_report(path, "there is no workbook in this folder"))
         else:
             found = [Target(path, named=True)]
         for target in found:
@@ -157,7 +158,7 @@ def find(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
     return list(targets.values()), failed
 
 
-def within(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
+def workbooks_in(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
     """Yield the workbooks in a folder and its folders, in the order of their names."""
     errors = list[OSError]()
     for place, folders, files in os.walk(folder, onerror=errors.append):
@@ -166,7 +167,7 @@ def within(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
             path = Path(place, name)
             if path.suffix.lower() in SUFFIXES and not name.startswith("~$") and not hidden(path):
                 yield Target(path, named=False)
-    failed += [without(Path(e.filename or folder), f"cannot be listed: {e.strerror or e}") for e in errors]
+    failed += [no_report(Path(e.filename or folder), f"cannot be listed: {e.strerror or e}") for e in errors]
 
 
 def hidden(path: Path) -> bool:
@@ -178,7 +179,7 @@ def hidden(path: Path) -> bool:
 
 
 def verify_many(
-    targets: Sequence[Target], witnesses: Sequence[str] = ("pycel",), pool: Pool = HERE,
+    targets: Sequence[Target], witnesses: Sequence[str] = ("pycel",), pool: Pool = THIS_PROCESS,
     done: Callable[[Outcome], object] = lambda outcome: None,
 ) -> list[Outcome]:  # fmt: skip
     """Verify workbooks by a pool, one whose worker dies once more by a fresh one; call ``done`` as each is finished."""
@@ -188,28 +189,28 @@ def verify_many(
         outcomes[target] = outcome
         done(outcome)
 
-    if pool is HERE:
-        for target in swept_between(targets):
+    if pool is THIS_PROCESS:
+        for target in collecting_between(targets):
             keep(target, verify_one(target, witnesses))
         return [outcomes[target] for target in targets]
-    for target in by_pool(targets, witnesses, pool, keep):
+    for target in verify_by_pool(targets, witnesses, pool, keep):
         with pool.alone() as fresh:
-            again = by_pool([target], witnesses, fresh, keep)
+            again = verify_by_pool([target], witnesses, fresh, keep)
         if again:
-            keep(target, without(target.path, "verifying it ended the process (out of memory?)"))
+            keep(target, no_report(target.path, "verifying it ended the process (out of memory?)"))
     return [outcomes[target] for target in targets]
 
 
-def by_pool(
+def verify_by_pool(
     targets: Sequence[Target], witnesses: Sequence[str], pool: Pool, keep: Callable[[Target, Outcome], object]
 ) -> list[Target]:
     """Verify by a pool, and keep what came of each; return those whose worker died."""
-    books = map(sent, targets)
+    books = map(packed_book, targets)
     each = pool.each(verify_sent, books, witnesses) if pool.distant else pool.each(verify_one, targets, witnesses)
     died = []
     for book, outcome in each:
         target = book if isinstance(book, Target) else book.target
-        if isinstance(outcome, Died):
+        if isinstance(outcome, WorkerDied):
             died.append(target)
         else:
             keep(target, outcome)

@@ -9,19 +9,19 @@ from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
-from workbook.judging.display.cell_styles import Looks, Rules, Told, seen
-from workbook.judging.display.chart_reader import drawn
-from workbook.judging.display.charts import paired
+from workbook.judging.display.cell_styles import Remarks, RuleJudge, StyleJudge, cell_groups
+from workbook.judging.display.chart_reader import read_charts
+from workbook.judging.display.charts import pair_charts
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.structure import structure
+from workbook.judging.structure import check_structure
 from workbook.reading.contents import Contents
-from workbook.writing.write import NOTHING, Own
+from workbook.writing.write import NO_ADDITIONS, Additions
 
 MOST = 3  # cells that a line names
 
 
-def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
+def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> list[str]:
     """Return in lines what a file has that is neither an entry nor ``own``, what is carried over besides."""
     file = match.file
     ours = {pair.address.sheet for pair in match.pairs}
@@ -29,7 +29,7 @@ def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
     foreign = [title for title in file.workbook.sheetnames if title not in ours | kept]
     lines = [f"the sheet {title!r} is not carried over: it is none of the generated ones" for title in foreign]
     report = Report(file.path, template)
-    structure(match, report)
+    check_structure(match, report)
     edited, added = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
     for found in (found for found in report.findings if found.kind != "missing"):
         edited[found.sheet].append(found.cell)
@@ -39,29 +39,29 @@ def not_carried(match: Match, template: str, own: Own = NOTHING) -> list[str]:
             added[at.sheet].append(at.a1)
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
     lines += [f"formulas added on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in added.items()]
-    return lines + own_things(match, ours, own)
+    return lines + left_behind(match, ours, own)
 
 
-def own_things(match: Match, ours: set[str], own: Own = NOTHING) -> list[str]:
+def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> list[str]:
     """Return a line for each kind of thing that someone put on a generated sheet and is not ``own``, and for names."""
-    lines, told = [], Told()
-    rules = Rules(match, Looks(match, BaseModel, told), told)
-    rules.judge(list(seen(match, [])))
+    lines, told = [], Remarks()
+    rules = RuleJudge(match, StyleJudge(match, BaseModel, told), told)
+    rules.judge(list(cell_groups(match, [])))
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
         declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))
-        words, held = {text.text for text in declared.texts}, list(drawn(match, sheet.title))
+        words, held = {text.text for text in declared.texts}, list(read_charts(match, sheet.title))
         texts = [a.a1 for a, content in match.file.contents.constants.items()
                  if a.sheet == sheet.title and a not in match.numbers and content not in words]  # fmt: skip
         notes = [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment]
-        ours_drawn = {id(found) for *_, found in paired(match, declared, held)}
+        ours_drawn = {id(found) for *_, found in pair_charts(match, declared, held)}
         charts = [chart.at.a1 for chart in held if id(chart) not in ours_drawn]
         formats = [str(a.sqref) for a in sheet.conditional_formatting if {id(rule) for rule in a.rules} - rules.known]
         for what, cells in (("texts and numbers", texts), ("notes", notes), ("charts", charts),
                             ("conditional formats", formats)):  # fmt: skip
             if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:
                 lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
-    if left := [one.name for one in names(match) if one not in own.names]:
+    if left := [one.name for one in own_names(match) if one not in own.names]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
     lines += [f"charts and pictures of the sheet {sheet.title!r} are not carried over" for sheet in own.sheets
               if match.file.inspected and match.file.inspected.drawings.get(sheet.title)]  # fmt: skip
@@ -76,7 +76,7 @@ def listed(cells: list[str]) -> str:
     return ", ".join(cells[:MOST]) + rest
 
 
-def carried_over(match: Match, fresh: Book) -> Own:
+def find_additions(match: Match, fresh: Book) -> Additions:
     """Return what of a matched file beside its declared cells is taken into a fresh book of the same inputs."""
     file = match.file
     ours = {pair.address.sheet for pair in match.pairs}
@@ -91,14 +91,14 @@ def carried_over(match: Match, fresh: Book) -> Own:
     cells = [cell for sheet in file.workbook.worksheets if sheet.title in known for cell in sheet._cells.values()
              if isinstance(cell, Cell)]  # fmt: skip
     free = [cell for cell in cells if (cell.parent.title, cell.row, cell.column) not in taken]
-    held = [(cell, content) for cell in free if (content := content_of(file.contents, cell, known)) is not None]
+    held = [(cell, content) for cell in free if (content := carried_content(file.contents, cell, known)) is not None]
     notes = [cell for cell in cells if cell.comment is not None]
-    led = [(defined, {title for title, _ in defined.destinations}) for defined in names(match)]
+    led = [(defined, {title for title, _ in defined.destinations}) for defined in own_names(match)]
     within = tuple(defined for defined, sheets in led if sheets and sheets <= known)  # leads to cells of known sheets
-    return Own(tuple(own), tuple(held), tuple(notes), within)
+    return Additions(tuple(own), tuple(held), tuple(notes), within)
 
 
-def content_of(contents: Contents, cell: Cell, known: set[str]) -> Any:
+def carried_content(contents: Contents, cell: Cell, known: set[str]) -> Any:
     """Return what a cell holds; None for nothing, and for a formula that refers to other sheets than the known."""
     address = Address(cell.parent.title, cell.row, cell.column)
     if cell.data_type != "f":
@@ -109,7 +109,7 @@ def content_of(contents: Contents, cell: Cell, known: set[str]) -> Any:
     return cell.value if sheets <= known else None
 
 
-def names(match: Match) -> list[DefinedName]:
+def own_names(match: Match) -> list[DefinedName]:
     """Return the names that are someone's own."""
     declared, held = {name.casefold() for name, _ in match.declared.names()}, match.file.workbook.defined_names.items()
     return [one for name, one in held if name.casefold() not in declared and not name.startswith("_xl")]

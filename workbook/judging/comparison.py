@@ -14,7 +14,7 @@ from workbook.book.sentence import Sentence
 from workbook.entries.machine import Machine
 from workbook.errors import TooLargeError, WitnessError
 from workbook.judging.matching import Match, Pair
-from workbook.judging.report import CAUSES, Finding, Ran, Report
+from workbook.judging.report import CAUSES, Finding, Report, WitnessRun
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.templates import AnyTemplate
@@ -43,7 +43,7 @@ def is_error(value: Any) -> bool:
     return isinstance(value, str) and value.startswith("#")
 
 
-class Right:
+class ExpectedValues:
     """What should stand in the cells of a matched file, by a declaration of the same layout."""
 
     def __init__(self, match: Match, declared: Book) -> None:
@@ -77,7 +77,7 @@ class Comparison:
 
     def __init__(self, match: Match, bare: BookFile, single: CellWitness, model: Model, report: Report) -> None:
         self.match, self.bare, self.single, self.model, self.report = match, bare, single, model, report
-        self.right = Right(match, match.declared)
+        self.right = ExpectedValues(match, match.declared)
         formulas = set(match.file.contents.formula_cells)
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
         self.values: Cells = {}  # of the first witness that computed any
@@ -86,7 +86,7 @@ class Comparison:
 
     def ask(self, witness: Witness) -> None:
         """Compare what a witness says, or enter why it says nothing."""
-        ran = Ran(witness.name, witness.version())
+        ran = WitnessRun(witness.name, witness.version())
         self.report.witnesses.append(ran)
         try:
             file = self.match.file if witness.kept else self.bare
@@ -105,7 +105,7 @@ class Comparison:
             if ran.why and (not self.values or (ran.name in named and not ran.too_large)):
                 self.report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
 
-    def _computed(self, ran: Ran, values: Cells) -> None:
+    def _computed(self, ran: WitnessRun, values: Cells) -> None:
         """Tell the cells at fault from those that only follow them, or follow what is known to be at fault."""
         wrong = self._wrong(values, first=not self.values)
         places = [pair.address for pair, _ in wrong]
@@ -124,7 +124,7 @@ class Comparison:
             self.report.add(pair, kind, value, pair.cell.expected, deviation, ran.name, why)
         self.values = self.values or values
 
-    def _kept(self, ran: Ran, values: Cells) -> None:
+    def _kept(self, ran: WitnessRun, values: Cells) -> None:
         """Enter values that the file was saved with and that no longer are what its cells compute."""
         if self.match.file.as_built:
             ran.version = f"{ran.version}, {NO_EVIDENCE}"
@@ -160,8 +160,8 @@ class Comparison:
             return []
         known = {(f.sheet, f.cell) for f in self.report.findings}
         pairs = {a: pair for a, pair in self.pairs.items() if a in self.match.file.contents.formulas}
-        for k, (turn, varied) in enumerate(zip(turns(pairs, suspects, len(machines)), machines, strict=True), 1):
-            right = Right(self.match, template.declare(varied))
+        for k, (turn, varied) in enumerate(zip(by_variation(pairs, suspects, len(machines)), machines, strict=True), 1):
+            right = ExpectedValues(self.match, template.declare(varied))
             by = f"{self.single.name}, at variation {k} of the inputs"
             values = self.model.each([self.match.numbers[a] for a in turn], self.match.strips, right.values)
             for a, value in zip(turn, values, strict=True):
@@ -172,13 +172,13 @@ class Comparison:
         return found.findings
 
 
-def differs(right: Right, address: Address, value: Any) -> bool:
+def differs(right: ExpectedValues, address: Address, value: Any) -> bool:
     """Whether a value is not the engine's, where the engine has one."""
     expected = right.get(address)
     return expected is not None and not difference(value, expected, right.peak(address)) <= TOLERANCE
 
 
-def turns(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -> list[list[Address]]:
+def by_variation(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -> list[list[Address]]:
     """Return the cells that are looked at in each variation."""
     found: list[list[Address]] = [[] for _ in range(variations)]
     for n, (address, pair) in enumerate(pairs.items()):
@@ -190,7 +190,7 @@ def turns(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -
     return found
 
 
-def count(match: Match, report: Report) -> None:
+def count_cells(match: Match, report: Report) -> None:
     """Count each declared formula cell once for each witness that answered: compared, at fault, or unfinished."""
     cells = {(p.address.sheet, p.address.a1): p for p in match.pairs if p.declared_formula}
     blocks = match.declared.blocks.values()

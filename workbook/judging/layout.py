@@ -21,7 +21,7 @@ UNDO = "undo that, or take the table from a copy; `regenerate` carries over what
 SPARE = "no row between the table's own: delete it, and enter what it should hold in a spare row"
 
 
-def laid_out(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[Match, Machine]:
+def match_layout(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[Match, Machine]:
     """Return the file held against its declaration, and the machine by whose sizes most tables are as declared.
 
     Where a row is gone from one of several tables of one size, the others tell what that was.
@@ -37,18 +37,18 @@ def laid_out(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[M
             match = Match(file, template.declare(other))
         except (ValueError, IndexError):  # beyond a limit, or too small for what is entered
             continue
-        if amiss(match) < amiss(best):
+        if misfit_score(match) < misfit_score(best):
             best, machine = match, other
     return best, machine
 
 
-def amiss(match: Match) -> int:
+def misfit_score(match: Match) -> int:
     """Return how many tables are not as declared, the larger ones twice; one in the rows of another is as that is."""
     apart = (block for block, place in match.misfits if place is not None and block.lead is None)
     return sum(1 if match.size_of(block) < block.size else 2 for block in apart)
 
 
-def layout(match: Match) -> Iterator[Finding]:
+def layout_findings(match: Match) -> Iterator[Finding]:
     """Yield a finding for each row or column of a sheet that was put into tables, or is gone from them."""
     tables = (block for block in match.declared.blocks.values() if block.is_table)
     there = [(block, fit) for block in tables if (fit := fit_of(match, block)) is not None]
@@ -65,14 +65,14 @@ def layout(match: Match) -> Iterator[Finding]:
         rows = [row for _, row in run]
         (sheet, first), (_, last) = rows[0], rows[-1]
         found = f"row {first} was inserted" if first == last else f"rows {first} to {last} were inserted"
-        yield Finding(sheet, f"{first}:{last}", LAYOUT, found, SPARE, titled(inserted[rows[0]]))
+        yield Finding(sheet, f"{first}:{last}", LAYOUT, found, SPARE, table_titles(inserted[rows[0]]))
     for (sheet, row, count), blocks in gone.items():
         found = f"{'a row is' if count == 1 else f'{count} rows are'} gone above row {row}"
-        yield Finding(sheet, f"{row}:{row}", LAYOUT, found, UNDO, titled(blocks))
+        yield Finding(sheet, f"{row}:{row}", LAYOUT, found, UNDO, table_titles(blocks))
     for (sheet, number), torn in columns.items():
         letter, labels = get_column_letter(number), dict.fromkeys(repr(label) for _, label in torn)
         found = f"a column is gone before column {letter}: {', '.join(labels)}"
-        yield Finding(sheet, f"{letter}:{letter}", LAYOUT, found, UNDO, titled([block for block, _ in torn]))
+        yield Finding(sheet, f"{letter}:{letter}", LAYOUT, found, UNDO, table_titles([block for block, _ in torn]))
 
 
 def fit_of(match: Match, block: Block) -> Fit | None:
@@ -88,7 +88,7 @@ def fit_of(match: Match, block: Block) -> Fit | None:
     return fit
 
 
-def titled(blocks: list[Block]) -> str:
+def table_titles(blocks: list[Block]) -> str:
     """Return which tables they are: the heading of the first, and the names of all."""
     block, names = blocks[0], [b.name for b in blocks]
     above = [text for text in block.sheet.texts if text.style == "heading" and text.row < block.row]
@@ -96,7 +96,7 @@ def titled(blocks: list[Block]) -> str:
     return f"{heading}: the table {names[0]}" if len(names) == 1 else f"{heading}: the tables {', '.join(names)}"
 
 
-def follow(match: Match, report: Report, suspects: set[Address]) -> None:
+def set_consequences_aside(match: Match, report: Report, suspects: set[Address]) -> None:
     """Set aside what follows from rows, columns and names inserted or gone: wrong values, #REF!."""
     fits = match.file.fits
     unfit = {*fits, *(block.name for block, _ in match.misfits)}

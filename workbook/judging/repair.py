@@ -19,8 +19,8 @@ from workbook.book.declare import Block, Book
 from workbook.book.formula import REFERENCE, TOKEN, corner, read, unquoted
 from workbook.entries import rules
 from workbook.fields.texts import LOOKED_UP, NO_NAME, PATTERN
-from workbook.judging.comparison import Right, differs
-from workbook.judging.layout import titled
+from workbook.judging.comparison import ExpectedValues, differs
+from workbook.judging.layout import table_titles
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import LAYOUT, NOTICE, Finding, Report
 from workbook.reading.contents import Cells
@@ -30,20 +30,20 @@ from workbook.reading.rows import tag
 EMPTY = ", but below it"  # how the line on a row that was left empty ends
 
 
-def in_order(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Finding]:
+def repair_book(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Finding]:
     """Put back what was cut from tables, and put entries in order; return findings, and notices, on what was not."""
-    if said := [*put_back(file, layout), *named(file, layout, model), *moved_up(file, layout)]:
+    if said := [*put_back(file, layout), *repair_names(file, layout, model), *close_gaps(file, layout)]:
         file.mended = True
         file.__dict__.pop("contents", None)  # they are of the cells as they were
     return said
 
 
-def named(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterator[Finding]:
+def repair_names(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterator[Finding]:
     """Trim names that formulas look up, and exchange those that look-ups take for a pattern or a value."""
-    cells = {at: block for block in layout.blocks.values() for at in looked_up(file, block, model)}
+    cells = {at: block for block in layout.blocks.values() for at in lookup_cells(file, block, model)}
     texts = {at: as_text(file.value(at)) for at in cells}
     for text in dict.fromkeys(texts.values()):
-        if (name := usable(text, set(texts.values()))) == text:
+        if (name := usable_name(text, set(texts.values()))) == text:
             continue
         trimmed = name == text.strip()
         kind = NOTICE if trimmed and name not in texts.values() else "entry"
@@ -54,7 +54,7 @@ def named(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterator[Find
         file.saved |= {at: v.replace(text, name) for at, v in file.saved.items() if isinstance(v, str)}
 
 
-def looked_up(file: BookFile, block: Block, model: type[BaseModel]) -> Iterator[Address]:
+def lookup_cells(file: BookFile, block: Block, model: type[BaseModel]) -> Iterator[Address]:
     """Yield the cells of a block in which a name is entered that formulas look up."""
     if (place := file.places.get(block.name)) is None:
         return
@@ -75,7 +75,7 @@ def as_text(held: Any) -> str:
     return held if isinstance(held, str) else f"{held:.15g}"
 
 
-def usable(text: str, others: set[str]) -> str:
+def usable_name(text: str, others: set[str]) -> str:
     """Return a name as look-ups find it again: itself where they do, trimmed, or one that is none of the others."""
     name = "".join("_" if sign in PATTERN else sign for sign in text.strip())
     changed = name != text.strip()
@@ -84,7 +84,7 @@ def usable(text: str, others: set[str]) -> str:
     return name
 
 
-def moved_up(file: BookFile, layout: Book) -> Iterator[Finding]:
+def close_gaps(file: BookFile, layout: Book) -> Iterator[Finding]:
     """Move entries up over rows of their tables that were left empty."""
     for block in layout.blocks.values():
         place = file.places.get(block.name)
@@ -110,9 +110,9 @@ def set_value(file: BookFile, at: Address, value: Any) -> None:
     cell._value, cell.data_type = value, "s" if isinstance(value, str) else "n"  # type: ignore[union-attr]
 
 
-def unlike(before: Cells, match: Match, ordered: Cells, report: Report) -> None:
+def report_wrong_results(before: Cells, match: Match, ordered: Cells, report: Report) -> None:
     """Enter a finding in place of a notice on an empty row where results are others than with the rows moved up."""
-    right = Right(match, match.declared)
+    right = ExpectedValues(match, match.declared)
     single = (p.address for p in match.pairs if p.declared_formula and not p.cell.block.is_table)
     wrong = [a for a in single if differs(right, a, before.get(a)) and not differs(right, a, ordered.get(a))]
     for one in [one for one in report.notices if is_empty_row(one)] if wrong else ():
@@ -129,7 +129,7 @@ def is_empty_row(found: Finding) -> bool:
 # Cells that were cut from a table
 
 
-class Way(NamedTuple):
+class Offset(NamedTuple):
     """How far cells were moved, and to which sheet."""
 
     sheet: str
@@ -146,22 +146,22 @@ def put_back(file: BookFile, layout: Book) -> list[Finding]:
     match = Match(file, layout)
     small = {name for name, b in layout.blocks.items() if name in file.places and match.size_of(b) > b.size}
     empty = {p.address: p for p in match.pairs if p.held is None and p.cell.block.name not in small}
-    gone = defaultdict[tuple[str, Way], set[Address]](set)
-    for home, way in [*referred(match, empty), *reshaped(match, empty)]:
+    gone = defaultdict[tuple[str, Offset], set[Address]](set)
+    for home, way in [*moved_by_references(match, empty), *moved_by_shape(match, empty)]:
         gone[empty[home].cell.block.name, way].add(home)
     back: dict[Address, Address] = {}
     findings = []
     for (name, way), homes in gone.items():
-        homes |= {a for a, p in empty.items() if p.cell.block.name == name and filled(match, way.end(a))}
-        if any(filled(match, way.end(home)) for home in homes):
+        homes |= {a for a, p in empty.items() if p.cell.block.name == name and is_filled(match, way.end(a))}
+        if any(is_filled(match, way.end(home)) for home in homes):
             back |= {way.end(home): home for home in homes}
-            findings.append(told([empty[home] for home in homes], way))
+            findings.append(cut_finding([empty[home] for home in homes], way))
     if back:
-        move(file, back)
+        move_cells(file, back)
     return findings
 
 
-def referred(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
+def moved_by_references(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Offset]]:
     """Yield empty cells of a table of which formulas say that they are elsewhere, with how far."""
     changed = (p for p in match.pairs if p.declared_formula and p.held != p.cell.content) if empty else ()
     for pair in (pair for pair in changed if match.leads_out(pair.address)):
@@ -169,21 +169,21 @@ def referred(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Addr
             place = match.file.places.get(name)
             home = place.cell(i, j) if place is not None and i >= 0 else None
             if home is not None and home in empty and isinstance(there, Address):
-                yield home, Way(there.sheet, there.row - home.row, there.column - home.column)
+                yield home, Offset(there.sheet, there.row - home.row, there.column - home.column)
 
 
-def reshaped(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Way]]:
+def moved_by_shape(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Address, Offset]]:
     """Yield the formulas missing in a table of which most are found elsewhere by their shape, one way from there."""
     missing = {home: pair for home, pair in empty.items() if pair.declared_formula}
     shapes = defaultdict[str, list[Address]](list)
     for address, formula in match.file.contents.formulas.items() if missing else ():
         if address not in match.numbers:
             shapes[formula.shape].append(address)
-    counted: dict[str, dict[Way, list[Address]]] = defaultdict(lambda: defaultdict(list))
+    counted: dict[str, dict[Offset, list[Address]]] = defaultdict(lambda: defaultdict(list))
     for home, pair in missing.items() if shapes else ():
         declared = read(pair.cell.content, pair.cell.block.sheet.title, match.declared_area)
         for there in shapes.get(declared.shape, ()):
-            way = Way(there.sheet, there.row - home.row, there.column - home.column)
+            way = Offset(there.sheet, there.row - home.row, there.column - home.column)
             counted[pair.cell.block.name][way].append(home)
     for name, ways in counted.items():
         way, homes = max(ways.items(), key=lambda one: len(one[1]))
@@ -191,23 +191,23 @@ def reshaped(match: Match, empty: Mapping[Address, Pair]) -> Iterator[tuple[Addr
             yield from ((home, way) for home in homes)
 
 
-def filled(match: Match, address: Address) -> bool:
+def is_filled(match: Match, address: Address) -> bool:
     """Whether a cell holds anything, and is none of the declared ones."""
     there = address.sheet in match.file.workbook.sheetnames and address not in match.numbers
     return there and address.row > 0 and address.column > 0 and match.file.value(address) is not None
 
 
-def told(pairs: list[Pair], way: Way) -> Finding:
+def cut_finding(pairs: list[Pair], way: Offset) -> Finding:
     """Return the finding on cells of a table that were moved one way."""
     rows, columns = [p.address.row for p in pairs], [p.address.column for p in pairs]
-    sheet, what = pairs[0].address.sheet, titled([pairs[0].cell.block])
+    sheet, what = pairs[0].address.sheet, table_titles([pairs[0].cell.block])
     first, last = Address(sheet, min(rows), min(columns)), Address(sheet, max(rows), max(columns))
     found = f"cut, and pasted to {way.end(first)}:{way.end(last).a1}"
     expected = "all cells of the table in their places: cut and paste them back"
     return Finding(sheet, f"{first.a1}:{last.a1}", LAYOUT, found, expected, what)
 
 
-def move(file: BookFile, back: Mapping[Address, Address]) -> None:
+def move_cells(file: BookFile, back: Mapping[Address, Address]) -> None:
     """Move cells of a file, and let all formulas and names follow."""
     pages = {page.title: page._cells for page in file.workbook.worksheets}
     for now, home in back.items():
@@ -220,14 +220,14 @@ def move(file: BookFile, back: Mapping[Address, Address]) -> None:
     for title, cells in pages.items():
         for cell in cells.values():
             if cell.data_type == "f" and isinstance(cell.value, str):
-                cell.value = f"={followed(cell.value[1:], title, back)}"
+                cell.value = f"={redirect_formula(cell.value[1:], title, back)}"
     for title, drawings in file.inspected.drawings.items() if file.inspected else ():
         charts = (one.chart for one in drawings if one.chart is not None)
         for source in (one for chart in charts for one in chart.iter() if tag(one) == "f" and one.text):
-            source.text = followed(source.text or "", title, back)
+            source.text = redirect_formula(source.text or "", title, back)
     moved = set()
     for name, one in file.workbook.defined_names.items():
-        if (text := followed(one.attr_text or "", "", back)) != one.attr_text:
+        if (text := redirect_formula(one.attr_text or "", "", back)) != one.attr_text:
             one.attr_text = text
             moved.add(name)
     file.places |= {name: place for name, place in find_places(file.workbook).items() if name in moved}
@@ -235,12 +235,12 @@ def move(file: BookFile, back: Mapping[Address, Address]) -> None:
     file.__dict__.pop("contents", None)
 
 
-def followed(text: str, sheet: str, back: Mapping[Address, Address]) -> str:
+def redirect_formula(text: str, sheet: str, back: Mapping[Address, Address]) -> str:
     """Return a formula of a sheet with its references to cells of ``back`` led to where these go."""
-    return TOKEN.sub(lambda one: led(one[0], sheet, back) if one.lastgroup == "reference" else one[0], text)
+    return TOKEN.sub(lambda one: redirect(one[0], sheet, back) if one.lastgroup == "reference" else one[0], text)
 
 
-def led(word: str, sheet: str, back: Mapping[Address, Address]) -> str:
+def redirect(word: str, sheet: str, back: Mapping[Address, Address]) -> str:
     """Return a reference led to where its cells go; as it is where not both of its corners are among them."""
     if (parts := REFERENCE.fullmatch(word)) is None:
         return word

@@ -34,7 +34,7 @@ class Finding:
 
 
 @dataclass
-class Ran:
+class WitnessRun:
     """A witness that was asked, and what came of the declared formula cells, each counted once."""
 
     name: str
@@ -92,7 +92,7 @@ class Report:
     checks: list[Check] = field(default_factory=list)
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
     cells: dict[str, int] = field(default_factory=dict)  # declared formula cells of each sheet
-    witnesses: list[Ran] = field(default_factory=list)
+    witnesses: list[WitnessRun] = field(default_factory=list)
     own: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
     not_evaluated: int = 0  # of these
     notes: list[str] = field(default_factory=list)
@@ -145,7 +145,7 @@ class Report:
         """The witnesses that answered, with their versions."""
         return ", ".join(f"{w.name} {w.version}" for w in self.witnesses if w.answered)
 
-    def tells(self, ran: Ran) -> bool:
+    def tells(self, ran: WitnessRun) -> bool:
         """Whether a finding says that a witness could not answer."""
         return any(one.kind == "witness" and one.cell == ran.name for one in self.findings)
 

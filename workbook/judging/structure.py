@@ -16,13 +16,13 @@ from workbook.functions.declarations import NAMESPACE
 from workbook.functions.names import definitions, meaning
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, Finding, Report
-from workbook.reading.files import Words, is_formula
+from workbook.reading.files import LiteralText, is_formula
 
-SAID = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTitle", "error", "errorTitle")
+COMPARED = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTitle", "error", "errorTitle")
 LAST_DIGITS = 1e-14  # LibreOffice keeps 15 digits of a number when it saves
 
 
-def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]:
+def check_structure(match: Match, report: Report, shapes: bool = True) -> set[Address]:
     """Enter missing blocks, and formulas and constants that are not the declared ones; return those formulas."""
     for block, place in match.misfits:
         if place is not None and block.is_table:  # told with what was inserted or is gone
@@ -36,15 +36,15 @@ def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]
         if pair.cell.quantity.role == "input":
             continue
         if not pair.declared_formula:
-            if not same(pair.held, pair.cell.content):
-                held = f'"{pair.held}"' if isinstance(pair.held, Words) else pair.held
+            if not holds_declared(pair.held, pair.cell.content):
+                held = f'"{pair.held}"' if isinstance(pair.held, LiteralText) else pair.held
                 report.add(pair, "changed", held, pair.cell.content)
         elif isinstance(pair.held, str) and pair.held.startswith("{="):  # part of a formula that fills several cells
             suspects.add(pair.address)
             report.add(pair, "formula", pair.held, pair.cell.content)
         elif pair.held is None:
             report.add(pair, "missing", None, pair.cell.expected)
-        elif isinstance(pair.held, Words):
+        elif isinstance(pair.held, LiteralText):
             report.add(pair, "replaced", f'"{pair.held}"', pair.cell.content, why="a text is never computed")
         elif not is_formula(pair.held):
             report.add(pair, "replaced", pair.held, pair.cell.expected)
@@ -55,7 +55,7 @@ def structure(match: Match, report: Report, shapes: bool = True) -> set[Address]
     return suspects
 
 
-def same(held: Any, content: Any) -> bool:
+def holds_declared(held: Any, content: Any) -> bool:
     """Whether a cell holds what is declared, of the same type: TRUE is not 1; an empty text is an empty cell."""
     if content == "":
         return held is None or held == ""
@@ -75,7 +75,7 @@ COMPUTED = "how the program computes"
 
 def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     """Yield what is wrong with formulas, names, inputs and settings of a matched workbook."""
-    yield from functions(match)
+    yield from function_findings(match)
     declared, ours = {name.casefold() for name, _ in match.declared.names()}, {p.address.sheet for p in match.pairs}
     for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
         for name, defined in sheet.defined_names.items():
@@ -83,8 +83,8 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
                 yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
     for name, fit in match.file.fits.items():
         if fit.named is not None:  # of a single cell, that leads to more than one
-            yield finding(fit.place, name, said(fit.named), said(fit.place))
-    for misled in (columns, strays, mislabelled, wordy, disordered):
+            yield finding(fit.place, name, range_of(fit.named), range_of(fit.place))
+    for misled in (column_name_findings, stray_blocks, mislabelled_cells, displaced_texts, exchanged_tables):
         yield from misled(match)
     inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
     read = match.file.contents.read([pair.address for pair in inputs])
@@ -92,10 +92,10 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
         q, at = pair.cell.quantity, pair.address
         if at not in read and (field_at(template, q.key)[0] is not str or q.choices):
             yield Finding(at.sheet, at.a1, "unread", str(pair.held), "an input that a formula reads")
-    yield from settings(match.file.workbook)
+    yield from setting_findings(match.file.workbook)
 
 
-def functions(match: Match) -> Iterator[Finding]:
+def function_findings(match: Match) -> Iterator[Finding]:
     """Yield cells that should hold another formula: with a function that not every program has, or that is volatile."""
     formulas = match.file.contents.formulas
     for pair in match.pairs:
@@ -105,7 +105,7 @@ def functions(match: Match) -> Iterator[Finding]:
             yield Finding(pair.address.sheet, pair.address.a1, "function", name, why)
 
 
-def settings(workbook: Workbook) -> Iterator[Finding]:
+def setting_findings(workbook: Workbook) -> Iterator[Finding]:
     """Yield the settings of a file that let formulas go stale, round them, or read them by other rules."""
     held = workbook.calculation
     for wrong, found, expected in (
@@ -137,7 +137,7 @@ def finding(place: Place, name: str, found: str, expected: str) -> Finding:
     return Finding(place.sheet, place.cell(0, 0).a1, "name", f"{name}: {found}", expected)
 
 
-def columns(match: Match) -> Iterator[Finding]:
+def column_name_findings(match: Match) -> Iterator[Finding]:
     """Yield names of a table's column, or of several side by side, that are not those."""
     places = match.file.places
     for name, (table, column) in match.declared.column_names.items():
@@ -147,11 +147,11 @@ def columns(match: Match) -> Iterator[Finding]:
         first, last = (place.part(one - block.column) for one in block.ends(column))
         right, found = (first.corners[0], last.corners[1]), places.get(name)
         if first.column and last.column and (found is None or found.corners != right):
-            expected = said(first._replace(columns=last.column - first.column + 1))
-            yield finding(found or first, name, said(found), expected)
+            expected = range_of(first._replace(columns=last.column - first.column + 1))
+            yield finding(found or first, name, range_of(found), expected)
 
 
-def strays(match: Match) -> Iterator[Finding]:
+def stray_blocks(match: Match) -> Iterator[Finding]:
     """Yield the first of the blocks that lie on another sheet than the rest of theirs, and how many there are."""
     for sheet in match.declared.sheets:
         placed = match.placed(sheet)
@@ -165,17 +165,17 @@ def strays(match: Match) -> Iterator[Finding]:
             yield finding(place, first.name, found, f"the sheet {counted[0][0]}, with the others: move it back")
 
 
-def mislabelled(match: Match) -> Iterator[Finding]:
+def mislabelled_cells(match: Match) -> Iterator[Finding]:
     """Yield single cells that stand beside another label or heading; words of the engineer's own are none of these."""
     for sheet in match.declared.sheets:
         labels = {text.text for text in sheet.texts if text.column == FIRST}
         for block, place in match.placed(sheet):
             beside, label = texts_beside(match, place) & labels, block.quantities[0].beside
-            if beside and label not in beside and not block.is_table and not itself(match, block, place):
+            if beside and label not in beside and not block.is_table and not is_declared_cell(match, block, place):
                 yield finding(place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {label!r}")
 
 
-def itself(match: Match, block: Block, place: Place) -> bool:
+def is_declared_cell(match: Match, block: Block, place: Place) -> bool:
     """Whether a cell is the declared one for all that its label says otherwise: by its formula, its symbol and unit."""
     pair = next((p for p in match.pairs if p.cell.block is block), None)
     if pair is not None and pair.declared_formula:
@@ -185,7 +185,7 @@ def itself(match: Match, block: Block, place: Place) -> bool:
     return bool(q.symbol) and {text for text in (q.symbol, q.unit) if text} <= around
 
 
-def wordy(match: Match) -> Iterator[Finding]:
+def displaced_texts(match: Match) -> Iterator[Finding]:
     """Yield inputs that hold a text or nothing, as any cell may, in another column than the others or by no label."""
     for sheet in match.declared.sheets:
         single = [(block, place) for block, place in match.placed(sheet) if not block.is_table]
@@ -196,7 +196,7 @@ def wordy(match: Match) -> Iterator[Finding]:
                 continue
             usual = max((one for one in columns if one[0] == block.column), key=columns.__getitem__)[1]
             if place.column != usual or not texts_beside(match, place):
-                yield finding(place, block.name, said(place), f"the cell of {q.label!r}, below or above the others")
+                yield finding(place, block.name, range_of(place), f"the cell of {q.label!r}, below or above the others")
 
 
 def texts_beside(match: Match, place: Place) -> set[str]:
@@ -205,7 +205,7 @@ def texts_beside(match: Match, place: Place) -> set[str]:
     return {text for text in cells if isinstance(text, str)}
 
 
-def disordered(match: Match) -> Iterator[Finding]:
+def exchanged_tables(match: Match) -> Iterator[Finding]:
     """Yield tables of the same columns, and cells of the same label, that have changed places with one another."""
     alike = defaultdict[tuple[str, ...], list[tuple[Block, Place]]](list)
     for sheet in match.declared.sheets:
@@ -216,11 +216,11 @@ def disordered(match: Match) -> Iterator[Finding]:
     for blocks in alike.values():
         for (before, first), (after, second) in pairwise(blocks):
             in_order = first.sheet != second.sheet or first[:3] < second[:3]  # another sheet is what strays() tells
-            if not in_order and not (headed(match, before, first) and headed(match, after, second)):
+            if not in_order and not (has_own_heading(match, before, first) and has_own_heading(match, after, second)):
                 yield finding(second, after.name, f"above or left of {before.name}", f"below {before.name}")
 
 
-def headed(match: Match, block: Block, place: Place) -> bool:
+def has_own_heading(match: Match, block: Block, place: Place) -> bool:
     """Whether the heading that is declared for a block is the one that is nearest above it in the file."""
     headings = {text.text: text.row for text in block.sheet.texts if text.style == "heading"}
     above = [(row, text) for text, row in headings.items() if row < block.row]
@@ -229,7 +229,7 @@ def headed(match: Match, block: Block, place: Place) -> bool:
     return bool(above) and max(found, default=(0, ""))[1] == max(above)[1]
 
 
-def said(place: Place | None) -> str:
+def range_of(place: Place | None) -> str:
     """Return a place in words."""
     if place is None:
         return "no cells"
@@ -237,7 +237,7 @@ def said(place: Place | None) -> str:
     return f"{first}:{last.a1}"
 
 
-def validations(match: Match, model: type[BaseModel], report: Report) -> None:
+def check_validations(match: Match, model: type[BaseModel], report: Report) -> None:
     """Enter as a notice for each sheet how many inputs have no validation any more, or another one."""
     held = {sheet.title: [(rule, cells.bounds) for rule in sheet.data_validations.dataValidation
                           for cells in rule.sqref.ranges]
@@ -248,7 +248,7 @@ def validations(match: Match, model: type[BaseModel], report: Report) -> None:
         for at in (pair.address for pair in pairs if fresh is not None):
             rule = next((rule for rule, (left, top, right, bottom) in held[at.sheet]
                          if top <= at.row <= bottom and left <= at.column <= right), None)  # fmt: skip
-            if rule is None or any((getattr(rule, name) or "") != (getattr(fresh, name) or "") for name in SAID):
+            if rule is None or any((getattr(rule, name) or "") != (getattr(fresh, name) or "") for name in COMPARED):
                 told[at.sheet, "another validation" if rule else "no validation"].append(at)
     for (title, said), cells in told.items():
         what = f"{len(cells)} inputs of the sheet {title}"

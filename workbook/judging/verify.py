@@ -11,23 +11,23 @@ from workbook.book.address import Address
 from workbook.book.quantity import SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
-from workbook.judging.comparison import Comparison, count, is_error
-from workbook.judging.display.cell_styles import Looks, Rules, Told, seen
-from workbook.judging.display.charts import charts
-from workbook.judging.display.labels import words
-from workbook.judging.display.visibility import in_view, links, pages
-from workbook.judging.layout import follow, laid_out, layout
+from workbook.judging.comparison import Comparison, count_cells, is_error
+from workbook.judging.display.cell_styles import Remarks, RuleJudge, StyleJudge, cell_groups
+from workbook.judging.display.charts import check_charts
+from workbook.judging.display.labels import check_labels
+from workbook.judging.display.visibility import check_links, check_visibility, sheet_views
+from workbook.judging.layout import layout_findings, match_layout, set_consequences_aside
 from workbook.judging.matching import Match, Pair
-from workbook.judging.repair import in_order, is_empty_row, put_back, unlike
-from workbook.judging.report import FAIL, LAYOUT, NOTICE, ORDER, Check, Ran, Report
-from workbook.judging.structure import audit, stale_functions, structure, validations
+from workbook.judging.repair import is_empty_row, put_back, repair_book, report_wrong_results
+from workbook.judging.report import FAIL, LAYOUT, NOTICE, ORDER, Check, Report, WitnessRun
+from workbook.judging.structure import audit, check_structure, check_validations, stale_functions
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book, require_little_work
 from workbook.templates import AnyTemplate
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.registry import ALL, WITNESSES
-from workbook.witnesses.witness import CellWitness, Witness, without
+from workbook.witnesses.witness import CellWitness, Witness, evaluation_copy
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
@@ -36,9 +36,9 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     Raises ReadError or InputError for a book that cannot be read or a witness that is unknown, WitnessError for one
     that is asked by name and is not on this machine.
     """
-    names, absent = present(witnesses)
+    names, absent = available_witnesses(witnesses)
     file = open_book(path)
-    entries = Entries(file, agreed, in_order)
+    entries = Entries(file, agreed_values, repair_book)
     report = Report(path, entries.template.name, notes=list(file.notes))
     for found in entries.moved:
         (report.notices if found.kind == NOTICE else report.findings).append(found)
@@ -47,13 +47,13 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     if entries.computed:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
     judge(file, entries.template, machine, report, names, given=entries.computed, named=witnesses)
-    report.witnesses += [Ran(name, None) for name in absent]
+    report.witnesses += [WitnessRun(name, None) for name in absent]
     if not machine.design.replaced:
         report.notes += entries.template.deviations(machine)
     return report
 
 
-def present(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
+def available_witnesses(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
     """Return the witnesses to ask, and those of ``all`` that are absent; raise as :func:`verify` does."""
     if unknown := [name for name in witnesses if name not in (*WITNESSES, ALL)]:
         raise ReadError(f"no witness is named {unknown[0]!r}; expected {', '.join((*WITNESSES, ALL))}")
@@ -74,16 +74,16 @@ def judge(
     ``shapes`` false leaves the text of formulas aside, so that values alone must tell. ``given`` are the values of
     inputs that hold a formula. Witnesses that are ``named`` must answer, of the others one.
     """
-    match, machine = laid_out(file, template, machine)
+    match, machine = match_layout(file, template, machine)
     if any(pair.declared_formula and pair.held is None for pair in match.pairs):
         report.findings += put_back(file, match.declared)
         match = Match(file, match.declared)
-    report.findings += layout(match)
-    suspects = structure(match, report, shapes)
+    report.findings += layout_findings(match)
+    suspects = check_structure(match, report, shapes)
     report.notes += stale_functions(file.workbook)
     report.findings += audit(match, type(machine))
-    own = own_cells(match, report, given)
-    with without(file, own, given) as bare:
+    own = count_own_cells(match, report, given)
+    with evaluation_copy(file, own, given) as bare:
         require_little_work(bare, file.path)
         asked: list[Witness] = [WITNESSES[name]() for name in witnesses]
         asked += [made for name, make in WITNESSES.items() if name not in witnesses and (made := make()).kept]
@@ -95,36 +95,36 @@ def judge(
             comparison.ask(witness)
         comparison.require_answers(named)
         if any(map(is_empty_row, report.notices)):
-            unlike(single.values(open_book(file.path)), match, comparison.values, report)
+            report_wrong_results(single.values(open_book(file.path)), match, comparison.values, report)
         report.findings += comparison.elsewhere(template, machine, suspects)
-        report.checks = checks(match, comparison.values)
-        displayed(match, type(machine), comparison.values, report)
-    follow(match, report, suspects)
+        report.checks = check_results(match, comparison.values)
+        check_display(match, type(machine), comparison.values, report)
+    set_consequences_aside(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
-    count(match, report)
+    count_cells(match, report)
 
 
-def displayed(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
+def check_display(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
     """Enter what a reader is told otherwise than by a fresh build of the same inputs (see :mod:`.display.permitted`).
 
     ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
     """
-    told = Told()
-    cells = list(seen(match, words(match, report)))
-    links(match, told)
-    looks = Looks(match, model, told)
-    rules = Rules(match, looks, told, torn=any(found.kind == LAYOUT for found in report.findings))
+    told = Remarks()
+    cells = list(cell_groups(match, check_labels(match, report)))
+    check_links(match, told)
+    looks = StyleJudge(match, model, told)
+    rules = RuleJudge(match, looks, told, torn=any(found.kind == LAYOUT for found in report.findings))
     rules.judge(cells)
     for one in cells:
         looks.judge(one, coloured=one.verdict and rules.has_verdicts(one))
-    seen_pages = pages(match)
-    in_view(match, seen_pages, computed, cells, report, told)
-    charts(match, seen_pages, report)
-    validations(match, model, report)
+    seen_pages = sheet_views(match)
+    check_visibility(match, seen_pages, computed, cells, report, told)
+    check_charts(match, seen_pages, report)
+    check_validations(match, model, report)
     told.enter(report)
 
 
-def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:
+def count_own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:
     """Count formula cells that belong to nothing declared; return those that nothing declared, but an input, needs."""
     contents = match.file.contents
     if not (own := {a for a in contents.formula_cells if a not in match.numbers}):
@@ -136,20 +136,20 @@ def own_cells(match: Match, report: Report, given: Collection[Address]) -> set[A
     return aside
 
 
-def checks(match: Match, computed: Cells) -> list[Check]:
+def check_results(match: Match, computed: Cells) -> list[Check]:
     """Return the machine's checks, with what their cells compute, or what the engine says where these do not."""
     at = {pair.cell.block.name: pair for pair in match.pairs if not pair.cell.block.is_table}
     found = []
     for sheet, quantity in match.declared.checks:
         pair = at.get(quantity.name)
-        verdict = told(pair, computed) or quantity.value
-        says = told(at.get(f"{quantity.name}{SAYS}"), computed) if verdict == FAIL else ""
+        verdict = cell_text(pair, computed) or quantity.value
+        says = cell_text(at.get(f"{quantity.name}{SAYS}"), computed) if verdict == FAIL else ""
         where = (pair.address.sheet, pair.address.a1) if pair else (sheet.title, quantity.name)
         found.append(Check(*where, quantity.label, str(verdict or "unfinished"), says))
     return found
 
 
-def told(pair: Pair | None, computed: Cells) -> str:
+def cell_text(pair: Pair | None, computed: Cells) -> str:
     """Return the text that a cell computes, or that the engine has for it; nothing of an unfinished one."""
     if pair is None or (pair.declared_formula and pair.cell.expected is None):
         return ""

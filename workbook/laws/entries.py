@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union
 
 from pydantic import BeforeValidator, Field, PrivateAttr, RootModel, create_model, model_serializer, model_validator
 
-from workbook.errors import found
+from workbook.errors import quoted
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
 from workbook.fields.types import EntryError, Model
 from workbook.laws.registry import CODES, FAMILY
@@ -130,7 +130,7 @@ def require_names(names: list[Any]) -> None:
     """Raise EntryError for a name that a cell cannot hold, or that a look-up takes for another law's."""
     for name in names:
         if not isinstance(name, str):
-            raise EntryError("", f"a law is named {found(name)}; expected a text")
+            raise EntryError("", f"a law is named {quoted(name)}; expected a text")
         if not re.match(NO_FORMULA, name) or len(name) > LONGEST:
             raise EntryError(key_of(name), f"a law's name; expected 1 to {LONGEST} characters that do not begin with =")
         try:
@@ -149,14 +149,14 @@ def in_family(name: str, entry: Any) -> Any:
     if isinstance(entry, Model):
         return entry
     if not isinstance(entry, Mapping):
-        raise EntryError(key_of(name), f"found {found(entry)}; expected the entries of a law")
+        raise EntryError(key_of(name), f"found {quoted(entry)}; expected the entries of a law")
     if name in CODES:
         if entry.get("family", name) != name:
             raise EntryError(f"{name}.family", f"the law {name} is of its own family; expected another name")
         return {**entry, "family": name}
     given = entry.get("family")
     if (family := listed(given, [*ENTRIES])) is None:
-        said = "empty" if given is None else f"no family is named {found(given)}"
+        said = "empty" if given is None else f"no family is named {quoted(given)}"
         raise EntryError(f"{key_of(name)}.family", f"{said}; expected {nearest(given, [*ENTRIES])}")
     return {**entry, "family": family}
 
@@ -203,7 +203,7 @@ def resolve(entries: Model, laws: Laws) -> None:
         name = listed(one.name, laws.names)
         if name is None or (one.moves and name == "DWL"):
             known = [known for known in laws.names if not one.moves or known != "DWL"]
-            said = "a dwell does not move" if name else f"no law is named {found(one.name)}"
+            said = "a dwell does not move" if name else f"no law is named {quoted(one.name)}"
             code = one.name.strip().upper()
             takes = f'add [laws.{code}] with family = "{code}", or take' if code in ENTRIES and not name else "expected"
             raise EntryError(one.key, f"{said}; {takes} {nearest(one.name, known)}")

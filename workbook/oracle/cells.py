@@ -15,15 +15,15 @@ BRACKETS = re.compile(r"[\[(]([^\])]{1,12})[\])]")
 NEAR = 6  # columns right of a label in which its figure stands
 
 
-def find(file: BookFile, text: str) -> Address:
+def find_cell(file: BookFile, text: str) -> Address:
     """Return the cell of an address, a name or a label; raise ReadError where there is none, or are several."""
     if CELL.fullmatch(text):
         return on_sheet(file, text)
     if text in file.places:
         return file.places[text].cell(0, 0)
     held = file.contents.constants.items()
-    labels = (at for at, value in held if isinstance(value, str) and plain(value) == plain(text))
-    found = [cell for label in labels if (cell := beside(file, label)) is not None]
+    labels = (at for at, value in held if isinstance(value, str) and plain_label(value) == plain_label(text))
+    found = [cell for label in labels if (cell := value_right_of(file, label)) is not None]
     if len(found) == 1:
         return found[0]
     what = f"{len(found)} cells stand beside this label: {', '.join(map(str, found))}" if found else "no such cell"
@@ -38,12 +38,12 @@ def on_sheet(file: BookFile, text: str) -> Address:
     return address
 
 
-def plain(text: str) -> str:
+def plain_label(text: str) -> str:
     """Return a label without what people write in different ways: case, blanks, a colon behind it."""
     return " ".join(text.split()).rstrip(" :=").casefold()
 
 
-def beside(file: BookFile, label: Address) -> Address | None:
+def value_right_of(file: BookFile, label: Address) -> Address | None:
     """Return the first number or formula right of a label; None where there is none nearby."""
     constants, formulas = file.contents.constants, file.contents.formulas
     cells = (label._replace(column=label.column + right) for right in range(1, NEAR + 1))
@@ -98,13 +98,13 @@ def draft(file: BookFile) -> str:
     numbers = [cell for cell, value in contents.constants.items() if is_number(value)]
     read, used = contents.read(numbers), contents.read(contents.formula_cells)
     outputs = [cell for cell in contents.formula_cells if cell not in used]
-    names = named(file, [cell for cell in numbers if cell in read])
+    names = variable_names(file, [cell for cell in numbers if cell in read])
     lines = [HEAD.format(book=file.path.name, title=file.path.stem)]
     for cell, name in names.items():
         value = f"{contents.constants[cell]!r}"
         given = f"{str(cell)!r}, unit={unit_of(file, cell)!r}, low={value}, high={value}"
         lines.append(f"{name} = book.input({given})  # entered {value}\n")
-    for cell, name in named(file, outputs, tuple(names.values())).items():
+    for cell, name in variable_names(file, outputs, tuple(names.values())).items():
         read = contents.read(list(names), contents.needed(contents.formula_cells, [cell]) | {cell})
         needed = ", ".join(name for one, name in names.items() if one in read)
         lines += [f"\n\n@book.output({str(cell)!r}, unit={unit_of(file, cell)!r}, source='')\n",
@@ -112,7 +112,7 @@ def draft(file: BookFile) -> str:
     return "".join(lines)
 
 
-def named(file: BookFile, cells: list[Address], taken: tuple[str, ...] = ()) -> dict[Address, str]:
+def variable_names(file: BookFile, cells: list[Address], taken: tuple[str, ...] = ()) -> dict[Address, str]:
     """Return a variable for each cell, made of its label, each once."""
     found: dict[Address, str] = {}
     count = Counter(taken)

@@ -105,7 +105,7 @@ def parameters(one: Output | Table) -> list[str]:
     return list(inspect.signature(one.of).parameters)[isinstance(one, Table) :]
 
 
-def load(path: Path) -> Oracle:
+def load_oracle(path: Path) -> Oracle:
     """Run a file of declarations and return its oracle; raise ReadError where it has none or is incomplete."""
     if not path.is_file():
         raise ReadError(f"{path}: there is no such file; expected declarations in Python")
@@ -142,10 +142,10 @@ def close(found: Any, expected: Any, allowed: float) -> bool:
 
 def same(found: Any, expected: Any) -> bool:
     """Whether two values are the same but for rounding."""
-    return close(found, expected, ROUNDING * size(expected))
+    return close(found, expected, ROUNDING * magnitude(expected))
 
 
-def size(value: Any) -> float:
+def magnitude(value: Any) -> float:
     """Return the magnitude of a number, else 0."""
     return abs(float(value)) if is_number(value) else 0.0
 
@@ -170,7 +170,8 @@ def cases(inputs: Sequence[Input], entered: Case, number: int, seed: int = 0) ->
     if varied and len(found) < number:
         points = qmc.Sobol(len(varied), scramble=True, seed=seed).random_base2((number - len(found) - 1).bit_length())
         found += [
-            entered | {one: at(one, float(share)) for one, share in zip(varied, point, strict=True)} for point in points
+            entered | {one: value_at(one, float(share)) for one, share in zip(varied, point, strict=True)}
+            for point in points
         ]
     return found[:number]
 
@@ -182,7 +183,7 @@ def options(one: Input) -> Sequence[Any]:
     return [] if one.low is None or one.high is None else [one.low, one.high]
 
 
-def at(one: Input, share: float) -> Any:
+def value_at(one: Input, share: float) -> Any:
     """Return the value of an input at a share of its range, from 0 to 1."""
     if one.choices:
         return one.choices[min(int(share * len(one.choices)), len(one.choices) - 1)]

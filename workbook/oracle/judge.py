@@ -9,11 +9,11 @@ import numpy as np
 
 from workbook.book.address import Address
 from workbook.book.formula import Area
-from workbook.dimensions.rules import Dimensions, Walk
+from workbook.dimensions.rules import Dimensions, UnitWalk
 from workbook.dimensions.units import POWERS
 from workbook.errors import ReadError, WitnessError
-from workbook.oracle.cells import cells_of, find, label_of, unit_of
-from workbook.oracle.declarations import Case, Oracle, Output, Table, cases, close, is_number, same, size
+from workbook.oracle.cells import cells_of, find_cell, label_of, unit_of
+from workbook.oracle.declarations import Case, Oracle, Output, Table, cases, close, is_number, magnitude, same
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreement import UNKNOWN
@@ -29,7 +29,7 @@ FIRST = "pycel"  # the evaluator whose values everything else is asked of
 
 
 @dataclass(frozen=True)
-class Wrong:
+class Fault:
     """What is wrong in a cell: the kind of fault, what was found and expected, and at which inputs."""
 
     cell: Address
@@ -40,11 +40,11 @@ class Wrong:
 
 
 @dataclass
-class Judged:
+class OracleReport:
     """What came of a comparison: findings, cases, notes, dimensions, and the class of each formula cell."""
 
     cases: int
-    wrong: list[Wrong] = field(default_factory=list)
+    wrong: list[Fault] = field(default_factory=list)
     coverage: dict[Address, Coverage] = field(default_factory=dict)
     dimensions: Dimensions = field(default_factory=Dimensions)
     notes: list[str] = field(default_factory=list)
@@ -64,11 +64,11 @@ class Judge:
 
     def __init__(self, file: BookFile, oracle: Oracle) -> None:
         self.file, self.oracle = file, oracle
-        self.cells = {one: find(file, one.cell) for one in oracle.inputs}
+        self.cells = {one: find_cell(file, one.cell) for one in oracle.inputs}
         for one, cell in self.cells.items():
             if cell in file.contents.formulas and not one.macro:
                 raise ReadError(f"{file.path.name}: {cell} is an input and holds a formula; expected a value")
-        self.outputs = [(find(file, one.cell), one) for one in oracle.outputs]
+        self.outputs = [(find_cell(file, one.cell), one) for one in oracle.outputs]
         self.tables = [(cells_of(file, one.cells), one) for one in oracle.tables]
         formulas = file.contents.formula_cells
         self.formulas = [cell for cell in formulas if not oracle.sheets or cell.sheet in oracle.sheets]
@@ -78,19 +78,19 @@ class Judge:
         asked = {*self.formulas, *self.targets}
         self.model = PycelModel(file.contents, file.contents.needed(set(formulas) - asked, asked) | asked)
 
-    def judge(self, number: int, seed: int = 0, witnesses: Sequence[str] = (FIRST,)) -> Judged:
+    def judge(self, number: int, seed: int = 0, witnesses: Sequence[str] = (FIRST,)) -> OracleReport:
         """Compare the outputs at so many cases by each witness; look at units, saved values and gaps; count cells."""
         tried = cases(self.oracle.inputs, self.entered, number, seed)
-        found = Judged(len(tried))
+        found = OracleReport(len(tried))
         found.wrong += self.deviating(tried, witnesses, found.notes)
         found.dimensions = self.by_units()
         found.wrong += self.looked()
         wrong = found.dimensions.wrong.items()
-        found.wrong += [Wrong(cell, "dimension", text, "one dimension") for cell, text in wrong]
+        found.wrong += [Fault(cell, "dimension", text, "one dimension") for cell, text in wrong]
         found.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
         return found
 
-    def looked(self) -> Iterator[Wrong]:
+    def looked(self) -> Iterator[Fault]:
         """Yield stale saved values, unread inputs, other units beside cells, numbers in place of formulas, gaps."""
         inputs = list(self.cells.values())
         macros = {one: self.file.saved.get(cell) for one, cell in self.cells.items() if one.macro}
@@ -98,22 +98,22 @@ class Judge:
         for cell, saved in self.file.saved.items():
             found = values.get(cell)
             if cell in self.counted and saved is not None and found not in UNKNOWN and not same(saved, found):
-                yield Wrong(cell, "saved", saved, found)
+                yield Fault(cell, "saved", saved, found)
         read = self.file.contents.read(inputs)
-        yield from (Wrong(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
+        yield from (Fault(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
         for cell, unit in self.units.items():
             beside = unit_of(self.file, cell)
-            if unit and beside and spelled(beside) != spelled(unit):
-                yield Wrong(cell, "unit", beside, unit)
+            if unit and beside and normalised_unit(beside) != normalised_unit(unit):
+                yield Fault(cell, "unit", beside, unit)
         formulas = self.file.contents.formulas
         for cell, value in self.file.contents.constants.items():  # numbers between two formulas that are alike
             above, below = (formulas.get(cell._replace(row=cell.row + step)) for step in (-1, 1))
             alike = above is not None and below is not None and above.shape == below.shape
             if alike and is_number(value) and cell.sheet in self.sheets and cell not in inputs:
-                yield Wrong(cell, "replaced", value, "a formula, as above and below it")
+                yield Fault(cell, "replaced", value, "a formula, as above and below it")
         yield from self.empty()
 
-    def empty(self) -> Iterator[Wrong]:
+    def empty(self) -> Iterator[Fault]:
         """Yield the empty cells that a formula reads by themselves, each with the first such formula."""
         contents, found = self.file.contents, dict[Address, Address]()
         filled = {*contents.formula_cells, *(cell for cell, value in contents.constants.items() if value is not None)}
@@ -122,7 +122,7 @@ class Judge:
             for one in formula.arguments if BLANK.isdisjoint(formula.functions) and "" not in formula.arguments else ():
                 if isinstance(one, Area) and one.single and one.first not in filled:
                     found[one.first] = min(cell, found.get(one.first, cell))
-        yield from (Wrong(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(found.items()))
+        yield from (Fault(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(found.items()))
 
     def by_units(self) -> Dimensions:
         """Return what cannot be by the units: those declared, and those beside the cells of the same sheets."""
@@ -130,7 +130,7 @@ class Judge:
         cells = (cell for cell in [*contents.formulas, *contents.constants] if cell.sheet in self.sheets)
         beside = {cell: unit for cell in cells if (unit := unit_of(self.file, cell))}
         declared = {cell: unit for cell, unit in self.units.items() if unit}
-        return Walk(contents, beside | declared).walk(cell for cell in self.model.order if cell in self.counted)
+        return UnitWalk(contents, beside | declared).walk(cell for cell in self.model.order if cell in self.counted)
 
     @property
     def entered(self) -> Case:
@@ -140,7 +140,7 @@ class Judge:
         numbers = {one: value if is_number(value) else one.low for one, value in macros.items()}
         return {one: constants.get(cell) for one, cell in self.cells.items()} | numbers
 
-    def deviating(self, tried: Sequence[Case], witnesses: Sequence[str], notes: list[str]) -> Iterator[Wrong]:
+    def deviating(self, tried: Sequence[Case], witnesses: Sequence[str], notes: list[str]) -> Iterator[Fault]:
         """Yield the outputs that are not what the oracle says, each at the first case and by the first witness."""
         named = set[Address]()
         for name in witnesses:
@@ -155,7 +155,7 @@ class Judge:
                             unable.add(cell)
                         else:
                             named.add(cell)
-                            yield Wrong(cell, "value", found, expected, by + self.told(one, case))
+                            yield Fault(cell, "value", found, expected, by + self.told(one, case))
             except WitnessError as error:
                 notes.append(f"{name}: {error}")
             if unable:
@@ -183,7 +183,7 @@ class Judge:
         """Yield each compared cell with what the oracle says of it, the deviation that is allowed, and who says it."""
         for cell, one in self.outputs:
             value = self.called(one, case)
-            yield cell, value, one.tolerance * size(value), one
+            yield cell, value, one.tolerance * magnitude(value), one
         for rows, table in self.tables:
             first = np.array([values.get(row[0]) for row in rows], dtype=float)
             columns = self.called(table, case, first)
@@ -239,7 +239,7 @@ def describe(file: BookFile, cell: Address) -> str:
     return f"{cell} ({label})" if label else str(cell)
 
 
-def spelled(unit: str) -> str:
+def normalised_unit(unit: str) -> str:
     """Return a unit without what is written in different ways: blanks, brackets, powers, products."""
     text = unit.translate(SPELLINGS)
     return text.casefold() if len(text) > 2 and text.isalpha() else text

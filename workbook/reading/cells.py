@@ -13,15 +13,15 @@ from openpyxl.worksheet.formula import ArrayFormula, DataTableFormula
 from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
-from workbook.reading.contents import Cells, entered
+from workbook.reading.contents import Cells, plain_value
 from workbook.reading.guard import Inspected
-from workbook.reading.rows import MAIN, Rows, Written
+from workbook.reading.rows import MAIN, RawCell, Rows
 
 MOST_DIGITS = 300  # of a whole number; one of more may be larger than any that a cell can hold
 TEXTS = {"str": "s", "inlineStr": "s"}  # types of values that openpyxl has as one, that of shared texts
 
 
-def fill(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
+def fill_sheet(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
     """Enter the written cells into a sheet that has none; raise as openpyxl does where they are damaged."""
     cells: dict[tuple[int, int], Any] = sheet._cells
     styles = sheet.parent._cell_styles  # type: ignore[union-attr]
@@ -36,15 +36,15 @@ def fill(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
             cell.parent, (cell.row, cell.column), cell._hyperlink, cell._comment = sheet, place, None, None
         cell._style = styles[held.style]
         if held.how is None:
-            cell._value, cell.data_type = content(held, texts), TEXTS.get(held.kind, held.kind)
+            cell._value, cell.data_type = cell_content(held, texts), TEXTS.get(held.kind, held.kind)
         else:
-            cell._value, cell.data_type = formula(held, shared), "f"
+            cell._value, cell.data_type = cell_formula(held, shared), "f"
     for row, looks in rows.looks.items():
         style = {"s": styles[int(looks["s"])]} if "s" in looks else {}
         sheet.row_dimensions[row] = RowDimension(sheet, **{**looks, **style, "r": row})
 
 
-def content(held: Written, texts: Sequence[str]) -> Any:
+def cell_content(held: RawCell, texts: Sequence[str]) -> Any:
     """Return what a cell without a formula holds."""
     kind, text = held.kind, held.value
     if not text:
@@ -60,7 +60,7 @@ def content(held: Written, texts: Sequence[str]) -> Any:
     return text
 
 
-def formula(held: Written, shared: dict[str, Translator]) -> Any:
+def cell_formula(held: RawCell, shared: dict[str, Translator]) -> Any:
     """Return the formula of a cell as openpyxl has it; ``shared`` has those met before that several cells share."""
     how: dict[str, Any] = held.how or {}
     text = "=" + held.formula
@@ -84,11 +84,11 @@ def saved_values(inspected: Inspected) -> Cells:
     shared = inspected.strings.iter(f"{MAIN}si") if any(held.kind == "s" for _, held in cells) else ()
     made: Any = Text.from_tree
     texts = [str(made(one).content) for one in shared]
-    return {Address(title, held.row, held.column): value(held, texts) for title, held in cells}
+    return {Address(title, held.row, held.column): saved_value(held, texts) for title, held in cells}
 
 
-def value(held: Written, texts: list[str]) -> Any:
+def saved_value(held: RawCell, texts: list[str]) -> Any:
     """Return a saved value; None where there is none, and an empty text where the type alone says so."""
     if not held.value or (held.kind == "s" and int(held.value) >= len(texts)):
         return "" if held.kind == "str" else None
-    return float(held.value) if held.kind == "n" else entered(content(held, texts), WINDOWS_EPOCH)
+    return float(held.value) if held.kind == "n" else plain_value(cell_content(held, texts), WINDOWS_EPOCH)

@@ -31,7 +31,7 @@ class Contents:
         self.problems: dict[Address, str] = {}  # why, in a line
         self.arrays: dict[Address, str] = {}  # the text of a formula over several cells, or of another kind, in each
         self._titles = {title.casefold(): title for title in workbook.sheetnames}
-        self._names = names_of(workbook)
+        self._names = name_texts(workbook)
         self._epoch = workbook.epoch
         for sheet in workbook.worksheets:
             formulas = Formulas(sheet.title, self.area)
@@ -49,13 +49,13 @@ class Contents:
         wanted: dict[tuple[str, int], list[int]] = {}
         for sheet, row, column in sorted(cells):
             wanted.setdefault((sheet, column), []).append(row)
-        told = self.patterns if by is None else by_pattern(self.formulas[a] for a in by if a in self.formulas)
-        return set(cells_of(told, wanted))
+        told = self.patterns if by is None else grouped_by_pattern(self.formulas[a] for a in by if a in self.formulas)
+        return set(referenced_cells(told, wanted))
 
     @cached_property
     def patterns(self) -> Patterns:
         """The patterns of all formulas."""
-        return by_pattern(self.formulas.values())
+        return grouped_by_pattern(self.formulas.values())
 
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
         """Return those formulas ``cells`` on which those ``by`` depend: all where one of them is not taken apart."""
@@ -86,7 +86,7 @@ class Contents:
     def _take(self, address: Address, cell: Cell | MergedCell, formulas: Formulas) -> None:
         if cell.data_type != "f":
             if cell.value is not None:
-                self.constants[address] = entered(cell.value, self._epoch)
+                self.constants[address] = plain_value(cell.value, self._epoch)
             return
         value = cell.value
         if isinstance(value, ArrayFormula) and value.ref in (address.a1, f"{address.a1}:{address.a1}"):
@@ -106,7 +106,7 @@ class Contents:
             self.problems[address] = str(error)
 
 
-def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
+def referenced_cells(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
     """Yield the cells that formulas refer to among ``wanted``, the sorted rows of each column of a sheet."""
     areas: set[Area] = set()
     patterns, others = formulas
@@ -122,7 +122,7 @@ def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) ->
                 yield from (Address(a.area.sheet, row, a.area.left) for row in known if row in moved)
             elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
                 areas |= {a.at(row) for row in rows}
-    for (sheet, left, right), spans in together(areas).items():
+    for (sheet, left, right), spans in merged_rows(areas).items():
         for column in range(left, right + 1):
             known = wanted.get((sheet, column), [])
             for top, bottom in spans if known else ():
@@ -130,7 +130,7 @@ def cells_of(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) ->
                 yield from (Address(sheet, row, column) for row in rows)
 
 
-def together(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int, int]]]:
+def merged_rows(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int, int]]]:
     """Return areas by sheet, left and right column, as rows from and to of which none meet: running sums are one."""
     found: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
     for sheet, top, left, bottom, right, _ in sorted(areas):
@@ -142,7 +142,7 @@ def together(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int
     return found
 
 
-def by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:
+def grouped_by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:
     """Return each pattern of formulas with the rows in which it stands, and the formulas that have none."""
     patterns: dict[int, tuple[Pattern, list[int]]] = {}
     others = []
@@ -156,7 +156,7 @@ def by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:
     return list(patterns.values()), others
 
 
-def names_of(workbook: Workbook) -> dict[tuple[str | None, str], str]:
+def name_texts(workbook: Workbook) -> dict[tuple[str | None, str], str]:
     """Return the texts of all defined names by sheet (None for the workbook's) and name, case-folded."""
     scopes: dict[str | None, Mapping[str, DefinedName]] = {None: workbook.defined_names}
     scopes |= {sheet.title.casefold(): sheet.defined_names for sheet in workbook.worksheets}
@@ -164,12 +164,12 @@ def names_of(workbook: Workbook) -> dict[tuple[str | None, str], str]:
             for scope, names in scopes.items() for name, defined in names.items()}  # fmt: skip
 
 
-def entered(value: Any, epoch: datetime = WINDOWS_EPOCH) -> Any:
+def plain_value(value: Any, epoch: datetime = WINDOWS_EPOCH) -> Any:
     """Return what a cell without a formula holds as formulas see it: dates and times are numbers."""
     if value is None or type(value) in (float, int, bool, str):
         return value
     if isinstance(value, date | datetime | time | timedelta):
         return float(to_excel(value, epoch))  # type: ignore[no-untyped-call]
     if hasattr(value, "item"):
-        return entered(value.item())  # a number of NumPy's
+        return plain_value(value.item())  # a number of NumPy's
     return float(value) if hasattr(value, "__float__") else str(value)

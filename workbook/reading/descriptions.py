@@ -12,7 +12,7 @@ from pydantic import BaseModel
 from workbook.entries import rules
 from workbook.entries.design import RefusedError, as_entered, finished, keys_of
 from workbook.entries.machine import Fault, Machine
-from workbook.errors import LONGEST, InputError, ReadError, found
+from workbook.errors import LONGEST, InputError, ReadError, quoted
 from workbook.fields.types import LARGEST, SMALLEST, EntryError
 from workbook.laws.entries import key_of
 from workbook.selection.entries import referred
@@ -29,19 +29,19 @@ DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # mo
 def template_named(name: object, where: str) -> AnyTemplate:
     """Return a template by name; raise InputError, listing the known ones, where there is none."""
     if not isinstance(name, str) or name not in TEMPLATES:
-        fault = "empty" if name is None else f"no template is named {found(name)}"
+        fault = "empty" if name is None else f"no template is named {quoted(name)}"
         raise InputError([f"{where}: {fault}; expected one of {', '.join(TEMPLATES)}"])
     return TEMPLATES[name]
 
 
 def read_machine(path: Path) -> Machine:
     """Read the description in a TOML file; raise ReadError or InputError, with a line for each fault."""
-    data = parsed(read_text(path, "a machine description, a .toml file"), path)
+    data = parse_toml(read_text(path, "a machine description, a .toml file"), path)
     template = template_named(data.get("template"), f"{path}: template")
-    return checked(template, data, lambda key: f"{path}: {counted(key)}")
+    return validated(template, data, lambda key: f"{path}: {counted_from_1(key)}")
 
 
-def parsed(text: str, path: Path) -> dict[str, Any]:
+def parse_toml(text: str, path: Path) -> dict[str, Any]:
     """Return the tables of a TOML text; raise ReadError for what is none, and for what no description needs."""
     if DOTTED.search(text):
         raise ReadError(f"{path}: not valid TOML for a description: keys are nested too deep")
@@ -64,9 +64,9 @@ def decimal_comma(text: str, error: ValueError) -> str:
     return f"line {place[1]}: {number[1]} has a decimal comma; expected a point, {number[1].replace(',', '.')}"
 
 
-def counted(key: str) -> str:
+def counted_from_1(key: str) -> str:
     """Return a key whose lists are counted from 1, as people count: ``timing.axes[1].name``."""
-    told = re.sub(r'("[^"]*")|\.(\d+)', lambda found: found[1] or f"[{int(found[2]) + 1}]", key)
+    told = re.sub(r'("[^"]*")|\.(\d+)', lambda quoted: quoted[1] or f"[{int(quoted[2]) + 1}]", key)
     return told if told == key else f"{told} (counted from 1)"
 
 
@@ -75,14 +75,13 @@ def write_machine(machine: Machine) -> str:
     return tomli_w.dumps(referred(as_entered(machine)))
 
 
-def checked(template: Template[M], data: dict[str, Any], where: Where) -> M:
+def validated(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate entries; raise InputError for faults of structure or type: other ones make an unfinished design."""
     model = template.model_for(data)
     try:
         return finished(model, template.check, data, lambda: read_machine(template.description))
     except RefusedError as error:
-        raise InputError([f"{where(fault.key)}: {fault.said}" if isinstance(fault, Fault) else told(fault, model, where)
-                          for fault in error.faults]) from None  # fmt: skip
+        raise InputError([fault_line(fault, model, where) for fault in error.faults]) from None
     except EntryError as error:
         raise InputError([f"{where(error.field)}: {error}"]) from None
 
@@ -95,21 +94,23 @@ def require_possible(template: Template[M], machine: M, where: Where) -> None:
         raise InputError([f"{where(error.field)}: {error}"]) from None
 
 
-def told(fault: Any, model: type[BaseModel], where: Where) -> str:
-    """Return one line: where, what was found, what is expected."""
+def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
+    """Return one line for a fault of a rule or of pydantic's: where, what was found, what is expected."""
+    if isinstance(fault, Fault):
+        return f"{where(fault.key)}: {fault.said}"
     key, rule = keys_of(model, fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, EntryError):
         return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
     if fault["type"].startswith("union_tag"):
-        said = found(fault["input"].get(rules.KIND)) if fault["type"] == "union_tag_invalid" else ""
+        said = quoted(fault["input"].get(rules.KIND)) if fault["type"] == "union_tag_invalid" else ""
         expected = rules.either(rules.kinds_at(model, rule.split(".")))
         return f"{where(f'{key}.{rules.KIND}')}: {f'found {said}' if said else 'empty'}; expected {expected}"
     if fault["type"] == "extra_forbidden":
         above, unknown = key.removesuffix(f".{fault['loc'][-1]}"), str(fault["loc"][-1])
         kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
         plain = unknown.isidentifier() and len(unknown) < LONGEST
-        named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else found(unknown)}".strip("."))
+        named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else quoted(unknown)}".strip("."))
         return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
     kind, constraints = rules.field_at(model, rule)
     expected = rules.expectation(kind, constraints)
@@ -118,10 +119,10 @@ def told(fault: Any, model: type[BaseModel], where: Where) -> str:
     if isinstance(fault["input"], int | float) and rules.beyond_all(fault["input"], constraints):
         expected = f"a number of at most {LARGEST:g} in size, and of at least {SMALLEST:g} if it is more than 0"
     optional = "" if rules.is_required(model, rule) else " (optional)"
-    return f"{where(key)}: found {found(fault['input'])}; expected {expected}{optional}"
+    return f"{where(key)}: found {quoted(fault['input'])}; expected {expected}{optional}"
 
 
-def unnamed(key: str, named: dict[str, str]) -> str:
+def cell_key(key: str, named: dict[str, str]) -> str:
     """Return a key below a law's name with the one that its cells have."""
     for name, below in named.items():
         begin = f"laws.{key_of(name)}"

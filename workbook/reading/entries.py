@@ -11,23 +11,23 @@ from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
 from workbook.entries.design import set_at
 from workbook.entries.machine import ExportEntry, Machine, named
-from workbook.errors import DisputedError, InputError, ReadError, found
+from workbook.errors import DisputedError, InputError, ReadError, quoted
 from workbook.law_sheets.library import numbered_laws, with_laws
-from workbook.reading.descriptions import checked, read_machine, template_named, unnamed
+from workbook.reading.descriptions import cell_key, read_machine, template_named, validated
 from workbook.reading.files import BookFile, is_formula, require_narrow
-from workbook.reading.table_fit import ends_lost, fitted
+from workbook.reading.table_fit import changed_tables, shortened_tables
 from workbook.template import MOST
 from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
 """gives what gives the value of a formula cell, told which of them it will be asked"""
-Mend = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # puts entries in order, and says what was not
+Repair = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # puts entries in order, and says what was not
 
 
 class Entries:
     """Input cells as a description: ``evaluate`` gives values of formulas, ``mend`` puts cells in order first."""
 
-    def __init__(self, file: BookFile, evaluate: Evaluate, mend: Mend | None = None) -> None:
+    def __init__(self, file: BookFile, evaluate: Evaluate, mend: Repair | None = None) -> None:
         require_narrow(file)
         self.file = file
         self.disputed: list[str] = []
@@ -49,10 +49,10 @@ class Entries:
             self.data["export"] = {"axis": axis}
             default = default.model_copy(update={"export": ExportEntry(axis=axis)})
         for key, value in self.template.fixed(default).items():
-            put(self.data, key.split("."), value)
+            set_entry(self.data, key.split("."), value)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4}
-        layout = self.template.declare(default.model_copy(update={"sizes": within(type(default.sizes), small)}))
+        layout = self.template.declare(default.model_copy(update={"sizes": clamped_sizes(type(default.sizes), small)}))
         self._fit(layout, {size for k, size in roomy.items() if size > self.data["sizes"].get(k, size)})
         self.moved = mend(file, layout, self.template.model_for(self.data)) if mend else []
         self._value = evaluate(file, [*self._formulas(layout)])
@@ -77,7 +77,7 @@ class Entries:
             raise InputError(self._between[:1])
         data, named = self._by_name()
         try:
-            machine = checked(self.template, data, lambda key: self._where(unnamed(key, named)))
+            machine = validated(self.template, data, lambda key: self._where(cell_key(key, named)))
         except InputError as refused:
             moved = [f"{self.file.path.name}: {one.sheet}!{one.cell}: {one.computed}; {one.expected}"
                      for one in self.moved if one.kind == "notice"]  # fmt: skip
@@ -107,7 +107,7 @@ class Entries:
             entry = dict(laws.pop(key, {}))
             name, cell = entry.pop("called", None), self._where(f"laws.{key}.called")
             if not isinstance(name, str) or name in laws:
-                fault = f"found {found(name)}" if name is not None else "empty"
+                fault = f"found {quoted(name)}" if name is not None else "empty"
                 raise InputError([f"{cell}: {fault}; expected a name that no other law has"])
             laws[name], named[name] = {**entry, "family": family}, key
         return self.data | {"laws": laws}, named
@@ -123,8 +123,8 @@ class Entries:
 
     def _fit(self, layout: Book, grown: set[int]) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""
-        self.file.fits |= fitted(self.file, layout)
-        self._ends = ends_lost(self.file, layout, grown)
+        self.file.fits |= changed_tables(self.file, layout)
+        self._ends = shortened_tables(self.file, layout, grown)
         for name, fit in self.file.fits.items():
             self.file.places[name] = fit.place
         for size, block, extra in self.template.sized(self.file.fits):
@@ -151,7 +151,7 @@ class Entries:
                 key = q.key.replace("*", str(i))
                 self.cells[key] = f"{place.cell(i, j)} ({q.label})"
                 if value is not None or "*" in q.key or key[-1].isdigit():
-                    put(self.data, key.split("."), value)
+                    set_entry(self.data, key.split("."), value)
             if any(value is not None for value in rows[i]) or "*" not in inputs[0][1].key:
                 self._emptied += [q.key.replace("*", str(i)) for (_, q), value in zip(inputs, rows[i], strict=True)
                                   if value is None and self._must_be_there(q.key)]  # fmt: skip
@@ -188,7 +188,7 @@ class Entries:
         except DisputedError as doubt:
             self.computed[cell] = None
             where = f"{self.file.path.name}: {cell} ({q.label})"
-            self.disputed.append(f"{where}: the formula {found(value)} is in doubt: {doubt}; enter the value itself")
+            self.disputed.append(f"{where}: the formula {quoted(value)} is in doubt: {doubt}; enter the value itself")
         return self.computed[cell]
 
     def _formulas(self, layout: Book) -> Iterator[Address]:
@@ -207,7 +207,7 @@ class Entries:
         return f"{self.file.path.name}: {best or key}"
 
 
-def within(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:
+def clamped_sizes(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:
     """Return sizes, those beyond their limits at these: rows may have been put into a table."""
     try:
         return model(**sizes)
@@ -216,7 +216,7 @@ def within(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:
         return model(**{key: limits.get(key, {}).get("le", size) for key, size in sizes.items()})
 
 
-def put(data: Any, path: list[str], value: Any) -> None:
+def set_entry(data: Any, path: list[str], value: Any) -> None:
     """Set an entry of nested dicts and lists, making room on the way; None only makes room."""
     for part, after in zip(path, [*path[1:], ""], strict=True):
         empty: Any = None if not after else [] if after.isdigit() else {}

@@ -19,10 +19,10 @@ from workbook.book.address import Address, Fit, Place
 from workbook.book.columns import Moving
 from workbook.book.formula import Area
 from workbook.errors import ReadError
-from workbook.reading.cells import fill, saved_values
-from workbook.reading.contents import Cells, Contents, Patterns, entered
+from workbook.reading.cells import fill_sheet, saved_values
+from workbook.reading.contents import Cells, Contents, Patterns, plain_value
 from workbook.reading.guard import Inspected, guard
-from workbook.reading.package import Bare
+from workbook.reading.package import StrippedArchive
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW, SAVE_AS
 from workbook.text_files import require_file
 
@@ -31,7 +31,7 @@ MOST_CELLS = 200_000  # of the place of one name
 BUILT = datetime(2020, 1, 1)
 
 
-class Words(str):
+class LiteralText(str):
     """A text that looks like a formula, and that no program computes."""
 
     __slots__ = ()
@@ -39,7 +39,7 @@ class Words(str):
 
 def is_formula(content: Any) -> bool:
     """Whether what a cell holds is computed, not entered; a text that looks like a formula is none."""
-    return isinstance(content, str) and content.startswith("=") and not isinstance(content, Words)
+    return isinstance(content, str) and content.startswith("=") and not isinstance(content, LiteralText)
 
 
 @dataclass
@@ -57,7 +57,7 @@ class BookFile:
     bare: bool = False  # whether it is a copy of contents and names alone
 
     def value(self, address: Address) -> Any:
-        """Return what a cell holds: ``=text`` as :class:`Words`, an array formula in braces in each of its cells."""
+        """Return what a cell holds: ``=text`` as :class:`LiteralText`, an array formula in braces in each of its cells."""
         cell = self.cell(address)
         if cell is None:
             return None
@@ -65,11 +65,11 @@ class BookFile:
         if type(value) is float:
             return value
         if isinstance(value, str) and cell.data_type != "f" and value.startswith("="):
-            return Words(value)
+            return LiteralText(value)
         arrays = self.contents.arrays
         if address in arrays:
             return arrays[address]
-        return value if type(value) is str else entered(value, self.workbook.epoch)
+        return value if type(value) is str else plain_value(value, self.workbook.epoch)
 
     @property
     def as_built(self) -> bool:
@@ -97,7 +97,7 @@ def open_book(path: Path) -> BookFile:
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
     inspected = guard(path)
-    workbook = parsed(path, inspected)
+    workbook = load_workbook(path, inspected)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
     return BookFile(
@@ -105,27 +105,27 @@ def open_book(path: Path) -> BookFile:
     )
 
 
-def parsed(path: Path, inspected: Inspected) -> Workbook:
+def load_workbook(path: Path, inspected: Inspected) -> Workbook:
     """Let openpyxl read a file that passed the guard, but for rows and drawings; raise ReadError where it cannot."""
     try:
         with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints one of its complaints
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
             reader = ExcelReader(str(path), keep_links=False)
             reader.archive.close()
-            reader.archive = Bare(path, inspected.parts)
+            reader.archive = StrippedArchive(path, inspected.parts)
             reader.read()
             for sheet in reader.wb.worksheets:
-                fill(sheet, inspected.sheets[sheet.title], reader.shared_strings)
+                fill_sheet(sheet, inspected.sheets[sheet.title], reader.shared_strings)
             return reader.wb
     except PermissionError as error:
         raise ReadError(f"{path}: cannot be read; close it in the other program and try again") from error
     except MemoryError as error:
         raise ReadError(f"{path}: too large for the memory of this machine") from error
     except Exception as error:  # openpyxl trusts the XML: what is amiss comes up as any exception of Python's own
-        raise ReadError(f"{path}: damaged: openpyxl cannot read it ({reason(error)}); {SAVE_AS}") from error
+        raise ReadError(f"{path}: damaged: openpyxl cannot read it ({innermost_cause(error)}); {SAVE_AS}") from error
 
 
-def reason(error: BaseException) -> str:
+def innermost_cause(error: BaseException) -> str:
     """Return the innermost cause of an error in one short line."""
     while error.__cause__ is not None:
         error = error.__cause__
@@ -169,7 +169,7 @@ MOST_COLUMNS = 50_000_000  # columns that all formulas of a file read together, 
 
 def require_narrow(file: BookFile) -> None:
     """Raise ReadError, in one line, where it would be much work to tell what the formulas of a file depend on."""
-    read = sum(len(area.columns) * times for area, times in reads(file.contents.patterns))
+    read = sum(len(area.columns) * times for area, times in areas_read(file.contents.patterns))
     if read > MOST_COLUMNS:
         raise ReadError(f"{file.path}: its formulas read {read:,} columns together; at most {MOST_COLUMNS:,} are "
                         "expected: make their ranges narrower")  # fmt: skip
@@ -185,10 +185,10 @@ def require_little_work(file: BookFile, path: Path) -> None:
 
 def cells_read(formulas: Patterns) -> int:
     """Return how many cells formulas read together, a cell counted as often as it is read: running sums grow."""
-    return sum(area.size * times for area, times in reads(formulas))
+    return sum(area.size * times for area, times in areas_read(formulas))
 
 
-def reads(formulas: Patterns) -> Iterator[tuple[Area, int]]:
+def areas_read(formulas: Patterns) -> Iterator[tuple[Area, int]]:
     """Yield the areas that formulas read, each with how often it is read, or one of its size."""
     patterns, others = formulas
     yield from ((a, 1) for formula in others for a in formula.arguments if isinstance(a, Area))

@@ -9,8 +9,8 @@ from typing import IO, NamedTuple
 from xml.etree.ElementTree import Element
 
 from workbook.errors import ReadError
-from workbook.reading.package import DRAWING, Anchor, anchored, package, without_points
-from workbook.reading.rows import SAVE_AS, Count, Refusal, Rows, shown, tag
+from workbook.reading.package import DRAWING, Anchor, drawing_anchors, find_parts, without_cached_points
+from workbook.reading.rows import SAVE_AS, Refusal, Rows, Totals, short, tag
 from workbook.reading.scan import Scan
 
 MEGABYTE = 1_000_000
@@ -64,17 +64,17 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
     with zipfile.ZipFile(file) as archive:
         infos = archive.infolist()
         refuse_odd_parts(infos, size)
-        scans = scanned(archive, infos)
+        scans = scan_parts(archive, infos)
     names = [info.filename for info in infos]
     roots = {name: scan.root for name, scan in scans.items()}
-    main, titled, shared = package(roots, names)
+    main, titled, shared = find_parts(roots, names)
     held = [one for name in names if DRAWING.fullmatch(name) and name in roots for one in roots[name].iter()]
     strings = roots.get(shared, Element("sst"))
     fonts = [[font for font in text.iter() if tag(font) == "rPr"] for text in strings if tag(text) == "si"]
     sheets: dict[str, Rows] = {}
     for title, part in titled.items():
         if part not in scans or (rows := scans[part].rows) is None:
-            raise Refusal(f"its sheet {shown(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
+            raise Refusal(f"its sheet {short(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
         sheets[title] = rows
     return Inspected(
         [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)],
@@ -83,22 +83,22 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
         {part: roots[part] for part in titled.values()},
         strings,
         {n: fonts for n, fonts in enumerate(fonts) if fonts},
-        {title: anchored(roots, part) for title, part in titled.items()},
+        {title: drawing_anchors(roots, part) for title, part in titled.items()},
         {what: sum(tag(one) == name for one in held) for name, what in DRAWN.items()},
         roots[main],
     )
 
 
-def scanned(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> dict[str, Scan]:
+def scan_parts(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> dict[str, Scan]:
     """Read every part once that is XML, or may be read as such; return what was read by name."""
-    count, scans = Count(), dict[str, Scan]()
+    count, scans = Totals(), dict[str, Scan]()
     for info in infos:
-        data = unpacked(archive, info)
+        data = unpack(archive, info)
         start = data[:200].lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n")
         if not (start.startswith(b"<") or info.filename.lower().endswith((".xml", ".rels"))):
             continue  # no XML, nor to be read as such: relations may call any part a sheet, whatever its name
         scans[info.filename] = Scan(info.filename, count)
-        scans[info.filename].read(without_points(info.filename, data))
+        scans[info.filename].read(without_cached_points(info.filename, data))
     return scans
 
 
@@ -132,12 +132,12 @@ def refuse_odd_parts(parts: list[zipfile.ZipInfo], size: int) -> None:
         raise Refusal(f"a zip, but not a workbook: it has no [Content_Types].xml; {SAVE_AS}")
     for name, times in Counter(map(str.lower, names)).items():
         if times > 1:
-            raise Refusal(f"holds {shown(name)} {times} times; each part is expected once")
+            raise Refusal(f"holds {short(name)} {times} times; each part is expected once")
     for part in parts:
         if part.filename.startswith("/") or any(c in part.filename for c in ("\\", ":", "\0")):
-            raise Refusal(f"holds a part named {shown(part.filename)}, which no spreadsheet program writes")
+            raise Refusal(f"holds a part named {short(part.filename)}, which no spreadsheet program writes")
         if ".." in part.filename.split("/"):
-            raise Refusal(f"holds a part named {shown(part.filename)}, which leads out of the workbook")
+            raise Refusal(f"holds a part named {short(part.filename)}, which leads out of the workbook")
         if part.flag_bits & 1:
             raise Refusal("a zip protected by a password; remove the password")
     if min(part.header_offset for part in parts):  # zipfile moves every offset, others read what stands before
@@ -148,10 +148,10 @@ def refuse_odd_parts(parts: list[zipfile.ZipInfo], size: int) -> None:
         raise Refusal(f"unpacks to more than {MOST_UNPACKED:,} bytes, the most that is expected of a workbook")
 
 
-def unpacked(archive: zipfile.ZipFile, part: zipfile.ZipInfo) -> bytes:
+def unpack(archive: zipfile.ZipFile, part: zipfile.ZipInfo) -> bytes:
     """Return a part whole; raise Refusal where it is larger than the table of contents says."""
     if part.file_size > MEGABYTE and part.file_size > MOST_RATIO * part.compress_size:
-        raise Refusal(f"{shown(part.filename)} unpacks to more than {MOST_RATIO} times its size, as in a zip bomb")
+        raise Refusal(f"{short(part.filename)} unpacks to more than {MOST_RATIO} times its size, as in a zip bomb")
     real = copy(part)
     real.file_size = MOST_UNPACKED  # zipfile cuts a part off at its declared size, and only then unpacks no further
     data = bytearray()
@@ -159,5 +159,5 @@ def unpacked(archive: zipfile.ZipFile, part: zipfile.ZipInfo) -> bytes:
         while len(data) <= part.file_size and (chunk := stream.read(65_536)):
             data += chunk
     if len(data) != part.file_size:
-        raise Refusal(f"{shown(part.filename)} does not have the size that the zip declares; {SAVE_AS}")
+        raise Refusal(f"{short(part.filename)} does not have the size that the zip declares; {SAVE_AS}")
     return bytes(data)

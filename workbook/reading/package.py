@@ -10,7 +10,7 @@ from posixpath import basename, dirname, join, normpath
 from typing import IO, Any, NamedTuple
 from xml.etree.ElementTree import Element, tostring
 
-from workbook.reading.rows import LAST_COLUMN, LAST_ROW, MAIN, SAVE_AS, Refusal, shown, tag
+from workbook.reading.rows import LAST_COLUMN, LAST_ROW, MAIN, SAVE_AS, Refusal, short, tag
 
 TYPES = "[Content_Types].xml"
 WORKBOOKS = (".sheet.main+xml", ".template.main+xml", "sheet.macroEnabled.main+xml", "template.macroEnabled.main+xml")
@@ -26,7 +26,7 @@ PIXEL = 9525  # EMU
 NOTHING = Element("nothing")
 
 
-class Link(NamedTuple):
+class Relationship(NamedTuple):
     """A relationship: its kind is the last word of its type; no target where it leads out of the package."""
 
     id: str
@@ -34,20 +34,20 @@ class Link(NamedTuple):
     target: str
 
 
-def package(parts: Mapping[str, Element], names: Iterable[str]) -> tuple[str, dict[str, str], str]:
+def find_parts(parts: Mapping[str, Element], names: Iterable[str]) -> tuple[str, dict[str, str], str]:
     """Return the parts of workbook, worksheets by title, and shared strings; ``parts`` are roots of all XML ones."""
     there = set(names)
     types = content_types(parts[TYPES], there)
-    roots = [link for link in links(parts, "") if link.kind == "officeDocument"]
-    main = one("workbook", [link.target for link in roots], typed(types, WORKBOOKS), there)
+    roots = [link for link in relationships(parts, "") if link.kind == "officeDocument"]
+    main = only_part("workbook", [link.target for link in roots], of_type(types, WORKBOOKS), there)
     if main not in parts:
-        raise Refusal(f"its workbook is a part named {shown(main)}; expected xl/workbook.xml; {SAVE_AS}")
-    relations = links(parts, main)
-    strings = linked("table of shared strings", relations, "sharedStrings", typed(types, (STRINGS,)), there)
-    styles = linked("table of styles", relations, "styles", typed(types, (STYLES,)), there)
+        raise Refusal(f"its workbook is a part named {short(main)}; expected xl/workbook.xml; {SAVE_AS}")
+    relations = relationships(parts, main)
+    strings = optional_part("table of shared strings", relations, "sharedStrings", of_type(types, (STRINGS,)), there)
+    styles = optional_part("table of styles", relations, "styles", of_type(types, (STYLES,)), there)
     if styles not in ("", STYLES_PART):
-        raise Refusal(f"its styles are a part named {shown(styles)}; expected {STYLES_PART}; {SAVE_AS}")
-    return main, sheets(parts[main], relations, types), strings
+        raise Refusal(f"its styles are a part named {short(styles)}; expected {STYLES_PART}; {SAVE_AS}")
+    return main, sheet_parts(parts[main], relations, types), strings
 
 
 def content_types(root: Element, names: set[str]) -> dict[str, str]:
@@ -62,46 +62,46 @@ def content_types(root: Element, names: set[str]) -> dict[str, str]:
     lower = {name.lower() for name in names}
     for name in known.keys() - names:
         if name.lower() in lower:
-            raise Refusal(f"declares the content type of {shown(name)}, a part that is written otherwise; {SAVE_AS}")
+            raise Refusal(f"declares the content type of {short(name)}, a part that is written otherwise; {SAVE_AS}")
     return {name: known.get(name, by_ending.get(name.rpartition(".")[2].lower(), "")) for name in names}
 
 
-def links(parts: Mapping[str, Element], of: str) -> list[Link]:
+def relationships(parts: Mapping[str, Element], of: str) -> list[Relationship]:
     """Return the relationships of a part, or of the package; Refusal where two have one name."""
     name = join(dirname(of), "_rels", f"{basename(of)}.rels")
     found = []
     for e in (e for e in parts.get(name, ()) if tag(e) == "Relationship"):
         target = normpath(join("/", dirname(of), e.get("Target", ""))).removeprefix("/")
         inside = e.get("TargetMode", "Internal") == "Internal"
-        found.append(Link(e.get("Id", ""), e.get("Type", "").rpartition("/")[2], target if inside else ""))
-    refuse_twice(f"has two relationships of the name {{}} in {shown(name)}", (one.id for one in found))
+        found.append(Relationship(e.get("Id", ""), e.get("Type", "").rpartition("/")[2], target if inside else ""))
+    refuse_twice(f"has two relationships of the name {{}} in {short(name)}", (one.id for one in found))
     return found
 
 
-def linked(what: str, relations: list[Link], kind: str, typed_so: list[str], names: set[str]) -> str:
+def optional_part(what: str, relations: list[Relationship], kind: str, typed_so: list[str], names: set[str]) -> str:
     """Return the part of a kind that the workbook has, or nothing where it has none by either reading."""
     targets = [link.target for link in relations if link.kind == kind]
-    return one(what, targets, typed_so, names) if targets or typed_so else ""
+    return only_part(what, targets, typed_so, names) if targets or typed_so else ""
 
 
-def one(what: str, targets: list[str], typed_so: list[str], names: set[str]) -> str:
+def only_part(what: str, targets: list[str], typed_so: list[str], names: set[str]) -> str:
     """Return the one part that both relationship and content type call by a name; raise Refusal for all else."""
     if len(targets) != 1 or typed_so != targets or targets[0] not in names:
-        said = ", ".join(shown(name) for name in dict.fromkeys([*targets, *typed_so])) or "no part"
+        said = ", ".join(short(name) for name in dict.fromkeys([*targets, *typed_so])) or "no part"
         raise Refusal(f"{said} could be its {what} by relationship or content type; expected one by both; {SAVE_AS}")
     return targets[0]
 
 
-def typed(types: Mapping[str, str], endings: tuple[str, ...]) -> list[str]:
+def of_type(types: Mapping[str, str], endings: tuple[str, ...]) -> list[str]:
     """Return the parts with a content type of one of these endings."""
     return [name for name, kind in types.items() if kind.endswith(endings)]
 
 
-def sheets(root: Element, relations: list[Link], types: Mapping[str, str]) -> dict[str, str]:
+def sheet_parts(root: Element, relations: list[Relationship], types: Mapping[str, str]) -> dict[str, str]:
     """Return the part of each sheet by its title; Refusal where names differ in case only, or a sheet has no part."""
-    listed = list(only(root, "sheets"))
+    listed = list(only_child(root, "sheets"))
     refuse_twice("has two sheets named {}", (e.get("name", "").casefold() for e in listed))
-    names = [(e.get("localSheetId"), e.get("name", "").casefold()) for e in only(root, "definedNames")]
+    names = [(e.get("localSheetId"), e.get("name", "").casefold()) for e in only_child(root, "definedNames")]
     refuse_twice("defines the name {} twice", (f"{name} (sheet {scope})" if scope else name for scope, name in names))
     by_id = {link.id: link for link in relations}
     led = {}
@@ -109,13 +109,13 @@ def sheets(root: Element, relations: list[Link], types: Mapping[str, str]) -> di
         link = by_id.get(next((value for key, value in e.attrib.items() if key.endswith("}id")), ""))
         if link is None or link.kind not in SHEETS or not types.get(link.target, "").endswith(SHEETS[link.kind]):
             said = "leads to no part that is one by relationship and content type"
-            raise Refusal(f"its sheet {shown(title)} {said}; {SAVE_AS}")
+            raise Refusal(f"its sheet {short(title)} {said}; {SAVE_AS}")
         if link.kind == "worksheet":
             led[title] = link.target
     return led
 
 
-def only(root: Element, name: str) -> Element | list[Element]:
+def only_child(root: Element, name: str) -> Element | list[Element]:
     """Return the one child of this name, wherever it stands below the root; nothing where there is none."""
     found = [e for e in root.iter() if tag(e) == name]
     if len(found) > 1 or (found and (found[0] not in list(root) or found[0].tag != f"{MAIN}{name}")):
@@ -127,15 +127,15 @@ def refuse_twice(words: str, names: Iterable[str]) -> None:
     """Raise Refusal for the first name that stands there twice."""
     for name, times in Counter(names).items():
         if times > 1:
-            raise Refusal(f"{words.format(shown(name))}; once is expected; {SAVE_AS}")
+            raise Refusal(f"{words.format(short(name))}; once is expected; {SAVE_AS}")
 
 
-def without_points(part: str, data: bytes) -> bytes:
+def without_cached_points(part: str, data: bytes) -> bytes:
     """Return a part of a workbook; of a chart without its saved points."""
     return POINT.sub(b"", data) if CHART.fullmatch(part) else data
 
 
-class Bare(zipfile.ZipFile):
+class StrippedArchive(zipfile.ZipFile):
     """A workbook's archive whose sheets hold neither drawings nor rows: ``pages`` are the sheets without these."""
 
     def __init__(self, path: Path, pages: Mapping[str, Element]) -> None:
@@ -168,15 +168,15 @@ class Anchor(NamedTuple):
     chart: Element | None = None
 
 
-def anchored(parts: Mapping[str, Element], sheet: str) -> list[Anchor]:
+def drawing_anchors(parts: Mapping[str, Element], sheet: str) -> list[Anchor]:
     """Return the drawings on a sheet that hide what is behind them, the lowest first; ``parts`` are roots by names."""
     found = []
-    for link in links(parts, sheet):
+    for link in relationships(parts, sheet):
         if link.kind == "drawing":
-            charts = {one.id: parts.get(one.target, NOTHING) for one in links(parts, link.target)}
+            charts = {one.id: parts.get(one.target, NOTHING) for one in relationships(parts, link.target)}
             found += list(anchors(parts.get(link.target, NOTHING), charts))
         elif link.kind == "vmlDrawing":
-            found += notes(parts.get(link.target, NOTHING))
+            found += shown_notes(parts.get(link.target, NOTHING))
     return found
 
 
@@ -192,9 +192,9 @@ def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
             continue
         ids = [value for one in element.iter() if tag(one) == "chart" for value in one.attrib.values()]
         yield Anchor(
-            corner(held["from"]) if "from" in held else Corner(0, 0, *pair(held.get("pos"), "x", "y")),
+            corner(held["from"]) if "from" in held else Corner(0, 0, *two_numbers(held.get("pos"), "x", "y")),
             corner(held["to"]) if "to" in held else None,
-            pair(held.get("ext"), "cx", "cy"),
+            two_numbers(held.get("ext"), "cx", "cy"),
             next((charts[name] for name in ids if name in charts), None),
         )
 
@@ -207,13 +207,13 @@ def see_through(shape: Element) -> bool:
     return look is not None and any(tag(child) == "noFill" for child in look)
 
 
-def notes(root: Element) -> Iterator[Anchor]:
+def shown_notes(root: Element) -> Iterator[Anchor]:
     """Yield where the notes and buttons of a sheet lie that are always shown (VML; ISO/IEC 29500-4, 19.4)."""
     for shape in root.iter():
         if tag(shape) != "shape" or "visibility:hidden" in shape.get("style", "").replace(" ", ""):
             continue
         place = next((one.text or "" for one in shape.iter() if tag(one) == "Anchor"), "")
-        numbers = [whole(text) for text in place.split(",")]
+        numbers = [bounded_int(text) for text in place.split(",")]
         if len(numbers) == 8:
             left, right, top, down, *rest = numbers
             ends = (left, top, right * PIXEL, down * PIXEL), (rest[0], rest[2], rest[1] * PIXEL, rest[3] * PIXEL)
@@ -222,17 +222,17 @@ def notes(root: Element) -> Iterator[Anchor]:
 
 def corner(element: Element) -> Corner:
     """Return a corner of an anchor."""
-    held = {tag(child): whole(child.text) for child in element}
+    held = {tag(child): bounded_int(child.text) for child in element}
     column, row = min(held.get("col", 0), LAST_COLUMN), min(held.get("row", 0), LAST_ROW)
     return Corner(max(column, 0), max(row, 0), held.get("colOff", 0), held.get("rowOff", 0))
 
 
-def pair(element: Element | None, one: str, other: str) -> tuple[int, int]:
+def two_numbers(element: Element | None, one: str, other: str) -> tuple[int, int]:
     """Return two numbers of an element; 0 where it has none."""
-    return (0, 0) if element is None else (whole(element.get(one)), whole(element.get(other)))
+    return (0, 0) if element is None else (bounded_int(element.get(one)), bounded_int(element.get(other)))
 
 
-def whole(text: str | None) -> int:
+def bounded_int(text: str | None) -> int:
     """Return a number of a drawing; 0 for what is none, or beyond all sheets."""
     digits = (text or "").strip()
     return int(digits) if digits.lstrip("-").isdecimal() and digits.isascii() and len(digits) < 16 else 0

@@ -37,12 +37,12 @@ class Refusal(Exception):  # noqa: N818 - it says what it is
     """Why a file is refused, in words that follow its path."""
 
 
-def shown(text: str) -> str:
+def short(text: str) -> str:
     """Return a name from a file, short and without control characters."""
     return repr(text if len(text) <= 80 else f"{text[:77]}...")
 
 
-class Count:
+class Totals:
     """What all parts of a workbook hold together; raises Refusal beyond each limit."""
 
     def __init__(self) -> None:
@@ -64,7 +64,7 @@ class Count:
     def reference(self, *key: str) -> None:
         """Note a reference to a part; refuse a second one."""
         if key in self.referred:
-            raise Refusal(f"refers twice to {shown(key[-1])} as a part of its own; once is expected")
+            raise Refusal(f"refers twice to {short(key[-1])} as a part of its own; once is expected")
         self.referred.add(key)
 
     def in_row(self, weight: int) -> None:
@@ -108,7 +108,7 @@ def refuse_two_texts(element: Element, part: str) -> None:
         raise Refusal(f"damaged: {part} holds <{names[1]}> in a text beside another; {SAVE_AS}")
 
 
-class Written(NamedTuple):
+class RawCell(NamedTuple):
     """A cell as it is written."""
 
     row: int
@@ -120,24 +120,24 @@ class Written(NamedTuple):
     formula: str
 
 
-def corner(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
+def cell_position(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
     """Return row and column of a cell; raise Refusal where a sheet has no such cell."""
     found = rule.fullmatch(text)
     if found is None:
-        raise Refusal(f"damaged: {shown(text)} stands where a cell is expected; {SAVE_AS}")
+        raise Refusal(f"damaged: {short(text)} stands where a cell is expected; {SAVE_AS}")
     letters, digits = found.groups()
     row, column = int(digits), column_index_from_string(letters.upper())
     if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
-        raise Refusal(f"holds a cell {shown(text)}; the last cell of a sheet is XFD1048576")
+        raise Refusal(f"holds a cell {short(text)}; the last cell of a sheet is XFD1048576")
     return row, column
 
 
 class Rows:
     """What a worksheet contains: ``written`` cells in order, ``looks`` of rows, and ``fonts`` within texts by place."""
 
-    def __init__(self, name: str, count: Count) -> None:
+    def __init__(self, name: str, count: Totals) -> None:
         self.name, self.count = name, count
-        self.written: list[Written] = []
+        self.written: list[RawCell] = []
         self.looks: dict[int, dict[str, str]] = {}
         self.fonts: dict[tuple[int, int], list[Element]] = {}
         self.row = self.column = self.last_row = self.last_column = 0
@@ -156,7 +156,7 @@ class Rows:
         try:
             self.row = self.row + 1 if number is None else int(float(number))
         except (ValueError, OverflowError):
-            raise Refusal(f"damaged: {self.name} has a row numbered {shown(number or '')}; {SAVE_AS}") from None
+            raise Refusal(f"damaged: {self.name} has a row numbered {short(number or '')}; {SAVE_AS}") from None
         if self.row in self._rows:
             raise self._damaged(f"the row {self.row} twice")
         self._rows.add(self.row)
@@ -170,7 +170,7 @@ class Rows:
         self._place(cell.get("r"))
         kind, style = cell.get("t", "n"), cell.get("s", "0")
         if kind not in KINDS or not style.isdecimal():
-            raise self._damaged(f"a cell of an unknown kind, {shown(kind)}")
+            raise self._damaged(f"a cell of an unknown kind, {short(kind)}")
         held = {str(part.tag): part for part in cell}
         if not held.keys() <= USUAL or any(map(len, cell)):
             self.require_within(cell)
@@ -184,8 +184,8 @@ class Rows:
         formula, attributes = ("", None) if how is None else (self._formula(how), how.attrib)
         rule = WRITTEN.get(kind)
         if rule and text and not rule.fullmatch(text):
-            raise self._damaged(f"{shown(text)} as the value of a cell of the kind {kind!r}")
-        self.written.append(Written(self.row, self.column, int(style), kind, text, attributes, formula))
+            raise self._damaged(f"{short(text)} as the value of a cell of the kind {kind!r}")
+        self.written.append(RawCell(self.row, self.column, int(style), kind, text, attributes, formula))
 
     def require_within(self, element: Element) -> None:
         """Refuse what no element of a row may hold."""
@@ -200,13 +200,13 @@ class Rows:
 
     def _place(self, at: str | None) -> None:
         """Place a cell, named or next to the one before."""
-        row, column = corner(at, PLAIN) if at else (self.row, self.column + 1)
+        row, column = cell_position(at, PLAIN) if at else (self.row, self.column + 1)
         if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
             raise Refusal(f"{self.name} reaches beyond the last cell of a sheet, XFD1048576")
         if row != self.row:
-            raise self._damaged(f"the cell {shown(at or '')} in the row {self.row}")
+            raise self._damaged(f"the cell {short(at or '')} in the row {self.row}")
         if column in self._columns:
-            raise self._damaged(f"the cell {shown(at or '')} twice")
+            raise self._damaged(f"the cell {short(at or '')} twice")
         self._columns.add(column)
         self.column = column
         self.last_row, self.last_column = max(row, self.last_row), max(column, self.last_column)
@@ -223,11 +223,11 @@ class Rows:
         """Return a formula; count it, once more for each cell that shares it."""
         text, kind = text_of(element, "f", self.name), element.get("t", "normal")
         if kind not in FORMULAS:
-            raise self._damaged(f"a formula of an unknown kind, {shown(kind)}")
+            raise self._damaged(f"a formula of an unknown kind, {short(kind)}")
         shared = element.get("si", "") if kind == "shared" else None
         if shared is not None and text:
             if shared in self._lengths:
-                raise self._damaged(f"two formulas to be shared under the number {shown(shared)}")
+                raise self._damaged(f"two formulas to be shared under the number {short(shared)}")
             self._lengths[shared] = len(text)
         self.count.formula(len(text) or self._lengths.get(shared or "", 0))
         return text

@@ -12,12 +12,12 @@ from workbook.reading.rows import (
     FREE,
     MAIN,
     SAVE_AS,
-    Count,
     Refusal,
     Rows,
-    corner,
+    Totals,
+    cell_position,
     refuse_two_texts,
-    shown,
+    short,
     tag,
     text_of,
 )
@@ -37,12 +37,12 @@ RELATIONS = re.compile(r".*/(?:worksheet|chartsheet|drawing|chart|comments|table
 def size_of(ref: str) -> int:
     """Return the number of cells of a range."""
     first, _, last = ref.partition(":")
-    top, left = corner(first)
-    bottom, right = corner(last or first)
+    top, left = cell_position(first)
+    bottom, right = cell_position(last or first)
     return (abs(bottom - top) + 1) * (abs(right - left) + 1)
 
 
-def refuse_declared(data: bytes, part: str) -> None:
+def refuse_doctype(data: bytes, part: str) -> None:
     """Refuse a document type, which stands before the root of a part, and with it every entity."""
 
     def begun(*element: object) -> None:
@@ -60,8 +60,8 @@ def refuse_declared(data: bytes, part: str) -> None:
 class Scan:
     """One pass over one part: its ``root``, and the ``rows`` of a worksheet, whose root is without them."""
 
-    def __init__(self, name: str, count: Count) -> None:
-        self.part, self.name, self.count = name, shown(name), count
+    def __init__(self, name: str, count: Totals) -> None:
+        self.part, self.name, self.count = name, short(name), count
         self.root = Element("nothing")
         self.rows: Rows | None = None
         self._pivot = self._in_row = self._met = False
@@ -69,7 +69,7 @@ class Scan:
 
     def read(self, data: bytes) -> None:
         """Read the part; raise Refusal where it is not well-formed, or not what a workbook may hold."""
-        refuse_declared(data, self.name)
+        refuse_doctype(data, self.name)
         parser: XMLPullParser[Any] = XMLPullParser(("start", "end", "start-ns", "comment", "pi"))
         try:
             for begin in range(0, max(len(data), 1), CHUNK):

@@ -13,7 +13,7 @@ LOOKED_AT = 30  # rows of a table, where its columns are told apart
 HEADER = 12  # rows above a table in which its headings are looked for
 
 
-def fitted(file: BookFile, layout: Book) -> dict[str, Fit]:
+def changed_tables(file: BookFile, layout: Book) -> dict[str, Fit]:
     """Return how tables lie into or from which something was put or taken; of a cell with more of them, the first."""
     fits: dict[str, Fit] = {}
     for name, block in layout.blocks.items():
@@ -24,16 +24,16 @@ def fitted(file: BookFile, layout: Book) -> dict[str, Fit]:
             if place.rows * place.columns > 1:
                 fits[name] = Fit(place._replace(rows=1, columns=1), named=place)
         else:
-            found = as_lead(file, block, fit(file, block, place), fits)
+            found = in_rows_of_lead(file, block, fit_table(file, block, place), fits)
             if found.inserted or found.added or found.lost or found.gone:
                 fits[name] = found
     return fits
 
 
-def as_lead(file: BookFile, block: Block, found: Fit, fits: dict[str, Fit]) -> Fit:
+def in_rows_of_lead(file: BookFile, block: Block, found: Fit, fits: dict[str, Fit]) -> Fit:
     """Return how a table without numbers of its own lies: in the rows of the one beside which it stands."""
     lead = block.lead
-    if lead is None or lead.name not in fits or counting(block) is not None:
+    if lead is None or lead.name not in fits or numbering_column(block) is not None:
         return found
     place, beside = file.places[block.name], file.places[lead.name]
     if (place.sheet, place.row, place.rows) != (beside.sheet, beside.row, beside.rows):
@@ -43,7 +43,7 @@ def as_lead(file: BookFile, block: Block, found: Fit, fits: dict[str, Fit]) -> F
     return found._replace(place=own, inserted=fit.inserted, lost=fit.lost)
 
 
-def ends_lost(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple[str, int], list[str]]:
+def shortened_tables(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple[str, int], list[str]]:
     """Return the tables of entries that lack rows at their end, by sheet and row; those of sizes ``grown`` do not."""
     found: dict[tuple[str, int], list[str]] = {}
     for name, block in layout.blocks.items():
@@ -56,11 +56,11 @@ def ends_lost(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple
     return found
 
 
-def fit(file: BookFile, block: Block, place: Place) -> Fit:
+def fit_table(file: BookFile, block: Block, place: Place) -> Fit:
     """Return how a table lies in ``place``, that of its name."""
-    columns = range(place.columns) if place.columns == len(block.quantities) else aligned(file, block, place)
+    columns = range(place.columns) if place.columns == len(block.quantities) else matched_columns(file, block, place)
     own = place._replace(columns=len(columns), columns_at=() if isinstance(columns, range) else tuple(columns))
-    rows, lost = rows_of(file, block, own)
+    rows, lost = own_rows(file, block, own)
     fitted = own if len(rows) == place.rows else own._replace(rows=len(rows), rows_at=tuple(rows))
     return Fit(
         fitted,
@@ -71,30 +71,30 @@ def fit(file: BookFile, block: Block, place: Place) -> Fit:
     )
 
 
-def rows_of(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], list[tuple[int, int]]]:
+def own_rows(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int], list[tuple[int, int]]]:
     """Return which rows of a place are the table's own, and before which of them so many rows are gone."""
-    j, rows = counting(block), range(place.rows)
+    j, rows = numbering_column(block), range(place.rows)
     formulas = [k for k, q in enumerate(block.quantities) if q.formula is not None and place.cell(0, k).column]
     if j is None or not place.cell(0, j).column:
         spots = [(place, k) for k in formulas]
         beside = None if spots else file.places.get(f"{block.name}{MESSAGES}")  # messages of the same rows
         if beside and (beside.sheet, beside.row, beside.rows) == (place.sheet, place.row, place.rows):
             spots = [(beside, k) for k in range(beside.columns)]
-        own = [r for r in rows if not spots or any(held(file, where.cell(r, k)) for where, k in spots)]
+        own = [r for r in rows if not spots or any(holds_formula(file, where.cell(r, k)) for where, k in spots)]
         return (own if 2 * len(own) > place.rows else rows), []
     first = as_rows(block.quantities[j].value, block.size, block.name)[0]
     held_there = (file.value(place.cell(r, j)) for r in rows)
     numbers = [int(one) if type(one) in (int, float) and one % 1 == 0 else None for one in held_there]
     if numbers == list(range(first, first + place.rows)):
         return rows, []
-    empty = [not any(held(file, place.cell(r, k)) for k in formulas) for r in rows]
-    return by_numbers(numbers, empty, first, lambda r: leads_up(file, place, r)) or (rows, [])
+    empty = [not any(holds_formula(file, place.cell(r, k)) for k in formulas) for r in rows]
+    return rows_by_numbers(numbers, empty, first, lambda r: row_referred_to(file, place, r)) or (rows, [])
 
 
-def by_numbers(
+def rows_by_numbers(
     numbers: Sequence[int | None], empty: Sequence[bool], first: int, leads_up: Callable[[int], int | None]
 ) -> tuple[list[int], list[tuple[int, int]]] | None:
-    """Return :func:`rows_of` by the rows' numbers from ``first``; None if they do not say. ``empty`` lack formulas."""
+    """Return :func:`own_rows` by the rows' numbers from ``first``; None if they do not say. ``empty`` lack formulas."""
     own: list[int] = []
     aside: list[int] = []
     lost: list[tuple[int, int]] = []
@@ -118,7 +118,7 @@ def by_numbers(
     return own, lost
 
 
-def leads_up(file: BookFile, place: Place, r: int) -> int | None:
+def row_referred_to(file: BookFile, place: Place, r: int) -> int | None:
     """Return the row of a place above row ``r`` to which single references in its formulas lead."""
     own = area_of(place)
     for j in range(place.columns):
@@ -129,7 +129,7 @@ def leads_up(file: BookFile, place: Place, r: int) -> int | None:
     return None
 
 
-def counting(block: Block) -> int | None:
+def numbering_column(block: Block) -> int | None:
     """Return the column in which a table numbers its rows, if it has one."""
     for j, q in enumerate(block.quantities):
         if q.role not in ("input", "check") and q.formula is None and block.size > 1:
@@ -139,13 +139,13 @@ def counting(block: Block) -> int | None:
     return None
 
 
-def held(file: BookFile, address: Address) -> bool:
+def holds_formula(file: BookFile, address: Address) -> bool:
     """Whether a cell holds a formula."""
     cell = file.cell(address)
     return cell is not None and cell.data_type == "f"
 
 
-def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
+def matched_columns(file: BookFile, block: Block, place: Place) -> list[int | None]:
     """Return for each column of a table which one of the place it is, None where it is gone: in their order."""
     names = {column: {t.text for t in block.sheet.texts if t.column == column and 0 < block.row - t.row <= 4 and t.text}
              for column in block.columns.values()}  # fmt: skip
@@ -153,7 +153,7 @@ def aligned(file: BookFile, block: Block, place: Place) -> list[int | None]:
     cells = [[Address(place.sheet, place.row - up, place.column + c) for up in ups] for c in range(place.columns)]
     above = [{text for text in map(file.value, column) if isinstance(text, str)} for column in cells]
     rows = range(place.row, place.row + min(place.rows, LOOKED_AT))
-    kinds = [sum(held(file, Address(place.sheet, row, place.column + c)) for row in rows) / len(rows)
+    kinds = [sum(holds_formula(file, Address(place.sheet, row, place.column + c)) for row in rows) / len(rows)
              for c in range(place.columns)]  # the share of formulas in each column  # fmt: skip
     likes = [
         [2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - share) for c, share in enumerate(kinds)]

@@ -8,7 +8,7 @@ import numpy as np
 
 import workbook
 from engine.cams.certificate import Certificate
-from workbook.controllers.tabulation import ORDERS, Made, automatic, curve, rules_of
+from workbook.controllers.tabulation import ORDERS, CertifiedTable, automatic, curve, rules_of
 from workbook.controllers.target import Target
 from workbook.reports.html import Line, document, markup, plot, rendered
 from workbook.reports.terminal import OUT, show_table, shown
@@ -26,7 +26,7 @@ def percent(share: float) -> str:
     return f"{share * 100.0:.3g} %" if math.isfinite(share) else "–"
 
 
-def excess(made: Made, tolerance: Mapping[str, float]) -> str:
+def excess(made: CertifiedTable, tolerance: Mapping[str, float]) -> str:
     """Return in words by how much a table misses what is tolerated."""
     missed = [order for order, most in tolerance.items() if made.share(order) > most]
     parts = [f"{WORDS[ORDERS.index(o)]} is off by {percent(made.share(o))} of its peak, {percent(tolerance[o])} asked"
@@ -34,7 +34,7 @@ def excess(made: Made, tolerance: Mapping[str, float]) -> str:
     return f"with {made.points} points {'; '.join(parts)}"
 
 
-def show(axis: CamAxis, made: Made, target: Target) -> None:
+def show(axis: CamAxis, made: CertifiedTable, target: Target) -> None:
     """Print the certificate of each rule that may be the target's."""
     for name, certificate in made.certificates.items():
         bound = f", one of {len(made.certificates)} rules that may be its" if len(made.certificates) > 1 else ""
@@ -52,7 +52,7 @@ def rows(axis: CamAxis, of: Certificate) -> list[list[str]]:
     return found
 
 
-def told(axis: CamAxis, made: Made, target: Target, path: str) -> dict[str, Any]:
+def certificate_data(axis: CamAxis, made: CertifiedTable, target: Target, path: str) -> dict[str, Any]:
     """Return a certificate as data, the figures of each rule by derivative."""
     rules: dict[str, dict[str, Any]] = {}
     for name, of in made.certificates.items():
@@ -67,7 +67,7 @@ def told(axis: CamAxis, made: Made, target: Target, path: str) -> dict[str, Any]
 
 
 def page(
-    found: Sequence[tuple[CamAxis, Made]], target: Target, tolerance: Mapping[str, float],
+    found: Sequence[tuple[CamAxis, CertifiedTable]], target: Target, tolerance: Mapping[str, float],
     switches: Sequence[Sequence[str]] = (),
 ) -> str:  # fmt: skip
     """Return the page of the axes that were exported to a target, and of its switches, a row of texts each."""
@@ -88,7 +88,7 @@ def page(
     ))  # fmt: skip
 
 
-def pictures(axis: CamAxis, made: Made, target: Target) -> Iterator[str]:
+def pictures(axis: CamAxis, made: CertifiedTable, target: Target) -> Iterator[str]:
     """Yield pictures: errors over the number of points; the acceleration meant and made by each rule; its errors."""
     tried = sorted([*curve(target, axis), made], key=lambda one: one.points)
     points = np.array([float(one.points) for one in tried])

@@ -45,10 +45,10 @@ def rendered(template: str, /, **values: Any) -> str:
 
 def shown(text: str | bytes) -> str:
     """Return a text as HTML."""
-    return xhtml_escape(legal(text if isinstance(text, str) else text.decode()))
+    return xhtml_escape(xml_safe(text if isinstance(text, str) else text.decode()))
 
 
-def held(text: str | bytes) -> bytes:
+def as_bytes(text: str | bytes) -> bytes:
     """Return a text as Tornado's templates hold it, also halves of characters."""
     return text if isinstance(text, bytes) else text.encode(errors="backslashreplace")
 
@@ -63,14 +63,14 @@ def table(headings: Sequence[Content], rows: Iterable[Sequence[Content]], number
 
 def e(tag: str, *children: Content, css: str = "", **attributes: str) -> Element:
     """Return an element; texts are escaped when it is written, and made fit for XML here."""
-    element = Element(tag, {**({"class": css} if css else {}), **{k: legal(v) for k, v in attributes.items()}})
+    element = Element(tag, {**({"class": css} if css else {}), **{k: xml_safe(v) for k, v in attributes.items()}})
     for child in children:
         if isinstance(child, Element):
             element.append(child)
         elif len(element):
-            element[-1].tail = (element[-1].tail or "") + legal(child)
+            element[-1].tail = (element[-1].tail or "") + xml_safe(child)
         else:
-            element.text = (element.text or "") + legal(child)
+            element.text = (element.text or "") + xml_safe(child)
     return element
 
 
@@ -79,13 +79,13 @@ def markup(*elements: Element) -> str:
     return "".join(tostring(one, encoding="unicode", method="html") for one in elements)
 
 
-def legal(text: str) -> str:
+def xml_safe(text: str) -> str:
     """Return a text with a visible escape for each character that neither XML nor a file in UTF-8 can hold."""
     return visible(text, kept="\t\n")
 
 
 PAGES = Loader(str(Path(__file__).parents[1]), autoescape="shown", namespace={
-    "shown": shown, "table": lambda *parts: markup(table(*parts)), "_tt_utf8": held,
+    "shown": shown, "table": lambda *parts: markup(table(*parts)), "_tt_utf8": as_bytes,
 })  # fmt: skip
 
 

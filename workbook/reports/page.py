@@ -15,7 +15,7 @@ import workbook
 from workbook.errors import WriteError
 from workbook.judging.batch import Outcome
 from workbook.judging.comparison import TOLERANCE
-from workbook.judging.report import Finding, Ran, Report
+from workbook.judging.report import Finding, Report, WitnessRun
 from workbook.reports.html import document, rendered
 from workbook.writing.output_files import refuse_existing, write_text
 
@@ -71,11 +71,11 @@ def page(outcomes: Sequence[Outcome], when: datetime) -> str:
         "reports/page.html", title=title, when=f"{when:%Y-%m-%d %H:%M:%S %z}", outcomes=outcomes,
         versions=f"{versions}, {platform.system()} {platform.machine()}", tolerance=f"{TOLERANCE:.0e}",
         compared=sum(o.report.compared for o in outcomes if o.report), kinds=KINDS, verdicts=VERDICTS, witness=witness,
-        own_verdict=own_verdict, by_sheet=by_sheet, deviation=deviation, where=where, told=told, figure=figure,
+        own_verdict=own_verdict, by_sheet=by_sheet, deviation=deviation, where=where, told=found_words, figure=figure,
     ))  # fmt: skip
 
 
-def witness(ran: Ran) -> str:
+def witness(ran: WitnessRun) -> str:
     """Return in words what came of a witness."""
     if ran.absent:
         return f"{ran.name}: absent from this machine, not asked"
@@ -99,7 +99,7 @@ def by_sheet(report: Report) -> dict[str, list[Finding]]:
     return found
 
 
-def told(finding: Finding) -> str:
+def found_words(finding: Finding) -> str:
     """Return what was found, and why it could not be evaluated."""
     found = figure(finding.computed, 15)
     return f"{found} ({finding.why})" if finding.why else found
@@ -120,7 +120,7 @@ def deviation(value: float | None) -> str:
     return "–" if value is None or not math.isfinite(value) else f"{value:.1e}" if value else "0"
 
 
-def ready(path: Path | None, suffixes: Sequence[str], overwrite: bool) -> None:
+def require_writable(path: Path | None, suffixes: Sequence[str], overwrite: bool) -> None:
     """Raise WriteError, before the work begins, where a report may not be written to ``path``."""
     if path is None:
         return
@@ -170,7 +170,7 @@ def line(finding: Finding) -> str:
     """Return a finding in one line."""
     what = f" ({finding.what})" if finding.what else ""
     by = f" [{finding.witness}]" if finding.witness else ""
-    found, expected = told(finding), figure(finding.expected, 15)
+    found, expected = found_words(finding), figure(finding.expected, 15)
     return f"{where(finding)}{what}: {finding.kind}: found {found}, expected {expected}{by}"
 
 

@@ -12,29 +12,29 @@ import numpy as np
 import workbook
 from workbook.reports.html import Point, document, front_picture, markup, rendered
 from workbook.reports.html import shown as escaped
-from workbook.studies.evaluate import Label, Named
+from workbook.studies.evaluate import Label, Labels
 from workbook.studies.paths import leaves, written
 from workbook.studies.plan import Plan
-from workbook.studies.run import Judged
+from workbook.studies.run import BookCheck
 from workbook.studies.space import Dimension, Study
 from workbook.studies.summary import Design, Summary
 
 MOST = 200  # designs that the page lists
 
 
-def page(plan: Plan, found: Summary, named: Named, judged: Judged | None, when: datetime) -> str:
+def page(plan: Plan, found: Summary, named: Labels, judged: BookCheck | None, when: datetime) -> str:
     """Return the page."""
     versions = (f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
                 f"NumPy {np.__version__}")  # fmt: skip
     paths = {".".join(path) for one in plan.space.dimensions for path in one.paths}
     data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
     fixed = [(key, value) for key, value in leaves(data) if key not in paths]
-    more: dict[str, Any] = {"versions": versions, "fixed": fixed, "varied": varied, "written": written}
+    more: dict[str, Any] = {"versions": versions, "fixed": fixed, "varied": varied_words, "written": written}
     return document(plan.study.title, front(plan, found, named, judged, plan_page=True, **more))
 
 
 def front(
-    plan: Plan, found: Summary, named: Named, judged: Judged | None = None, links: Sequence[str] = (), **page: Any
+    plan: Plan, found: Summary, named: Labels, judged: BookCheck | None = None, links: Sequence[str] = (), **page: Any
 ) -> str:
     """Return what came of a study as HTML: the best designs, as links where these are given, and what excludes others.
 
@@ -47,7 +47,7 @@ def front(
     drawn = markup(picture(plan.study, shown, named, links)) if shown and len(plan.study.goals) > 1 else ""
     return rendered(
         "reports/study.html", plan=plan, found=found, named=named, judged=judged, links=links, picture=drawn,
-        columns=list(zip(heads, css, strict=False)), shown_best=shown, names=names, unranked=unranked, parted=parted,
+        columns=list(zip(heads, css, strict=False)), shown_best=shown, names=names, unranked=unranked, parted=breakable,
         judged_line=judged_line, excluding=excluding, heading=heading, figure=figure, **{"plan_page": False} | page,
     )  # fmt: skip
 
@@ -69,12 +69,12 @@ def unranked(found: Summary) -> list[str]:
     return [f"{found.unranked:,} of {found.feasible:,} feasible designs cannot be ranked: {', '.join(lacks)}"]
 
 
-def parted(words: str) -> str:
+def breakable(words: str) -> str:
     """Return a heading that may go on in a new line behind the parts of a name."""
     return "<wbr>".join(map(escaped, re.split(r"(?<=[._\]])", words)))
 
 
-def picture(study: Study, designs: Sequence[Design], named: Named, links: Sequence[str] = ()) -> Element:
+def picture(study: Study, designs: Sequence[Design], named: Labels, links: Sequence[str] = ()) -> Element:
     """Return the front by the first two objectives; its points are links where these are given."""
     first, second = list(study.goals)[:2]
     points = [Point(name, str(place), one.results[first], one.results[second])
@@ -96,14 +96,14 @@ def heading(name: str, named: Mapping[str, Label]) -> str:
     return f"{name}: {label.words}" + (f" [{label.unit}]" if label.unit else "")
 
 
-def varied(one: Dimension) -> str:
+def varied_words(one: Dimension) -> str:
     """Return over what something varied."""
     said = f"{one.low:g} to {one.high:g}" + (f" in {one.steps} values" if one.steps else "")
     said = ", ".join(map(figure, one.values[:MOST])) if one.values else said
     return said + (f"; its room from {written(one.takes)}" if one.takes else "")
 
 
-def judged_line(judged: Judged) -> str:
+def judged_line(judged: BookCheck) -> str:
     """Return whether the book of a design says what the study said."""
     if judged.differing:
         return f"The book of the design differs from the study: {', '.join(judged.differing)}."

@@ -41,7 +41,7 @@ def say_json(data: Any, **ways: Any) -> None:
     say_data(f"{json.dumps(data, ensure_ascii=False, indent=1, **ways)}\n")
 
 
-def give(text: str, output: Path | None, force: bool) -> None:
+def print_or_write(text: str, output: Path | None, force: bool) -> None:
     """Print lines of data, or write them to a file that is named."""
     if output is None:
         say_data(text)
@@ -63,7 +63,7 @@ def show_table(
     console.print(grid)
 
 
-class Lasting(io.TextIOWrapper):
+class TolerantOutput(io.TextIOWrapper):
     """An output that takes whatever is written, also when what it leads to takes no more; ``fault`` says why not."""
 
     fault: OSError | None = None
@@ -89,13 +89,13 @@ class Lasting(io.TextIOWrapper):
 
 
 @contextmanager
-def lasting() -> Iterator[Callable[[], OSError | None]]:
+def tolerant_outputs() -> Iterator[Callable[[], OSError | None]]:
     """Let both outputs of this process last; give what flushes them, and tells why the first took no more.
 
     They print names of files too, on terminals that lack their letters.
     """
     before = sys.stdout, sys.stderr
-    out, err = (Lasting(one.buffer, one.encoding, "backslashreplace", line_buffering=True) for one in before)
+    out, err = (TolerantOutput(one.buffer, one.encoding, "backslashreplace", line_buffering=True) for one in before)
     sys.stdout, sys.stderr = out, err
 
     def fault() -> OSError | None:

@@ -12,7 +12,7 @@ from pydantic import ValidationError
 import workbook
 from workbook.entries import rules
 from workbook.entries.design import numbers_of
-from workbook.errors import InputError, ReadError, found
+from workbook.errors import InputError, ReadError, quoted
 from workbook.fields.types import EntryError
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.text_files import read_text
@@ -78,7 +78,7 @@ def require_head(path: Path, head: list[str], model: type[Row], columns: dict[st
     twice = [name for name in dict.fromkeys(head) if name in columns and head.count(name) > 1]
     needed = [name for name, entry in columns.items() if model.model_fields[entry].is_required()]
     missing = [name for name in needed if name not in head]
-    faults = [f"unknown column {found(unknown[0])}{others(unknown)}"] if unknown else []
+    faults = [f"unknown column {quoted(unknown[0])}{others(unknown)}"] if unknown else []
     faults += [f"column {name} stands there twice" for name in twice]
     faults += [f"column {missing[0]} is missing{others(missing)}"] if missing else []
     if faults:
@@ -112,7 +112,7 @@ def useless(model: type[Row], columns: dict[str, str], given: Product) -> Iterat
                 yield f"column {names[cause.field or entry]}: {cause}"
                 continue
             expected = rules.expectation(*rules.field_at(model, entry))
-            what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
+            what = "empty" if fault["type"] == "missing" else f"found {quoted(fault['input'])}"
             yield f"column {names[entry]}: {what}; expected {expected}"
 
 

@@ -15,7 +15,7 @@ from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError
 
-from workbook.build import inputs
+from workbook.build import read_inputs
 from workbook.controllers.claims import TARGETS
 from workbook.errors import InputError, WriteError
 from workbook.serve import fields, live, pages, study
@@ -28,10 +28,10 @@ from workbook.writing.output_files import write_text
 STATIC = {"favicon.ico": "icon.svg"}
 STATIC |= {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")}
 SVG = "image/svg+xml"
-drawn: dict[str, str] = {}  # the pictures of the gallery, by templates
+gallery: dict[str, str] = {}  # the pictures of the gallery, by templates
 ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
-known: dict[str, list[str]] = {}  # the names of the axes of books that were read, by the SHA-256 of the file
+axis_names: dict[str, list[str]] = {}  # the names of the axes of books that were read, by the SHA-256 of the file
 
 
 async def write(command: str, suffix: str, page: Page) -> str | None:
@@ -104,10 +104,10 @@ async def picture(page: Page, name: str) -> str:
     """Send the picture of a template in the gallery, which is drawn once."""
     if name not in TEMPLATES:
         raise HTTPError(404)
-    if name not in drawn:
-        drawn[name] = await page.work.beside(live.picture, name)
+    if name not in gallery:
+        gallery[name] = await page.work.beside(live.picture, name)
     page.set_header("Content-Type", SVG)
-    return drawn[name]
+    return gallery[name]
 
 
 async def static(page: Page, name: str) -> bytes:
@@ -166,10 +166,10 @@ async def controller(page: Page, name: str) -> str:
     """Show the form of an export, with the axes of the workbook."""
     path = page.folder.file(name)
     digest = state(path)
-    if digest not in known:
-        known[digest] = await page.work.beside(axes, path)
+    if digest not in axis_names:
+        axis_names[digest] = await page.work.beside(axes, path)
     return pages.page(
-        f"{name}: controller", "controller", name=name, axes=[*known[digest], ALL], targets=TARGETS, orders=ORDERS
+        f"{name}: controller", "controller", name=name, axes=[*axis_names[digest], ALL], targets=TARGETS, orders=ORDERS
     )
 
 
@@ -213,7 +213,7 @@ async def read(page: Page) -> str:
 
 def axes(book: Path) -> list[str]:
     """Return the names of the axes of a workbook that a controller can be given."""
-    machine, _ = inputs(book)
+    machine, _ = read_inputs(book)
     return [one.name for one in TEMPLATES[machine.template].axes(machine)]
 
 

@@ -9,7 +9,7 @@ from xml.etree.ElementTree import Element
 from workbook.description.keys import PRODUCTS, Key, default_of, toml
 from workbook.errors import InputError, MotionbookError
 from workbook.laws.entries import ENTRIES
-from workbook.reading.descriptions import checked, parsed, template_named
+from workbook.reading.descriptions import parse_toml, template_named, validated
 from workbook.reports.html import Content, e, markup, table
 from workbook.selection.entries import COMMITTED
 from workbook.serve.live import design
@@ -23,7 +23,7 @@ PHRASES = ("a ", "7 ")  # what the words begin with that expect anything but one
 def form(name: str, text: str, part: str) -> str:
     """Return the HTML of the form of a part of a description; a message where the text is not TOML."""
     try:
-        data = parsed(text, Path(name))
+        data = parse_toml(text, Path(name))
         template = template_named(data.get("template"), "template")
     except MotionbookError as error:
         return markup(*(e("p", line) for line in str(error).splitlines()))
@@ -42,7 +42,7 @@ def form(name: str, text: str, part: str) -> str:
 
 def entered(name: str, text: str, path: str, do: str, value: str) -> str:
     """Return the text with what was entered in a field at a path, or done by a button beside it."""
-    data = parsed(text, Path(name))
+    data = parse_toml(text, Path(name))
     template = template_named(data.get("template"), "template")
     try:
         place = json.loads(path)
@@ -60,7 +60,7 @@ def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:
     except MotionbookError:
         pass
     try:
-        checked(template_named(data.get("template"), "template"), data, lambda key: key)
+        validated(template_named(data.get("template"), "template"), data, lambda key: key)
     except InputError as error:
         return {key: said for key, _, said in (line.partition(": ") for line in error.lines)}
     return {}

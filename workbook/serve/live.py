@@ -16,7 +16,7 @@ from workbook.book.summary import TITLE
 from workbook.differences.design import Design
 from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError, visible
-from workbook.reading.descriptions import checked, counted, parsed, template_named
+from workbook.reading.descriptions import counted_from_1, parse_toml, template_named, validated
 from workbook.reports.differences import figure
 from workbook.reports.html import Content, Line, Scales, document, e, markup, plot, rendered, scales
 from workbook.template import FOLDER
@@ -118,7 +118,7 @@ def add_handles(svg: Element, scales: Scales, lines: list[Line], found: list[Edg
         })  # fmt: skip
 
 
-class Shown(Design):
+class ShownDesign(Design):
     """A design with its charts and results."""
 
     @cached_property
@@ -146,26 +146,26 @@ def fragment(name: str, text: str, saved: str) -> str:
     with suppress(MotionbookError):
         old = design(name, saved)
     drawn = pictures(new, old, list(edges(text, new.machine)))
-    return rendered("serve/fragment.html", new=new, counted=counted, fails=failing(new), results=results(new, old),
-                    drawn=[*map(markup, drawn)])  # fmt: skip
+    return rendered("serve/fragment.html", new=new, counted=counted_from_1, fails=failing(new),
+                    results=results(new, old), drawn=[*map(markup, drawn)])  # fmt: skip
 
 
 @lru_cache(KEPT)
-def design(name: str, text: str) -> Shown:
+def design(name: str, text: str) -> ShownDesign:
     """Return the design that a text describes. Raises InputError or ReadError for one that describes none."""
     path = Path(name)
-    data = parsed(text, path)
+    data = parse_toml(text, path)
     template = template_named(data.get("template"), "template")
-    machine = checked(template, data, counted)
-    return Shown(path, machine, template.declare(machine))
+    machine = validated(template, data, counted_from_1)
+    return ShownDesign(path, machine, template.declare(machine))
 
 
-def failing(new: Shown) -> list[list[Content]]:
+def failing(new: ShownDesign) -> list[list[Content]]:
     """Return a row for each check that fails: its sheet, what it is, where and by how much."""
     return [[one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"]
 
 
-def results(new: Shown, old: Shown | None) -> list[list[Content]]:
+def results(new: ShownDesign, old: ShownDesign | None) -> list[list[Content]]:
     """Return a row for each result of the sheet Summary, with that of the saved design where it differs."""
     known = old.figures if old else {}
     rows: list[list[Content]] = []
@@ -181,7 +181,7 @@ def results(new: Shown, old: Shown | None) -> list[list[Content]]:
     return rows
 
 
-def pictures(new: Shown, old: Shown | None, found: list[Edge]) -> list[Element]:
+def pictures(new: ShownDesign, old: ShownDesign | None, found: list[Edge]) -> list[Element]:
     """Return the timing diagram with handles at edges, the charts that an edit changes, else the first of the book."""
     known = dict(old.charts) if old else {}
     all_ = [(chart, lines, others if (others := known.get(title, (chart, []))[1]) and differ(lines, others) else [])

@@ -11,23 +11,23 @@ from typing import Any, NamedTuple
 import tomli_w
 from pydantic import ValidationError
 
-from workbook.build import described
-from workbook.commands.study import known
+from workbook.build import read_description
+from workbook.commands.study import summary_from
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.laws.entries import ENTRIES, references
 from workbook.pool import cores
-from workbook.reading.descriptions import parsed, template_named, write_machine
+from workbook.reading.descriptions import parse_toml, template_named, write_machine
 from workbook.reports import study as reported
 from workbook.reports.html import shown
 from workbook.serve import pages
 from workbook.serve.handler import Page
 from workbook.serve.tables import differing, edited
 from workbook.studies import folder
-from workbook.studies.evaluate import Label, listed, require_names
-from workbook.studies.paths import held, leaves, written
-from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, planned, read_study
+from workbook.studies.evaluate import Label, listed_results, require_names
+from workbook.studies.paths import entry_at, leaves, written
+from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, make_plan, read_study
 from workbook.studies.run import machine_of
 from workbook.studies.space import Study
 from workbook.studies.summary import Summary
@@ -87,7 +87,7 @@ async def show(page: Page, name: str) -> str:
     """Show a study; the script fetches how far it is."""
     path, base = page.folder.file(name), ""
     with suppress(MotionbookError):  # of one that is no TOML there is nothing to edit
-        base = str(parsed(read_text(path, "a study, a .toml file"), path).get("base", ""))
+        base = str(parse_toml(read_text(path, "a study, a .toml file"), path).get("base", ""))
     return pages.page(name, "study", "study", base=base)
 
 
@@ -122,7 +122,7 @@ class Field(NamedTuple):
 
 def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]]:
     """Return the entries that can vary by their tables, and the results that may be asked for, fast ones first."""
-    machine: Any = described(base)
+    machine: Any = read_description(base)
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
     words = {one.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for one in references(machine)}
     tables: dict[str, list[Field]] = {}
@@ -135,12 +135,12 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
             if not known:
                 low, high = sorted((value * (1.0 - SHARE), value * (1.0 + SHARE)))
                 over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
-            rows = len(held(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
+            rows = len(entry_at(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
             givers = [written([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
             row = Field(written([*above, last]), reported.figure(value), over, known, givers)
             named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
             tables.setdefault(f"{written(above)} {named}".strip(), []).append(row)
-    return tables, [one for _, names in listed(machine) for one in names]
+    return tables, [one for _, names in listed_results(machine) for one in names]
 
 
 def composed(base: str, asked: Mapping[str, list[str]]) -> str:
@@ -190,21 +190,21 @@ def require_study(text: str, base: Path) -> None:
         study = Study.model_validate(tomllib.loads(text))
     except ValidationError as error:
         raise InputError(lines_of(error, "study")) from None
-    require_names(planned(study, base, "study"), "study")
+    require_names(make_plan(study, base, "study"), "study")
 
 
 def front(path: Path) -> str:
     """Return the HTML of what came of a study; each of the best designs is a link to its description."""
-    plan, found = found_in(path)
+    plan, found = read_results(path)
     named = require_names(plan, str(path))
     links = [f"/edit/{plan.study.base}?study={path.name}&pick={n}" for n in range(1, len(found.best) + 1)]
     return reported.front(plan, found, named, links=links)
 
 
-def found_in(path: Path) -> tuple[Plan, Summary]:
+def read_results(path: Path) -> tuple[Plan, Summary]:
     """Return a study and what is known of it; raise ReadError where these do not go together."""
     plan, results = read_study(path), path.with_suffix(".json")
-    found = known(plan, results, own=True)
+    found = summary_from(plan, results, own=True)
     if found is None:
         raise ReadError(f"{results.name}: results of this study before it or its machine was changed; delete them")
     return plan, found
@@ -212,7 +212,7 @@ def found_in(path: Path) -> tuple[Plan, Summary]:
 
 def picked(path: Path, number: int) -> str:
     """Return the description of one of the best designs of a study: the text of its base with other entries."""
-    plan, found = found_in(path)
+    plan, found = read_results(path)
     if not 1 <= number <= len(found.best):
         raise InputError([f"design {number}: expected 1 to {len(found.best)}"])
     machine: Machine = machine_of(plan, found.best[number - 1])
@@ -221,7 +221,7 @@ def picked(path: Path, number: int) -> str:
     try:
         changed = edited(text, differing(as_entered(plan.base), as_entered(machine)))
         template = template_named(plan.base.template, "template")
-        if template.model_for(data := parsed(changed, base)).model_validate(data) == machine:
+        if template.model_for(data := parse_toml(changed, base)).model_validate(data) == machine:
             return changed
     except (MotionbookError, ValidationError):
         pass

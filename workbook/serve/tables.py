@@ -13,7 +13,7 @@ from tomlkit.items import Array, InlineTable
 from workbook.description.keys import Key, Section, sections, toml
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
-from workbook.template import has
+from workbook.template import has_key
 from workbook.templates import TEMPLATES
 
 Place = tuple[str, ...]  # the way to an entry: names, and numbers of rows from 0
@@ -32,9 +32,9 @@ class Table(NamedTuple):
 
 def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
     """Return the tables that a description of a template has, and those that it leaves out."""
-    way = next((key for key in TEMPLATES[template].others if has(data, key)), "")
+    way = next((key for key in TEMPLATES[template].others if has_key(data, key)), "")
     made = []
-    for section in known(template, way):
+    for section in template_sections(template, way):
         for place, entries in tables_at(section.path.split(".") if section.path else [], data):
             kind = entries.get(KIND) if isinstance(entries, dict) else None
             if not section.kind or section.kind == kind:
@@ -43,7 +43,7 @@ def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
 
 
 @lru_cache
-def known(template: str, way: str = "") -> list[Section]:
+def template_sections(template: str, way: str = "") -> list[Section]:
     """Return the tables of a template's descriptions."""
     return sections(TEMPLATES[template], way)
 
@@ -148,7 +148,7 @@ def example(template: str, tables: Sequence[Table], place: Place) -> dict[str, A
 def sections_at(template: str, place: Place) -> list[Section]:
     """Return what a template says of the table at a place, of each kind that it may have."""
     path = ".".join("*" if part.isdigit() else part for part in place)
-    return [one for one in known(template) if one.path == path]
+    return [one for one in template_sections(template) if one.path == path]
 
 
 def required(keys: Sequence[Key]) -> dict[str, Any]:

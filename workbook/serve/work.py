@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from workbook.errors import MotionbookError
-from workbook.memo import remember
+from workbook.memo import enable_memo
 
 POSIX = os.name == "posix"
 MEMORY = 6 * 2**30  # bytes of address space of a command, where the system can limit it
@@ -72,7 +72,7 @@ class Work:
     async def beside(self, function: Callable[..., T], *arguments: Any) -> T:
         """Return what a function gives in the process beside the server; raise WorkError where it takes too long."""
         if self._editing is None:
-            self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=prepared)
+            self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=prepare_worker)
         try:
             found = asyncio.get_running_loop().run_in_executor(self._editing, function, *arguments)
             return await asyncio.wait_for(found, PATIENCE)
@@ -98,7 +98,7 @@ class Work:
             self.waiting -= 1
 
     async def _run(self, arguments: tuple[str | Path, ...], folder: str | None) -> Done:
-        process = await started(*arguments, cwd=folder)
+        process = await start_command(*arguments, cwd=folder)
         self._running.add(process)
         try:
             printed, _ = await asyncio.wait_for(process.communicate(), LONGEST)
@@ -115,7 +115,7 @@ class Work:
         busy = next((name for name, job in self.jobs.items() if job.done is None), None)
         if busy is not None:  # each takes all cores but one
             raise WorkError(f"{busy} is at work; cancel it, or wait for its end")
-        self.jobs[path.name] = Job(await started("study", path, *options, start_new_session=True), before)
+        self.jobs[path.name] = Job(await start_command("study", path, *options, start_new_session=True), before)
 
     def stop(self) -> None:
         """End all commands that run."""
@@ -126,7 +126,7 @@ class Work:
         self._end_editing()
 
 
-async def started(*arguments: str | Path, **more: Any) -> asyncio.subprocess.Process:
+async def start_command(*arguments: str | Path, **more: Any) -> asyncio.subprocess.Process:
     """Start a command of motionbook with a limit of memory, its errors among what it prints."""
     return await asyncio.create_subprocess_exec(
         sys.executable, "-m", "workbook", *map(str, arguments), stdin=asyncio.subprocess.DEVNULL,
@@ -142,10 +142,10 @@ def limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def prepared() -> None:
+def prepare_worker() -> None:
     """Prepare the process for what is edited: it remembers what an edit leaves as it is."""
     if POSIX:
         limit_memory()
-    remember(REMEMBERED)
+    enable_memo(REMEMBERED)
     gc.freeze()
     gc.set_threshold(500_000, 10, 10)

@@ -35,7 +35,7 @@ class Label(NamedTuple):
     unit: str
 
 
-Named = dict[str, Label]
+Labels = dict[str, Label]
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Table:
         return np.asarray(~np.logical_or.reduce([~self.possible, *self.fails.values()]))
 
 
-class Found(NamedTuple):
+class GroupResults(NamedTuple):
     """What is found of designs that are worked out together; why there is nothing, if so."""
 
     results: Mapping[str, Any]
@@ -78,7 +78,7 @@ class Evaluator:
 
     def __init__(self, plan: Plan, thorough: bool = False) -> None:
         self.plan, self.names, self.thorough = plan, plan.study.names, thorough
-        self.usual = of_no_book(plan.base)  # the results of the base that come without a book
+        self.usual = results_without_book(plan.base)  # the results of the base that come without a book
         self.asked = list(dict.fromkeys([*self.names, *plan.bounds]))
         self.from_books = [name for name in self.asked if name not in self.usual.named]
         self.swift = plan.template.scaling is not None and not self.from_books
@@ -91,19 +91,19 @@ class Evaluator:
         count = len(columns[0].places)
         places = np.array([columns[k].places for k in self._outer], dtype=np.intp).reshape(-1, count)
         cuts = np.flatnonzero((places[:, 1:] != places[:, :-1]).any(axis=0)) + 1  # others follow in an outer dimension
-        found: list[tuple[Found, int]] = []
+        found: list[tuple[GroupResults, int]] = []
         for first, last in pairwise([0, *cuts.tolist(), count]):
             some = [Column(one.values, one.places[first:last]) for one in columns]
             found.append((self._group(some, last - first), last - first))
-        results = {name: together([wide(one.results.get(name, np.nan), n) for one, n in found]) for name in self.names}
+        results = {name: joined([spread(one.results.get(name, np.nan), n) for one, n in found]) for name in self.names}
         constraints = dict.fromkeys(name for one, _ in found for name in one.fails)
         fails = {
-            name: np.concatenate([wide(one.fails.get(name, False), n) for one, n in found]) for name in constraints
+            name: np.concatenate([spread(one.fails.get(name, False), n) for one, n in found]) for name in constraints
         }
         reasons = np.concatenate([np.full(n, one.reason, dtype=object) for one, n in found])
         return Table(begin, tuple(columns), results, fails, reasons)
 
-    def _group(self, columns: Sequence[Column], count: int) -> Found:
+    def _group(self, columns: Sequence[Column], count: int) -> GroupResults:
         """Return what is found of designs that are worked out together."""
         dimensions = self.plan.space.dimensions
         chosen = {dimensions[k]: columns[k].values[columns[k].places[0]] for k in self._outer}
@@ -112,17 +112,17 @@ class Evaluator:
             self._last = values, self.plan.machine(chosen)
         machine = self._last[1]
         if isinstance(machine, str):
-            return Found({}, {}, machine)
+            return GroupResults({}, {}, machine)
         try:
             if not self.swift:
                 book = self.plan.template.declare(machine)
-                results = {name: of_book(book, name) for name in self.asked}
+                results = {name: book_value(book, name) for name in self.asked}
                 checks = {q.name: q.value != "OK" for _, q in book.checks if not self.plan.study.is_off(q.name)}
-                return Found(results, checks | self._beyond(results))
+                return GroupResults(results, checks | self._beyond(results))
             scaled = {one.key: column for one, column in zip(dimensions, columns, strict=True) if one.part}
             return self._scaled(machine, scaled, count)
         except (ValueError, ArithmeticError) as error:  # what the engine refuses
-            return Found({}, {}, str(error).replace("\n", " "))
+            return GroupResults({}, {}, str(error).replace("\n", " "))
 
     def _beyond(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return which designs do not keep to bounds, or are another text; what is no number keeps to none."""
@@ -136,7 +136,7 @@ class Evaluator:
                 found[name] = ~((numbers >= low) & (numbers <= high))
         return found
 
-    def _scaled(self, machine: Machine, scaled: Mapping[str, Column], count: int) -> Found:
+    def _scaled(self, machine: Machine, scaled: Mapping[str, Column], count: int) -> GroupResults:
         """Return what is found of designs that differ only in what scales."""
         scaling = self.plan.template.scaling
         assert scaling is not None  # noqa: S101 - of a plan that is swift
@@ -145,36 +145,36 @@ class Evaluator:
         fails = self._beyond(values)
         checks = [name for name in asked.checks if name not in fails and not self.plan.study.is_off(name)]
         fails |= {name: asked.named[name]() != "OK" for name in checks if name not in asked.slow}
-        broken = np.logical_or.reduce([wide(False, count), *(wide(one, count) for one in fails.values())])
+        broken = np.logical_or.reduce([spread(False, count), *(spread(one, count) for one in fails.values())])
         left = np.arange(count) if self.thorough else np.flatnonzero(~broken)
         if left.size:
-            few = {key: Column(one.values, wide(one.places, count)[left]) for key, one in scaled.items()}
+            few = {key: Column(one.values, spread(one.places, count)[left]) for key, one in scaled.items()}
             some = asked if left.size == count else scaling.results(machine, few)
             for name in (one for one in checks if one in asked.slow):
                 fails[name] = np.zeros(count, dtype=bool)
                 fails[name][left] = some.named[name]() != "OK"
-        return Found(values, fails)
+        return GroupResults(values, fails)
 
 
-def wide(values: Any, count: int) -> Values:
+def spread(values: Any, count: int) -> Values:
     """Return a value for each of so many designs."""
     return np.broadcast_to(np.asarray(values), count)
 
 
-def together(parts: Sequence[Values]) -> Values:
+def joined(parts: Sequence[Values]) -> Values:
     """Return values one behind the other: numbers, or texts with an empty one where there is none."""
     if all(part.dtype.kind in "fiub" for part in parts):
         return np.concatenate([part.astype(np.float64) for part in parts])
     return np.concatenate([np.full(len(p), "", object) if p.dtype.kind == "f" else p.astype(object) for p in parts])
 
 
-def of_no_book(machine: Machine) -> Results:
+def results_without_book(machine: Machine) -> Results:
     """Return the results of a machine that come without a book."""
     scaling = TEMPLATES[machine.template].scaling
     return scaling.results(machine, {}) if scaling else Results({}, (), ())
 
 
-def of_book(book: Book, name: str) -> Any:
+def book_value(book: Book, name: str) -> Any:
     """Return the engine's value of a cell of a book by its name: of a block, or ``table.column.row``."""
     block, _, rest = name.partition(".")
     column, _, row = rest.partition(".")
@@ -186,9 +186,9 @@ def of_book(book: Book, name: str) -> Any:
     return np.inf if value == ENDLESS else value
 
 
-def require_names(plan: Plan, where: str) -> Named:
+def require_names(plan: Plan, where: str) -> Labels:
     """Return the labels of results and constraints; raise InputError for a name that there is not."""
-    book, usual, study = plan.template.declare(plan.base), of_no_book(plan.base), plan.study
+    book, usual, study = plan.template.declare(plan.base), results_without_book(plan.base), plan.study
     known = dict.fromkeys([*usual.named, *book_names(book)])
     checks = [q.name for _, q in book.checks]
     lines = []
@@ -199,7 +199,7 @@ def require_names(plan: Plan, where: str) -> Named:
         if name not in known:
             lines.append(f"{where}: no result is named {name!r}; expected {nearest(name, known)}")
             continue
-        value = usual.named[name]() if name in usual.named else of_book(book, name)
+        value = usual.named[name]() if name in usual.named else book_value(book, name)
         value = value.ravel()[0].item() if hasattr(value, "ravel") else value
         text = isinstance(value, str)
         if name in study.goals and text:
@@ -213,20 +213,20 @@ def require_names(plan: Plan, where: str) -> Named:
     return {name: label(book, name) for name in dict.fromkeys([*study.names, *plan.bounds, *checks])}
 
 
-def listed(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
+def listed_results(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
     """Yield headings and the names below them, those of a table's rows as one: ``axis1.v.1…3``."""
     template = TEMPLATES[machine.template]
-    book, usual = template.declare(machine), of_no_book(machine)
+    book, usual = template.declare(machine), results_without_book(machine)
     inputs = {name for name, block in book.blocks.items() for q in block.quantities if q.role == "input"}
     named = (name for name in dict.fromkeys(book_names(book)) if name not in usual.named)
     fast = [name for name in usual.named if name not in usual.slow]
     slow = [name for name in usual.named if name in usual.slow]
     others = [name for name in named if name.partition(".")[0] not in inputs]
     for heading, names in (("Fast", fast), ("Each design by itself", slow), ("From a book of each design", others)):
-        yield heading, [(name, label(book, name.partition("…")[0])) for name in gathered(names)]
+        yield heading, [(name, label(book, name.partition("…")[0])) for name in with_row_ranges(names)]
 
 
-def gathered(names: list[str]) -> Iterator[str]:
+def with_row_ranges(names: list[str]) -> Iterator[str]:
     """Yield names, those of a table's rows as one."""
     rows: dict[str, list[str]] = {}
     for name in names:

@@ -19,12 +19,12 @@ import numpy as np
 from workbook.errors import WriteError
 from workbook.studies.evaluate import Table
 from workbook.studies.summary import Summary
-from workbook.writing.output_files import replace, unwritten
+from workbook.writing.output_files import replace, write_error
 
 FORMATS = (".csv", ".parquet")
 ENDS = ("feasible", "fails", "impossible")  # the last columns of a table
 EXTRA = "Parquet wants the package pyarrow: pip install pyarrow; or name the results .csv"
-LOCK, TOLD = "lock", "study.json"
+LOCK, STUDY_FILE = "lock", "study.json"
 OWN = re.compile(r"part-[0-9]{8}\.(json|csv|parquet)|\.motionbook-[0-9a-f]{16}\.part")
 """the files of a part, and the drafts left where a process ended; no others are removed"""
 NOTED = re.compile(r"part-([0-9]{8})\.json")  # the file that is written last of a part
@@ -44,7 +44,7 @@ class Parts:
     @property
     def mine(self) -> bool:
         """Whether parts of this very study lie there."""
-        return begun(self.folder).items() >= self._study.items()
+        return noted_study(self.folder).items() >= self._study.items()
 
     @property
     def held(self) -> str:
@@ -57,18 +57,18 @@ class Parts:
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise unwritten(self.folder, error) from error
+            raise write_error(self.folder, error) from error
         with locked(self.folder / LOCK):
-            told = self.folder / TOLD
+            told = self.folder / STUDY_FILE
             if resume and self.mine:
-                self.step = int(begun(self.folder).get("step", self.step))
+                self.step = int(noted_study(self.folder).get("step", self.step))
             elif told.exists() and not force:
                 said = f"{self.held}, --force begins anew" if self.mine else ANOTHER
                 raise WriteError(f"{self.folder}: {said}")
             else:
                 for one in self._own():
                     one.unlink()
-            place(told, json.dumps(self._study | {"step": self.step}).encode())
+            write_part(told, json.dumps(self._study | {"step": self.step}).encode())
             yield
 
     def complete(self) -> set[int]:
@@ -76,7 +76,7 @@ class Parts:
         found = set()
         for number in numbers(self.folder):
             with suppress(OSError, ValueError, TypeError, KeyError):
-                if json.loads(read(self._noted(number)))["rows"] == told_of(self.rows(number).read_bytes()):
+                if json.loads(read(self._noted(number)))["rows"] == size_and_digest(self.rows(number).read_bytes()):
                     found.add(number)
         return found
 
@@ -97,19 +97,19 @@ class Parts:
 
     def keep(self, number: int, rows: bytes, summary: Summary) -> None:
         """Keep a part: its rows, and then what tells whether they are whole."""
-        place(self.rows(number), rows)
-        noted = {"rows": told_of(rows), "summary": asdict(summary)}
-        place(self._noted(number), json.dumps(noted, ensure_ascii=False).encode())
+        write_part(self.rows(number), rows)
+        noted = {"rows": size_and_digest(rows), "summary": asdict(summary)}
+        write_part(self._noted(number), json.dumps(noted, ensure_ascii=False).encode())
 
     def remove(self) -> None:
         """Remove the parts, and the folder unless something else lies in it."""
         with suppress(OSError):
-            for one in [*self._own(), self.folder / TOLD, self.folder / LOCK]:
+            for one in [*self._own(), self.folder / STUDY_FILE, self.folder / LOCK]:
                 one.unlink(missing_ok=True)
             self.folder.rmdir()
 
 
-def place(path: Path, data: bytes) -> None:
+def write_part(path: Path, data: bytes) -> None:
     """Write a file whole or not at all; raise WriteError where there is no room."""
     try:
         replace(path, lambda draft: draft.write_bytes(data), overwrite=True)
@@ -121,7 +121,7 @@ def progress(results: Path) -> tuple[int, int]:
     """Return how many designs of an unfinished study are worked out, and how many there are; 0 of 0 of none."""
     folder = folder_of(results)
     with suppress(ValueError, TypeError, KeyError):
-        noted = begun(folder)
+        noted = noted_study(folder)
         return min(int(noted["size"]), len(numbers(folder)) * int(noted["step"])), int(noted["size"])
     return 0, 0
 
@@ -136,15 +136,15 @@ def folder_of(results: Path) -> Path:
     return results.with_name(f"{results.name}.parts")
 
 
-def begun(folder: Path) -> dict[str, Any]:
+def noted_study(folder: Path) -> dict[str, Any]:
     """Return what is noted of the study that lies in a folder."""
     with suppress(ValueError):
-        noted = json.loads(read(folder / TOLD))
+        noted = json.loads(read(folder / STUDY_FILE))
         return noted if isinstance(noted, dict) else {}
     return {}
 
 
-def told_of(rows: bytes) -> list[Any]:
+def size_and_digest(rows: bytes) -> list[Any]:
     """Return the length and the digest of a part's rows."""
     return [len(rows), hashlib.sha256(rows).hexdigest()]
 
@@ -163,7 +163,7 @@ def locked(path: Path) -> Iterator[None]:
     try:
         file = path.open("a+b")
     except OSError as error:
-        raise unwritten(path, error) from error
+        raise write_error(path, error) from error
     with file:
         try:
             if sys.platform == "win32":
@@ -188,7 +188,7 @@ def require_format(path: Path) -> None:
         raise WriteError(f"{path}: {EXTRA}")
 
 
-def part(labels: list[str], table: Table, suffix: str) -> bytes:
+def part_bytes(labels: list[str], table: Table, suffix: str) -> bytes:
     """Return a table as a part of a file of this suffix, without its head.
 
     Its columns: number, entries, results, whether a design is feasible, and why not.

@@ -33,7 +33,7 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> tupl
     entry: Any = machine
     path: list[str] = []
     for whole, number, plain in PART.findall(key):
-        part, known = whole or number or plain, below(entry)
+        part, known = whole or number or plain, children(entry)
         if isinstance(entry, list):
             names = [getattr(one, "name", None) for one in entry]
             at = int(part) - 1 if number else names.index(part) if part in names else -1
@@ -51,11 +51,12 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> tupl
     if table and not isinstance(entry, BaseModel):
         raise InputError([f"{where}: {key!r} is no table of entries; expected a phase"])
     if not table and (not path or isinstance(entry, BaseModel | list)):
-        raise InputError([f"{where}: {key!r} is a table of entries; expected one of {nearest('', below(entry))} in it"])
+        expected = f"expected one of {nearest('', children(entry))} in it"
+        raise InputError([f"{where}: {key!r} is a table of entries; {expected}"])
     return tuple(path)
 
 
-def below(entry: Any) -> list[str]:
+def children(entry: Any) -> list[str]:
     """Return the names of what is below an entry."""
     if isinstance(entry, RootModel):
         return list(entry.root)
@@ -68,19 +69,19 @@ def below(entry: Any) -> list[str]:
     return []
 
 
-def changed(entry: Any, path: Sequence[str], value: Any) -> Any:
+def with_entry(entry: Any, path: Sequence[str], value: Any) -> Any:
     """Return an entry with another value at a path: tables on the way as dictionaries, all others as they are."""
     if not path:
         return value
     first, *rest = path
     if isinstance(entry, list):
         at = int(first)
-        return [*entry[:at], changed(entry[at], rest, value), *entry[at + 1 :]]
-    fields = opened(entry)
-    return fields | {first: changed(fields.get(first), rest, value)}
+        return [*entry[:at], with_entry(entry[at], rest, value), *entry[at + 1 :]]
+    fields = as_dict(entry)
+    return fields | {first: with_entry(fields.get(first), rest, value)}
 
 
-def opened(entry: Any) -> dict[str, Any]:
+def as_dict(entry: Any) -> dict[str, Any]:
     """Return the entries of a table by name, what is below them as it is."""
     if isinstance(entry, RootModel):
         return dict(entry.root)
@@ -89,10 +90,10 @@ def opened(entry: Any) -> dict[str, Any]:
     return dict(entry or {})
 
 
-def held(entry: Any, path: Sequence[str]) -> Any:
+def entry_at(entry: Any, path: Sequence[str]) -> Any:
     """Return what is at a path."""
     for part in path:
-        entry = entry[int(part)] if isinstance(entry, list) else opened(entry).get(part)
+        entry = entry[int(part)] if isinstance(entry, list) else as_dict(entry).get(part)
     return entry
 
 

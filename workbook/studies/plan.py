@@ -13,16 +13,16 @@ from pydantic import ValidationError
 
 import workbook
 from workbook.book.declare import Book
-from workbook.build import described
+from workbook.build import read_description
 from workbook.entries.design import RefusedError, validated
 from workbook.entries.machine import Fault, Machine
-from workbook.errors import InputError, found
+from workbook.errors import InputError, quoted
 from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import ENTRIES, references
-from workbook.reading.descriptions import counted, parsed, write_machine
-from workbook.studies.paths import below, changed, held, nearest, opened, path_of, written
-from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arranged
+from workbook.reading.descriptions import counted_from_1, parse_toml, write_machine
+from workbook.studies.paths import as_dict, children, entry_at, nearest, path_of, with_entry, written
+from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arrange
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.text_files import read_text
 
@@ -32,7 +32,7 @@ ENDS = 1e-9  # of the rise: ends of laws that differ by less are the same
 PRODUCTS = {"motor": "motors", "reducer": "reducers"}
 
 
-class Wrong(str):
+class Impossible(str):
     """Why there is no such machine whatever else varies: an entry of a wrong type, or an unknown name."""
 
 
@@ -69,7 +69,7 @@ class Plan:
     def data(self) -> dict[str, Any]:
         """The base as a description, all below its first level as it is."""
         sizes = {} if self.roomy else {"sizes": self.base.sizes.model_dump(exclude={"motion_pieces"})}
-        return opened(self.base) | sizes
+        return as_dict(self.base) | sizes
 
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
@@ -78,20 +78,20 @@ class Plan:
             if one.takes:  # room from its neighbour
                 entry, way = EDGES[one.paths[0][-1]]
                 path = (*one.takes, entry)
-                data = dict(changed(data, path, held(data, path) + way * (value - held(data, one.paths[0]))))
+                data = dict(with_entry(data, path, entry_at(data, path) + way * (value - entry_at(data, one.paths[0]))))
             for path in one.paths:
-                data = dict(changed(data, path, value))
+                data = dict(with_entry(data, path, value))
             if one.paths[0][-1] == "law" and value in ENTRIES and value not in data["laws"]:  # of a new family
-                data = dict(changed(data, ("laws", value), {"family": value}))
+                data = dict(with_entry(data, ("laws", value), {"family": value}))
         try:
             machine, faults = validated(type(self.base), self.template.check, data)
         except EntryError as error:
-            return Wrong(f"{error.field}: {error}")
+            return Impossible(f"{error.field}: {error}")
         except RefusedError as error:
-            return Wrong("; ".join(one.said if isinstance(one, Fault) else str(one["msg"]).removeprefix("Value error, ")
-                                   for one in error.faults))  # fmt: skip
+            said = (one.said if isinstance(one, Fault) else str(one["msg"]) for one in error.faults)
+            return Impossible("; ".join(line.removeprefix("Value error, ") for line in said))
         if machine is None:  # a rule's sentence, or the entry and its limits
-            said = (one.said if one.rule else f"{counted(one.key)}: {one.said}" for one in faults)
+            said = (one.said if one.rule else f"{counted_from_1(one.key)}: {one.said}" for one in faults)
             return "; ".join(dict.fromkeys(said))
         return machine
 
@@ -102,7 +102,7 @@ EDGES = {"stop": ("start", 1.0), "start": ("stop", 1.0), "duration": ("duration"
 
 def read_study(path: Path) -> Plan:
     """Read a study; raise ReadError or InputError with a line for each fault."""
-    data = parsed(read_text(path, "a study, a .toml file"), path)
+    data = parse_toml(read_text(path, "a study, a .toml file"), path)
     if "template" in data:
         raise InputError([f"{path}: this describes a machine; a study names it as base and says what varies"])
     try:
@@ -111,7 +111,7 @@ def read_study(path: Path) -> Plan:
         raise InputError(lines_of(error, str(path))) from None
     if study.base is None:
         raise InputError([f"{path}: base: empty; expected the name of a machine description"])
-    return planned(study, path.parent / study.base, str(path))
+    return make_plan(study, path.parent / study.base, str(path))
 
 
 INNER = ("str", "Bound", "constrained-str")
@@ -144,19 +144,19 @@ def line_of(fault: Any, place: list[str], where: str) -> str:
         keys = [field.alias or name for name, field in fields.items()]
         expected = f"; expected one of {nearest(place[-1], keys)}" if keys else ""
         return f"{where}: {'.'.join(place)}: unknown entry{expected}"
-    what = "empty" if fault["type"] == "missing" else f"found {found(fault['input'])}"
+    what = "empty" if fault["type"] == "missing" else f"found {quoted(fault['input'])}"
     return f"{where}: {'.'.join(place)}: {what}; {fault['msg'][:1].lower()}{fault['msg'][1:]}"
 
 
-def planned(study: Study, base: Path, where: str) -> Plan:
+def make_plan(study: Study, base: Path, where: str) -> Plan:
     """Make a study of the machine that a file describes ready; raise InputError, ReadError."""
-    machine = described(base)
+    machine = read_description(base)
     for fault in machine.design.faults:
         raise InputError([f"{base}: {fault.key}: {fault.said}; a study expects a finished design"])
-    roomy = "motion_pieces" in parsed(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
+    roomy = "motion_pieces" in parse_toml(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
     draft = Plan(study, machine, Space((), study.way), roomy)
-    dimensions = [dimension(draft, one, f"{where}: vary {i}") for i, one in enumerate(study.vary, 1)]
-    space = arranged(dimensions, study.way)
+    dimensions = [make_dimension(draft, one, f"{where}: vary {i}") for i, one in enumerate(study.vary, 1)]
+    space = arrange(dimensions, study.way)
     varied = [path for one in space.dimensions for path in one.paths]
     for twice in (path for path in varied if varied.count(path) > 1):
         raise InputError([f"{where}: {written(twice)} varies twice"])
@@ -166,7 +166,7 @@ def planned(study: Study, base: Path, where: str) -> Plan:
     return Plan(study, machine, space, roomy)
 
 
-def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
+def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     """Return what an entry of a study varies; raise InputError, also for values of which no machine can be made."""
     paths = tuple(path_of(plan.base, key, f"{where}, key") for key in vary.keys)
     entry, takes = paths[0][-1], tuple[str, ...]()
@@ -174,14 +174,14 @@ def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
         if len(paths) > 1 or entry not in EDGES:
             raise InputError([f"{where}, takes: {vary.keys} takes no room; expected one key, of {', '.join(EDGES)}"])
         takes = path_of(plan.base, vary.takes, f"{where}, takes", table=True)
-        if takes == paths[0][:-1] or EDGES[entry][0] not in below(held(plan.data, takes)):
+        if takes == paths[0][:-1] or EDGES[entry][0] not in children(entry_at(plan.data, takes)):
             raise InputError([f"{where}, takes: {vary.takes!r} cannot give room; expected another phase"])
     values, name = vary.values or [], vary.keys[0]
     if vary.all == "laws":
         given = next((one for one in references(plan.base) if tuple(one.key.split(".")) == paths[0]), None)
         if given is None:
             raise InputError([f"{where}: {name!r} names no law; expected the law of a phase"])
-        values = alike(plan, paths[0], given.name)
+        values = laws_with_same_ends(plan, paths[0], given.name)
     elif vary.all == "catalogue":
         products = next((PRODUCTS[part] for part in reversed(paths[0]) if part in PRODUCTS), "")
         values = [row.name for row in getattr(getattr(plan.base, "selection", None), products, None) or []]
@@ -192,12 +192,12 @@ def dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     made = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
     for value in made.values[:MOST_TRIED] or (made.low, made.high):
         said = plan.machine({made: value})
-        if isinstance(said, Wrong) or (isinstance(said, str) and made.part):
-            raise InputError([f"{where}: {made.label} = {found(value)}: {said}"])
+        if isinstance(said, Impossible) or (isinstance(said, str) and made.part):
+            raise InputError([f"{where}: {made.label} = {quoted(value)}: {said}"])
     return made
 
 
-def alike(plan: Plan, path: tuple[str, ...], given: str) -> list[str]:
+def laws_with_same_ends(plan: Plan, path: tuple[str, ...], given: str) -> list[str]:
     """Return the laws with the ends of the one that is entered, of the book and all families, as far as they fit."""
 
     def ends(machine: Machine, name: str) -> tuple[float, float, float, float]:

@@ -13,12 +13,12 @@ from workbook.build import build
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.comparison import TOLERANCE
 from workbook.judging.verify import verify
-from workbook.pool import Died, Pool
-from workbook.studies.evaluate import Evaluator, of_book
-from workbook.studies.folder import Parts, part
+from workbook.pool import Pool, WorkerDied
+from workbook.studies.evaluate import Evaluator, book_value
+from workbook.studies.folder import Parts, part_bytes
 from workbook.studies.plan import Plan
 from workbook.studies.space import Shares, Space
-from workbook.studies.summary import Design, Summary, merged, summed
+from workbook.studies.summary import Design, Summary, merge, summarise
 
 POPULATION = 15  # designs of a generation for each range, scipy's own figure
 DIED = "the workers that tried them died (out of memory?); --resume tries them again"
@@ -47,19 +47,19 @@ class Pace(NamedTuple):
         return inner if self.first + self.each * inner <= MOST and inner <= MOST_ROWS else rows
 
 
-def paced(plan: Plan) -> Pace:
+def measure_pace(plan: Plan) -> Pace:
     """Return how long designs of a study take, measured at a few of them before it begins."""
     one, space = Evaluator(plan, thorough=True), plan.space
-    alone = max(timed(one, space, number, number + 1) for number in {0, space.size // 2, space.size - 1})
+    alone = max(time_designs(one, space, number, number + 1) for number in {0, space.size // 2, space.size - 1})
     count = min(TOGETHER, space.inner, space.size)
     if not one.swift or count == 1:
         return Pace(0.0, alone)
-    known, together = timed(one, space, 0, 1), timed(one, space, 0, count)
+    known, together = time_designs(one, space, 0, 1), time_designs(one, space, 0, count)
     each = max(0.0, together - known) / (count - 1)
     return Pace(max(0.0, alone - each), each)
 
 
-def timed(one: Evaluator, space: Space, begin: int, end: int) -> float:
+def time_designs(one: Evaluator, space: Space, begin: int, end: int) -> float:
     """Return how long some designs take (s); of a search, as many in the middle of all ranges."""
     middle = np.full((end - begin, len(space.dimensions)), 0.5)
     columns = space.shared(middle) if space.way.kind == "evolution" else space.columns(begin, end)
@@ -90,14 +90,14 @@ def evaluator(plan: bytes) -> Evaluator:
     return Evaluator(pickle.loads(plan))
 
 
-def work(piece: Piece, plan: bytes, suffix: str) -> tuple[bytes, Summary]:
+def work_out(piece: Piece, plan: bytes, suffix: str) -> tuple[bytes, Summary]:
     """Return the rows of a part that is worked out, and what is known of them."""
     one = evaluator(plan)
     study, space = one.plan.study, one.plan.space
     columns = space.columns(piece.begin, piece.end) if piece.shares is None else space.shared(piece.shares)
     table = one.table(piece.begin, columns)
     labels = [dimension.label for dimension in space.dimensions]
-    return part(labels, table, suffix), summed(study, labels, table, scored=piece.shares is not None)
+    return part_bytes(labels, table, suffix), summarise(study, labels, table, scored=piece.shares is not None)
 
 
 def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object]) -> Summary:
@@ -112,8 +112,8 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
     def kept(wanted: Iterable[Piece]) -> list[Piece]:
         """Work out and keep pieces; return those whose worker died."""
         died = []
-        for piece, done in pool.each(work, wanted, sent, parts.suffix):
-            if isinstance(done, Died):
+        for piece, done in pool.each(work_out, wanted, sent, parts.suffix):
+            if isinstance(done, WorkerDied):
                 died.append(piece)
                 continue
             parts.keep(piece.number, *done)
@@ -130,7 +130,7 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
         evolve(plan.space, parts, do)
     else:
         do(pieces(range(0, plan.space.size, parts.step)))
-    return merged(plan.study, map(parts.summary, sorted(parts.complete())))
+    return merge(plan.study, map(parts.summary, sorted(parts.complete())))
 
 
 def evolve(space: Space, parts: Parts, do: Callable[[Iterable[Piece]], None]) -> None:
@@ -157,7 +157,7 @@ def evolve(space: Space, parts: Parts, do: Callable[[Iterable[Piece]], None]) ->
     )  # fmt: skip
 
 
-class Judged(NamedTuple):
+class BookCheck(NamedTuple):
     """A design's book: its largest deviation from the study's results, what differs, whether every cell agrees.
 
     ``failing`` are its checks that FAIL, ``unasked`` those of them that are no constraints of the study.
@@ -184,18 +184,18 @@ def machine_of(plan: Plan, design: Design) -> Any:
     return machine
 
 
-def picked(plan: Plan, design: Design, path: Path, overwrite: bool) -> Judged:
+def build_design(plan: Plan, design: Design, path: Path, overwrite: bool) -> BookCheck:
     """Build the book of a design, verify it, and compare it with the study's results."""
     build(machine := machine_of(plan, design), path, overwrite)
     book = plan.template.declare(machine)
     # mass and cost of a motor stand in no book
-    apart = {name: deviation(value, of_book(book, name)) for name, value in design.results.items()
+    apart = {name: deviation(value, book_value(book, name)) for name, value in design.results.items()
              if name.partition(".")[0] in book.blocks}  # fmt: skip
     report = verify(path)
     differing = tuple(name for name, value in apart.items() if not value <= TOLERANCE)
     failing = tuple(q.name for _, q in book.checks if q.value != "OK")
     unasked = tuple(filter(plan.study.is_off, failing))
-    return Judged(max(apart.values(), default=0.0), differing, failing, unasked, report.compared, report.agrees)
+    return BookCheck(max(apart.values(), default=0.0), differing, failing, unasked, report.compared, report.agrees)
 
 
 def deviation(one: Any, other: Any) -> float:

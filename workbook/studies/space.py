@@ -83,7 +83,7 @@ class Bound(Model):
         return ", ".join(f"{word} {end:g}" for word, end in ends if end is not None)
 
 
-class Way(Model):
+class Sampling(Model):
     """How designs are chosen: all of them, so many by Sobol's sequence, or by differential evolution."""
 
     kind: Literal["full", "sobol", "evolution"] = "full"
@@ -109,7 +109,7 @@ class Study(Model):
     constraints: dict[str, Bound | Name] = {}  # noqa: RUF012
     minimise: list[Name] = []  # noqa: RUF012
     maximise: list[Name] = []  # noqa: RUF012
-    way: Way = Way()
+    way: Sampling = Sampling()
 
     @model_validator(mode="after")
     def _asks(self) -> Self:
@@ -197,7 +197,7 @@ class Space:
     """All that varies: what changes more than scales first."""
 
     dimensions: tuple[Dimension, ...]
-    way: Way
+    way: Sampling
 
     @property
     def size(self) -> int:
@@ -240,7 +240,7 @@ class Space:
             return np.asarray(drawn.random(end - begin))
 
 
-def arranged(dimensions: Sequence[Dimension], way: Way) -> Space:
+def arrange(dimensions: Sequence[Dimension], way: Sampling) -> Space:
     """Return the space of dimensions: of each part that scales the first dimension scales, the others do not."""
     seen: set[str] = set()
     outer, inner = [], []

@@ -50,7 +50,7 @@ class Summary:
 MOST_REASONS = 20
 
 
-def summed(study: Study, labels: list[str], table: Table, scored: bool = False) -> Summary:
+def summarise(study: Study, labels: list[str], table: Table, scored: bool = False) -> Summary:
     """Return what is known of the designs of a table."""
     possible, feasible = table.possible, table.feasible
     misses = np.sum([*table.fails.values(), ~possible], axis=0)
@@ -65,7 +65,7 @@ def summed(study: Study, labels: list[str], table: Table, scored: bool = False) 
         dict(zip(reasons.tolist()[:MOST_REASONS], counts.tolist()[:MOST_REASONS], strict=True)),
     )  # fmt: skip
     named = list(zip(labels, table.entries, strict=True))
-    for row in rows[leading(points)].tolist():
+    for row in rows[best_points(points)].tolist():
         entries = {label: plain(one.values[one.places[row]]) for label, one in named}
         results = {name: plain(values[row]) for name, values in table.results.items()}
         found.best.append(Design(table.begin + row, entries, results))
@@ -81,7 +81,7 @@ def goals(study: Study, results: Mapping[str, NDArray[Any]], rows: NDArray[np.in
     return np.where(np.isnan(found), np.inf, found)
 
 
-def leading(points: NDArray[np.float64]) -> NDArray[np.intp]:
+def best_points(points: NDArray[np.float64]) -> NDArray[np.intp]:
     """Return the best points: of one objective :data:`BEST` of them, of several those that none beats."""
     if points.shape[1] == 1:
         order = np.argsort(points[:, 0], kind="stable")[:BEST]
@@ -103,7 +103,7 @@ def plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def merged(study: Study, found: Iterable[Summary]) -> Summary:
+def merge(study: Study, found: Iterable[Summary]) -> Summary:
     """Return what is known of several tables together."""
     whole = Summary()
     for one in found:
@@ -116,5 +116,5 @@ def merged(study: Study, found: Iterable[Summary]) -> Summary:
         whole.reasons = dict(sorted(whole.reasons.items(), key=lambda each: -each[1])[:MOST_REASONS])
         ranked = sorted([*whole.best, *one.best], key=lambda each: each.number)  # equals go by their numbers
         points = np.array([[way * each.results[name] for name, way in study.goals.items()] for each in ranked], float)
-        whole.best = [ranked[k] for k in leading(points.reshape(len(ranked), len(study.goals)))]
+        whole.best = [ranked[k] for k in best_points(points.reshape(len(ranked), len(study.goals)))]
     return whole

@@ -6,11 +6,11 @@ from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.formula import words
-from workbook.errors import DisputedError, WitnessError, found
+from workbook.errors import DisputedError, WitnessError, quoted
 from workbook.reading.contents import Cells, Contents
 from workbook.reading.files import BookFile, require_little_work
 from workbook.witnesses.registry import WITNESSES
-from workbook.witnesses.witness import CYCLE, Witness, without
+from workbook.witnesses.witness import CYCLE, Witness, evaluation_copy
 
 ENOUGH = 2  # evaluators that must agree
 DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
@@ -25,7 +25,7 @@ SIGNS = frozenset("+-*/^&=<>%")
 OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))  # functions that take all cells computed in them
 
 
-def agreed(
+def agreed_values(
     file: BookFile, asked: Collection[Address] = (), names: Iterable[str] = WITNESSES
 ) -> Callable[[Address], Any]:
     """Return what gives a formula cell's value if two of ``names`` and a saved one agree, else raises DisputedError."""
@@ -43,7 +43,7 @@ class Evaluation:
         self._left: dict[str, Iterator[Collection[Address]]] = {}  # the files that a witness was not given yet
 
     def value(self, address: Address) -> Any:
-        """Return the value of a cell; raise DisputedError as :func:`agreed` says."""
+        """Return the value of a cell; raise DisputedError as :func:`agreed_values` says."""
         self._require_one_cell(address)
         said: dict[str, Any] = {}
         for name, values in self._witnesses(address):
@@ -55,7 +55,7 @@ class Evaluation:
             if len(known) == ENOUGH or alike:
                 saved = self._file.saved.get(address)
                 first, *others = (known if len(known) == ENOUGH else said).values()
-                if all(same(first, value) for value in (*others, *([] if saved is None else [saved]))):
+                if all(same_value(first, value) for value in (*others, *([] if saved is None else [saved]))):
                     return first
                 raise DisputedError(", ".join(self._told(address, said)))
         why = [*self._told(address, said), *self._failed.values()]
@@ -70,14 +70,14 @@ class Evaluation:
         needed = contents.needed(formulas - {address}, formulas & {address}) | (formulas & {address})
         for cell in sorted(needed):
             text = self._file.value(cell)
-            if cell not in contents.arrays and isinstance(text, str) and spreads(text):
+            if cell not in contents.arrays and isinstance(text, str) and needs_intersection(text):
                 where = "it" if cell == address else f"{cell}"
                 raise DisputedError(f"{where} computes with a range where Excel takes one cell of it")
 
     def _told(self, address: Address, said: dict[str, Any]) -> list[str]:
         saved = self._file.saved.get(address)
         all_said = said if saved is None else said | {"the file as it was saved": saved}
-        return [f"{name} has {found(value)}" for name, value in all_said.items()]
+        return [f"{name} has {quoted(value)}" for name, value in all_said.items()]
 
     def _witnesses(self, address: Address) -> Iterator[tuple[str, Cells]]:
         """Yield the witnesses that evaluate, with the values of formula cells."""
@@ -109,7 +109,7 @@ class Evaluation:
     def _computed(self, witness: Witness, cells: Collection[Address]) -> Cells:
         """Return what a witness computes in a file of formula cells and of those on which they depend."""
         aside = set(self._file.contents.formula_cells).difference(cells)
-        with without(self._file, aside - self._file.contents.needed(aside, cells), {}) as bare:
+        with evaluation_copy(self._file, aside - self._file.contents.needed(aside, cells), {}) as bare:
             require_little_work(bare, self._file.path)
             return witness.values(bare)
 
@@ -130,14 +130,14 @@ def reads_elsewhere(contents: Contents, asked: Collection[Address]) -> bool:
     return not all(formula is None or formula.functions.isdisjoint(ELSEWHERE) for formula in read)
 
 
-def same(value: Any, other: Any) -> bool:
+def same_value(value: Any, other: Any) -> bool:
     """Whether two values are one but for rounding."""
     if all(isinstance(v, int | float) and not isinstance(v, bool) for v in (value, other)):
         return math.isclose(value, other, rel_tol=DEVIATION, abs_tol=ZERO)
     return type(value) is type(other) and bool(value == other)
 
 
-def spreads(formula: str) -> bool:
+def needs_intersection(formula: str) -> bool:
     """Whether a range stands for one cell of it (support.microsoft.com, "Implicit intersection operator: @")."""
     found = list(words(formula.removeprefix("=")))
     begun: list[str] = []
@@ -146,20 +146,20 @@ def spreads(formula: str) -> bool:
             begun.append(word.upper())
         elif word == ")" and begun:
             begun.pop()
-        elif kind == "lines" or (kind == "reference" and several(word)):
+        elif kind == "lines" or (kind == "reference" and is_range(word)):
             called = [one for one in begun if one != "("]
-            if not called or (computed(found, k) and OVER_ARRAYS.isdisjoint(called)):
+            if not called or (is_operand(found, k) and OVER_ARRAYS.isdisjoint(called)):
                 return True
     return False
 
 
-def several(word: str) -> bool:
+def is_range(word: str) -> bool:
     """Whether a reference means more cells than one."""
     first, _, last = word.rpartition("!")[2].replace("$", "").upper().partition(":")
     return last not in ("", first)
 
 
-def computed(found: list[tuple[str, str]], k: int) -> bool:
+def is_operand(found: list[tuple[str, str]], k: int) -> bool:
     """Whether a sign of an operation stands before or behind a word, its brackets left aside."""
     before, after = k - 1, k + 1
     while before >= 0 and after < len(found) and (found[before][1], found[after][1]) == ("(", ")"):

@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 from workbook.book.address import Address
 from workbook.errors import TooLargeError, WitnessError
-from workbook.reading.contents import Cells, entered
+from workbook.reading.contents import Cells, plain_value
 from workbook.reading.files import BookFile
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW
-from workbook.witnesses.witness import Witness, cached_values, without
+from workbook.witnesses.witness import Witness, cached_values, evaluation_copy
 
 if TYPE_CHECKING:
     from formulon import Value, Workbook
@@ -65,7 +65,7 @@ class Formualizer(Witness):
         """Yield each set of values with what the formula cells compute at it, in one book that stays open."""
         import formualizer
 
-        with without(file, bare=True) as copy:
+        with evaluation_copy(file, bare=True) as copy:
             try:
                 book = formualizer.Workbook.from_bytes(copy.path.read_bytes())
             except Exception as error:
@@ -75,7 +75,7 @@ class Formualizer(Witness):
                 book.set_value(*cell, value)
             book.evaluate_all()
             found = {cell: book.get_value(*cell) for cell in file.contents.formula_cells}
-            yield given, {cell: ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else entered(value)
+            yield given, {cell: ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else plain_value(value)
                           for cell, value in found.items()}  # fmt: skip
 
 
@@ -91,13 +91,13 @@ class Formulon(Witness):
         try:
             with formulon.Workbook.load(file.path.read_bytes()) as book:
                 book.recalc()
-                found = cells(book)
+                found = formulon_values(book)
         except formulon.FormulonError as error:
             raise WitnessError(f"formulon cannot evaluate the file: {error}") from error
         return {address: found.get(address) for address in file.contents.formula_cells}
 
 
-def cells(book: Workbook) -> Cells:
+def formulon_values(book: Workbook) -> Cells:
     """Return what every cell of a book holds."""
     from formulon import MergeRange
 
@@ -108,11 +108,11 @@ def cells(book: Workbook) -> Cells:
         while more:
             some, cursor = book.get_cells_in_range(number, MergeRange(0, 0, LAST_ROW - 1, LAST_COLUMN - 1), cursor)
             more = cursor is not None
-            found.update({Address(title, cell.row + 1, cell.col + 1): of_formulon(cell.value) for cell in some})
+            found.update({Address(title, cell.row + 1, cell.col + 1): formulon_value(cell.value) for cell in some})
     return found
 
 
-def of_formulon(value: Value) -> Any:
+def formulon_value(value: Value) -> Any:
     """Return a number, a truth value, a text or an error's name; None for anything else."""
     from formulon import error_display_name
 
@@ -132,7 +132,7 @@ class IronCalc(Witness):
         import ironcalc  # optional
 
         try:
-            with without(file, bare=True) as copy:  # an empty cell with a style, and t="n", would be 0
+            with evaluation_copy(file, bare=True) as copy:  # an empty cell with a style, and t="n", would be 0
                 model = ironcalc.load_from_xlsx(str(copy.path), "en", "UTC", "en")
             model.evaluate()
         except Exception as error:  # what it cannot read comes up as any exception
@@ -142,14 +142,14 @@ class IronCalc(Witness):
                 for cell in file.contents.formula_cells}  # fmt: skip
 
 
-def program() -> str | None:
+def libreoffice_path() -> str | None:
     """Return the path of LibreOffice, or None where it is not on this machine."""
     return shutil.which("soffice") or next((place for place in PLACES if Path(place).exists()), None)
 
 
 def convert(source: Path, kind: str, folder: Path) -> Path:
     """Convert a file with a private profile that recalculates everything; return the new file in ``folder``."""
-    soffice = program()
+    soffice = libreoffice_path()
     if soffice is None:
         raise WitnessError("LibreOffice is not on this machine")
     with tempfile.TemporaryDirectory() as profile:
@@ -189,12 +189,12 @@ class LibreOffice(Witness):
 
     def version(self) -> str | None:
         """Return LibreOffice's own version, or None where it is absent."""
-        soffice = program()
+        soffice = libreoffice_path()
         return None if soffice is None else version_of(soffice)
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell."""
-        with without(file, bare=True) as copy, tempfile.TemporaryDirectory() as folder:
+        with evaluation_copy(file, bare=True) as copy, tempfile.TemporaryDirectory() as folder:
             return cached_values(convert(copy.path, "xlsx", Path(folder)).read_bytes(), file)
 
 

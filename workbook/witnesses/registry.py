@@ -13,17 +13,17 @@ if TYPE_CHECKING:
 ALL = "all"  # all of them that are on this machine
 
 
-def made(module: str, name: str) -> Witness:
+def load_witness(module: str, name: str) -> Witness:
     """Return a new witness of a module and class."""
     witness: Witness = getattr(import_module(f"workbook.witnesses.{module}"), name)()
     return witness
 
 
 WITNESSES: dict[str, Callable[[], Witness]] = {
-    "pycel": partial(made, "pycel.model", "Pycel"),
-    "formualizer": partial(made, "engines", "Formualizer"),
-    "formulon": partial(made, "engines", "Formulon"),
-    "ironcalc": partial(made, "engines", "IronCalc"),
-    "libreoffice": partial(made, "engines", "LibreOffice"),  # the slowest
-    "saved": partial(made, "engines", "Saved"),
+    "pycel": partial(load_witness, "pycel.model", "Pycel"),
+    "formualizer": partial(load_witness, "engines", "Formualizer"),
+    "formulon": partial(load_witness, "engines", "Formulon"),
+    "ironcalc": partial(load_witness, "engines", "IronCalc"),
+    "libreoffice": partial(load_witness, "engines", "LibreOffice"),  # the slowest
+    "saved": partial(load_witness, "engines", "Saved"),
 }

@@ -43,7 +43,7 @@ class Witness:
     def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
         """Yield each set of values with what the formula cells compute at it, each in a copy of the file."""
         for given in sets:
-            with without(file, given=given) as copy:
+            with evaluation_copy(file, given=given) as copy:
                 yield given, self.values(copy)
 
 
@@ -83,7 +83,7 @@ def cached_values(data: bytes, file: BookFile) -> Cells:
 
 
 @contextmanager
-def without(
+def evaluation_copy(
     file: BookFile, own: Collection[Address] = (), given: Mapping[Address, Any] = MappingProxyType({}),
     bare: bool = False,
 ) -> Iterator[BookFile]:  # fmt: skip
@@ -93,13 +93,13 @@ def without(
         return
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "book.xlsx"
-        workbook = copied(file, own, given)
+        workbook = copy_contents(file, own, given)
         workbook.save(path)
         yield BookFile(path, workbook, find_places(workbook), bare=True)
 
 
-def copied(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Workbook:
-    """Return a workbook with the same sheets, names that lead to cells, and contents, as :func:`without` says."""
+def copy_contents(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Workbook:
+    """Return a workbook with the same sheets, names that lead to cells, and contents, as :func:`evaluation_copy` says."""
     made = Workbook()
     made.remove(made.worksheets[0])
     made.epoch = file.workbook.epoch
@@ -114,12 +114,12 @@ def copied(file: BookFile, own: Collection[Address], given: Mapping[Address, Any
                 else:  # as it is: a text that looks like a formula stays one, and a date is a number
                     copy.value = file.contents.constants.get(address, cell.value)
                     copy.data_type = cell.data_type.replace("d", "n")
-        page.defined_names = led(sheet.defined_names, file)
-    made.defined_names = led(file.workbook.defined_names, file)
+        page.defined_names = names_of_cells(sheet.defined_names, file)
+    made.defined_names = names_of_cells(file.workbook.defined_names, file)
     return made
 
 
-def led(names: Mapping[str, DefinedName], file: BookFile) -> DefinedNameDict:
+def names_of_cells(names: Mapping[str, DefinedName], file: BookFile) -> DefinedNameDict:
     """Return those of the names that lead to cells in the book, or are called like one that does."""
     kept = {name: DefinedName(name, attr_text=one.attr_text) for name, one in names.items() if name in file.places}
     return DefinedNameDict(kept)

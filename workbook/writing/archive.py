@@ -46,7 +46,7 @@ METADATA = (
 )
 
 
-def completed(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[str, str]]) -> dict[str, bytes]:
+def complete_parts(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[str, str]]) -> dict[str, bytes]:
     """Return the parts as Excel writes them; ``abouts`` are title and alternative text of each chart, in order."""
     made, core = dict(parts), "docProps/core.xml"
     made[core] = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH, made[core])
@@ -59,10 +59,10 @@ def completed(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[str, s
     for name, part in made.items():
         if re.fullmatch(r"xl/drawings/drawing\d+\.xml", name):
             made[name] = re.sub(rb'name="Chart \d+"', lambda _: next(named), part)
-    return added(made, "sharedStrings", strings)
+    return with_part(made, "sharedStrings", strings)
 
 
-def added(parts: dict[str, bytes], name: str, part: bytes, kind: str = "") -> dict[str, bytes]:
+def with_part(parts: dict[str, bytes], name: str, part: bytes, kind: str = "") -> dict[str, bytes]:
     """Return the parts with one more of the workbook, of this name and kind of relationship."""
     made = parts | {f"xl/{name}.xml": part}
     for where, entry in (
@@ -74,13 +74,13 @@ def added(parts: dict[str, bytes], name: str, part: bytes, kind: str = "") -> di
     return made
 
 
-def dynamic(parts: dict[str, bytes]) -> dict[str, bytes]:
+def with_dynamic_arrays(parts: dict[str, bytes]) -> dict[str, bytes]:
     """Return the parts with the metadata that the mark ``cm="1"`` of a cell leads to, as Excel 365 itself stores it.
 
     A cell that Excel does not know to be a dynamic-array formula gets an @ before each function that may give an array
     ([MS-XLSX] 2.6.205, 'CT_DynamicArrayProperties'). openpyxl writes neither.
     """
-    return added(parts, "metadata", METADATA, "sheetMetadata")
+    return with_part(parts, "metadata", METADATA, "sheetMetadata")
 
 
 def zipped(parts: dict[str, bytes], method: int = zipfile.ZIP_STORED) -> bytes:
@@ -113,10 +113,10 @@ def same_part(one: bytes, other: bytes) -> bool:
     if CACHED.sub(rb"\1", one) != CACHED.sub(rb"\1", other):
         return False
     pairs = zip_longest(CACHED.findall(one), CACHED.findall(other), fillvalue=(b"", b""))
-    return all(near(a[1], b[1]) for a, b in pairs)
+    return all(nearly_equal(a[1], b[1]) for a, b in pairs)
 
 
-def near(one: bytes, other: bytes) -> bool:
+def nearly_equal(one: bytes, other: bytes) -> bool:
     """Whether two cached results agree but for rounding."""
     try:
         return one == other or math.isclose(float(one), float(other), rel_tol=LAST_PLACES, abs_tol=LAST_PLACES)
@@ -160,14 +160,14 @@ class Cells:
         if isinstance(content, str):
             kind, value = ' t="s"', f"<v>{self._strings.number(content)}</v>"
         else:
-            kind, value = result(content)
+            kind, value = value_xml(content)
         cell = f'<c r="{get_column_letter(column)}{row}" s="{style}"{kind}'
         self._rows[row][column] = f"{cell}>{value}</c>" if value else f"{cell}/>"
 
     def put_formula(self, row: int, column: int, style: int, formula: str, value: Any) -> None:
         """Put a formula, which begins with =, and what it computes; None where that is not known."""
         place = f"{get_column_letter(column)}{row}"
-        kind, known = result(value)
+        kind, known = value_xml(value)
         array = marked = ""
         if self._dynamic and self._dynamic in formula:
             marked, array = ' cm="1"', f' t="array" ref="{place}"'
@@ -188,7 +188,7 @@ class Cells:
         return f'<row r="{row}"{height}>{"".join([cells[column] for column in sorted(cells)])}</row>'
 
 
-def result(value: Any) -> tuple[str, str]:
+def value_xml(value: Any) -> tuple[str, str]:
     """Return the type attribute and the element of a value; neither where there is none: None, not a finite number."""
     if isinstance(value, str):
         return (' t="e"' if value in ERROR_CODES else ' t="str"'), element("v", value)

@@ -25,7 +25,7 @@ from openpyxl.utils import quote_sheetname
 
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book
-from workbook.writing.archive import result
+from workbook.writing.archive import value_xml
 from workbook.writing.style import GRID
 
 WIDTH = 19050  # of a line: 1.5 points
@@ -46,7 +46,7 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
         ink = series.color or COLOURS[i % len(COLOURS)]
         drawn.series.append(line(series, book, ink))
         if chart.lanes:
-            drawn.series[-1].dLbls = named(series, book, ink)
+            drawn.series[-1].dLbls = lane_labels(series, book, ink)
     drawn.graphical_properties = GraphicalProperties(ln=LineProperties(noFill=True))  # no frame
     drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 and not chart.lanes else None
     axes(drawn, chart, book)
@@ -59,12 +59,12 @@ def heading(text: str, size: int, book: Book) -> Title:
     properties = ParagraphProperties(defRPr=look)
     if text.startswith("="):
         plain = RichText(p=[Paragraph(pPr=properties)])
-        return Title(tx=ChartText(strRef=cell(text[1:], book)), overlay=False, txPr=plain)
+        return Title(tx=ChartText(strRef=str_ref(text[1:], book)), overlay=False, txPr=plain)
     paragraph = Paragraph(pPr=properties, r=[RegularTextRun(rPr=look, t=text)])
     return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=False)
 
 
-def cell(name: str, book: Book) -> StrRef:
+def str_ref(name: str, book: Book) -> StrRef:
     """Return a reference to the cell of this name, with the text that it shows."""
     block = book.blocks[name]
     shown = StrData(ptCount=1, pt=[StrVal(idx=0, v=str(block.quantities[0].value))])
@@ -82,7 +82,7 @@ def line(series: Series, book: Book, ink: str) -> XYSeries:
                          plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
                          spPr=GraphicalProperties(ln=stroke))  # fmt: skip
     return XYSeries(
-        tx=SeriesLabel(strRef=cell(series.name[1:], book)) if series.name[:1] == "=" else SeriesLabel(v=series.name),
+        tx=SeriesLabel(strRef=str_ref(series.name[1:], book)) if series.name[:1] == "=" else SeriesLabel(v=series.name),
         xVal=AxDataSource(numRef=x), yVal=NumDataSource(numRef=y), smooth=False, errBars=bars,
         marker=Marker("none") if series.marker == "none" else Marker(series.marker, SIGNS[series.marker], look),
         spPr=GraphicalProperties(ln=LineProperties(noFill=True) if series.points else stroke),
@@ -109,7 +109,7 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=0.12, w=0.95 - left, h=room))
 
 
-def named(series: Series, book: Book, ink: str) -> DataLabelList:
+def lane_labels(series: Series, book: Book, ink: str) -> DataLabelList:
     """Return the labels of a line: its name, left of its first point; of one that crosses the lanes behind its last."""
     text = CharacterProperties(sz=1000, b=True, solidFill=ink)
     look = RichText(p=[Paragraph(pPr=ParagraphProperties(defRPr=text), endParaRPr=text)])
@@ -119,7 +119,7 @@ def named(series: Series, book: Book, ink: str) -> DataLabelList:
     return DataLabelList(dLbl=[first], showSerName=False, **shown)
 
 
-def filled(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
+def fill_caches(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
     """Return the parts of charts with the values of ranges that they refer to (ISO/IEC 29500-1, 21.2.2.122)."""
     lines = [line for sheet in book.sheets for chart, *_ in sheet.charts for line in chart.series]
     columns = {text for line in lines for text in (line.x, line.y, line.up, line.right) if text}
@@ -130,7 +130,7 @@ def filled(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
         range_ = found[1]
         if range_ not in known:
             values = book.values(ranges[unescape(range_.decode())])
-            points = enumerate(result(value) for value in values)  # what is no number has none
+            points = enumerate(value_xml(value) for value in values)  # what is no number has none
             cache = "".join(f'<pt idx="{i}">{value}</pt>' for i, (kind, value) in points if value and not kind)
             cache = f'<numCache><formatCode>General</formatCode><ptCount val="{len(values)}"/>{cache}</numCache>'
             known[range_] = b"<numRef><f>%s</f>%s</numRef>" % (range_, cache.encode())

@@ -28,7 +28,7 @@ FULL = 11.0  # points in which a column's width is counted
 BOLD = 1.06  # how much wider than others bold letters are
 
 
-class Standing:
+class PossibleTexts:
     """The texts that may stand in cells: what is there, what a formula can take from other cells, or says itself."""
 
     def __init__(self, book: Book) -> None:
@@ -87,7 +87,7 @@ def lines_of(text: str, points: float, room: float) -> int:
     return count
 
 
-def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
+def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     """Return the width of each column that has one of its own, in digits."""
     found: dict[int, float] = WIDTHS | sheet.widths
     taken = {(text.row, text.column) for text in sheet.texts if text.text}
@@ -105,18 +105,18 @@ def widths(sheet: Sheet, standing: Standing) -> dict[int, float]:
             texts: Iterable[str] = standing.texts(block, q)
             if q.wrap:
                 texts = [word for text in texts for word in text.split()]
-            font = style.ROLES[style.kind(q.role, block.is_table)].font
+            font = style.ROLES[style.style_role(q.role, block.is_table)].font
             needed = max((text_width(text, font.sz or FULL, bool(font.b)) for text in texts), default=0.0)
             has = found.get(column, COLUMN_WIDTH)
             if needed + GAP > has:
                 step = TOWARDS.get(style.side_of(q, sample(q), block.is_table), 0)
                 rows = range(block.row, block.row + block.size)
-                run = min(free(found, taken, row, column, step) for row in rows)
+                run = min(free_width(found, taken, row, column, step) for row in rows)
                 found[column] = max(has, needed + GAP - (0 if q.wrap else run))
     return found
 
 
-def free(found: dict[int, float], taken: set[tuple[int, int]], row: int, column: int, step: int) -> float:
+def free_width(found: dict[int, float], taken: set[tuple[int, int]], row: int, column: int, step: int) -> float:
     """Return how much room the empty cells beside a cell have."""
     room = 0.0
     for beside in range(column + step, column + step * (RUN + 1), step or 1):
@@ -145,7 +145,7 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
     scale = min(1.0, WIDTH / sum(WIDE * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))
     room = SPARE * HEIGHT / scale - ends[sheet.head]
     costs = [0] * (last + 1)  # of a page that ends with a row
-    for first, end, cost in wholes(sheet, last, ends):
+    for first, end, cost in unbroken_spans(sheet, last, ends):
         for row in range(first, min(end, last + 1)):
             costs[row] += cost
     best: dict[int, tuple[int, int]] = {sheet.head: (0, 0)}  # by the row that a page ends with: cost, page before
@@ -165,7 +165,7 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
     return made[::-1]
 
 
-def wholes(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple[int, int, int]]:
+def unbroken_spans(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple[int, int, int]]:
     """Yield rows of charts, tables with titles and checks, figures, sections, and what it costs to cut them."""
     rows = sorted({block.row for block in sheet.blocks if not block.is_table})
     begins, finishes = ([row for row in rows if row + step not in rows] for step in (-1, 1))

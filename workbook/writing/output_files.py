@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from workbook.errors import WriteError
-from workbook.text_files import odd
+from workbook.text_files import irregular_kind
 
 
 def refuse_existing(path: Path, overwrite: bool) -> None:
@@ -16,19 +16,19 @@ def refuse_existing(path: Path, overwrite: bool) -> None:
         path.lstat()
         if not overwrite:
             raise WriteError(f"{path}: the file exists; it is left as it is (--force replaces it, -o names another)")
-        kind = odd(path)
+        kind = irregular_kind(path)
     except FileNotFoundError:
         above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
         if above is not None and not os.path.isdir(above):
             raise WriteError(f"{path}: cannot be written: {above} is no folder") from None
         return  # or a link to a file that is not there yet, when told to write
     except (OSError, ValueError) as error:
-        raise unwritten(path, error) from error
+        raise write_error(path, error) from error
     if kind:
         raise WriteError(f"{path}: {kind}; expected the name of a file")
 
 
-def refuse_one_for_two(*paths: Path | None) -> None:
+def refuse_same_file(*paths: Path | None) -> None:
     """Raise WriteError where two files would be written to one place: the second would take the first's."""
     seen: set[str] = set()
     for path in filter(None, paths):
@@ -63,7 +63,7 @@ def replace(path: Path, write: Callable[[Path], object], overwrite: bool = False
         draft = target.parent / f".motionbook-{secrets.token_hex(8)}.part"  # a name of no book
         os.close(os.open(draft, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))  # with the permissions of any new file
     except OSError as error:
-        raise unwritten(path, error) from error
+        raise write_error(path, error) from error
     try:
         write(draft)
         if overwrite:
@@ -71,14 +71,14 @@ def replace(path: Path, write: Callable[[Path], object], overwrite: bool = False
                 draft.chmod(stat.S_IMODE(target.stat().st_mode))
             draft.replace(target)
         else:
-            place(draft, target)
+            claim_name(draft, target)
     except FileExistsError:
         refuse_existing(path, overwrite)
         raise
     except PermissionError as error:
         raise WriteError(f"{path}: cannot be written; close it in the other program and try again") from error
     except OSError as error:
-        raise unwritten(path, error) from error
+        raise write_error(path, error) from error
     finally:
         draft.unlink(missing_ok=True)
 
@@ -88,7 +88,7 @@ def write_text(path: Path, text: str, overwrite: bool = False) -> None:
     replace(path, lambda draft: draft.write_bytes(text.encode()), overwrite)
 
 
-def place(draft: Path, target: Path) -> None:
+def claim_name(draft: Path, target: Path) -> None:
     """Give a draft its name unless that is taken, in one step; raise FileExistsError where it is."""
     try:
         os.link(draft, target)
@@ -99,6 +99,6 @@ def place(draft: Path, target: Path) -> None:
         draft.replace(target)
 
 
-def unwritten(path: Path, error: Exception) -> WriteError:
+def write_error(path: Path, error: Exception) -> WriteError:
     """Return the error for a file that the system does not take."""
     return WriteError(f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}")

@@ -34,7 +34,7 @@ def line(colour: str, style: Literal["thin", "dotted"] = "thin") -> Border:
     return Border(bottom=Side(style=style, color=colour))
 
 
-class Kind(NamedTuple):
+class Look(NamedTuple):
     """A kind of cell: the name of its style, and how it looks."""
 
     name: str
@@ -49,28 +49,28 @@ class Kind(NamedTuple):
 
 
 ROLES = {
-    "input": Kind("Entry", font(color=FIGURE), None, PatternFill("solid", fgColor=ENTRY), line(DOTS, "dotted")),
-    "calculation": Kind("Working", font()),
-    "result": Kind("Result", font(bold=True)),
-    "check": Kind("Verdict", font(bold=True)),
-    "constant": Kind("Constant", font(color=GREY)),
-    "sentence": Kind("Finding", font(10, GREY)),
-    "title": Kind("Machine title", font(18, bold=True), Alignment(horizontal="left")),
+    "input": Look("Entry", font(color=FIGURE), None, PatternFill("solid", fgColor=ENTRY), line(DOTS, "dotted")),
+    "calculation": Look("Working", font()),
+    "result": Look("Result", font(bold=True)),
+    "check": Look("Verdict", font(bold=True)),
+    "constant": Look("Constant", font(color=GREY)),
+    "sentence": Look("Finding", font(10, GREY)),
+    "title": Look("Machine title", font(18, bold=True), Alignment(horizontal="left")),
 }
 TEXTS = {
-    "title": Kind("Book title", font(18, bold=True)),
-    "heading": Kind("Section", font(13, bold=True), None, None, line(INK)),
-    "subheading": Kind("Table title", font(bold=True)),
-    "label": Kind("Label", font()),
-    "symbol": Kind("Symbol", font(color=GREY, italic=True), Alignment(horizontal="center")),
-    "unit": Kind("Unit", font(color=GREY), Alignment(horizontal="left", indent=1)),
-    "note": Kind("Note", font(10, GREY)),
-    "link": Kind("Link", font(underline="single")),
-    "header": Kind("Table head", font(10, GREY, bold=True),
+    "title": Look("Book title", font(18, bold=True)),
+    "heading": Look("Section", font(13, bold=True), None, None, line(INK)),
+    "subheading": Look("Table title", font(bold=True)),
+    "label": Look("Label", font()),
+    "symbol": Look("Symbol", font(color=GREY, italic=True), Alignment(horizontal="center")),
+    "unit": Look("Unit", font(color=GREY), Alignment(horizontal="left", indent=1)),
+    "note": Look("Note", font(10, GREY)),
+    "link": Look("Link", font(underline="single")),
+    "header": Look("Table head", font(10, GREY, bold=True),
                    Alignment(wrap_text=True, horizontal="center", vertical="bottom")),
-    "units": Kind("Table units", font(10, GREY, italic=True), Alignment(horizontal="center"), None, line(RULE)),
-    "folded units": Kind("Folded units", font(10, GREY, italic=True), Alignment(horizontal="left"), None, line(RULE)),
-    "equation": Kind("Table equation", font(9, GREY),
+    "units": Look("Table units", font(10, GREY, italic=True), Alignment(horizontal="center"), None, line(RULE)),
+    "folded units": Look("Folded units", font(10, GREY, italic=True), Alignment(horizontal="left"), None, line(RULE)),
+    "equation": Look("Table equation", font(9, GREY),
                      Alignment(wrap_text=True, horizontal="center", vertical="center")),
 }  # fmt: skip
 
@@ -99,7 +99,7 @@ class Styles:
     def _quantity(self, role: str, number_format: str, aligned: Aligned, table: bool) -> int:
         """Return the style of a quantity's cells."""
         cell = self._scratch.cell(1, 1)
-        cell.style = ROLES[kind(role, table)].name  # first: it resets number format and protection
+        cell.style = ROLES[style_role(role, table)].name  # first: it resets number format and protection
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
         vertical = "top" if aligned.wrap else None
@@ -112,7 +112,7 @@ class Styles:
         return int(cell.style_id)
 
 
-def kind(role: str, table: bool) -> str:
+def style_role(role: str, table: bool) -> str:
     """Return the kind of a quantity's cells: a whole page in bold stands out of nothing."""
     return "calculation" if table and role == "result" else role
 
@@ -132,14 +132,14 @@ def side_of(q: Quantity, value: Any, table: bool) -> str:
     return "right" if not isinstance(value, str) or len(value) < 10 else "left"
 
 
-class Marked(NamedTuple):
+class FormatRule(NamedTuple):
     """Quantities of a block whose cells look otherwise while a rule's condition is met."""
 
     quantities: tuple[Quantity, ...]
     rule: Rule
 
 
-def marks(block: Block) -> Iterator[Marked]:
+def conditional_formats(block: Block) -> Iterator[FormatRule]:
     """Yield the conditional formats of a block: of verdicts, figures above a limit, rows not used, results in error.
 
     Words of verdicts stay, so the colour is not the only sign. Errors have no number format: their ink goes.
@@ -149,16 +149,16 @@ def marks(block: Block) -> Iterator[Marked]:
             for word, ink, ground in VERDICTS:
                 fill = PatternFill(bgColor=ground, fill_type="solid")
                 look = DifferentialStyle(font=Font(color=ink, bold=True), fill=fill)
-                yield Marked((q,), Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look))
+                yield FormatRule((q,), Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look))
         if q.limit:
             ends = [f"{q.limit * (1 + ROUNDED):.12g}", f"{MOST:.0f}"]
             look = DifferentialStyle(font=Font(color=BEYOND, bold=True))
-            yield Marked((q,), Rule(type="cellIs", operator="between", formula=ends, dxf=look))
+            yield FormatRule((q,), Rule(type="cellIs", operator="between", formula=ends, dxf=look))
     if block.blanked:
         look = DifferentialStyle(numFmt=NumberFormat(NOTHING_ID, NOTHING))
         formula = block.when(block.blank, block.row)
-        yield Marked(block.blanked, Rule(type="expression", formula=[formula], dxf=look))
+        yield FormatRule(block.blanked, Rule(type="expression", formula=[formula], dxf=look))
     if block.quiet:
         results = tuple(q for q in block.quantities if q.role == "result")
         look = DifferentialStyle(font=Font(color=PAPER))
-        yield Marked(results, Rule(type="expression", formula=[block.when(block.quiet, block.row)], dxf=look))
+        yield FormatRule(results, Rule(type="expression", formula=[block.when(block.quiet, block.row)], dxf=look))

@@ -26,7 +26,7 @@ from workbook.book.quantity import Quantity, number_format, sample
 from workbook.entries import rules
 from workbook.writing import archive, charts, layout, style
 from workbook.writing.archive import Cells, Strings
-from workbook.writing.layout import COLUMN_WIDTH, FULL, WIDTHS, Standing, lines_of, widths
+from workbook.writing.layout import COLUMN_WIDTH, FULL, WIDTHS, PossibleTexts, lines_of, widths
 from workbook.writing.output_files import refuse_existing, replace
 
 LAST_PAGE_COLUMN = 9
@@ -40,7 +40,7 @@ CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 LOOKS = ("font", "fill", "border", "alignment", "number_format", "protection")
 
 
-class Own(NamedTuple):
+class Additions(NamedTuple):
     """Sheets, cells with what they hold, cells with notes, and names, as openpyxl reads them of the old file."""
 
     sheets: tuple[Worksheet, ...] = ()
@@ -49,38 +49,38 @@ class Own(NamedTuple):
     names: tuple[DefinedName, ...] = ()
 
 
-NOTHING = Own()
+NO_ADDITIONS = Additions()
 
 
 def save(book: Book, model: type[BaseModel], path: Path, overwrite: bool = False,
-         check: Callable[[Path], None] | None = None, own: Own = NOTHING) -> None:  # fmt: skip
+         check: Callable[[Path], None] | None = None, own: Additions = NO_ADDITIONS) -> None:  # fmt: skip
     """Save a book, and what an engineer had added to an older one; ``check`` may refuse the draft of the file."""
     refuse_existing(path, overwrite)
     pack(parts(book, model, own=own), path, overwrite, check)
 
 
 def parts(book: Book, model: type[BaseModel], names: Iterable[DefinedName] | None = None, dynamic: str = "",
-          own: Own = NOTHING) -> dict[str, bytes]:  # fmt: skip
+          own: Additions = NO_ADDITIONS) -> dict[str, bytes]:  # fmt: skip
     """Return the parts of the file, with ``names`` for the book's own; a formula with ``dynamic`` is an array."""
     strings = Strings()
     cells = {sheet.title: Cells(strings, dynamic) for sheet in book.sheets}
-    workbook = framed(book, model, cells)
+    workbook = make_workbook(book, model, cells)
     if names is None:
         names = (DefinedName(name, attr_text=target) for name, target in book.names())
     workbook.defined_names.update({defined.name: defined for defined in names})
-    add(own, workbook, cells, strings)
+    write_additions(own, workbook, cells, strings)
     draft = io.BytesIO()
     workbook.save(draft)
     made = archive.unzipped(draft.getvalue())
     for number, page in enumerate(cells.values(), 1):
         name = f"xl/worksheets/sheet{number}.xml"
         made[name] = page.within(made[name])
-    made |= charts.filled({name: part for name, part in made.items() if name.startswith("xl/charts/chart")}, book)
+    made |= charts.fill_caches({name: part for name, part in made.items() if name.startswith("xl/charts/chart")}, book)
     abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
-    return archive.completed(made, strings.part(), abouts)
+    return archive.complete_parts(made, strings.part(), abouts)
 
 
-def add(own: Own, workbook: Workbook, cells: dict[str, Cells], strings: Strings) -> None:
+def write_additions(own: Additions, workbook: Workbook, cells: dict[str, Cells], strings: Strings) -> None:
     """Add to a new workbook, whose cells are ``cells`` by sheet, what an engineer had in the old one."""
     for sheet in own.sheets:
         cells[sheet.title], new = Cells(strings), workbook.create_sheet(sheet.title)
@@ -106,13 +106,13 @@ def add(own: Own, workbook: Workbook, cells: dict[str, Cells], strings: Strings)
     workbook.defined_names.update({name.name: name for name in own.names})
 
 
-def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workbook:
+def make_workbook(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workbook:
     """Put the cells of each sheet into ``cells``; return the workbook around them: styles, rules, charts, pages."""
     workbook = Workbook()
     workbook.remove(workbook.worksheets[0])
     sheets = {sheet.title: workbook.create_sheet(sheet.title) for sheet in book.sheets}
     styles = style.Styles(workbook)
-    standing = Standing(book)
+    standing = PossibleTexts(book)
     for sheet in book.sheets:
         page, content = sheets[sheet.title], cells[sheet.title]
         wide = widths(sheet, standing)
@@ -120,7 +120,7 @@ def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workb
         for block in sheet.blocks:
             write_block(block, page, content, styles, model, wide)
         for chart, row, column, columns, rows in sheet.charts:
-            drawn = charts.draw(chart, book, *size(column, columns, rows))
+            drawn = charts.draw(chart, book, *chart_size(column, columns, rows))
             page.add_chart(drawn, f"{get_column_letter(column)}{row}")
         set_up_page(sheet, page, wide, content.heights)
     styles.close()
@@ -130,7 +130,7 @@ def framed(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workb
     return workbook
 
 
-def size(column: int, columns: int, rows: int) -> tuple[float, float]:
+def chart_size(column: int, columns: int, rows: int) -> tuple[float, float]:
     """Return width and height in cm of a chart that covers so many columns and rows."""
     characters = sum(WIDTHS.get(c, COLUMN_WIDTH) for c in range(column, column + columns))
     return characters * CM_PER_CHARACTER, rows * CM_PER_ROW
@@ -174,7 +174,7 @@ def write_block(
         if q.wrap and isinstance(text, str):
             lines = lines_of(text, FULL, wide.get(column, COLUMN_WIDTH))
             cells.heights[row] = max(lines * ROW_HEIGHT, cells.heights.get(row, 0))
-    for mark in style.marks(block):
+    for mark in style.conditional_formats(block):
         ranges = " ".join(block.reference(q.name).replace("$", "") for q in mark.quantities)
         page.conditional_formatting.add(ranges, mark.rule)
 

@@ -9,9 +9,9 @@ from openpyxl.utils import get_column_letter
 
 from tests import cutting
 from workbook.book.summary import TO_MEND
-from workbook.build import inputs
+from workbook.build import read_inputs
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import checked, parsed, read_machine
+from workbook.reading.descriptions import parse_toml, read_machine, validated
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert
@@ -27,8 +27,8 @@ def described(name, change, **more):
     for old, new in change.items():
         assert old in text
         text = text.replace(old, new)
-    data = parsed(text, FOLDER / f"{name}.toml") | more
-    return checked(TEMPLATES[data["template"]], data, lambda key: key)
+    data = parse_toml(text, FOLDER / f"{name}.toml") | more
+    return validated(TEMPLATES[data["template"]], data, lambda key: key)
 
 
 def mended(book):
@@ -91,7 +91,7 @@ def test_a_share_of_a_limit_is_red_above_all_of_it_and_a_dash_never(rate, red, t
 def test_what_identifies_a_machine_goes_out_and_in(told, tmp_path, build_book):
     entries = {"number": "CM-0417", "revision": "B", "author": "A. Rossi", "date": told}
     machine = described("motion-composer", {}, **entries)
-    found, notes = inputs(build_book(machine, tmp_path / "book.xlsx"))
+    found, notes = read_inputs(build_book(machine, tmp_path / "book.xlsx"))
     assert notes == []
     kept = {key: getattr(found, key) for key in entries}
     assert kept == entries | {"date": str(told)}

@@ -5,7 +5,7 @@ from collections import defaultdict
 
 import pytest
 
-from workbook.build import committed
+from workbook.build import committed_descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -50,7 +50,7 @@ def kind(unit, symbol):
     return re.sub(r"rad|m|s|N", "_", found.partition(",")[0]).replace("__", "_") if symbol in OF_AXES else found
 
 
-@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 def test_a_symbol_measures_one_kind_of_quantity_in_every_book(path):
     book = TEMPLATES[read_machine(path).template].declare(read_machine(path))
     kinds = defaultdict(lambda: defaultdict(set))

@@ -3,14 +3,14 @@
 import pytest
 
 from workbook.book.rows import as_rows
-from workbook.build import committed
+from workbook.build import committed_descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 POWERS = {"W", "kW", "MW"}
 
 
-@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 def test_power_has_one_unit_and_no_more_than_three_digits_before_the_point(path):
     machine = read_machine(path)
     book = TEMPLATES[machine.template].declare(machine)

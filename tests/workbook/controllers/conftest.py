@@ -6,7 +6,7 @@ from tests import cutting
 from tests.workbook.controllers.examples import TEXT
 from workbook import build as making
 from workbook.build import build
-from workbook.judging.batch import digest
+from workbook.judging.batch import file_digest
 from workbook.reading.descriptions import read_machine
 
 
@@ -31,10 +31,10 @@ def book(tmp_path_factory):
 @pytest.fixture(scope="session")
 def read_once():
     """What reads the entries of a book, and the same bytes but once."""
-    known, read = {}, making.inputs
+    known, read = {}, making.read_inputs
 
     def inputs(path):
-        found = digest(path)
+        found = file_digest(path)
         if found not in known:
             known[found] = read(path)
         return known[found]

@@ -10,8 +10,8 @@ from engine.laws import Dwell
 from engine.motion import Motion, Phase
 from engine.motion.pieces import profile_of_motion
 from tests.engine.laws.claims import CLAIMS
-from workbook.controllers.tabulation import filled
-from workbook.controllers.target import Handed, Target
+from workbook.controllers.tabulation import table_at
+from workbook.controllers.target import CamExport, Target
 from workbook.template_outputs import CamAxis
 
 X, Y = np.array([0.0, 90.0, 180.0, 360.0]), np.array([0.0, 15.0, 30.0, 0.0])
@@ -63,12 +63,12 @@ phases = [ { start = 0.0, stop = 80.0, lift = 300.0, law = "CIC" } ]
 """a small machine of two axes"""
 
 
-def handed(target: Target, axis: CamAxis = FOUR, x: np.ndarray | None = None) -> Handed:
+def handed(target: Target, axis: CamAxis = FOUR, x: np.ndarray | None = None) -> CamExport:
     """What the writer of a target is given of an axis."""
     few = np.linspace(0.0, 360.0, target.counts[0]) if target.counts else FIVE if target.points[0] > 4 else X
     places = few if x is None else x
     units = axis.x_unit, axis.y_unit
-    return Handed(filled(target, axis.profile, places, units), axis.name, ("an example",), units)
+    return CamExport(table_at(target, axis.profile, places, units), axis.name, ("an example",), units)
 
 
 def random_axis(seed: int) -> CamAxis:

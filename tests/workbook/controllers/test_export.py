@@ -13,10 +13,10 @@ from workbook import build as making
 from workbook import file_cache
 from workbook.build import build
 from workbook.commands import verify as verifying
-from workbook.commands.export import chosen, slugs
+from workbook.commands.export import choose_axes, slugs
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
-from workbook.controllers.tabulation import automatic, certified, tabulated
+from workbook.controllers.tabulation import automatic, certify_table, tabulate
 from workbook.controllers.target import read_table
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
@@ -26,7 +26,7 @@ from workbook.templates import TEMPLATES
 
 @pytest.fixture(autouse=True)
 def _read_once(monkeypatch, read_once):
-    monkeypatch.setattr(making, "inputs", read_once)
+    monkeypatch.setattr(making, "read_inputs", read_once)
 
 
 @pytest.fixture
@@ -150,7 +150,7 @@ def test_what_cannot_be_meant_is_refused_in_a_line(run, book, tmp_path, argument
 
 def test_a_template_without_motions_says_so() -> None:
     with pytest.raises(TargetError, match="press has no axis"):
-        chosen([], None, "press")
+        choose_axes([], None, "press")
 
 
 def test_a_report_has_the_figures_and_four_pictures_an_axis(run, book, tmp_path) -> None:
@@ -185,8 +185,8 @@ def test_points_at_equal_steps_where_they_are_asked_for(run, book, tmp_path) -> 
 def test_at_equal_steps_the_best_is_not_the_first_that_was_tried(axes, name: str) -> None:
     equal = replace(target(name), spacing="equal")
     smooth = axes[1]
-    found, few = automatic(equal, smooth, {"a": 0.01}), tabulated(equal, smooth, 9)
-    assert found.share("a") < 0.1 * certified(equal, few, smooth.profile).share("a")
+    found, few = automatic(equal, smooth, {"a": 0.01}), tabulate(equal, smooth, 9)
+    assert found.share("a") < 0.1 * certify_table(equal, few, smooth.profile).share("a")
     assert np.diff(found.table.x) == pytest.approx(360.0 / (found.points - 1), abs=1e-4)
 
 
@@ -255,7 +255,7 @@ def test_what_verify_said_of_the_same_bytes_is_remembered(run, book, tmp_path, v
     assert run("compare", book, "two-Press.csv", "--axis", "Press", "--from", "csv")[0] == 0
     assert verified == []
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(file_cache, "program", lambda: "another one")
+        patch.setattr(file_cache, "program_digest", lambda: "another one")
         assert run(*given)[0] == 0
     assert len(verified) == 1
 
@@ -263,17 +263,17 @@ def test_what_verify_said_of_the_same_bytes_is_remembered(run, book, tmp_path, v
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"program": 1}', "\x00"])
 def test_a_memory_that_is_damaged_is_none(text, tmp_path, monkeypatch) -> None:
     monkeypatch.setattr(file_cache, "folder", lambda: tmp_path)
-    file_cache.remember("verdict", "ab", {"findings": 0})
-    assert file_cache.recall("verdict", "ab")["findings"] == 0
+    file_cache.store_cached("verdict", "ab", {"findings": 0})
+    assert file_cache.load_cached("verdict", "ab")["findings"] == 0
     (tmp_path / "ab.verdict.json").write_text(text, "utf-8")
-    assert file_cache.recall("verdict", "ab") is None
+    assert file_cache.load_cached("verdict", "ab") is None
 
 
 def test_a_folder_that_takes_nothing_is_no_fault(tmp_path, monkeypatch) -> None:
     (tmp_path / "file").write_text("no folder", "utf-8")
     monkeypatch.setattr(file_cache, "folder", lambda: tmp_path / "file")
-    file_cache.remember("verdict", "ab", {})
-    assert file_cache.recall("verdict", "ab") is None
+    file_cache.store_cached("verdict", "ab", {})
+    assert file_cache.load_cached("verdict", "ab") is None
 
 
 SHAFTS = {"MC01": 8.0 * 300.0 / 134.0 * 180.0 / np.pi, "MC02": 360.0}

@@ -10,7 +10,7 @@ import pytest
 from tests.workbook.controllers.examples import handed
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
-from workbook.controllers.target import LARGEST, parsed
+from workbook.controllers.target import LARGEST, parse_table
 from workbook.errors import TargetError
 
 NUMBER = re.compile(r"(?<![\w.])-?[0-9]+\.?[0-9]*(?:[eE][+-]?[0-9]+)?(?![\w.])")
@@ -28,7 +28,7 @@ def test_no_table_is_read_with_a_number_beyond_any_motion(name):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             try:
-                table = parsed(changed, one)
+                table = parse_table(changed, one)
             except TargetError:
                 refused += 1
                 continue

@@ -10,8 +10,8 @@ from tests.mutation.machines import machine as drawn_machine
 from tests.workbook.machines.test_machine import axis, described
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
-from workbook.controllers.tabulation import certified, fewest, reread, rules_of, tabulated
-from workbook.controllers.target import Handed
+from workbook.controllers.tabulation import certify_table, fewest_points, reread, rules_of, tabulate
+from workbook.controllers.target import CamExport
 from workbook.errors import TargetError
 from workbook.fields.units import DEGREE, shown, si
 from workbook.law_sheets.library import laws
@@ -51,8 +51,8 @@ def closed(one, x):
 def written(to, cam, n):
     """An axis as a target's table and text, or the line that refuses it."""
     try:
-        made = certified(to, tabulated(to, cam, n), cam.profile)
-        return made, to.write(Handed(made.table, "demo", ("x in °;",), (cam.x_unit, cam.y_unit), cam.repeats))
+        made = certify_table(to, tabulate(to, cam, n), cam.profile)
+        return made, to.write(CamExport(made.table, "demo", ("x in °;",), (cam.x_unit, cam.y_unit), cam.repeats))
     except TargetError as error:
         return None, str(error)
 
@@ -60,12 +60,12 @@ def written(to, cam, n):
 def within_its_bound(one, cam, name, draw):
     """Write an axis, read it back, rebuild it: its distance from the closed forms is no more than is certified."""
     to = target(name)
-    n = to.counts[0] if to.counts else min(to.points[1], max(to.points[0], 2 * fewest(to, cam.profile)))
+    n = to.counts[0] if to.counts else min(to.points[1], max(to.points[0], 2 * fewest_points(to, cam.profile)))
     made, text = written(to, cam, n)
     if made is None:
         assert any(word in text for word in REFUSED), text
         return False
-    back = certified(to, reread(to, text, made.table), cam.profile)
+    back = certify_table(to, reread(to, text, made.table), cam.profile)
     edges = np.concatenate([cam.profile.edges, back.table.x])
     x = draw.uniform(0.01, 359.99, PLACES)
     x = x[np.min(np.abs(x[:, None] - edges[None, :]), axis=1) > APART]

@@ -9,8 +9,8 @@ from engine.motion.pieces import shifted_profile
 from workbook.controllers import as_description
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
-from workbook.controllers.tabulation import automatic, reread, tabulated
-from workbook.controllers.target import Handed
+from workbook.controllers.tabulation import automatic, reread, tabulate
+from workbook.controllers.target import CamExport
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -35,7 +35,7 @@ def test_the_cutting_machine_comes_back_from_every_target(axes, machine, name: s
     one = target(name)
     for axis, given in ((axes[of], machine.axes[of]),):
         made = automatic(one, axis, dict(one.tolerance))
-        table = reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
+        table = reread(one, one.write(CamExport(made.table, "demo", (), ("°", "mm"))), made.table)
         found = as_description.phases_of(one, table).found
         moving = [phase for phase in given.phases if phase.law != "DWL"]
         assert [phase.law.code for phase in found] == [phase.law for phase in moving]
@@ -71,14 +71,14 @@ def test_a_cycle_that_begins_on_the_way_comes_back_with_its_laws(name: str, of) 
     axis = next(one for one in TEMPLATES[machine.template].axes(machine) if one.name == of[1])
     made = automatic(one, axis, dict(one.tolerance))
     units = axis.x_unit, axis.y_unit
-    table = reread(one, one.write(Handed(made.table, "demo", (), units, axis.repeats)), made.table)
+    table = reread(one, one.write(CamExport(made.table, "demo", (), units, axis.repeats)), made.table)
     found = as_description.phases_of(one, table, units)
     if name == "br" and axis.x_unit == "s":  # polynomials of degree 5 in REAL, over whole microseconds
         assert all(phase.known for phase in found.found)
         return
     assert [phase.law.code for phase in found.found] == [code for code, _ in ON_THE_WAY[of]]
     assert [phase.lift for phase in found.found] == pytest.approx([lift for _, lift in ON_THE_WAY[of]], rel=1e-5)
-    assert as_description.composed(found, table, units, "back")
+    assert as_description.compose(found, table, units, "back")
 
 
 @pytest.mark.parametrize("name", ["x" * 240 + ".csv", "a\x1b[31m\u009b\n.csv", "[red]x.csv", "\udcff.csv", "#REF!.csv"])
@@ -95,7 +95,9 @@ def test_a_file_of_any_name_is_read(name, run, tmp_path) -> None:
 def test_a_file_becomes_a_description_that_is_built_and_exported_and_the_same(run, axes, tmp_path) -> None:
     one = target("codesys")
     made = automatic(one, axes[1], {"a": 0.01})
-    (tmp_path / "cam.st").write_text(one.write(Handed(made.table, "MC02", ("x in °, y in mm;",), ("°", "mm"))), "utf-8")
+    (tmp_path / "cam.st").write_text(
+        one.write(CamExport(made.table, "MC02", ("x in °, y in mm;",), ("°", "mm"))), "utf-8"
+    )
     code, _, err = run("read", "cam.st", "--from", "codesys", "-o", "back.toml")
     assert code == 0
     assert "90–135 °: Modified trapezoidal, lift 20 mm, residual" in err
@@ -189,7 +191,7 @@ def test_a_motion_that_hands_over_at_speed_comes_back_as_it_was(run, tmp_path, n
     (axis,) = TEMPLATES["machine"].axes(meant)
     one = target(name)
     made = automatic(one, axis, {"a": 1e-6})
-    (tmp_path / "cam").write_text(one.write(Handed(made.table, "line", ("x in °, y in mm;",), ("°", "mm"))), "utf-8")
+    (tmp_path / "cam").write_text(one.write(CamExport(made.table, "line", ("x in °, y in mm;",), ("°", "mm"))), "utf-8")
     assert run("read", "cam", "--from", name, "-o", "back.toml")[0] == 0
     back = read_machine(tmp_path / "back.toml").axes[0]
     found = [(p.law, p.lift, p.start, p.stop, p.velocity or 0.0, p.acceleration or 0.0) for p in back.phases]
@@ -201,7 +203,9 @@ def test_a_motion_that_hands_over_at_speed_comes_back_as_it_was(run, tmp_path, n
 
 def test_a_cycle_that_begins_on_the_way_is_a_machine_with_a_shift(run, axes, tmp_path) -> None:
     one, later = target("csv"), shifted_profile(axes[1].profile, 250.0)
-    text = one.write(Handed(tabulated(one, replace(axes[1], profile=later), 40), "late", ("x in °, y in mm;",), UNITS))
+    text = one.write(
+        CamExport(tabulate(one, replace(axes[1], profile=later), 40), "late", ("x in °, y in mm;",), UNITS)
+    )
     (tmp_path / "late.csv").write_text(text, "utf-8")
     code, _, err = run("read", "late.csv", "--from", "csv", "-o", "late.toml")
     assert code == 0

@@ -16,7 +16,7 @@ from tests.workbook.controllers.examples import TEXT
 from workbook.build import build
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
-from workbook.controllers.target import MOST_OFF, HandedTracks, differences, tracks
+from workbook.controllers.target import MOST_OFF, SwitchExport, differences, tracks
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
 from workbook.template_outputs import CamSwitch
@@ -45,7 +45,7 @@ MEANT = {
 
 def written(name, lanes=LANES):
     one = target(name).tappets
-    return one.write(HandedTracks(tracks(lanes, one), "Switches", ("an example",)))
+    return one.write(SwitchExport(tracks(lanes, one), "Switches", ("an example",)))
 
 
 def by_dom(text):

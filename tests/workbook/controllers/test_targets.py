@@ -21,8 +21,8 @@ from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
 from workbook.controllers.table import Table
-from workbook.controllers.tabulation import automatic, certified, filled, reread, tabulated
-from workbook.controllers.target import COUNTED, Handed, header, parsed, read_table
+from workbook.controllers.tabulation import automatic, certify_table, reread, table_at, tabulate
+from workbook.controllers.target import COUNTED, CamExport, header, parse_table, read_table
 from workbook.controllers.texts import REAL
 from workbook.errors import MotionbookError, TargetError
 from workbook.template_outputs import CamAxis
@@ -119,11 +119,11 @@ def test_the_polynomials_of_br_and_of_segments_are_the_motion() -> None:
 def test_what_is_read_back_is_what_was_certified(name: str, seed: int) -> None:
     one, axis = target(name), random_axis(seed)
     made = automatic(one, axis, {one.tolerance[-1][0]: 0.05})
-    text = one.write(Handed(made.table, "demo", (), ("°", "mm")))
+    text = one.write(CamExport(made.table, "demo", (), ("°", "mm")))
     table = reread(one, text, made.table)
     assert table.x.tolist() == made.table.x.tolist()
     assert table.y == pytest.approx(made.table.y, abs=1e-12 * np.abs(made.table.y).max())
-    back = certified(one, table, axis.profile)
+    back = certify_table(one, table, axis.profile)
     for order in "yvaj":
         assert back.share(order) == pytest.approx(made.share(order), rel=1e-6, abs=1e-12)
 
@@ -135,8 +135,8 @@ def test_an_axis_that_begins_above_0_and_before_0_is_read_back_where_it_is(name:
     raised = CamProfile(profile.edges, profile.origins, profile.c + np.eye(1, profile.c.shape[1]) * 12.5, profile.sines)
     axis = CamAxis("raised", raised, "°", "mm")
     made = automatic(one, axis, {one.tolerance[-1][0]: 0.05})
-    text = one.write(Handed(made.table, "demo", (), ("°", "mm")))
-    assert certified(one, reread(one, text, made.table), raised).share("y") < 1e-3
+    text = one.write(CamExport(made.table, "demo", (), ("°", "mm")))
+    assert certify_table(one, reread(one, text, made.table), raised).share("y") < 1e-3
 
 
 @pytest.mark.parametrize("name", ["codesys", "twincat", "siemens", "br", "siemens-segments"])
@@ -191,7 +191,7 @@ def test_limits_are_refused_by_reason(name: str) -> None:
     one = target(name)
     for n in (one.points[0] - 1, one.points[1] + 1):
         with pytest.raises(TargetError, match=f"expected {one.points[0]:,} to {one.points[1]:,}"):
-            tabulated(one, FOUR, n)
+            tabulate(one, FOUR, n)
 
 
 def test_numbers_beyond_a_kind_are_refused_by_point() -> None:
@@ -199,13 +199,13 @@ def test_numbers_beyond_a_kind_are_refused_by_point() -> None:
         REAL.rounded(np.array([0.0, 1e39]))
     one = target("rockwell")
     with pytest.raises(TargetError, match=r"point 2: x is 1 after 1; expected the master to rise"):
-        filled(one, FOUR.profile, np.array([1.0, 1.0 + 1e-9]), ("°", "mm"))
+        table_at(one, FOUR.profile, np.array([1.0, 1.0 + 1e-9]), ("°", "mm"))
 
 
 def test_a_kollmorgen_profile_needs_something_above_0() -> None:
     one = target("kollmorgen")
     given = handed(one)
-    below = Handed(type(given.table)(given.table.x, -given.table.y - 1.0), "demo", (), ("°", "mm"))
+    below = CamExport(type(given.table)(given.table.x, -given.table.y - 1.0), "demo", (), ("°", "mm"))
     with pytest.raises(TargetError, match="no y is above 0"):
         one.write(below)
 
@@ -216,7 +216,7 @@ def test_a_kollmorgen_profile_needs_something_above_0() -> None:
 def outcome(text: str, one) -> Table | str:
     """What comes of a text: the table, or the line that refuses it."""
     try:
-        return parsed(text, one)
+        return parse_table(text, one)
     except TargetError as error:
         return str(error)
 
@@ -226,8 +226,8 @@ def test_a_file_that_is_cut_off_is_refused_or_was_whole(name: str) -> None:
     one = target(name)
     given = handed(one)
     told = header(len(given.table.x), "something", False, given.units)
-    text = one.write(Handed(given.table, "demo", (told,), given.units))
-    whole = parsed(text, one)
+    text = one.write(CamExport(given.table, "demo", (told,), given.units))
+    whole = parse_table(text, one)
     for cut in range(0, len(text), max(7, len(text) // 60)):
         found = outcome(text[:cut], one)
         if isinstance(found, str):
@@ -265,7 +265,7 @@ def test_what_is_no_number_is_refused_in_a_line(name: str, wrong: str) -> None:
     assert places
     for begin, end in places[:1]:
         with pytest.raises(TargetError) as said:
-            parsed(text[:begin] + wrong + text[end:], one)
+            parse_table(text[:begin] + wrong + text[end:], one)
         assert "\n" not in str(said.value)
 
 
@@ -279,7 +279,7 @@ def test_masters_that_do_not_rise_are_refused(name: str) -> None:
         changed = re.sub(r"(?<!\d)900000\.0", other.replace(".0", "0000.0"), changed)
         assert changed != text
         with pytest.raises(TargetError, match=r"rise|does not begin|differ"):
-            parsed(changed, one)
+            parse_table(changed, one)
 
 
 def test_mixed_signs_counts_and_widths_are_refused() -> None:
@@ -314,7 +314,7 @@ def test_other_digits_than_0_to_9_are_no_numbers(name: str, text: str) -> None:
 def test_a_header_of_hyphens_leaves_xml_well_formed() -> None:
     one = target("rockwell")
     text = one.write(handed(one)._replace(header=("a---b ----> -", "--")))
-    assert parsed(text, one).x.tolist() == parsed(one.write(handed(one)), one).x.tolist()
+    assert parse_table(text, one).x.tolist() == parse_table(one.write(handed(one)), one).x.tolist()
 
 
 def test_a_million_points_and_xml_from_elsewhere_are_refused(tmp_path) -> None:
@@ -365,8 +365,8 @@ def test_whole_turn_speed(axes: int) -> None:
     one = target("codesys")
     for seed in range(axes):
         axis = random_axis(seed)
-        made = certified(one, tabulated(one, axis, 1000), axis.profile)
-        reread(one, one.write(Handed(made.table, "demo", (), ("°", "mm"))), made.table)
+        made = certify_table(one, tabulate(one, axis, 1000), axis.profile)
+        reread(one, one.write(CamExport(made.table, "demo", (), ("°", "mm"))), made.table)
     assert time.process_time() - begin < 3.0 * axes / 24
 
 
@@ -403,7 +403,7 @@ def test_no_text_keeps_a_reader_busy(bomb: str) -> None:
     begin = time.process_time()
     for name in TARGETS:
         with pytest.raises(TargetError):
-            parsed(BOMBS[bomb], target(name))
+            parse_table(BOMBS[bomb], target(name))
     assert time.process_time() - begin < 10.0
 
 
@@ -430,7 +430,7 @@ def test_sew_is_bound_by_every_slope_that_a_cubic_may_have(seed: int) -> None:
 def test_a_mean_of_slopes_is_off_by_no_more_than_both_rules_of_sew_at_any_steps() -> None:
     sew, axis = target("sew"), random_axis(4)
     x = np.unique(np.concatenate([np.linspace(0, 360, 40), np.linspace(100, 101, 30)]))
-    made = certified(sew, filled(sew, axis.profile, x, ("°", "mm")), axis.profile)
+    made = certify_table(sew, table_at(sew, axis.profile, x, ("°", "mm")), axis.profile)
     m = np.diff(made.table.y) / np.diff(made.table.x)
     means = interpolation.hermite(made.table.x, made.table.y, np.concatenate([m[:1], (m[1:] + m[:-1]) / 2, m[-1:]]))
     assert certify(axis.profile, means).deviations[0].share <= made.share("y") * (1 + 1e-9)

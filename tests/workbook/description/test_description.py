@@ -8,14 +8,14 @@ import pytest
 from docs.description import PAGE
 from tests import cutting
 from tests.workbook.description.validate import wrong
-from workbook.build import committed
+from workbook.build import committed_descriptions
 from workbook.commands import make
-from workbook.description.commented import commented, example_of
+from workbook.description.commented import commented_description, example_of
 from workbook.description.keys import sections
 from workbook.description.schema import any_schema, page, schema
 from workbook.errors import InputError, WriteError
 from workbook.laws.registry import CODES
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import read_machine, validated
 from workbook.templates import TEMPLATES
 
 
@@ -44,7 +44,7 @@ def paths(data, above=""):
 
 
 def test_a_new_description_is_the_committed_one_with_every_key(template, tmp_path):
-    text = commented(template, "./x.json")
+    text = commented_description(template, "./x.json")
     path = tmp_path / "new.toml"
     path.write_text(text, encoding="utf-8")
     made, example = read_machine(path), read_machine(template.description)
@@ -54,7 +54,7 @@ def test_a_new_description_is_the_committed_one_with_every_key(template, tmp_pat
 
 
 def test_the_description_of_two_axes_has_about_a_hundred_lines_and_then_what_is_rarely_needed():
-    first, _, rest = commented(TEMPLATES["machine"], "./x.json").partition("# Rarely needed.")
+    first, _, rest = commented_description(TEMPLATES["machine"], "./x.json").partition("# Rarely needed.")
     assert first.count("\n") < 80
     assert all(line.startswith("#") for line in rest.splitlines()[1:] if line)
 
@@ -77,7 +77,7 @@ def test_its_optional_keys_may_go(template):
             data.pop(last, None)
     data["laws"] = {name: entry for name, entry in laws.items() if name not in CODES}
     data.pop("sizes")
-    assert checked(template, data, str).title == read_machine(template.description).title
+    assert validated(template, data, str).title == read_machine(template.description).title
 
 
 def test_every_key_says_what_it_means(template):
@@ -92,7 +92,7 @@ def test_every_key_says_what_it_means(template):
 
 def test_the_schema_takes_the_committed_descriptions_and_refuses_faults(template):
     made = schema(template)
-    for file in committed():
+    for file in committed_descriptions():
         data = tomllib.loads(file.read_text(encoding="utf-8"))
         if data["template"] == template.name:
             assert wrong(made, made, data) == []
@@ -106,7 +106,7 @@ def test_the_schema_takes_the_committed_descriptions_and_refuses_faults(template
 
 def test_one_schema_serves_all_templates():
     made = any_schema()
-    for file in committed():
+    for file in committed_descriptions():
         data = tomllib.loads(file.read_text(encoding="utf-8"))
         assert wrong(made, made, data) == []
         assert wrong(made, made, data | {"title": 5}) == [".title"]

@@ -12,17 +12,17 @@ import pytest
 from tests import cutting
 from workbook.build import build
 from workbook.commands.oracle import diff
-from workbook.differences.design import compare, read
-from workbook.reading.descriptions import checked, read_machine, write_machine
+from workbook.differences.design import compare, read_design
+from workbook.reading.descriptions import read_machine, validated, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.engines import convert, program
+from workbook.witnesses.engines import convert, libreoffice_path
 from workbook.writing.output_files import write_text
 
 
 def machine_of(data):
     """Return the machine of entries."""
-    return checked(TEMPLATES["machine"], data, str)
+    return validated(TEMPLATES["machine"], data, str)
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +50,7 @@ def edited(folder, data, name, change):
 
 
 def differences(old, new):
-    return compare(read(old), read(new))
+    return compare(read_design(old), read_design(new))
 
 
 def lift_more(data):
@@ -67,7 +67,7 @@ def test_a_book_saved_by_another_program_is_the_same(folder, tmp_path, save):
     if save == "openpyxl":
         saved = tmp_path / "saved.xlsx"
         openpyxl.load_workbook(folder / "old.xlsx").save(saved)
-    elif program() is None:
+    elif libreoffice_path() is None:
         pytest.skip("LibreOffice is not on this machine")
     else:
         saved = convert(folder / "old.xlsx", "xlsx", tmp_path)

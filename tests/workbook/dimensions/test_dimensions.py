@@ -9,7 +9,7 @@ from tests.tiers import by_day
 from tests.workbook.cells import in_memory
 from tests.workbook.machines.test_machine_linked import linked, small
 from workbook.book.address import Address
-from workbook.dimensions.rules import Walk
+from workbook.dimensions.rules import UnitWalk
 from workbook.dimensions.units import NONE, dimension_of
 from workbook.machines.machine.mechanism import LINKED, some_mechanism
 from workbook.reading.contents import Contents
@@ -52,7 +52,7 @@ def found(formula, **units):
     sheet["E1"] = "=D1"
     cells = {Address("Sheet", 1, "abcx".index(name) + 1): unit for name, unit in units.items()}
     contents = Contents(book)
-    came = Walk(contents, cells).walk(PycelModel(contents).order)
+    came = UnitWalk(contents, cells).walk(PycelModel(contents).order)
     return came.wrong.get(Address("Sheet", 1, 4), ""), came.known
 
 
@@ -118,7 +118,7 @@ class Labelled:
 
     def came(self, units=None):
         """What came of the units, some of them others."""
-        return Walk(self.contents, self.units | (units or {})).walk(self.order)
+        return UnitWalk(self.contents, self.units | (units or {})).walk(self.order)
 
 
 @pytest.mark.parametrize("name", by_day(TEMPLATES, "motion-laws"))

@@ -8,10 +8,10 @@ import openpyxl
 
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.verify import displayed
+from workbook.judging.verify import check_display
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 
 WORKBOOK, TYPES, STYLES = "xl/workbook.xml", "[Content_Types].xml", "xl/styles.xml"
 LINKS, STRINGS = "xl/_rels/workbook.xml.rels", "xl/sharedStrings.xml"
@@ -52,7 +52,7 @@ class Known:
     def __init__(self, path: Path):
         self.path = path
         self.file = open_book(path)
-        entries = Entries(self.file, agreed)
+        entries = Entries(self.file, agreed_values)
         self.template, self.machine = entries.template, entries.machine()
         self.declared = self.template.declare(self.machine)
         self.match = Match(self.file, self.declared)
@@ -88,7 +88,7 @@ class Known:
     def seen(self, path):
         """What is told of how a file looks; all else of verifying takes ten times as long."""
         report = Report(path, self.template.name)
-        displayed(Match(open_book(path), self.declared), type(self.machine), {}, report)
+        check_display(Match(open_book(path), self.declared), type(self.machine), {}, report)
         return report
 
     def opened(self):

@@ -12,7 +12,7 @@ from workbook.book.declare import Book, calc, check, constant, given, result
 from workbook.book.summary import checks_sheet, repeat_verdict
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.verify import displayed
+from workbook.judging.verify import check_display
 from workbook.reading.files import open_book
 from workbook.writing.write import save
 
@@ -86,7 +86,7 @@ class Small:
     def seen(self, path):
         """What is told of how a file looks."""
         report = Report(path, "synthetic")
-        displayed(Match(open_book(path), self.book), Given, {}, report)
+        check_display(Match(open_book(path), self.book), Given, {}, report)
         return report
 
     def edited(self, change):

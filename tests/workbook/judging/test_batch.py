@@ -22,9 +22,9 @@ from workbook.build import build
 from workbook.cluster import pool
 from workbook.commands import verify as command
 from workbook.judging import batch
-from workbook.judging.batch import Outcome, Target, exit_code, find, verify_many, verify_one
+from workbook.judging.batch import Outcome, Target, exit_code, find_workbooks, verify_many, verify_one
 from workbook.judging.verify import Report
-from workbook.pool import HERE, Died
+from workbook.pool import THIS_PROCESS, WorkerDied
 
 
 @pytest.fixture(scope="module")
@@ -78,20 +78,20 @@ def names(targets, folder):
 
 
 def test_a_folder_gives_its_workbooks_and_neither_lock_files_nor_hidden_ones(folder):
-    targets, failed = find([folder])
+    targets, failed = find_workbooks([folder])
     assert names(targets, folder) == ["b.xlsx", "foreign.xlsx", "wrong.xlsx", "deep/c.xlsm", "deep/deeper/a.XLSX"]
     assert failed == []
     assert not any(t.named for t in targets)
 
 
 def test_a_file_named_and_found_is_taken_once_and_as_named(folder):
-    targets, _ = find([folder, folder / "foreign.xlsx", folder / "deep"])
+    targets, _ = find_workbooks([folder, folder / "foreign.xlsx", folder / "deep"])
     assert len(targets) == 5
     assert [t.path.name for t in targets if t.named] == ["foreign.xlsx"]
 
 
 def test_an_empty_folder_is_said_to_be_empty(tmp_path):
-    targets, failed = find([tmp_path])
+    targets, failed = find_workbooks([tmp_path])
     assert targets == []
     assert failed[0].reason == f"{tmp_path}: there is no workbook in this folder"
 
@@ -110,9 +110,9 @@ def verify_press(target, *asked):
 
 def test_each_workbook_of_a_folder_gets_its_verdict_whatever_the_number_of_jobs(folder, workers, monkeypatch):
     monkeypatch.setattr(batch, "verify_one", verify_press)
-    targets, _ = find([folder])
+    targets, _ = find_workbooks([folder])
     alone, together = (
-        [(o.path, o.verdict, o.sha256) for o in verify_many(targets, pool=those)] for those in (HERE, workers)
+        [(o.path, o.verdict, o.sha256) for o in verify_many(targets, pool=those)] for those in (THIS_PROCESS, workers)
     )
     assert alone == together
     verdicts = {path.name: verdict for path, verdict, _ in alone}
@@ -168,7 +168,7 @@ def test_a_file_saved_again_while_it_is_read_has_no_verdict(tmp_path, good, monk
 
 def test_a_fault_of_ours_in_one_file_leaves_the_others_their_verdicts(folder, monkeypatch):
     monkeypatch.setattr(batch, "verify", lambda path, *_: Report(path, "") if path.name != "b.xlsx" else 1 // 0)
-    outcomes = {o.path.name: o for o in verify_many(find([folder])[0])}
+    outcomes = {o.path.name: o for o in verify_many(find_workbooks([folder])[0])}
     assert outcomes["b.xlsx"].verdict == "unreadable"
     assert "ZeroDivisionError" in outcomes["b.xlsx"].reason
     assert outcomes["c.xlsm"].verdict == "agrees"
@@ -186,7 +186,7 @@ def dies(target, witnesses):
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
 def test_a_book_whose_worker_dies_is_tried_once_more_alone_and_then_named(folder, workers, monkeypatch):
     monkeypatch.setattr(batch, "verify_one", dies)
-    targets = find([folder])[0]
+    targets = find_workbooks([folder])[0]
     outcomes = verify_many(targets, pool=workers)
     assert [o.path for o in outcomes] == [t.path for t in targets]
     assert {o.path.name for o in outcomes if o.verdict != "agrees"} == {"b.xlsx"}
@@ -205,7 +205,7 @@ class Blind:
         for task in tasks:
             first = task.target.path.name == "b.xlsx" and task.target not in self.met
             self.met.add(task.target)
-            yield task, Died() if first else function(task._replace(place="/nowhere/seen.xlsx"), *shared)
+            yield task, WorkerDied() if first else function(task._replace(place="/nowhere/seen.xlsx"), *shared)
 
     @contextlib.contextmanager
     def alone(self):
@@ -213,7 +213,7 @@ class Blind:
 
 
 def test_books_are_sent_as_bytes_to_workers_that_do_not_see_them(folder, wrong):
-    targets = find([folder, folder / "gone.xlsx"])[0]
+    targets = find_workbooks([folder, folder / "gone.xlsx"])[0]
     outcomes = verify_many(targets, pool=Blind())
     assert [o.path for o in outcomes] == [t.path for t in targets]
     verdicts = {o.path.name: o.verdict for o in outcomes}

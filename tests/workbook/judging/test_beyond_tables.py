@@ -4,7 +4,7 @@ import openpyxl
 import pytest
 
 from tests.workbook.test_unfinished import small, written
-from workbook.build import build, described, inputs
+from workbook.build import build, read_description, read_inputs
 from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES
 
@@ -14,7 +14,7 @@ NIGHT = [pytest.param(*place, marks=pytest.mark.nightly) for place in UNDER]
 
 @pytest.mark.parametrize(("name", "table"), [("press", "axis1"), ("press", "motors"), *NIGHT])
 def test_what_stands_under_the_last_row_is_named(name, table, press, tmp_path):
-    machine = press.machine if name == "press" else described(written(small(name), tmp_path / "machine.toml"))
+    machine = press.machine if name == "press" else read_description(written(small(name), tmp_path / "machine.toml"))
     build(machine, tmp_path / "book.xlsx")
     assert not any("nothing reads" in note for note in verify(tmp_path / "book.xlsx").notes)
     place = TEMPLATES[machine.template].declare(machine).blocks[table]
@@ -26,4 +26,4 @@ def test_what_stands_under_the_last_row_is_named(name, table, press, tmp_path):
     report = verify(tmp_path / "edited.xlsx")
     assert report.holds
     assert any(note.startswith(said) for note in report.notes)
-    assert any(note.startswith(said) for note in inputs(tmp_path / "edited.xlsx")[1])
+    assert any(note.startswith(said) for note in read_inputs(tmp_path / "edited.xlsx")[1])

@@ -7,7 +7,7 @@ from openpyxl.formatting.rule import Rule
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
 
-from workbook.build import inputs
+from workbook.build import read_inputs
 
 TABLE = "axis1"
 
@@ -54,7 +54,7 @@ def changed(press, opened, formula):
 def test_the_declared_rule_is_known(press, opened):
     report = said(press, opened)
     assert (report.findings, report.notices) == ([], [])
-    assert inputs(press.path)[1] == []
+    assert read_inputs(press.path)[1] == []
 
 
 def test_a_rule_that_is_gone_is_a_notice(press, opened):
@@ -94,4 +94,4 @@ def test_the_declared_condition_hides_no_input_and_no_other_table(press, opened)
 def test_openpyxl_keeps_it(press, tmp_path):
     workbook = openpyxl.load_workbook(press.path)
     workbook.save(tmp_path / "kept.xlsx")
-    assert inputs(tmp_path / "kept.xlsx")[1] == []
+    assert read_inputs(tmp_path / "kept.xlsx")[1] == []

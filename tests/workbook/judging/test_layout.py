@@ -11,19 +11,19 @@ from tests import cutting
 from tests.mutation.bench import SMALL
 from tests.workbook import excel, office
 from tests.workbook.judging.test_real_edits import numbers
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.errors import InputError
 from workbook.judging.batch import Outcome
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
-from workbook.reading.table_fit import counting
+from workbook.reading.table_fit import numbering_column
 from workbook.reports.console import report_data
 from workbook.reports.page import junit, page
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
-from workbook.witnesses.engines import program
+from workbook.witnesses.engines import libreoffice_path
 
-needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
+needs_office = pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
 NIGHT = pytest.mark.nightly
 TABLES = [
     ("press", "axis1"),
@@ -104,7 +104,9 @@ def test_each_table_of_entries_numbers_its_rows_but_the_catalogues():
     for template in TEMPLATES.values():
         for block in template.declare(read_machine(template.description)).blocks.values():
             entered = block.is_table and block.size > 1 and any(q.role == "input" for q in block.quantities)
-            assert not entered or counting(block) is not None or block.name in ("motors", "reducers"), block.name
+            assert not entered or numbering_column(block) is not None or block.name in ("motors", "reducers"), (
+                block.name
+            )
 
 
 @pytest.mark.parametrize(("name", "table"), [*TABLES, ("press", "motors")])
@@ -115,7 +117,7 @@ def test_a_row_inserted_in_a_table_is_one_finding(name, table, books, tmp_path):
         report = verify(edited(path, tmp_path, excel.Lines(sheet, row, count)))
         found = one(report, sheet, f"{row}:{row + count - 1}", f"{row}", "inserted", "delete", "spare row", table)
         assert found.sheet == sheet
-        assert numbers(inputs(report.path)[0]) == numbers(inputs(path)[0])
+        assert numbers(read_inputs(report.path)[0]) == numbers(read_inputs(path)[0])
 
 
 @pytest.mark.parametrize(("name", "table"), [*TABLES, ("press", "motors")])
@@ -125,7 +127,7 @@ def test_rows_above_and_below_a_table_and_columns_within_are_understood(name, ta
     for edit in (excel.Lines(sheet, first, 2), excel.Lines(sheet, last + 1, 2), excel.Lines(sheet, 4, 1, columns=True)):
         made = edited(path, tmp_path, edit)
         understood(verify(made))
-        assert numbers(inputs(made)[0]) == numbers(inputs(path)[0])
+        assert numbers(read_inputs(made)[0]) == numbers(read_inputs(path)[0])
 
 
 @pytest.mark.parametrize(("name", "table"), TABLES)
@@ -163,7 +165,7 @@ def test_what_is_typed_or_copied_into_an_inserted_row_is_told_with_it(full, book
     report = verify(tmp_path / "edited.xlsx")
     one(report, sheet, f"{row}:{row}", "inserted")
     assert report.following
-    assert numbers(inputs(report.path)[0]) == numbers(inputs(path)[0])
+    assert numbers(read_inputs(report.path)[0]) == numbers(read_inputs(path)[0])
 
 
 def test_other_faults_are_still_told_beside_an_inserted_row(books, tmp_path):
@@ -216,7 +218,7 @@ def test_part_of_a_table_cut_and_pasted_is_one_finding(cells, books, tmp_path):
     report = verify(edited(path, tmp_path, excel.Cut(sheet, span, *cells[1:])))
     one(report, sheet, span, "cut, and pasted to", "cut and paste them back", "axis2")
     assert report.compared == report.declared
-    assert numbers(inputs(report.path)[0]) == numbers(inputs(path)[0])
+    assert numbers(read_inputs(report.path)[0]) == numbers(read_inputs(path)[0])
 
 
 def test_part_of_a_table_cut_and_pasted_to_another_sheet_is_one_finding(books, tmp_path):
@@ -242,7 +244,7 @@ def test_a_whole_table_cut_and_pasted_with_its_headings_is_understood(books, tmp
     for down, across in ((0, 45), (900, 0)):
         made = edited(path, tmp_path, excel.Cut(sheet, f"A{top - 7}:{right}{bottom + 9}", down, across))
         understood(verify(made), "not printed")  # the print area stays where it is
-        assert numbers(inputs(made)[0]) == numbers(inputs(path)[0])
+        assert numbers(read_inputs(made)[0]) == numbers(read_inputs(path)[0])
 
 
 def test_a_table_cut_and_pasted_without_its_headings_is_one_finding(books, tmp_path):

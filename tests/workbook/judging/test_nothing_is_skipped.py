@@ -9,13 +9,13 @@ from tests.mutation.bench import sized
 from tests.workbook.judging.hands import WORKBOOK, Known, repacked, spot, sub
 from workbook.build import build
 from workbook.errors import InputError, MotionbookError, WitnessError
-from workbook.judging.structure import same
-from workbook.judging.verify import present, verify
+from workbook.judging.structure import holds_declared
+from workbook.judging.verify import available_witnesses, verify
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses import engines
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.registry import ALL, WITNESSES
 
 
@@ -101,7 +101,7 @@ def test_an_input_that_is_a_text_of_a_formula_is_refused(press, tmp_path):
     ],
 )  # fmt: skip
 def test_types_count_in_constants(held, content, equal):
-    assert same(held, content) == equal
+    assert holds_declared(held, content) == equal
 
 
 @pytest.mark.parametrize("value", [b't="b"><v>1<', b't="str"><v>1<', b't="e"><v>#N/A<'])
@@ -184,7 +184,7 @@ def test_saved_numbers_that_are_shown_as_dates_are_numbers(press, tmp_path):
     opened.save(tmp_path / "b.xlsx")
     report = verify(tmp_path / "b.xlsx", ["pycel", "formualizer"])
     assert {found.kind for found in report.findings} == {"shown"}  # no value is wrong
-    entered = Entries(open_book(tmp_path / "b.xlsx"), agreed).machine()
+    entered = Entries(open_book(tmp_path / "b.xlsx"), agreed_values).machine()
     assert entered == press.machine
 
 
@@ -222,7 +222,7 @@ def test_the_rules_of_lotus_are_found(press, tmp_path):
 
 
 def test_all_asks_the_present_and_names_the_absent(press, monkeypatch):
-    monkeypatch.setattr(engines, "program", lambda: None)
+    monkeypatch.setattr(engines, "libreoffice_path", lambda: None)
     report = sums(verify(press.path, ["all"]))
     assert report.findings == []
     assert [w.name for w in report.witnesses if w.absent] == ["libreoffice"]
@@ -230,17 +230,17 @@ def test_all_asks_the_present_and_names_the_absent(press, monkeypatch):
 
 
 def test_one_asked_by_name_and_absent_is_refused(press, monkeypatch):
-    monkeypatch.setattr(engines, "program", lambda: None)
+    monkeypatch.setattr(engines, "libreoffice_path", lambda: None)
     with pytest.raises(WitnessError, match="libreoffice is not on this machine"):
         verify(press.path, ["pycel", "libreoffice"])
     with pytest.raises(WitnessError):
-        present(["all", "libreoffice"])
+        available_witnesses(["all", "libreoffice"])
     with pytest.raises(MotionbookError, match=f"expected {', '.join(WITNESSES)}, {ALL}"):
         verify(press.path, ["excel"])
 
 
 def test_the_command_ends_with_2_where_a_named_witness_is_absent(press, motionbook, monkeypatch):
-    monkeypatch.setattr(engines, "program", lambda: None)
+    monkeypatch.setattr(engines, "libreoffice_path", lambda: None)
     code, _, said = motionbook("verify", press.path, "--with", "libreoffice")
     assert (code, said.count("\n")) == (2, 1)
     code, said, _ = motionbook("verify", press.path, "--with", "all", "--json")

@@ -11,7 +11,7 @@ from tests.tiers import by_day
 from tests.workbook import own
 from tests.workbook.judging.hands import Known, repacked, sub
 from tests.workbook.judging.test_real_edits import numbers
-from workbook.build import build, committed, inputs
+from workbook.build import build, committed_descriptions, read_inputs
 from workbook.errors import InputError, ReadError
 from workbook.judging.batch import Outcome
 from workbook.judging.report import Report
@@ -20,12 +20,12 @@ from workbook.reading import files
 from workbook.reading.descriptions import read_machine
 from workbook.reports.console import report_data
 from workbook.reports.page import junit, page
-from workbook.witnesses.engines import convert, program
+from workbook.witnesses.engines import convert, libreoffice_path
 from workbook.witnesses.registry import WITNESSES
 
 QUICK_WITNESSES = ("pycel", "formualizer", "ironcalc")
-needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
-COMMITTED = [path.stem for path in committed()]
+needs_office = pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
+COMMITTED = [path.stem for path in committed_descriptions()]
 BOOKS = by_day(["press", *COMMITTED], "press")
 
 
@@ -34,7 +34,7 @@ def present(*names):
 
 
 def described(name):
-    return next(path for path in committed() if path.stem == name)
+    return next(path for path in committed_descriptions() if path.stem == name)
 
 
 class Filled:
@@ -85,7 +85,7 @@ def test_own_cells_are_no_finding(name, filled):
     book = filled(name)
     report = silent(book.path, book.count, present(*QUICK_WITNESSES))
     assert report.declared > 200
-    assert numbers(inputs(book.path)[0]) == numbers(inputs(book.built)[0])
+    assert numbers(read_inputs(book.path)[0]) == numbers(read_inputs(book.built)[0])
 
 
 def test_running_sums_of_ones_own_are_not_counted_as_work(press, tmp_path, monkeypatch):
@@ -192,7 +192,7 @@ def test_own_cells_that_feed_an_input_count_as_agreed(formula, cells, value, pre
     path = fed(press, tmp_path, formula, cells)
     report = verify(path, present("pycel", "formualizer"))
     assert report.findings == []
-    assert inputs(path)[0].master.rate == value
+    assert read_inputs(path)[0].master.rate == value
     assert report.not_evaluated == 0
 
 
@@ -215,7 +215,7 @@ def test_an_input_that_needs_a_name_or_a_table_is_agreed_or_refused_in_one_line(
     path = tmp_path / "book.xlsx"
     workbook.save(path)
     try:
-        assert inputs(path)[0].master.rate == 6
+        assert read_inputs(path)[0].master.rate == 6
     except InputError as error:
         (line,) = error.lines
         assert "in doubt" in line

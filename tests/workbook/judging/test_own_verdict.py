@@ -12,7 +12,7 @@ from tests.tiers import by_day
 from tests.workbook.press import too_weak
 from workbook.build import build
 from workbook.judging.batch import Outcome, exit_code
-from workbook.judging.report import Check, Finding, Ran, Report
+from workbook.judging.report import Check, Finding, Report, WitnessRun
 from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES
 
@@ -87,7 +87,7 @@ def test_the_gravest_of_many_counts():
 
 
 def test_an_unfinished_design_does_not_hold():
-    report = Report(Path("b.xlsx"), "t", witnesses=[Ran("pycel", "1", compared=5, unfinished=2)])
+    report = Report(Path("b.xlsx"), "t", witnesses=[WitnessRun("pycel", "1", compared=5, unfinished=2)])
     assert report.agrees
     assert not report.holds
     report.witnesses[0].unfinished = 0

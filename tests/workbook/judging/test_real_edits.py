@@ -9,12 +9,12 @@ from openpyxl.styles import Font, PatternFill
 
 from tests import cutting
 from tests.workbook import office
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
 from workbook.template import FOLDER
-from workbook.witnesses.engines import convert, program
+from workbook.witnesses.engines import convert, libreoffice_path
 
-needs_office = pytest.mark.skipif(program() is None, reason="LibreOffice is not on this machine")
+needs_office = pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ class Hands:
         return verify(self.path)
 
     def entered(self):
-        return inputs(self.path)[0]
+        return read_inputs(self.path)[0]
 
 
 def first(report):
@@ -157,7 +157,7 @@ def test_copy_under_another_suffix(suffix, press, tmp_path):
     copy = tmp_path / f"copy{suffix}"
     shutil.copyfile(press.path, copy)
     assert verify(copy).findings == []
-    assert inputs(copy)[0] == press.machine
+    assert read_inputs(copy)[0] == press.machine
 
 
 # What is a fault
@@ -219,7 +219,7 @@ def test_saved_by_libreoffice(press, tmp_path):
     report = verify(saved := convert(press.path, "xlsx", tmp_path))
     assert report.findings == []
     assert report.own == []
-    assert numbers(inputs(saved)[0]) == numbers(press.machine)
+    assert numbers(read_inputs(saved)[0]) == numbers(press.machine)
 
 
 @needs_office
@@ -239,7 +239,7 @@ def test_rows_and_columns_inserted_and_sheets_renamed_in_libreoffice(press, tmp_
     report = verify(edited)
     assert report.findings == []
     assert report.own == ["Notes!A1"]
-    assert numbers(inputs(edited)[0]) == numbers(press.machine)
+    assert numbers(read_inputs(edited)[0]) == numbers(press.machine)
 
 
 @needs_office
@@ -256,7 +256,7 @@ def test_a_fault_and_a_decimal_comma_typed_in_libreoffice(press, tmp_path):
     row = openpyxl.load_workbook(edited).defined_names["axis2"].attr_text.split("!")[1].split(":")[0].split("$")[2]
     assert int(row) == place.row + 3
     assert worst.cell.endswith(str(place.row + 4))
-    assert inputs(edited)[0].master.rate == 90.25
+    assert read_inputs(edited)[0].master.rate == 90.25
 
 
 @pytest.fixture

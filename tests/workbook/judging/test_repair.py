@@ -5,8 +5,8 @@ import re
 import openpyxl
 import pytest
 
-from workbook.build import inputs
-from workbook.judging.repair import unlike
+from workbook.build import read_inputs
+from workbook.judging.repair import report_wrong_results
 from workbook.judging.verify import verify
 
 
@@ -36,7 +36,7 @@ def test_a_name_with_blanks_around_it_is_trimmed_and_told(edited):
         ("Motors!B8", "notice", "'M1 '", "'M1', without blanks around it"),
         ("Motors!B9", "notice", "' M2'", "'M2', without blanks around it"),
     ]
-    machine, notes = inputs(path)
+    machine, notes = read_inputs(path)
     assert [motor.name for motor in machine.motors] == ["M1", "M2", "M3"]
     assert any("without blanks" in note for note in notes)
 
@@ -70,12 +70,12 @@ def test_rows_left_empty_before_others_are_judged_as_if_these_were_moved_up(tabl
     assert (report.findings, report.compared) == ([], report.declared)
     (notice,) = report.notices
     assert re.fullmatch(f"nothing is entered in row [12] of the table {table}, but below it", notice.computed)
-    assert inputs(path)[0] == press.machine
+    assert read_inputs(path)[0] == press.machine
 
 
 def test_an_empty_row_by_which_results_are_wrong_is_found(edited, monkeypatch):
     """The press's cells read over empty rows; here the witness of the file as it is says otherwise."""
-    monkeypatch.setattr("workbook.judging.verify.unlike", lambda before, *others: unlike({}, *others))
+    monkeypatch.setattr("workbook.judging.verify.unlike", lambda before, *others: report_wrong_results({}, *others))
     report, _ = edited("motors", name=["M1", None, "M2", "M3"], torque=[4, None, 12, 30])
     assert [one.kind for one in report.findings] == ["layout"]
     assert report.findings[0].expected.startswith("fill it, or move up what is below: ")

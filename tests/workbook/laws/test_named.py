@@ -14,11 +14,11 @@ from workbook.judging.report import Report
 from workbook.judging.verify import judge
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.laws.entries import LONGEST
-from workbook.reading.descriptions import checked, counted, write_machine
+from workbook.reading.descriptions import counted_from_1, validated, write_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 from workbook.writing import archive
 from workbook.writing.write import parts
 
@@ -40,7 +40,7 @@ def described(laws, *used):
 
 
 def machine(laws, *used):
-    return checked(MACHINE, described(laws, *used), counted)
+    return validated(MACHINE, described(laws, *used), counted_from_1)
 
 
 def refused(laws, *used):
@@ -78,7 +78,7 @@ def test_a_description_says_the_same_after_it_was_written():
     text = write_machine(given)
     assert '[laws."0.5 of [a]: x/y"]\nfamily = "MTP"\n' in text
     assert "[laws.TVP]\nlift" in text
-    assert checked(MACHINE, tomllib.loads(text), counted) == given
+    assert validated(MACHINE, tomllib.loads(text), counted_from_1) == given
 
 
 # --- Names ------------------------------------------------------------------------------------------
@@ -146,7 +146,7 @@ def renamed(cells, book):
 def test_a_law_that_was_renamed_in_the_book_is_found_by_its_new_name():
     given = machine({"MTP soft": SOFT, "Hard": HARD}, "MTP soft", "Hard")
     file = file_of(given, renamed)
-    back = Entries(file, agreed).machine()
+    back = Entries(file, agreed_values).machine()
     assert back.laws.names[7:] == ("Softer", "Hard")
     assert back.axes[0].phases[0].law == "Softer"
     assert back.laws["Hard"].durations[:3] == [0.1, 0.15, 0.0]
@@ -163,7 +163,7 @@ def test_a_law_renamed_into_another_is_refused_at_its_cell():
         cells["MTP9_called"].value = "mtp SOFT"
 
     with pytest.raises(InputError, match="a second law is named 'mtp SOFT'"):
-        Entries(file_of(given, same), agreed).machine()
+        Entries(file_of(given, same), agreed_values).machine()
 
 
 @pytest.mark.parametrize(("name", "words"), [(None, "empty; expected a name"), (5, "found 5; expected a name"),
@@ -173,7 +173,7 @@ def test_a_name_that_is_none_is_refused_at_its_cell(name, words):
         cells["MTP8_called"].value = name
 
     with pytest.raises(InputError, match=rf"(?s)book\.xlsx: 'MTP soft'!.*{words}"):
-        Entries(file_of(machine({"MTP soft": SOFT}), cleared), agreed).machine()
+        Entries(file_of(machine({"MTP soft": SOFT}), cleared), agreed_values).machine()
 
 
 def test_a_name_with_an_apostrophe_stands_in_charts_as_excel_writes_it():

@@ -6,7 +6,7 @@ import pytest
 
 from tests.workbook.cells import disagreeing
 from tests.workbook.machines.test_random_inputs import SIZES
-from workbook.reading.descriptions import checked
+from workbook.reading.descriptions import validated
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
@@ -33,7 +33,7 @@ def entered(rate=100.0, lift=50.0, stop=90.0, mass=25.0, law="MTP"):
         "axes": [axis],
         "sizes": SIZES | {"motors": 20, "reducers": 20},
     }
-    return checked(TEMPLATE, data, lambda key: key)
+    return validated(TEMPLATE, data, lambda key: key)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
 from workbook.machines.flying.view import CutterView
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import read_machine, validated
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["flying-cutter"]
@@ -204,4 +204,4 @@ def test_the_tool_is_as_smooth_as_asked_or_the_joint_is_named(law, length, asked
 )
 def test_entries_that_cannot_be_get_one_line(changed, line):
     with pytest.raises(InputError, match=line):
-        checked(TEMPLATE, entries(**changed), str)
+        validated(TEMPLATE, entries(**changed), str)

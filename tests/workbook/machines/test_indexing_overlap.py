@@ -8,7 +8,7 @@ from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
 from workbook.machines.overlap.view import OverlapView
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import read_machine, validated
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["indexing-overlap"]
@@ -163,4 +163,4 @@ def test_the_variations_fail_both_checks_of_the_clearance():
 )
 def test_entries_that_cannot_be_get_one_line(changed, line):
     with pytest.raises(InputError, match=line):
-        checked(TEMPLATE, entries(**changed), str)
+        validated(TEMPLATE, entries(**changed), str)

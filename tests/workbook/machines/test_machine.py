@@ -7,9 +7,9 @@ import pytest
 from pydantic import ValidationError
 
 from tests.workbook.cells import computed, disagreeing, entered
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import read_machine, validated
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
@@ -104,7 +104,7 @@ def test_other_names_are_no_finding(tmp_path):
     report = verify(tmp_path / "other.xlsx")
     assert report.findings == []
     assert report.notices == []
-    assert [a.name for a in inputs(tmp_path / "other.xlsx")[0].axes] == [*names[1:], "Cam & punch"]
+    assert [a.name for a in read_inputs(tmp_path / "other.xlsx")[0].axes] == [*names[1:], "Cam & punch"]
 
 
 def test_axes_are_told_apart_whatever_the_case_of_their_names():
@@ -169,7 +169,7 @@ def test_a_drive_takes_a_law_that_turns_back(law, tmp_path):
     axes = [driven((0, 90, 2.0, "mine"), (180, 200, -2.0, "CIC"))]
     data = described().model_dump()
     alone = {"axes": axes, "clearances": [], "selection": {}}
-    machine = checked(TEMPLATE, data | {"laws": data["laws"] | {"mine": law}} | alone, str)
+    machine = validated(TEMPLATE, data | {"laws": data["laws"] | {"mine": law}} | alone, str)
     assert machine.design.faults == ()
     build(machine, tmp_path / "book.xlsx")
     report = verify(tmp_path / "book.xlsx")

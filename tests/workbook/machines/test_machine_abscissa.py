@@ -11,11 +11,11 @@ from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.composed import MACHINE, composed, description
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.machines.machine.time_based import TimedMachine
-from workbook.reading.descriptions import checked, counted
+from workbook.reading.descriptions import counted_from_1, validated
 from workbook.writing.archive import same_book
 
 LINE = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
@@ -70,7 +70,7 @@ def test_every_cell_is_the_engines_and_what_is_entered_comes_back(over):
     data["axes"].append(description(TO_AND_FRO, name="Other", position=4.0)["axes"][0])
     data |= {"switches": [{"name": "Valve", "on": [[10.0, 20.0], [90.0, 5.0]]}], "export": {"axis": 1}}
     data["clearances"] = [{"name": "ClearanceView", "first": "Axis", "second": "Other", "least": -1000.0}]
-    machine = checked(MACHINE, data, counted)
+    machine = validated(MACHINE, data, counted_from_1)
     assert machine.design.faults == ()
     assert disagreeing(MACHINE, machine)[0] == []
     assert entered(MACHINE, machine) == (machine, [])
@@ -113,7 +113,7 @@ def test_out_in_and_through(tmp_path):
     given = composed(TO_AND_FRO, over="rad", unit="mm", position=2.5)
     build(given, tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []
-    back, notes = inputs(tmp_path / "book.xlsx")
+    back, notes = read_inputs(tmp_path / "book.xlsx")
     assert (back, notes) == (given, [])
     assert isinstance(back, TimedMachine)
     assert back.over.unit == "rad"
@@ -149,7 +149,7 @@ def test_what_is_open_has_no_joint_across_the_end_of_its_cycle(closes, verdict, 
     laws = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
     phases = (("LIN", 20.0, 100.0), ("PO5", 0.0, 160.0), ("LIN", -20.0, 100.0))
     data = description(phases, laws, closes=closes)
-    machine = checked(MACHINE, data | ({"master": master} if master else {}), counted)
+    machine = validated(MACHINE, data | ({"master": master} if master else {}), counted_from_1)
     value = computed(MACHINE, machine)
     assert (value("axis1_smooth"), value("axis1_closes")) == (verdict, "OK")
     assert disagreeing(MACHINE, machine)[0] == []
@@ -167,13 +167,13 @@ def test_an_open_axis_begins_with_what_is_entered_and_ends_at_rest():
 def test_an_open_axis_with_a_drive_fails_by_name(master, tmp_path):
     data = description(TO_AND_FRO, unit="mm", closes="open", **DRIVE) | {"master": master}
     data["sizes"] |= {"cycle": 200}  # samples that tell the peak of the bus
-    machine = checked(MACHINE, data, counted)
+    machine = validated(MACHINE, data, counted_from_1)
     build(machine, tmp_path / "book.xlsx")
     report = verify(tmp_path / "book.xlsx")
     assert report.findings == []
     said = "Axis is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
     assert [check.says for check in report.failing if check.says] == [said]
-    assert inputs(tmp_path / "book.xlsx") == (machine, [])
+    assert read_inputs(tmp_path / "book.xlsx") == (machine, [])
 
 
 def test_positions_are_counted_from_where_the_axis_begins():
@@ -199,7 +199,7 @@ def test_a_crank_is_where_its_slide_begins():
         mechanism = {"kind": "table", "efficiency": 0.9, "points": points}
         data = description((("CIC", 30.0, 40.0), ("CIC", -30.0, 60.0)), over="s", unit="mm", position=begin,
                            **DRIVE | {"mechanism": mechanism})  # fmt: skip
-        return checked(MACHINE, data, counted)
+        return validated(MACHINE, data, counted_from_1)
 
     one, other = driven(0.0), driven(10.0)
     assert disagreeing(MACHINE, other)[0] == []

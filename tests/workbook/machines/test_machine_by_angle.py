@@ -12,7 +12,7 @@ from tests.workbook.machines.test_machine_linked import MOTOR
 from workbook.build import build
 from workbook.judging.verify import verify
 from workbook.machines.machine.time_based import told_in_seconds
-from workbook.reading.descriptions import checked
+from workbook.reading.descriptions import validated
 
 PRESS = {"kind": "press crank", "crank_radius": 60.0, "rod_length": 240.0, "efficiency": 1.0}
 GEARS = {"kind": "gear train", "efficiency": 1.0}
@@ -125,7 +125,7 @@ def test_a_cycle_ends_at_the_angle_where_it_begins(made, lift, verdict):
 def test_a_rod_that_is_too_short_fails_by_name_and_is_carried():
     data = small(press()).model_dump()
     data["axes"][0]["mechanism"]["rod_length"] = 50.0
-    machine = checked(TEMPLATE, data, str)
+    machine = validated(TEMPLATE, data, str)
     (fault,) = machine.design.faults
     assert fault.key == "axes.0.mechanism"
     assert fault.said == "the rod is not longer than crank and offset: the crank cannot turn round"

@@ -11,7 +11,7 @@ from tests.workbook.cells import computed, disagreeing, entered
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import MachineView
-from workbook.reading.descriptions import checked, counted
+from workbook.reading.descriptions import counted_from_1, validated
 from workbook.templates import TEMPLATES
 
 MACHINE = TEMPLATES["machine"]
@@ -35,8 +35,8 @@ def axis(name, *phases, **more):
 
 def machine(*axes, **sizes):
     data = {"template": "machine", "title": "AxisHandover over", "master": {"rate": 60.0}, "axes": list(axes)}
-    return checked(
-        MACHINE, data | {"laws": {code: {"family": code} for code in NAMED}, "sizes": SMALL | sizes}, counted
+    return validated(
+        MACHINE, data | {"laws": {code: {"family": code} for code in NAMED}, "sizes": SMALL | sizes}, counted_from_1
     )
 
 

@@ -8,7 +8,7 @@ import pytest
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.errors import InputError
-from workbook.reading.descriptions import checked
+from workbook.reading.descriptions import validated
 
 CRANK = {
     "kind": "crank-slider",
@@ -115,7 +115,7 @@ def test_a_rocker_agrees_with_the_engine_and_comes_back(slide, direction):
 def test_a_rocker_out_of_reach_fails_by_row_and_amount():
     data = small(linked(mechanism=ROCKER)).model_dump()
     data["axes"][0]["phases"][0]["lift"] = 120.0
-    machine = checked(TEMPLATE, data, str)
+    machine = validated(TEMPLATE, data, str)
     (fault,) = machine.design.faults
     assert fault.said.startswith("A1 row 1 reaches 120 mm, ")
     assert fault.said.endswith("mm beyond the dead centre of lever and link")
@@ -135,7 +135,7 @@ def test_a_rocker_out_of_reach_fails_by_row_and_amount():
 def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, said):
     data = small(linked(mechanism=CRANK)).model_dump()
     data["axes"][0]["mechanism"] |= changed
-    machine = checked(TEMPLATE, data, str)
+    machine = validated(TEMPLATE, data, str)
     assert machine.design.faults[0].said.startswith(said)
     value = computed(TEMPLATE, machine)
     assert value(f"drive1_ok_{check}") == "FAIL"
@@ -151,6 +151,6 @@ def test_entries_of_another_mechanism_are_refused():
     data = small(linked(mechanism={"kind": "lead screw", "lead": 10.0, "efficiency": 1.0})).model_dump()
     data["axes"][0]["mechanism"]["crank_radius"] = 5.0
     with pytest.raises(InputError) as refused:
-        checked(TEMPLATE, data, str)
+        validated(TEMPLATE, data, str)
     (line,) = refused.value.lines
     assert line.startswith("axes.0.mechanism.crank_radius: unknown entry; expected one of kind, efficiency, lead; ")

@@ -7,11 +7,11 @@ import pytest
 
 from tests.workbook.cells import disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described, driven
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import find_places, open_book
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 
 AWKWARD = ["a/b", "a:b", "[x] 'y'", "'", "\U0001f529" * 12 + "1", "\U0001f529" * 12 + "2", "Drive 1", "History"]
 PHASES = (0, 90, 2.0, "CIC"), (180, 200, -2.0, "CIC")
@@ -73,9 +73,9 @@ def changed(path, values):
 def test_regenerate_gives_the_sheets_of_a_renamed_axis_and_law_their_new_names(path):
     """Also where another axis has taken the old one."""
     renamed = changed(path, {("axis_name", 0): "Punch / cam", ("axis_name", 1): "MC01", ("CUB8_called", 0): "Harder"})
-    held = Entries(open_book(renamed), agreed).machine()
+    held = Entries(open_book(renamed), agreed_values).machine()
     assert drives(TEMPLATE.declare(held)) == ["Drive MC01"]
-    machine, lost = inputs(renamed)
+    machine, lost = read_inputs(renamed)
     assert lost == []
     again = path.with_suffix(".again.xlsx")
     build(machine, again)
@@ -83,10 +83,10 @@ def test_regenerate_gives_the_sheets_of_a_renamed_axis_and_law_their_new_names(p
     assert [title for title in titles if "Drive" in title] == ["Drive Punch - cam"]
     assert "Harder" in titles
     assert "Hard" not in titles
-    assert inputs(again)[0] == machine
+    assert read_inputs(again)[0] == machine
 
 
 @pytest.mark.parametrize("held", [None, "x" * 90])
 def test_whatever_stands_for_the_name_that_was_built_the_inputs_come_back(path, held):
-    machine, _ = inputs(changed(path, {("drive1_built", 0): held}))
+    machine, _ = read_inputs(changed(path, {("drive1_built", 0): held}))
     assert [one.name for one in machine.axes] == ["MC01", "MC02"]

@@ -5,12 +5,12 @@ import pytest
 from tests.workbook.cells import computed, entered
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import small
-from workbook.build import build, failing
+from workbook.build import build, failing_checks
 from workbook.judging.verify import verify
 from workbook.machines.machine.drive.max_rate import LIMITS as LIMITS_OF_RATE
 from workbook.machines.machine.drive_entries import UNTOLD
 from workbook.machines.machine.exact import drives_of, exact_highest
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import read_machine, validated
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -23,7 +23,7 @@ FIGURES = {"inertia": MOTOR.inertia, "rated_torque": MOTOR.rated_torque, "peak_t
 
 def failed(machine):
     """The labels of the checks that fail."""
-    return [line.partition(": ")[2].partition(":")[0] for line in failing(TEMPLATE.declare(machine))]
+    return [line.partition(": ")[2].partition(":")[0] for line in failing_checks(TEMPLATE.declare(machine))]
 
 
 def test_a_name_is_the_figures_of_the_catalogue_whatever_else_is_entered():
@@ -70,7 +70,7 @@ def test_a_name_that_no_product_has_is_refused():
 def test_a_motor_neither_named_nor_entered_makes_an_unfinished_design(tmp_path):
     data = small([driven(*PHASES)]).model_dump()
     data["axes"][0]["motor"]["peak_torque"] = None
-    machine = checked(TEMPLATE, data, str)
+    machine = validated(TEMPLATE, data, str)
     assert [fault.key for fault in machine.design.faults] == ["axes.0.motor.peak_torque"]
     build(machine, tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []
@@ -79,7 +79,7 @@ def test_a_motor_neither_named_nor_entered_makes_an_unfinished_design(tmp_path):
 def test_selection_finds_a_motor_for_a_drive_that_has_none_yet():
     data = small([driven(*PHASES)]).model_dump() | {"selection": {"axis": "A1"}}
     del data["axes"][0]["motor"]
-    said = failing(TEMPLATE.declare(checked(TEMPLATE, data, str)))
+    said = failing_checks(TEMPLATE.declare(validated(TEMPLATE, data, str)))
     assert said[0] == "Drive A1: a motor is named or entered: " + UNTOLD
     assert said[1].startswith("Without a result yet: Drive A1: RMS torque within")
     assert not any("Selection" in line for line in said)
@@ -118,7 +118,7 @@ def test_the_factor_of_the_catalogue_counts_beyond_a_thousand_cycles_an_hour_in_
     name = committed_reducers()[1].name
     data = small([driven(*PHASES, reducer={"name": name})]).model_dump() | {"selection": {"axis": "A1"}}
     for rate, factor in ((1000.0 / 60.0, 1.0), (1001.0 / 60.0, 2.0)):
-        value = computed(TEMPLATE, checked(TEMPLATE, data | {"master": data["master"] | {"rate": rate}}, str))
+        value = computed(TEMPLATE, validated(TEMPLATE, data | {"master": data["master"] | {"rate": rate}}, str))
         assert value("drive1_reducer_peak") / value("drive1_reducer_held") == factor
         assert value("sel_reducers", "fs")[:3] == [1.0, factor, factor]  # the first is none
         assert value("sel_reducers", "held")[1] == value("drive1_reducer_held")

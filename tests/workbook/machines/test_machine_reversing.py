@@ -11,21 +11,12 @@ from engine.drive.results import DriveResults
 from tests.engine.drive.machines import sampled
 from tests.tiers import nights
 from tests.workbook.cells import disagreeing
-from tests.workbook.machines.test_machine_handing import (
-    BACK,
-    DRIVE,
-    MACHINE,
-    OUT,
-    SMALL,
-    STEP,
-    axis,
-    phase,
-)
+from tests.workbook.machines.test_machine_handing import BACK, DRIVE, MACHINE, OUT, SMALL, STEP, axis, phase
 from tests.workbook.machines.test_machine_rates import drives_of
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import MachineView
-from workbook.reading.descriptions import checked, counted
+from workbook.reading.descriptions import counted_from_1, validated
 
 SEPTIC = (phase(0.0, 90.0, 30.0, "PO7"), STEP, phase(130.0, 300.0, -50.0, "PO7"))
 PULSES = (phase(0.0, 90.0, 30.0, "MSN"), STEP, phase(130.0, 300.0, -50.0, "SCV"))
@@ -56,7 +47,7 @@ def machine(*axes, **more):
         "axes": list(axes),
         "sizes": sizes,
     }
-    return checked(MACHINE, data | {"laws": {code: {"family": code} for code in LAWS}} | more, counted)
+    return validated(MACHINE, data | {"laws": {code: {"family": code} for code in LAWS}} | more, counted_from_1)
 
 
 def moved(phases, **more):

@@ -10,11 +10,11 @@ from engine.laws import Dwell, TrapezoidalVelocity
 from engine.motion import Phase
 from tests.engine.sizing import Sizing
 from tests.workbook.cells import computed, disagreeing
-from workbook.build import inputs
+from workbook.build import read_inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.machines.machine.printed import FIGURES
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import read_machine, validated
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
@@ -42,7 +42,7 @@ def entries(path=SCREW, **changed):
 
 
 def described(path=SCREW, **changed):
-    return checked(TEMPLATE, entries(path, **changed), str)
+    return validated(TEMPLATE, entries(path, **changed), str)
 
 
 def test_s4_lead_screw():
@@ -186,7 +186,7 @@ def test_entries_that_cannot_be_get_one_line(changed, line):
 @pytest.mark.parametrize("path", [SCREW, CONVEYOR], ids=["screw", "conveyor"])
 @pytest.mark.sample(1)
 def test_the_committed_books_tell_their_sheet_of_figures(path):
-    machine, notes = inputs(path.with_suffix(".xlsx"))
+    machine, notes = read_inputs(path.with_suffix(".xlsx"))
     assert (machine.axes[0].printed, notes) == ("S4", [])
 
 
@@ -198,7 +198,7 @@ def test_losses_chosen_in_the_book(tmp_path, build_book):
     book[sheet][cell] = "physical"
     book.save(path)
     assert verify(path).findings == []
-    assert inputs(path)[0].axes[0].mechanism.method == "physical"
+    assert read_inputs(path)[0].axes[0].mechanism.method == "physical"
 
 
 def test_the_engine_s_conveyor_with_losses_and_friction():

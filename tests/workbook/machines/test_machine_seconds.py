@@ -11,12 +11,12 @@ import tomli_w
 
 from tests.tiers import by_day, nights
 from tests.workbook.cells import computed, disagreeing, entered
-from workbook.build import build, described, inputs
+from workbook.build import build, read_description, read_inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
-from workbook.reading.descriptions import checked, counted, read_machine
+from workbook.reading.descriptions import counted_from_1, read_machine, validated
 from workbook.templates import TEMPLATES
 from workbook.writing.archive import same_book
 
@@ -43,7 +43,7 @@ def told(*axes, cycle=0.3, **more):
 
 
 def machine(*axes, **more):
-    return checked(MACHINE, told(*axes, **more), counted)
+    return validated(MACHINE, told(*axes, **more), counted_from_1)
 
 
 def small(name):
@@ -122,13 +122,13 @@ def test_out_in_and_through(tmp_path):
     build(given, tmp_path / "book.xlsx")
     report = verify(tmp_path / "book.xlsx")
     assert report.findings == []
-    back, notes = inputs(tmp_path / "book.xlsx")
+    back, notes = read_inputs(tmp_path / "book.xlsx")
     assert (back, notes) == (given, [])
     assert isinstance(back, TimedMachine)
     build(back, tmp_path / "again.xlsx")
     assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
     (tmp_path / "again.toml").write_text(tomli_w.dumps(as_entered(back)), encoding="utf-8")
-    assert described(tmp_path / "again.toml") == given
+    assert read_description(tmp_path / "again.toml") == given
 
 
 def test_the_figures_of_a_movement_are_those_of_its_time():
@@ -145,8 +145,8 @@ def test_the_figures_of_a_movement_are_those_of_its_time():
 
 def test_a_longer_cycle_leaves_a_rest_and_moves_as_before():
     given = told(axis("A", OUT, {**BACK, "stop": 0.3}))
-    one = computed(MACHINE, checked(MACHINE, given, counted))
-    longer = computed(MACHINE, checked(MACHINE, given | {"master": {"cycle": 0.4}}, counted))
+    one = computed(MACHINE, validated(MACHINE, given, counted_from_1))
+    longer = computed(MACHINE, validated(MACHINE, given | {"master": {"cycle": 0.4}}, counted_from_1))
     for column in ("v", "a", "j", "rms"):
         assert longer("axis1", column) == pytest.approx(one("axis1", column), rel=1e-12)
     assert (one("overall"), longer("overall")) == ("OK", "OK")
@@ -186,13 +186,13 @@ CASES = {
 def test_what_does_not_do_is_told_by_row_and_amount(case, tmp_path):
     data, said = CASES[case]
     (tmp_path / "machine.toml").write_text(tomli_w.dumps(data), encoding="utf-8")
-    given = described(tmp_path / "machine.toml")
+    given = read_description(tmp_path / "machine.toml")
     lines = build(given, tmp_path / "book.xlsx")
     assert any(line.endswith(f": {said}") for line in lines), lines
     report = verify(tmp_path / "book.xlsx")
     assert report.findings == []
     assert any(check.found == "FAIL" and check.says.endswith(said) for check in report.failing)
-    back, notes = inputs(tmp_path / "book.xlsx")
+    back, notes = read_inputs(tmp_path / "book.xlsx")
     assert (back, notes) == (given, [])
 
 
@@ -212,7 +212,7 @@ def test_a_shorter_cycle_in_the_book_fails_and_comes_back(value, said, tmp_path)
     report = verify(tmp_path / "edited.xlsx")
     assert report.findings == []
     assert any(said in check.says for check in report.failing)
-    found, _ = inputs(tmp_path / "edited.xlsx")
+    found, _ = read_inputs(tmp_path / "edited.xlsx")
     assert as_entered(found)["master"] == {"unit": "s"} | ({"cycle": value} if value else {})
 
 
@@ -220,7 +220,7 @@ def test_both_a_rate_and_a_cycle_are_refused_in_a_line():
     data = told()
     data["master"]["rate"] = 200.0
     with pytest.raises(InputError, match=r"^master\.rate: entered beside cycle; expected one of them"):
-        checked(MACHINE, data, counted)
+        validated(MACHINE, data, counted_from_1)
 
 
 def test_an_exported_axis_and_its_sheet_are_over_seconds():

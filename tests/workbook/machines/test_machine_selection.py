@@ -7,7 +7,7 @@ import pytest
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.entries.design import as_entered
 from workbook.judging.verify import verify
 from workbook.reading.files import find_places
@@ -146,7 +146,7 @@ def test_an_axis_that_is_renamed_while_selection_names_it_fails_by_the_name(axes
     failing = {check.what: check.says for check in report.checks if check.found == "FAIL"}
     said = f"no axis with a drive is named {name}"
     assert failing["Selection: its axis has a drive"] == said
-    given, lost = inputs(tmp_path / "other.xlsx")
+    given, lost = read_inputs(tmp_path / "other.xlsx")
     assert lost == []
     assert as_entered(given)["selection"]["axis"] == name
     assert [fault.said for fault in given.design.faults] == [said]

@@ -6,11 +6,11 @@ import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import checked, read_machine, write_machine
+from workbook.reading.descriptions import read_machine, validated, write_machine
 
 ONE = [axis(1, (30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))]
 SPARE = {"start": None, "stop": None}
@@ -19,7 +19,7 @@ SPARE = {"start": None, "stop": None}
 def switched(*switches, **sizes):
     """A machine with one axis and switches (name, times)."""
     data = described(ONE, phases=2, **sizes).model_dump()
-    return checked(TEMPLATE, data | {"switches": [{"name": name, "on": on} for name, on in switches]}, str)
+    return validated(TEMPLATE, data | {"switches": [{"name": name, "on": on} for name, on in switches]}, str)
 
 
 VALVES = (("Valve 3", [[20.0, 95.0], [200.0, 215.0]]), ("Sensor", [[345.0, 15.0]]), ("Never", []), ("On", [[0, 360]]))
@@ -93,7 +93,7 @@ def test_times_that_do_not_do_fail_by_row_and_amount(on, said, tmp_path):
     report = verify(tmp_path / "book.xlsx")
     assert report.findings == []
     assert [line for line in (check.line for check in report.failing) if said in line] != []
-    back, _ = inputs(tmp_path / "book.xlsx")
+    back, _ = read_inputs(tmp_path / "book.xlsx")
     assert as_entered(back) == as_entered(machine)
     (tmp_path / "again.toml").write_text(write_machine(back), encoding="utf-8")
     assert as_entered(read_machine(tmp_path / "again.toml")) == as_entered(machine)

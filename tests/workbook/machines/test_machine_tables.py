@@ -8,7 +8,7 @@ import pytest
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE
 from tests.workbook.machines.test_machine_linked import FIGURES, LOSSY, linked, small
-from workbook.reading.descriptions import checked
+from workbook.reading.descriptions import validated
 
 PHASES = ((20, 140, 20.0, "CIC"), (190, 330, -20.0, "MTP"))
 
@@ -100,7 +100,7 @@ def test_no_result_hangs_on_the_samples_and_the_motor_does_the_work_of_friction_
 def test_what_is_no_table_is_built_and_fails_by_point_or_row_and_amount(points, check, said):
     data = driven(BENT).model_dump()
     data["axes"][0]["mechanism"]["points"] = table(*points)["points"]
-    machine = checked(TEMPLATE, data, str)
+    machine = validated(TEMPLATE, data, str)
     assert machine.design.faults[0].said.startswith(said)
     value = computed(TEMPLATE, machine)
     assert value(f"drive1_ok_{check}") == "FAIL"

@@ -13,10 +13,10 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from tests.workbook.machines.test_machine_linked import CRANK, FIGURES, LOSSY, MOTOR, linked, small
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
 from workbook.machines.machine.time_based import told_in_seconds
-from workbook.reading.descriptions import checked
+from workbook.reading.descriptions import validated
 from workbook.writing.archive import same_book
 
 SCREW = {"kind": "lead screw", "lead": 10.0, "efficiency": 1.0}
@@ -127,7 +127,7 @@ def test_none_of_it_is_the_same_as_a_drive_without_it(request, number):
     name = f"viscous {number}"
     drawn = random.Random(seed(name) if request.node.get_closest_marker("nightly") else name)
     data = drawn_machine(small(lossy(None)), drawn).model_dump()
-    bare, placed = (checked(TEMPLATE, with_viscous(data, value), str) for value in (None, 0.0))
+    bare, placed = (validated(TEMPLATE, with_viscous(data, value), str) for value in (None, 0.0))
     assert bare.design.replaced == placed.design.replaced == {}
     one, other = computed(TEMPLATE, bare), computed(TEMPLATE, placed)
     peak = max(one("drive1_tmax"), -one("drive1_tmin"), 1e-9)
@@ -182,7 +182,7 @@ def test_every_mutant_of_the_new_cells_is_found():
 def test_a_negative_one_fails_by_name_and_is_carried():
     data = small(lossy()).model_dump()
     data["axes"][0]["load"]["viscous"] = -5.0
-    machine = checked(TEMPLATE, data, str)
+    machine = validated(TEMPLATE, data, str)
     (fault,) = machine.design.faults
     assert (fault.key, fault.said) == ("axes.0.load.viscous", "expected a number of at least 0")
     value = computed(TEMPLATE, machine)
@@ -204,7 +204,7 @@ def test_out_in_and_through_with_its_cell_emptied(tmp_path):
     machine = small(lossy())
     build(machine, path)
     assert verify(path).findings == []
-    back, notes = inputs(path)
+    back, notes = read_inputs(path)
     assert (back, notes) == (machine, [])
     build(back, again)
     assert same_book(path, again)
@@ -212,7 +212,7 @@ def test_out_in_and_through_with_its_cell_emptied(tmp_path):
     title, cell = next(written.defined_names["drive1_viscous"].destinations)
     written[title][cell].value = None
     written.save(again)
-    back, _ = inputs(again)
+    back, _ = read_inputs(again)
     assert back == small(lossy(0.0))
 
 

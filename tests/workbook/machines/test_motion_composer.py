@@ -10,7 +10,7 @@ from tests.laws import MOVING
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import EXERCISE, MACHINE, composed
 from tests.workbook.machines.test_random_inputs import durations, piece, shares
-from workbook.build import build, committed, inputs, stale_templates
+from workbook.build import build, committed_descriptions, read_inputs, stale_templates
 from workbook.errors import InputError
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
@@ -178,7 +178,7 @@ def test_a_wrong_entry_names_the_cell(column, entry, said, tmp_path):
     cell.value = entry
     book.save(path)
     with pytest.raises(InputError) as raised:
-        inputs(path)
+        read_inputs(path)
     assert f"Timing!{cell.coordinate}" in str(raised.value)
     assert said in str(raised.value)
 
@@ -230,8 +230,8 @@ def drawn(dice):
 
 
 def test_every_committed_description_has_its_book():
-    assert {DESCRIPTION, *EXAMPLES} <= set(committed())
-    assert [p.name for p in committed() if not p.with_suffix(".xlsx").exists()] == []
+    assert {DESCRIPTION, *EXAMPLES} <= set(committed_descriptions())
+    assert [p.name for p in committed_descriptions() if not p.with_suffix(".xlsx").exists()] == []
 
 
 def test_a_stale_example_is_found(tmp_path, monkeypatch):

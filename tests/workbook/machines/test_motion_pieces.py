@@ -7,7 +7,7 @@ from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import MACHINE
 from tests.workbook.composed import composed as one_axis
 from workbook.book.quantity import SAYS
-from workbook.build import build, committed
+from workbook.build import build, committed_descriptions
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
@@ -24,7 +24,7 @@ def verdicts(path):
 
 
 def test_every_committed_book_is_as_smooth_as_its_description_asks():
-    found = {path.stem: verdicts(path) for path in committed()}
+    found = {path.stem: verdicts(path) for path in committed_descriptions()}
     asked = {name for name, checks in found.items() if checks}
     assert {v for checks in found.values() for v in checks.values()} == {"OK"}
     assert asked >= {"cutting-machine", "motion-composer", "motion-composer-example-1", "motion-composer-example-2",

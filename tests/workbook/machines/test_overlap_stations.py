@@ -8,12 +8,12 @@ import pytest
 from tests.mutation.machines import machine as drawn_machine
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.book.limits import EXPECTED
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.errors import InputError
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.machines.overlap.entries import MOST_TOOLS
-from workbook.reading.descriptions import checked, counted, read_machine, write_machine
+from workbook.reading.descriptions import counted_from_1, read_machine, validated, write_machine
 from workbook.reading.files import open_book
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -143,7 +143,7 @@ def test_a_bad_entry_of_the_third_tool_is_named_with_its_path(path, changed, lin
     tool = data["overlap"]["tools"][2]
     (tool["passage"] if path else tool).update(changed)
     with pytest.raises(InputError, match=line):
-        checked(TEMPLATE, data, counted)
+        validated(TEMPLATE, data, counted_from_1)
 
 
 @pytest.mark.parametrize("number", [0, MOST_TOOLS + 1])
@@ -151,7 +151,7 @@ def test_one_to_six_tools(number):
     data = entries()
     data["overlap"]["tools"] = data["overlap"]["tools"][:1] * number
     with pytest.raises(InputError, match=r"overlap.tools: found .*; expected a list of 1 to 6 entries"):
-        checked(TEMPLATE, data, counted)
+        validated(TEMPLATE, data, counted_from_1)
 
 
 @pytest.mark.parametrize("number", range(1, MOST_TOOLS + 1))
@@ -184,7 +184,7 @@ def test_a_lost_name_of_the_second_tool_is_missed(tmp_path):
     del file.workbook.defined_names["tool2_name"]
     file.workbook.save(path)
     with pytest.raises(InputError, match="the name tool2_name is missing; its inputs cannot be found"):
-        inputs(path)
+        read_inputs(path)
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -16,8 +16,8 @@ from hypothesis.strategies import integers
 from tests.laws import MOVING, PAGED, blended
 from tests.mutation.draw_machine import SHAPED, teeth
 from tests.workbook.cells import disagreeing, disagreeing_in
-from workbook.build import build, inputs
-from workbook.reading.descriptions import checked, read_machine, write_machine
+from workbook.build import build, read_inputs
+from workbook.reading.descriptions import read_machine, validated, write_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
@@ -92,7 +92,7 @@ def machine(seed):
         "master": {"rate": dice.uniform(5, 400)}, "axes": axes,
         "selection": {"motors": [MOTOR], "reducers": [{"name": "R", "reduction": 5.0, "efficiency": 0.9}]},
     }  # fmt: skip
-    made = checked(TEMPLATE, data, str)
+    made = validated(TEMPLATE, data, str)
     assert made.design.replaced == {}
     return made
 
@@ -156,7 +156,7 @@ def test_machine_comes_back_from_its_book(seed):
     with tempfile.TemporaryDirectory() as folder:
         entered, path, again = machine(seed), Path(folder, "book.xlsx"), Path(folder, "again.xlsx")
         build(entered, path)
-        back, notes = inputs(path)
+        back, notes = read_inputs(path)
         assert back == entered
         assert notes == []
         build(back, again)

@@ -21,7 +21,7 @@ from workbook.fields.units import KW
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import MachineView
-from workbook.reading.descriptions import checked
+from workbook.reading.descriptions import validated
 
 G = 9.81
 SAME = ("rms", "speed", "mean", "smax", "smean", "energy", "returned", "power", "highest", "jtot", "pmax", "pmin")
@@ -75,7 +75,7 @@ def in_degrees(axis):
 
 def valid(data):
     """A machine of these entries."""
-    made = checked(TEMPLATE, data, str)
+    made = validated(TEMPLATE, data, str)
     assert made.design.replaced == {}
     return made
 

@@ -11,7 +11,7 @@ from tests.tiers import by_day, nights
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import MACHINE
 from tests.workbook.composed import composed as one_axis
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.law_sheets.book_laws import BookLaws
@@ -74,7 +74,7 @@ def test_rise_to_line_speed_run_in_step_and_return_is_three_phases(tmp_path):
     machine, path = MACHINE.model.model_validate(IN_STEP | {"sizes": SMALL}), tmp_path / "book.xlsx"
     build(machine, path)
     assert verify(path, ["pycel", "formualizer"]).findings == []
-    assert inputs(path) == (machine, [])
+    assert read_inputs(path) == (machine, [])
     value = computed(MACHINE, machine)
     assert value("overall") == "OK"
     kinds = list(zip(value("axis1", "begins"), value("axis1", "ends"), strict=True))

@@ -5,10 +5,10 @@ import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import axis, described
-from workbook.build import build, committed
+from workbook.build import build, committed_descriptions
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import checked, read_machine
+from workbook.reading.descriptions import read_machine, validated
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
@@ -22,7 +22,7 @@ def exporting(data, which, **sizes):
     """A description whose book has the sheet, and little room for all else."""
     template = TEMPLATES[data["template"]]
     data["sizes"] |= SMALL | {"motion_pieces": None} | sizes
-    return template, checked(template, data | {"export": {"axis": which}}, str)
+    return template, validated(template, data | {"export": {"axis": which}}, str)
 
 
 def committed_as(name, which, **sizes):
@@ -57,7 +57,9 @@ def test_a_book_with_it_agrees_and_comes_back(name):
     assert entered(template, machine) == (machine, [])
 
 
-@pytest.mark.parametrize("name", [file.stem for file in committed() if "template" in file.read_text("utf-8")])
+@pytest.mark.parametrize(
+    "name", [file.stem for file in committed_descriptions() if "template" in file.read_text("utf-8")]
+)
 def test_without_the_entry_there_is_no_sheet(name):
     machine = read_machine(TEMPLATES["machine"].description.with_name(f"{name}.toml"))
     assert "export" not in TEMPLATES[machine.template].declare(machine).blocks

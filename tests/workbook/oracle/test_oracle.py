@@ -11,7 +11,7 @@ from workbook.book.address import Address
 from workbook.commands.oracle import against
 from workbook.errors import ReadError
 from workbook.oracle.cells import draft
-from workbook.oracle.declarations import load
+from workbook.oracle.declarations import load_oracle
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
 from workbook.witnesses.pycel.model import PycelModel
@@ -65,7 +65,7 @@ def judged(tmp_path):
     def judge(cases=40, **cells):
         (tmp_path / "pump.py").write_text(PUMP, encoding="utf-8")
         file = open_book(build(tmp_path / "pump.xlsx", **cells))
-        return Judge(file, load(tmp_path / "pump.py")).judge(cases)
+        return Judge(file, load_oracle(tmp_path / "pump.py")).judge(cases)
 
     return judge
 
@@ -126,7 +126,7 @@ def test_a_number_stands_in_for_a_macro_and_some_sheets_are_counted(tmp_path):
     book.save(path)
     text = PUMP.replace("low=0.4, high=0.9", "low=0.4, high=0.9, macro=True").replace('"Pump sizing"', '"", ["Sheet"]')
     (tmp_path / "p.py").write_text(text.replace('"Efficiency"', '"Sheet!B3"'), encoding="utf-8")
-    found = Judge(open_book(path), load(tmp_path / "p.py")).judge(20, witnesses=("pycel", "formualizer"))
+    found = Judge(open_book(path), load_oracle(tmp_path / "p.py")).judge(20, witnesses=("pycel", "formualizer"))
     assert found.wrong == []
     assert (len(found.coverage), found.notes) == (12, [])
 
@@ -176,14 +176,14 @@ def test_the_command_tells_coverage_and_marks_a_copy(tmp_path, capsys):
 def test_declarations_that_are_incomplete_are_refused(tmp_path, text, message):
     (tmp_path / "d.py").write_text(text, encoding="utf-8")
     with pytest.raises(ReadError, match=message):
-        load(tmp_path / "d.py")
+        load_oracle(tmp_path / "d.py")
 
 
 @pytest.mark.parametrize("cell", ["Nowhere", "Other!B1", "Note:"])
 def test_a_cell_that_cannot_be_found_is_refused(judged, tmp_path, cell):
     (tmp_path / "d.py").write_text(PUMP.replace("Sheet!B1", cell), encoding="utf-8")
     with pytest.raises(ReadError, match=r"expected|no sheet|formula"):
-        Judge(open_book(build(tmp_path / "p.xlsx")), load(tmp_path / "d.py"))
+        Judge(open_book(build(tmp_path / "p.xlsx")), load_oracle(tmp_path / "d.py"))
 
 
 def test_a_draft_declares_inputs_outputs_labels_and_units(tmp_path):

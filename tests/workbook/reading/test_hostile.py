@@ -19,7 +19,7 @@ from workbook.judging.verify import verify
 from workbook.reading import guard
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 
 FILES, CHUNKS = 400, 4  # by day; a night has as many runs of a chunk as it has NIGHTS
 NIGHTS = 40
@@ -100,7 +100,7 @@ def test_damaged_files_are_read_or_refused(chunk, sound, slim, tmp_path, request
 def fault_of(path, number):
     """What is wrong with how a damaged file is taken; nothing where it is read, or refused as it should be."""
     try:
-        Entries(open_book(path), partial(agreed, names=("pycel", "formualizer"))).machine()
+        Entries(open_book(path), partial(agreed_values, names=("pycel", "formualizer"))).machine()
         if number % VERIFIED == 0:
             verify(path)
     except ReadError as error:

@@ -10,14 +10,14 @@ from hypothesis import strategies as st
 from tests import cutting
 from tests.mutation.bench import sized
 from tests.workbook.composed import committed_as
-from workbook.build import build, inputs
+from workbook.build import build, read_inputs
 from workbook.entries.rules import field_at
 from workbook.errors import InputError
 from workbook.fields.texts import looked_up, place_of, require_distinct
 from workbook.fields.types import EntryError
 from workbook.judging.verify import verify
 from workbook.reading.contents import Contents
-from workbook.reading.descriptions import checked, counted, read_machine
+from workbook.reading.descriptions import counted_from_1, read_machine, validated
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.model import PycelModel
 
@@ -51,7 +51,7 @@ def renamed(table, *names):
         data["selection"]["axis"] = names[0]
     for row, name in zip(rows, names, strict=False):
         row["name"] = name
-    return checked(TEMPLATES[data["template"]], data, counted)
+    return validated(TEMPLATES[data["template"]], data, counted_from_1)
 
 
 @pytest.mark.parametrize("table", TABLES)
@@ -137,7 +137,7 @@ def test_law_codes_and_the_axis_of_selection_are_found_without_regard_to_case(sm
     laws = [phase for axis in data["axes"] for phase in axis["phases"]]
     for phase in laws:
         phase["law"] = phase["law"].lower()
-    machine = checked(cutting.TEMPLATE, data, counted)
+    machine = validated(cutting.TEMPLATE, data, counted_from_1)
     assert machine.axes == small.axes
     build(machine, tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []
@@ -190,7 +190,7 @@ def test_an_error_value_is_no_text(name, key, value, press, tmp_path):
     cell.value = value
     book.save(tmp_path / "edited.xlsx")
     with pytest.raises(InputError) as refused:
-        inputs(tmp_path / "edited.xlsx")
+        read_inputs(tmp_path / "edited.xlsx")
     (line,) = refused.value.lines
     assert f"{block.sheet.title}!{cell.coordinate} ({q.label})" in line
     assert "reads as an error value; expected a text" in line

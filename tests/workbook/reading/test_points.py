@@ -5,7 +5,7 @@ import zipfile
 import pytest
 
 from workbook.reading.files import open_book
-from workbook.reading.package import without_points
+from workbook.reading.package import without_cached_points
 from workbook.reading.rows import tag
 from workbook.template import FOLDER
 
@@ -19,8 +19,8 @@ def test_points_are_left_out_and_nothing_else(prefix):
         f"<{prefix}numRef><{prefix}f>A!$B$1:$B$2</{prefix}f><{prefix}numCache>%s</{prefix}numCache></{prefix}numRef>"
     )
     whole, left = (around % (point * 2)).encode(), (around % "").encode()
-    assert without_points("xl/charts/chart1.xml", whole) == left
-    assert without_points("xl/worksheets/sheet1.xml", whole) == whole
+    assert without_cached_points("xl/charts/chart1.xml", whole) == left
+    assert without_cached_points("xl/worksheets/sheet1.xml", whole) == whole
 
 
 def test_a_book_s_charts_keep_their_series_and_come_without_points():

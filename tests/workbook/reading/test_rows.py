@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from workbook.reading.rows import Count, Refusal
+from workbook.reading.rows import Refusal, Totals
 from workbook.reading.scan import Scan
 
 SMALL = (
@@ -20,7 +20,7 @@ SMALL = (
 
 def read(data: bytes) -> Scan:
     """A part as it is read."""
-    scan = Scan("xl/worksheets/sheet1.xml", Count())
+    scan = Scan("xl/worksheets/sheet1.xml", Totals())
     scan.read(data)
     return scan
 

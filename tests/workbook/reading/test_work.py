@@ -13,7 +13,7 @@ from workbook.reading.contents import Contents
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreement import agreed
+from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.pycel import limits
 from workbook.witnesses.pycel.model import PycelModel
 
@@ -53,7 +53,7 @@ def test_formulas_over_more_columns_than_any_books_are_refused_in_one_line(page,
     for row in range(2, 4_002):
         page.cell(row, 3).value = f"=SUM($A$1:$XFD${row})"
     with pytest.raises(ReadError, match=r"book.xlsx: its formulas read 65,536,000 columns"):
-        Entries(BookFile(tmp_path / "book.xlsx", page.parent, {}), agreed)
+        Entries(BookFile(tmp_path / "book.xlsx", page.parent, {}), agreed_values)
 
 
 def test_running_sums_are_taken_apart_at_once(page):
@@ -104,4 +104,4 @@ def test_each_evaluation_has_its_own_measure(page):
 def test_no_template_crosses_ranges():
     model = PycelModel(open_book(cutting.BOOK).contents)
     model.evaluate()
-    assert limits.Crossed.cells == 0
+    assert limits.ArrayCells.cells == 0

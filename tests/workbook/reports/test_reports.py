@@ -12,9 +12,9 @@ import pytest
 
 from workbook.errors import WriteError
 from workbook.judging.batch import Outcome
-from workbook.judging.report import ORDER, Check, Finding, Ran, Report
-from workbook.reports.html import legal
-from workbook.reports.page import DESIGN, KINDS, junit, page, ready, write
+from workbook.judging.report import ORDER, Check, Finding, Report, WitnessRun
+from workbook.reports.html import xml_safe
+from workbook.reports.page import DESIGN, KINDS, junit, page, require_writable, write
 
 WHEN = datetime(2026, 3, 1, 13, 5, 9, tzinfo=UTC)
 EVIL = "<script>alert('&\"')</script>\x07\ud800"
@@ -26,7 +26,11 @@ def wrong():
     report = Report(Path("in/<b>&.xlsx"), "machine", compared=1234)
     report.cells = {"Drive": 1000, "Laws": 234}
     report.deviations = {"Drive": 0.25, "Laws": 3.1e-16}
-    report.witnesses = [Ran("pycel", "1.0b30", 1234), Ran("libreoffice", None), Ran("saved", "values", why="has none")]
+    report.witnesses = [
+        WitnessRun("pycel", "1.0b30", 1234),
+        WitnessRun("libreoffice", None),
+        WitnessRun("saved", "values", why="has none"),
+    ]
     report.findings = [
         Finding("Drive", "D7", "replaced", 5.0, 1 / 3, f"Peak {EVIL}"),
         Finding("Drive", "D9", "value", 1.0, 1.25, "RMS", 0.25, "formualizer"),
@@ -44,7 +48,7 @@ def wrong():
 
 def right():
     report = Report(Path("fine.xlsx"), "machine", compared=10, cells={"Laws": 10}, deviations={"Laws": 0.0})
-    report.witnesses = [Ran("pycel", "1.0b30", 10)]
+    report.witnesses = [WitnessRun("pycel", "1.0b30", 10)]
     return Outcome(report.path, "agrees", report, sha256="cd" * 32)
 
 
@@ -157,16 +161,16 @@ def test_junit_counts_what_it_holds():
 
 def test_every_character_is_made_fit_or_kept():
     for code in (*range(0x3000), *range(0xD700, 0xE000), *range(0xFE00, 0x10100)):
-        text = legal(chr(code))
+        text = xml_safe(chr(code))
         ElementTree.fromstring(f"<a>{text}</a>" if text not in "<&" else "<a/>")
-    assert legal("ÿ_max ≤ 9 m/s², 中文 😀\u00a0\n\t") == "ÿ_max ≤ 9 m/s², 中文 😀\u00a0\n\t"
+    assert xml_safe("ÿ_max ≤ 9 m/s², 中文 😀\u00a0\n\t") == "ÿ_max ≤ 9 m/s², 中文 😀\u00a0\n\t"
 
 
 def test_an_existing_report_is_kept_unless_told_otherwise(tmp_path):
     path = tmp_path / "report.html"
     path.write_text("mine")
     with pytest.raises(WriteError, match="the file exists"):
-        ready(path, (".html",), overwrite=False)
+        require_writable(path, (".html",), overwrite=False)
     with pytest.raises(WriteError, match="the file exists"):
         write(path, lambda: "new", overwrite=False)
     assert path.read_text() == "mine"
@@ -187,7 +191,7 @@ def test_a_report_that_fails_half_way_leaves_the_old_one_and_no_draft(tmp_path):
 def test_a_report_takes_no_name_of_another_kind_even_by_force(tmp_path, name):
     """``--report book.xlsx --force`` must not replace a workbook."""
     with pytest.raises(WriteError, match="expected the name of a report"):
-        ready(tmp_path / name, (".html", ".htm"), overwrite=True)
+        require_writable(tmp_path / name, (".html", ".htm"), overwrite=True)
 
 
 def test_the_command_writes_both_reports_also_where_a_file_cannot_be_read(tmp_path):

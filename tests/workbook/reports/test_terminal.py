@@ -127,7 +127,7 @@ def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, motionbook, monkeypat
     def fail(*_, **__):
         raise fault
 
-    monkeypatch.setattr(make.making, "described", fail)
+    monkeypatch.setattr(make.making, "read_description", fail)
     code, out, err = motionbook("build", "-o", tmp_path / "book.xlsx")
     assert (code, out) == (2, "")
     (line,) = err.splitlines()

@@ -15,7 +15,7 @@ from engine.selection.task import accelerating_factor
 from tests.engine.selection.tasks import sampled_task
 from tests.mutation import draw_flying
 from tests.workbook.cells import computed, disagreeing
-from workbook.build import build, described, inputs
+from workbook.build import build, read_description, read_inputs
 from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
@@ -351,14 +351,14 @@ def test_build_takes_catalogues_and_inputs_gives_them_back(tmp_path):
     options = ["--motors", str(motors), "--reducers", str(reducers), "-o", str(out)]
     ran = CliRunner().invoke(app, ["build", str(TEMPLATE.description), *options])
     assert ran.exit_code == 0, ran.output
-    given, notes = inputs(out)
+    given, notes = read_inputs(out)
     assert notes == []
     assert [row.model_dump(exclude_none=True) for row in given.selection.motors] == read_motors(motors)
     assert [row.model_dump(exclude_none=True) for row in given.selection.reducers] == read_reducers(reducers)
     assert (given.selection.motor, given.selection.reducer) == (None, None)
     again = tmp_path / "again.xlsx"
     build(given, again)
-    assert inputs(again)[0] == given
+    assert read_inputs(again)[0] == given
 
 
 def test_catalogues_beside_a_description_are_taken_unless_it_has_its_own(tmp_path):
@@ -366,23 +366,23 @@ def test_catalogues_beside_a_description_are_taken_unless_it_has_its_own(tmp_pat
     path = tmp_path / "machine.toml"
     path.write_text(text)
     csv(tmp_path, MOTOR_HEAD, "A,0.02,180,600,3000")
-    assert [m.name for m in described(path).selection.motors] == ["A"]
-    assert described(path).selection.rank == "smallest motor"
+    assert [m.name for m in read_description(path).selection.motors] == ["A"]
+    assert read_description(path).selection.rank == "smallest motor"
     path.write_text(text + OWN_MOTOR)
-    assert [m.name for m in described(path).selection.motors] == ["own"]
+    assert [m.name for m in read_description(path).selection.motors] == ["own"]
 
 
 def test_large_catalogues_get_larger_tables(tmp_path):
     many = csv(tmp_path, MOTOR_HEAD, *(f"motor {i},0.02,180,600,3000" for i in range(40)))
-    assert described(TEMPLATE.description, motors=many).sizes.motors == 40
+    assert read_description(TEMPLATE.description, motors=many).sizes.motors == 40
     more = csv(tmp_path, MOTOR_HEAD, *(f"motor {i},0.02,180,600,3000" for i in range(101)))
     with pytest.raises(InputError, match="101 products; expected at most 100"):
-        described(TEMPLATE.description, motors=more)
+        read_description(TEMPLATE.description, motors=more)
 
 
 def test_a_template_without_a_choice_of_motor_says_so():
     with pytest.raises(InputError, match="indexing-overlap chooses no motor; --motors cannot be used"):
-        described(TEMPLATES["indexing-overlap"].description, motors=MOTORS)
+        read_description(TEMPLATES["indexing-overlap"].description, motors=MOTORS)
 
 
 def test_figure_11_has_a_logarithmic_axis_and_a_line_for_each_product(tmp_path, build_book):
@@ -430,7 +430,7 @@ def test_a_product_typed_into_an_empty_row_is_ranked_and_carried_over(tmp_path, 
     changes = [("Catalogue", "twin", 1, column, value) for value, column in figures]
     report = verify(edited(book, tmp_path / "edited.xlsx", *changes))
     assert report.findings == []
-    given, _ = inputs(tmp_path / "edited.xlsx")
+    given, _ = read_inputs(tmp_path / "edited.xlsx")
     assert [m.name for m in given.selection.motors] == ["small", "large", "twin", "added"]
     assert computed(TEMPLATE, given)("sel_best", "motor")[0] == "added"
 
@@ -445,7 +445,7 @@ def test_a_product_typed_into_an_empty_row_is_ranked_and_carried_over(tmp_path, 
 def test_what_cannot_be_in_a_workbook_is_named_by_its_cell(change, line, tmp_path, build_book):
     book = build_book(machine(motor="small", reducer="i 5"), tmp_path / "book.xlsx")
     with pytest.raises(InputError) as found:
-        inputs(edited(book, tmp_path / "edited.xlsx", change))
+        read_inputs(edited(book, tmp_path / "edited.xlsx", change))
     assert f"edited.xlsx: {change[0]}!" in str(found.value)
     assert line in str(found.value)
 

@@ -3,7 +3,7 @@
 import pytest
 
 from tests import cutting
-from workbook.memo import remember
+from workbook.memo import enable_memo
 from workbook.reading.descriptions import write_machine
 from workbook.serve.live import design
 from workbook.serve.tables import edited
@@ -37,9 +37,9 @@ def cells(text):
 
 @pytest.fixture
 def remembering():
-    remember(48)
+    enable_memo(48)
     yield
-    remember(0)
+    enable_memo(0)
     design.cache_clear()
 
 
@@ -47,9 +47,9 @@ def test_a_book_after_an_edit_is_the_one_that_is_declared_anew(remembering):
     cells(TEXT)
     for changes in [*EDITS, []]:
         text = edited(TEXT, changes)
-        remember(48)
+        enable_memo(48)
         once, again = cells(text), cells(text)
-        remember(0)
+        enable_memo(0)
         anew = cells(text)
         assert once == anew, changes
         assert again == anew, changes

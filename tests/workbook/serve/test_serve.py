@@ -12,7 +12,7 @@ import openpyxl
 import pytest
 
 from tests.cutting import TEMPLATE
-from workbook.differences.design import Design, read
+from workbook.differences.design import Design, read_design
 from workbook.reading.descriptions import read_machine
 from workbook.reports.cams import percent
 from workbook.reports.differences import figure
@@ -70,7 +70,7 @@ def test_the_gallery_has_a_picture_of_each_template(server):
 
 def test_the_page_to_print_has_the_results_of_the_design(server):
     page = server.ask("/print/live.toml").body.decode()
-    found = read(server.root / "live.toml")
+    found = read_design(server.root / "live.toml")
     assert found.machine.title in page
     for one in found.results().values():
         if one.place.startswith("Summary"):
@@ -91,7 +91,7 @@ def test_a_verified_book_is_taken_into_edit_and_built_anew(server):
 
 def test_the_first_page_tells_each_description_in_short(server):
     assert 'data-short="live.toml"' in server.ask("/").body.decode()
-    found = read(server.root / "live.toml")
+    found = read_design(server.root / "live.toml")
     rate = next(one for one in found.results().values() if one.label == "Production rate")
     said = server.ask("/short/live.toml").body.decode()
     assert said.startswith(f"Production rate {rate.value:g} cycles/min; ")

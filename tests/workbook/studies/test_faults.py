@@ -16,9 +16,9 @@ import pytest
 from tests.workbook.composed import small
 from tests.workbook.studies.studied import laws, planned, stops, written
 from workbook.build import build
-from workbook.cluster import FEWER, ClusterError, pool
+from workbook.cluster import REMOTE, ClusterError, pool
 from workbook.errors import WriteError
-from workbook.pool import HERE
+from workbook.pool import THIS_PROCESS
 from workbook.studies.folder import Parts, progress
 from workbook.studies.run import run
 
@@ -38,7 +38,7 @@ def parts_of(plan, results):
     return Parts(results, plan.digest, plan.space.size, PART)
 
 
-def studied(plan, parts, told=lambda count, before: None, workers=HERE, resume=False):
+def studied(plan, parts, told=lambda count, before: None, workers=THIS_PROCESS, resume=False):
     """Work a study out in its folder, and leave that."""
     with parts.opened(resume, False):
         return run(plan, parts, workers, told)
@@ -172,7 +172,9 @@ def test_a_command_that_is_interrupted_says_what_is_kept(tmp_path, monkeypatch, 
 
     study, results = written(tmp_path, *VARIED, **GOALS), tmp_path / "r.csv"
     monkeypatch.setattr("workbook.studies.run.MOST_ROWS", PART)
-    monkeypatch.setattr(command_, "run", lambda plan, parts, workers, told: run(plan, parts, HERE, stop_after(2)))
+    monkeypatch.setattr(
+        command_, "run", lambda plan, parts, workers, told: run(plan, parts, THIS_PROCESS, stop_after(2))
+    )
     with pytest.raises(KeyboardInterrupt):
         command_.study(study, results, None, 1, False, None, True, False)
     said = " ".join(capsys.readouterr().err.split())
@@ -286,7 +288,7 @@ def test_a_worker_that_is_killed_in_the_middle_costs_no_design(tmp_path):
 
 
 def test_a_scheduler_that_does_not_answer_is_a_line(monkeypatch):
-    monkeypatch.setitem(FEWER, "distributed.comm.timeouts.connect", "1s")
+    monkeypatch.setitem(REMOTE, "distributed.comm.timeouts.connect", "1s")
     with pytest.raises(ClusterError, match="no scheduler answers there"), pool(None, "tcp://127.0.0.1:1"):
         pass
 

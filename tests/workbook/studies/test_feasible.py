@@ -10,10 +10,10 @@ from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, base, 
 from tests.workbook.studies.test_study import chosen, run
 from workbook.errors import InputError, ReadError
 from workbook.reading.descriptions import read_machine
-from workbook.studies.evaluate import Evaluator, gathered, require_names
+from workbook.studies.evaluate import Evaluator, require_names, with_row_ranges
 from workbook.studies.plan import read_study
-from workbook.studies.run import Pace, picked
-from workbook.studies.summary import summed
+from workbook.studies.run import Pace, build_design
+from workbook.studies.summary import summarise
 from workbook.templates import TEMPLATES
 
 FOLDER = TEMPLATES["machine"].description.parent
@@ -27,7 +27,7 @@ def tabled(plan, begin=0, end=None):
 
 def told(plan):
     """What is known of all designs of a study."""
-    return summed(plan.study, [one.label for one in plan.space.dimensions], tabled(plan))
+    return summarise(plan.study, [one.label for one in plan.space.dimensions], tabled(plan))
 
 
 def failing(plan, number):
@@ -77,7 +77,7 @@ def test_a_check_that_is_switched_off_and_fails_in_the_book_is_told_with_it(tmp_
     base(tmp_path, smoothness="acceleration")
     study = {"minimise": ["drive1_rms"], "constraints": {"axis1_smooth": "off"}}
     plan = planned(tmp_path, laws("CUB"), **study)
-    judged = picked(plan, told(plan).best[0], tmp_path / "best.xlsx", False)
+    judged = build_design(plan, told(plan).best[0], tmp_path / "best.xlsx", False)
     assert judged.failing == judged.unasked == ("axis1_smooth",)
     assert judged.holds
 
@@ -129,14 +129,14 @@ def test_the_names_of_a_machine_are_listed_the_fast_ones_first(tmp_path):
 
 
 def test_rows_of_a_table_are_listed_as_one():
-    assert list(gathered(["axis1.v.1", "axis1.v.2", "a", "axis1.v.3", "b.c.1"])) == ["axis1.v.1…3", "a", "b.c.1"]
+    assert list(with_row_ranges(["axis1.v.1", "axis1.v.2", "a", "axis1.v.3", "b.c.1"])) == ["axis1.v.1…3", "a", "b.c.1"]
 
 
 def test_a_slow_result_is_announced_with_its_time_before_it_begins(tmp_path, monkeypatch, capsys):
     from workbook.commands import study as command
 
     study = written(tmp_path, laws("MTP", "CUB"), results=["MTP_k"])
-    monkeypatch.setattr(command, "paced", lambda plan: Pace(0.0, 120.0))
+    monkeypatch.setattr(command, "measure_pace", lambda plan: Pace(0.0, 120.0))
     monkeypatch.setattr(command, "run", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
     with pytest.raises(KeyboardInterrupt):
         command.study(study, tmp_path / "r.csv", None, 2, False, None, True, False)
@@ -160,16 +160,16 @@ def test_a_pick_takes_the_results_at_hand_however_they_are_called(tmp_path, monk
     monkeypatch.chdir(tmp_path)
     study = written(tmp_path, laws("MTP", "PO5"), minimise=["drive1_rms"])
     assert command.study(study, tmp_path / "r.csv", None, 1, False, None, True, False) == 0
-    monkeypatch.setattr(command, "ran", None)  # it is not run again
+    monkeypatch.setattr(command, "run_study", None)  # it is not run again
     (tmp_path / "other.json").write_text("[1]", encoding="utf-8")
-    found = command.at_hand(read_study(study), tmp_path / "study.csv")
+    found = command.finished_study(read_study(study), tmp_path / "study.csv")
     assert [one.entries[f"{FEED}.law"] for one in found.best] == ["PO5", "MTP"]
 
 
 def test_a_pick_refuses_results_of_the_study_before_it_was_changed(tmp_path):
-    from workbook.commands.study import at_hand
+    from workbook.commands.study import finished_study
 
     plan = planned(tmp_path, laws("MTP"), minimise=["drive1_rms"])
     (tmp_path / "study.json").write_text(json.dumps({"digest": "another"}), encoding="utf-8")
     with pytest.raises(ReadError, match="before it or its machine was changed"):
-        at_hand(plan, tmp_path / "study.csv")
+        finished_study(plan, tmp_path / "study.csv")

@@ -10,7 +10,7 @@ from engine.laws import law
 from engine.laws.ladder import square_integral
 from engine.selection.front import front
 from tests.workbook.studies.studied import MOTORS, REDUCERS, base, laws, planned, stops
-from workbook.pool import HERE
+from workbook.pool import THIS_PROCESS
 from workbook.studies.evaluate import Evaluator
 from workbook.studies.folder import Parts
 from workbook.studies.run import run
@@ -25,7 +25,7 @@ def best(tmp_path, *vary, **more):
     plan = planned(tmp_path, *vary, **more)
     parts = Parts(tmp_path / "r.csv", plan.digest, plan.space.size)
     with parts.opened(False, True):
-        return run(plan, parts, HERE, lambda count, before: None)
+        return run(plan, parts, THIS_PROCESS, lambda count, before: None)
 
 
 def test_of_all_families_the_cubic_has_the_least_rms_torque_for_an_inertia(tmp_path):

@@ -15,7 +15,7 @@ from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, SIZES,
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.reading.descriptions import read_machine
-from workbook.studies.evaluate import Evaluator, of_book, require_names
+from workbook.studies.evaluate import Evaluator, book_value, require_names
 from workbook.studies.plan import read_study
 from workbook.studies.run import deviation
 from workbook.templates import TEMPLATES
@@ -50,7 +50,7 @@ def compared(plan, number):
     found = plan.template.scaling.results(outer, {one.key: column for one, column in columns if one.part}).named
     both = {name for name in found if name.partition(".")[0] in book.blocks}
     assert drive_results(book) <= both
-    return {name: (np.ravel(found[name]())[0], of_book(book, name)) for name in both}, set(found) - both
+    return {name: (np.ravel(found[name]())[0], book_value(book, name)) for name in both}, set(found) - both
 
 
 def drive_results(book):

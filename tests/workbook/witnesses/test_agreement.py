@@ -12,7 +12,7 @@ from workbook.book.address import Address
 from workbook.errors import DisputedError, WitnessError
 from workbook.reading.files import BookFile, open_book
 from workbook.witnesses import agreement as module
-from workbook.witnesses.agreement import agreed, same, spreads
+from workbook.witnesses.agreement import agreed_values, needs_intersection, same_value
 from workbook.witnesses.witness import CYCLE
 
 CELL = Address("Timing", 1, 1)
@@ -42,7 +42,7 @@ def asked(monkeypatch, *witnesses, saved=None):
     """The value that witnesses and a saved value agree on."""
     named = {f"w{i}": each for i, each in enumerate(witnesses)}
     monkeypatch.setattr(module, "WITNESSES", named)
-    return agreed(BookFile(Path("book.xlsx"), openpyxl.Workbook(), {}, saved={CELL: saved}), names=named)(CELL)
+    return agreed_values(BookFile(Path("book.xlsx"), openpyxl.Workbook(), {}, saved={CELL: saved}), names=named)(CELL)
 
 
 FAILED = WitnessError("cannot")
@@ -141,7 +141,7 @@ def test_a_witness_is_given_few_files_of_what_was_entered(refused, formula, file
     file, cells = entered("=LET(x,1,x)", formula, 3)
     named = {"picky": picky(refused), "other": picky(refused)}
     monkeypatch.setattr(module, "WITNESSES", named)
-    value = agreed(file, cells, names=named)
+    value = agreed_values(file, cells, names=named)
     assert [value(cell) for cell in cells] == [5] * len(cells)
     assert [one.__mro__[1].asked for one in named.values()] == [files, files]
 
@@ -150,7 +150,7 @@ def test_a_witness_is_given_few_files_of_what_was_entered(refused, formula, file
 def test_cells_that_a_formula_does_not_name_are_there_when_it_is_computed(formula, tmp_path):
     file, cells = entered("=3+4", f"={formula}", 1)
     for path in (tmp_path / "book.xlsx", tmp_path / "gone.xlsx"):
-        said = agreed(BookFile(path, file.workbook, {}, saved={cells[0]: 8.0}), cells)
+        said = agreed_values(BookFile(path, file.workbook, {}, saved={cells[0]: 8.0}), cells)
         if path.stem == "book":
             file.workbook.save(path)
         with pytest.raises(DisputedError) as doubt:
@@ -170,7 +170,7 @@ RANGES = {
 
 @pytest.mark.parametrize(("formula", "spread"), RANGES.items())
 def test_ranges_of_which_excel_takes_one_cell(formula, spread):
-    assert spreads(f"={formula}") is spread
+    assert needs_intersection(f"={formula}") is spread
 
 
 @pytest.mark.parametrize("formula", ["A1:A3", "SUM(A1:A3*A1:A3)", "B1+1"])
@@ -182,18 +182,18 @@ def test_such_a_range_is_a_doubt_unless_the_file_was_saved_with_its_value(formul
     page["B1"], page["C9"] = "=SUM(A1:A3*A1:A3)", f"={formula}"
     at = Address(page.title, 9, 3)
     with pytest.raises(DisputedError, match="takes one cell of it"):
-        agreed(BookFile(Path("book.xlsx"), workbook, {}))(at)
+        agreed_values(BookFile(Path("book.xlsx"), workbook, {}))(at)
     page["B1"], page["C9"] = None, ArrayFormula("C9", "=SUM(A1:A3*A1:A3)")
-    said = agreed(BookFile(Path("book.xlsx"), workbook, {}), names=("pycel",))
+    said = agreed_values(BookFile(Path("book.xlsx"), workbook, {}), names=("pycel",))
     with pytest.raises(DisputedError, match="pycel has 14"):
         said(at)
 
 
 def test_only_rounding_is_passed_over():
-    assert same(1.0, 1 + 1e-12)
-    assert not same(1.0, 1 + 1e-8)
-    assert not same(True, 1)
-    assert not same("a", "b")
+    assert same_value(1.0, 1 + 1e-12)
+    assert not same_value(1.0, 1 + 1e-8)
+    assert not same_value(True, 1)
+    assert not same_value("a", "b")
 
 
 # as a command

@@ -25,7 +25,7 @@ from workbook.book.columns import Formulas
 from workbook.book.formula import FormulaError, read
 from workbook.reading.contents import Contents
 from workbook.witnesses.pycel import compiled, shortcuts
-from workbook.witnesses.pycel.compiled import ordered
+from workbook.witnesses.pycel.compiled import evaluation_order
 from workbook.witnesses.pycel.limits import build_operators
 from workbook.witnesses.pycel.model import Pycel, PycelModel
 from workbook.witnesses.pycel.shortcuts import plain
@@ -249,10 +249,10 @@ def test_the_cells_of_a_cycle_have_values_each_by_itself() -> None:
 
 def test_the_order_puts_needs_first() -> None:
     needs = {1: [2, 3], 2: [4, 9], 3: [4], 4: []}
-    order, cyclic = ordered(needs)
+    order, cyclic = evaluation_order(needs)
     assert not cyclic
     assert all(order.index(n) < order.index(key) for key in needs for n in needs[key] if n in needs)
-    assert set(ordered({1: [2], 2: [3, 1], 3: [3], 4: [1]})[1]) == {1, 2, 3}
+    assert set(evaluation_order({1: [2], 2: [3, 1], 3: [3], 4: [1]})[1]) == {1, 2, 3}
 
 
 def test_names_mean_cells_and_ranges_of_either_scope() -> None:
@@ -610,7 +610,7 @@ def test_the_straight_ways_of_functions_lead_where_pycels_own_lead(value: Any, m
     cells |= {f"Z{row}": formula.format("C1") for row, formula in enumerate(STRAIGHT, 1)}
     kept = {"__builtins__", "_C_", "_R_", "_REF_", "pi", "chosen"}
     shortened = PycelModel(book(cells)).evaluate()
-    monkeypatch.setattr(shortcuts, "WAYS", {})
+    monkeypatch.setattr(shortcuts, "SHORTCUTS", {})
     monkeypatch.setattr(shortcuts, "COUNTED", {})
     monkeypatch.setattr(compiled, "_space", {k: v for k, v in compiled._space.items() if k in kept})
     monkeypatch.setitem(compiled._space, "excel_operator_operand_fixup", build_operators(lambda *_: None))

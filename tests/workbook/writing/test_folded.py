@@ -4,7 +4,7 @@ import openpyxl
 import pytest
 from openpyxl.utils import get_column_letter
 
-from workbook.build import build, committed
+from workbook.build import build, committed_descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -29,7 +29,7 @@ def test_what_is_folded_is_workings_alone(name, tmp_path):
         assert not pages[sheet.title].column_dimensions[get_column_letter(sheet.folded - 1)].hidden
 
 
-MACHINES = [path for path in committed() if path.stem.startswith("machine")]
+MACHINES = [path for path in committed_descriptions() if path.stem.startswith("machine")]
 SAID = {"kind"}
 """what a phase is: to be read, not a step of the calculation"""
 
@@ -63,7 +63,7 @@ WORKED = {"Laws", "RMS", "Inverse"}
 """sheets of workings, printed so that they can be followed"""
 
 
-@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 def test_no_sheet_ends_its_print_with_workings(path):
     """But where checks follow them: these are printed, each."""
     machine = read_machine(path)

@@ -6,8 +6,8 @@ from openpyxl.comments import Comment
 from openpyxl.styles import Font
 from openpyxl.workbook.defined_name import DefinedName
 
-from workbook.build import entered, regenerate
-from workbook.judging.carry_over import carried_over, not_carried
+from workbook.build import read_entered, regenerate
+from workbook.judging.carry_over import find_additions, not_carried
 from workbook.judging.verify import verify
 
 DOUBLE = "='Drive MC01'!D7*2"
@@ -63,9 +63,9 @@ def test_the_new_book_verifies_as_a_fresh_one_with_cells_of_ones_own(anew):
 
 
 def test_cells_stay_behind_where_the_tables_of_their_sheet_lie_otherwise(edited, press):
-    match, machine, _ = entered(edited)
+    match, machine, _ = read_entered(edited)
     larger = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"phases": 12})})
-    own = carried_over(match, press.template.declare(larger))
+    own = find_additions(match, press.template.declare(larger))
     assert [cell.coordinate for cell, _ in own.cells] == ["A1", "A2", "B2"]
     assert own.notes == ()
     told = not_carried(match, "press", own)

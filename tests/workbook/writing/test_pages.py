@@ -8,12 +8,12 @@ import pytest
 
 from tests.workbook.writing.carlito import room
 from tests.workbook.writing.test_widths import WRAPPED, declared, wide
-from workbook.build import committed
+from workbook.build import committed_descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 from workbook.writing.layout import COLUMN_WIDTH
 
-BOOKS = committed()
+BOOKS = committed_descriptions()
 WIDE, HIGH = 297 / 25.4 * 72, 210 / 25.4 * 72
 
 

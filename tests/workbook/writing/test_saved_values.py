@@ -15,22 +15,24 @@ from tests import cutting
 from tests.mutation.bench import smaller
 from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
-from workbook.build import build, committed
+from workbook.build import build, committed_descriptions
 from workbook.functions import publish
 from workbook.functions.page import EXAMPLE, declare
-from workbook.judging.comparison import TOLERANCE, Right, difference
+from workbook.judging.comparison import TOLERANCE, ExpectedValues, difference
 from workbook.judging.matching import Match, is_formula
 from workbook.reading.descriptions import read_machine
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
 from workbook.witnesses.registry import WITNESSES
 from workbook.writing import archive
-from workbook.writing.archive import Cells, Strings, result, same_part
+from workbook.writing.archive import Cells, Strings, same_part, value_xml
 
 CHART = "{http://schemas.openxmlformats.org/drawingml/2006/chart}"
 
 
-@pytest.fixture(scope="module", params=[*committed(), None], ids=lambda path: path.stem if path else "motion-functions")
+@pytest.fixture(
+    scope="module", params=[*committed_descriptions(), None], ids=lambda path: path.stem if path else "motion-functions"
+)
 def made(request, tmp_path_factory):
     """A committed book, made anew, and its declaration."""
     path = tmp_path_factory.mktemp("made") / "book.xlsx"
@@ -69,7 +71,7 @@ def differing(path, book, witness):
     """The formula cells of a new book in which a witness does not compute what is saved."""
     file = open_book(path)
     saved, computed = WITNESSES["saved"]().values(file), WITNESSES[witness]().values(file)
-    right = Right(Match(file, book), book)
+    right = ExpectedValues(Match(file, book), book)
     assert len(saved) > 1000
     return [a for a in saved if not difference(computed[a], saved[a], right.peak(a)) <= TOLERANCE]
 
@@ -86,7 +88,7 @@ def test_other_programs_compute_what_is_saved(name, witness, tmp_path):
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("witness", OTHERS)
-@pytest.mark.parametrize("description", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("description", committed_descriptions(), ids=lambda path: path.stem)
 def test_other_programs_compute_what_is_saved_in_each_committed_book(description, witness, tmp_path):
     machine = read_machine(description)
     build(machine, tmp_path / "book.xlsx")
@@ -157,7 +159,7 @@ def test_each_range_of_a_chart_is_saved_with_its_numbers(made):
     ],
 )
 def test_values_by_type(value, saved):
-    assert result(value) == saved
+    assert value_xml(value) == saved
 
 
 def test_cells_come_in_their_order_whatever_the_order_in_which_they_are_put():

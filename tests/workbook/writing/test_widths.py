@@ -7,12 +7,12 @@ import pytest
 from tests.workbook.writing.carlito import FOLDER, pixels, room
 from workbook.book.quantity import sample
 from workbook.book.rows import as_rows
-from workbook.build import committed
+from workbook.build import committed_descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER as FOLDER_OF_TEMPLATES
 from workbook.templates import TEMPLATES
 from workbook.writing import style
-from workbook.writing.layout import COLUMN_WIDTH, WIDTHS, Standing, text_width, widths
+from workbook.writing.layout import COLUMN_WIDTH, WIDTHS, PossibleTexts, text_width, widths
 
 pytestmark = pytest.mark.skipif(not FOLDER.exists(), reason="Carlito is not there: fonts-crosextra-carlito")
 WRAPPED = ("header", "equation")
@@ -29,7 +29,7 @@ def declared(path):
 
 
 def widths_of(book):
-    standing = Standing(book)
+    standing = PossibleTexts(book)
     return {sheet.title: widths(sheet, standing) for sheet in book.sheets}
 
 
@@ -54,7 +54,7 @@ def cut(sheet, room_of):
             yield sheet.title, text.text, round(wide(text.text, text.style)), round(has)
 
 
-@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 def test_no_label_is_cut(path):
     book, room_of = declared(path)
     assert [found for sheet in book.sheets for found in cut(sheet, room_of[sheet.title])] == []
@@ -94,7 +94,7 @@ def lacking(cell, wide, full):
     return max((pixels(part, font.sz, bool(font.b)) for part in (text.split() if q.wrap else [text])), default=0) - has
 
 
-@pytest.mark.parametrize("path", committed(), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 def test_no_text_in_a_cell_is_cut(path):
     """Results of formulas too: names of products, axes, laws, sheets."""
     assert list(shortened(*declared(path))) == []
@@ -127,7 +127,7 @@ def test_a_column_has_room_for_what_may_stand_there_later():
     motor = next(q for q in block.quantities if q.name == "motor")
     assert set(as_rows(motor.value, block.size, "motor")) <= {"as entered", "–"}
     names = {product.name for product in machine.selection.motors}
-    assert names <= Standing(book).texts(block, motor)
+    assert names <= PossibleTexts(book).texts(block, motor)
     wide = room_of[block.sheet.title][block.columns["motor"]]
     assert all(pixels(name) <= room(wide) for name in names)
 
@@ -142,7 +142,7 @@ def test_bold_is_wider_and_letters_differ():
     assert pixels("iii") < pixels("mmm") / 3
 
 
-@pytest.mark.parametrize("path", committed()[::4], ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", committed_descriptions()[::4], ids=lambda path: path.stem)
 def test_no_wrapped_text_takes_more_room_than_its_row_was_given(path):
     """The letters are counted rather too wide than too narrow."""
     book, _ = declared(path)

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from workbook.errors import WriteError
-from workbook.judging.batch import find
-from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_one_for_two, replace
+from workbook.judging.batch import find_workbooks
+from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_same_file, replace
 
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows keeps neither modes nor links in this way")
 
@@ -156,10 +156,10 @@ def test_two_files_for_one_place_and_what_is_read_itself_are_refused(tmp_path):
     (tmp_path / "link.xlsx").symlink_to("book.xlsx")
     for other in ("book.xlsx", "link.xlsx", "folder/../book.xlsx"):
         with pytest.raises(WriteError, match="two files"):
-            refuse_one_for_two(tmp_path / "book.xlsx", None, tmp_path / other)
+            refuse_same_file(tmp_path / "book.xlsx", None, tmp_path / other)
         with pytest.raises(WriteError, match="what is read"):
             refuse_itself(tmp_path / other, tmp_path / "book.xlsx")
-    refuse_one_for_two(tmp_path / "book.xlsx", None, tmp_path / "other.xlsx", None)
+    refuse_same_file(tmp_path / "book.xlsx", None, tmp_path / "other.xlsx", None)
     refuse_itself(None, tmp_path / "book.xlsx")
 
 
@@ -174,4 +174,4 @@ def test_a_killed_run_leaves_nothing_that_looks_like_a_book(tmp_path):
     (left,) = os.listdir(tmp_path)
     assert left.startswith(".")
     assert Path(left).suffix == ".part"
-    assert find([tmp_path])[0] == []
+    assert find_workbooks([tmp_path])[0] == []

@@ -8,8 +8,8 @@ from engine.cams.interpolation import quintics_between
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 from workbook.controllers import texts
-from workbook.controllers.table import Table, given
-from workbook.controllers.target import Target, layout
+from workbook.controllers.table import Table, required_part
+from workbook.controllers.target import Target, by_template
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")
@@ -41,12 +41,12 @@ def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -
 
 def offset(table: Table) -> float:
     """Return where the axis is when its cam begins."""
-    return float(given(table.profile, "polynomials").c[0, 0])
+    return float(required_part(table.profile, "polynomials").c[0, 0])
 
 
 def polynomials(table: Table) -> Iterator[list[float]]:
     """Yield the coefficients of each polynomial in steps from its begin, and where it ends."""
-    made, (dx, dy) = given(table.profile, "polynomials"), table.steps
+    made, (dx, dy) = required_part(table.profile, "polynomials"), table.steps
     for row, end in zip(made.c, made.edges[1:], strict=True):
         scaled = [float(c) * (dx**i / dy) for i, c in enumerate(row)]
         scaled[0] = (row[0] - offset(table)) / dy
@@ -56,7 +56,7 @@ def polynomials(table: Table) -> Iterator[list[float]]:
 def read(text: str) -> Table:
     """Return the polynomials that are assigned, in the units that the comment names."""
     *powers, ends = texts.indexed(text, FIELDS)
-    period = texts.scalar(text, "MasterPeriod")
+    period = texts.assigned_number(text, "MasterPeriod")
     if period is not None and period != ends[-1]:
         raise TargetError(f"the last X is {ends[-1]:g}, MasterPeriod {period:g}; expected the same")
     x = np.concatenate([[0.0], ends])
@@ -67,5 +67,5 @@ NAMED = {"offset": offset, "polynomials": polynomials, "fields": FIELDS, "stands
          "DINT": texts.DINT, "REAL": texts.REAL}  # fmt: skip
 TARGETS = (
     Target("br", "B&R, polynomials of McCamDataType in Structured Text", ".st", ("polynomials",), ("quintics",),
-           layout("br.st", **NAMED), read, number=texts.DINT_IN_REAL, points=(2, 129), built=built),
+           by_template("br.st", **NAMED), read, number=texts.DINT_IN_REAL, points=(2, 129), built=built),
 )  # fmt: skip

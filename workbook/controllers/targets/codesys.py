@@ -5,8 +5,8 @@ from math import ceil, log2
 import numpy as np
 
 from workbook.controllers.table import LOCAL, SPLINES, Table
-from workbook.controllers.target import Tappets, Target, Track, gathered, layout
-from workbook.controllers.texts import counted, grouped, pairs, points
+from workbook.controllers.target import Tappets, Target, Track, by_template, tracks_of_rows
+from workbook.controllers.texts import grouped, pairs, points, require_count
 
 FIELDS = ("dX", "dY", "dV", "dA")
 EDGES = ("fEditorMaster", "fEditorSlave", "fTableMaster", "fTableSlave")
@@ -23,19 +23,19 @@ def ends(table: Table) -> list[float]:
 def read_switches(text: str) -> list[Track]:
     """Return the tracks of a Structured Text."""
     times = list(zip(*(column.tolist() for column in grouped(text, SWITCHED)), strict=True))
-    counted(text, "NoOfSwitches", len(times))
-    return gathered(text, times)
+    require_count(text, "NoOfSwitches", len(times))
+    return tracks_of_rows(text, times)
 
 
-TAPPETS = Tappets("codesys switches", "MC_CAMSWITCH_TR for MC_DigitalCamSwitch", layout("codesys-switches.st"),
+TAPPETS = Tappets("codesys switches", "MC_CAMSWITCH_TR for MC_DigitalCamSwitch", by_template("codesys-switches.st"),
                   read_switches, tracks=32)  # fmt: skip
 
 TARGETS = (
     Target("codesys", "CODESYS SoftMotion, SMC_CAMXYVA in Structured Text", ".st", ("x", "y", "y'", "y''"),
-           ("quintics",), layout("codesys.st"), lambda text: points(text, grouped(text, FIELDS), "nElements"),
+           ("quintics",), by_template("codesys.st"), lambda text: points(text, grouped(text, FIELDS), "nElements"),
            points=(2, 32_767), tappets=TAPPETS),
     Target("codesys-table", "CODESYS SoftMotion, table of pairs, cubic, in Structured Text", ".st", ("x", "y"),
-           (*SPLINES, LOCAL), layout("codesys-table.st", limits=LIMITS, ends=ends),
+           (*SPLINES, LOCAL), by_template("codesys-table.st", limits=LIMITS, ends=ends),
            lambda text: points(text, pairs(text, "Table := [", "]]"), "nElements"),
            points=(4, 32_767)),
 )  # fmt: skip

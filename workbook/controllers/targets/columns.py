@@ -5,8 +5,8 @@ import re
 import numpy as np
 
 from workbook.controllers.table import CENTRAL, LOCAL, SPLINES, Table
-from workbook.controllers.target import Handed, HandedTracks, Tappets, Target, gathered
-from workbook.controllers.texts import numbers, remarks, written
+from workbook.controllers.target import CamExport, SwitchExport, Tappets, Target, tracks_of_rows
+from workbook.controllers.texts import as_lines, numbers, remarks
 from workbook.errors import TargetError
 
 DENSE = 100  # points: so many tell by their differences what y' is
@@ -15,11 +15,11 @@ CYCLIC = re.compile(r"CYCLIC;(YES|NO);?")
 COMMENT = re.compile(r"\s//[^\n]*")
 
 
-def write_any(handed: Handed) -> str:
+def write_any(handed: CamExport) -> str:
     """Return comments, a line of titles, and a line a point."""
     columns = handed.table.columns
     head = remarks(*handed.header, handed.separator.join(columns))
-    return head + written(columns.values(), handed.separator, handed.decimal)
+    return head + as_lines(columns.values(), handed.separator, handed.decimal)
 
 
 def read_any(text: str) -> Table:
@@ -33,20 +33,20 @@ def read_any(text: str) -> Table:
     return table
 
 
-def write_switches(handed: HandedTracks) -> str:
+def write_switches(handed: SwitchExport) -> str:
     """Return comments, a line of titles, and a line a time."""
     head = remarks(*handed.header, *handed.called, handed.separator.join(("track", "on from", "to")))
     tracks, *ends = np.array(handed.times).reshape(-1, 3).T
-    lines = written(ends, handed.separator, handed.decimal).splitlines(keepends=True)
+    lines = as_lines(ends, handed.separator, handed.decimal).splitlines(keepends=True)
     return head + "".join(f"{number:.0f}{handed.separator}{line}" for number, line in zip(tracks, lines, strict=True))
 
 
-def write_kollmorgen(handed: Handed) -> str:
+def write_kollmorgen(handed: CamExport) -> str:
     """Return the profile; the format has no comment, and units vanish, as an import divides by the largest x and y."""
     table = handed.table
     if table.y.max() <= 0.0:
         raise TargetError("no y is above 0; expected one, as an import divides by the largest")
-    lines = written((table.x, table.y)).replace("\r\n", ";SPLINE\r\n")
+    lines = as_lines((table.x, table.y)).replace("\r\n", ";SPLINE\r\n")
     return f"CYCLIC;{'YES' if handed.repeats else 'NO'};\r\nTABLE_BEGIN;;\r\n{lines}TABLE_END;;\r\n"
 
 
@@ -63,9 +63,9 @@ def read_kollmorgen(text: str) -> Table:
     return Table(*np.array(numbers("\n".join(line.removesuffix(";SPLINE") for line in lines), (2,))).T)
 
 
-def write_lenze(handed: Handed) -> str:
+def write_lenze(handed: CamExport) -> str:
     """Return x and y of each point, the header behind the first as comments on blank lines."""
-    lines = written((handed.table.x, handed.table.y), " ", handed.decimal)
+    lines = as_lines((handed.table.x, handed.table.y), " ", handed.decimal)
     return lines + "".join(f" // {line}\r\n" for line in handed.header)
 
 
@@ -75,17 +75,17 @@ def read_lenze(text: str) -> Table:
     return Table(x, y)
 
 
-def write_sew(handed: Handed) -> str:
+def write_sew(handed: CamExport) -> str:
     """Return the count, and x and y of each point; the format has no comment."""
     table = handed.table
-    return f"{len(table.x)}\r\n" + written((table.x, table.y), handed.separator, handed.decimal)
+    return f"{len(table.x)}\r\n" + as_lines((table.x, table.y), handed.separator, handed.decimal)
 
 
 TARGETS = (
     Target("csv", "Columns of text: x, y, y', y'', y'''", ".csv", ("x", "y", "y'", "y''", "y'''"), ("quintics",),
            write_any, read_any, plain=SPLINES, signs=("separator", "decimal"),
            tappets=Tappets("csv switches", "track, on from, to", write_switches,
-                           lambda text: gathered(text, numbers(text, (3,))))),
+                           lambda text: tracks_of_rows(text, numbers(text, (3,))))),
     Target("kollmorgen", "Kollmorgen KAS, cam profile as CSV", ".csv", ("x", "y"), SPLINES,
            write_kollmorgen, read_kollmorgen, points=(5, 10_000)),
     Target("lenze", "Lenze Global Drive Cam Loader, text", ".txt", ("x", "y"), (*SPLINES, LOCAL),

@@ -6,20 +6,20 @@ from engine.cams.certificate import equal_steps
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
 from workbook.controllers.table import Table
-from workbook.controllers.target import Handed, Target
-from workbook.controllers.texts import DINT, Number, counts, numbers, read_counts, read_stand, remarks, stands, written
+from workbook.controllers.target import CamExport, Target
+from workbook.controllers.texts import DINT, Number, as_lines, counts, numbers, read_counts, read_stand, remarks, stands
 from workbook.errors import TargetError
 
 WHOLE = 1_000_000_000  # a ratio of 100 %, in steps of 1e-7 %
 RESOLUTIONS = tuple(2**k for k in range(8, 16))
 
 
-def write(handed: Handed) -> str:
+def write(handed: CamExport) -> str:
     """Return comments, and X and Y of each coordinate."""
     steps = handed.table.steps
     head = remarks(*handed.header, counts(steps, handed.units), f"X{handed.separator}Y")
     columns = (values / step for values, step in zip((handed.table.x, handed.table.y), steps, strict=True))
-    return head + written(columns, handed.separator, handed.decimal, DINT)
+    return head + as_lines(columns, handed.separator, handed.decimal, DINT)
 
 
 def whole(values: Array) -> Array:
@@ -51,12 +51,12 @@ def table(ratios: Array, steps: tuple[float, float], offset: float) -> Table:
     return Table(np.arange(float(len(ratios))) * steps[0], offset + ratios * steps[1], steps=steps)
 
 
-def write_ratios(handed: Handed) -> str:
+def write_ratios(handed: CamExport) -> str:
     """Return comments, the resolution, and a ratio a line; that at the begin is 0 and is not written."""
     made = handed.table
     head = remarks(*handed.header, stands(float(made.y[0]), handed.units[1]), counts(made.steps, handed.units))
     ratios = (made.y[1:] - made.y[0]) / made.steps[1]
-    return f"{head}{len(ratios)}\r\n" + written([ratios], number=DINT)
+    return f"{head}{len(ratios)}\r\n" + as_lines([ratios], number=DINT)
 
 
 def read_ratios(text: str) -> Table:

@@ -8,7 +8,7 @@ import numpy as np
 from engine.cams.interpolation import straight
 from engine.motion.pieces import CamProfile
 from workbook.controllers.table import MOST_POINTS, Table
-from workbook.controllers.target import HandedTracks, Tappets, Target, Track, gathered, layout
+from workbook.controllers.target import SwitchExport, Tappets, Target, Track, by_template, tracks_of_rows
 from workbook.controllers.texts import DINT, REAL, literal
 from workbook.errors import TargetError
 
@@ -27,7 +27,7 @@ def elements(table: Table) -> list[tuple[str, str, int]]:
     return [(real(x), real(y), int(not line)) for x, y, line in zip(table.x, table.y, lines, strict=True)]
 
 
-def parted(handed: HandedTracks) -> list[tuple[int, float, float]]:
+def parted(handed: SwitchExport) -> list[tuple[int, float, float]]:
     """Return the times; one past the end of the cycle as two, as left must be below right."""
     return [(track, low, high) for track, begin, end in handed.times
             for low, high in ([(begin, end)] if begin < end else [(begin, handed.cycle), (0.0, end)])]  # fmt: skip
@@ -133,14 +133,14 @@ def read_switches(text: str) -> list[Track]:
             raise TargetError(f"element {k}: Left is {low:.9g}, Right {high:.9g}; expected Left below Right")
         rows.append((bit + 1, *REAL.rounded(np.array([low, high])).tolist()))
     require_dimensions(cam, len(rows))
-    return gathered(text, rows)
+    return tracks_of_rows(text, rows)
 
 
-CAM = layout(
+CAM = by_template(
     "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda one: re.sub("-(?=-)", "- ", one)
 )
 TAPPETS = Tappets("rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X",
-                  layout("rockwell-switches.xml", elements=parted, real=real), read_switches,
+                  by_template("rockwell-switches.xml", elements=parted, real=real), read_switches,
                   number=REAL, tracks=32)  # fmt: skip
 
 TARGETS = (

@@ -5,8 +5,8 @@ import numpy as np
 from engine.cams.interpolation import HIGHEST, segmented, simple
 from engine.laws.base import Array
 from engine.motion.pieces import CamProfile
-from workbook.controllers.table import SPLINES, Table, given
-from workbook.controllers.target import Target, layout
+from workbook.controllers.table import SPLINES, Table, required_part
+from workbook.controllers.target import Target, by_template
 from workbook.controllers.texts import indexed, points
 from workbook.errors import TargetError
 
@@ -23,7 +23,7 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
 
 def segments(table: Table) -> list[tuple[float, ...]]:
     """Return the numbers of each segment; the angular frequency by x stands for ``sinePeriod``."""
-    made = given(table.profile, "segments")
+    made = required_part(table.profile, "segments")
     rows = zip(made.edges, made.edges[1:], made.c, made.sines, strict=False)
     return [(low, high, *c, *sines[0]) for low, high, c, sines in rows]
 
@@ -44,10 +44,10 @@ def read_segments(text: str) -> Table:
 
 TARGETS = (
     Target("siemens", "Siemens S7-1500T, LCamHdl basic points in SCL", ".scl", ("x", "y", "y'", "y''"), ("quintics",),
-           layout("siemens.scl"), lambda text: points(text, indexed(text, BASIC)), points=(2, 51)),
+           by_template("siemens.scl"), lambda text: points(text, indexed(text, BASIC)), points=(2, 51)),
     Target("siemens-points", "Siemens S7-1500T, points of TO_Cam in SCL", ".scl", ("x", "y"), SPLINES,
-           layout("siemens-points.scl"), lambda text: points(text, indexed(text, ("x", "y"))), points=(2, 1000)),
+           by_template("siemens-points.scl"), lambda text: points(text, indexed(text, ("x", "y"))), points=(2, 1000)),
     Target("siemens-segments", "Siemens S7-1500T, segments of TO_Cam in SCL", ".scl", ("segments",), ("polynomials",),
-           layout("siemens-segments.scl", segments=segments, fields=SEGMENT), read_segments,
+           by_template("siemens-segments.scl", segments=segments, fields=SEGMENT), read_segments,
            points=(2, 51), spacing="breaks", exact=simple, built=built),
 )  # fmt: skip

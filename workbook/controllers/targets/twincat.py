@@ -3,8 +3,8 @@
 import re
 
 from workbook.controllers.table import SPLINES, equidistant
-from workbook.controllers.target import Tappets, Target, Track, gathered, layout
-from workbook.controllers.texts import INDEXED, columns, indexed, pairs, points, stripped
+from workbook.controllers.target import Tappets, Target, Track, by_template, tracks_of_rows
+from workbook.controllers.texts import INDEXED, columns, indexed, pairs, points, without_comments
 from workbook.errors import TargetError
 
 FIELDS = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc")
@@ -15,7 +15,7 @@ COUNTED = re.compile(r"_(\d{1,4})\.NumberOfSwitches\s{0,9}:=\s{0,9}(\d{1,9})")
 
 def read_switches(text: str) -> list[Track]:
     """Return the tracks that are assigned."""
-    plain = stripped(text)
+    plain = without_comments(text)
     arrays: dict[int, list[tuple[int, str, str]]] = {}
     for number, index, field, value in OF_TRACK.findall(plain):
         arrays.setdefault(int(number), []).append((int(index), field, value))
@@ -26,17 +26,17 @@ def read_switches(text: str) -> list[Track]:
         if told.get(number, len(begins)) != len(begins):
             raise TargetError(f"track {number}: {told[number]} switches are told, {len(begins)} follow")
         times += [(number, *both) for both in zip(begins.tolist(), ends.tolist(), strict=True)]
-    return gathered(text, times)
+    return tracks_of_rows(text, times)
 
 
 TAPPETS = Tappets("twincat switches", "MC_CamSwitch, an array for each MC_DigitalCamSwitch",
-                  layout("twincat-switches.st"), read_switches, times=1000)  # fmt: skip
+                  by_template("twincat-switches.st"), read_switches, times=1000)  # fmt: skip
 
 TARGETS = (
     Target("twincat", "Beckhoff TwinCAT NC2, motion function points in Structured Text", ".st", ("x", "y", "y'", "y''"),
-           ("quintics",), layout("twincat.st"), lambda text: points(text, indexed(text, FIELDS), "NoOfRows"),
+           ("quintics",), by_template("twincat.st"), lambda text: points(text, indexed(text, FIELDS), "NoOfRows"),
            points=(2, 65_535), tappets=TAPPETS),
     Target("twincat-table", "Beckhoff TwinCAT, position table in Structured Text", ".st", ("x", "y"), SPLINES,
-           layout("twincat-table.st", equidistant=equidistant),
+           by_template("twincat-table.st", equidistant=equidistant),
            lambda text: points(text, pairs(text, ":= [", "]"), "NoOfRows"), points=(4, 65_535)),
 )  # fmt: skip

@@ -8,7 +8,7 @@ from xml.etree.ElementTree import Element
 from workbook.book.address import Address
 from workbook.book.formula import Area, FormulaError, reference
 from workbook.judging.display import permitted
-from workbook.judging.display.formats import WHITE, Colour, contrast, parsed
+from workbook.judging.display.formats import WHITE, Colour, contrast, parse_colour
 from workbook.judging.matching import Match
 from workbook.reading.rows import tag
 
@@ -38,7 +38,7 @@ class Axis(NamedTuple):
     said: frozenset[str] = frozenset({"not shown"})
 
 
-class Drawn(NamedTuple):
+class ChartData(NamedTuple):
     """A chart."""
 
     title: Name
@@ -54,29 +54,29 @@ class Drawn(NamedTuple):
     number: int = 0
 
 
-def drawn(match: Match, title: str) -> Iterator[Drawn]:
+def read_charts(match: Match, title: str) -> Iterator[ChartData]:
     """Yield the charts of a sheet of the file."""
     inspected = match.file.inspected
     for number, anchor in enumerate(inspected.drawings.get(title, ()) if inspected else ()):
         if anchor.chart is not None:
             at = Address(title, anchor.first.row + 1, anchor.first.column + 1)
-            yield Reader(at, match.file.contents.area).chart(anchor.chart, number)
+            yield ChartReader(at, match.file.contents.area).chart(anchor.chart, number)
 
 
-class Reader:
+class ChartReader:
     """What reads a chart at a cell; ``named`` resolves the names of sheets in its references."""
 
     def __init__(self, at: Address, named: Callable[[str, str], Area]) -> None:
         self._at, self._named = at, named
 
-    def chart(self, root: Element, number: int = 0) -> Drawn:
+    def chart(self, root: Element, number: int = 0) -> ChartData:
         """Return a chart."""
         plot, everything = child(root, "chart", "plotArea"), list(root.iter())
         groups = [one for one in plot if tag(one).endswith("Chart")] if plot is not None else []
-        axes = {value(one, "axId"): self._axis(one) for one in plot or () if tag(one).endswith("Ax")}
+        axes = {val_of(one, "axId"): self._axis(one) for one in plot or () if tag(one).endswith("Ax")}
         ids = [str(one.get("val")) for one in groups[0] if tag(one) == "axId"][:2] if groups else []
         first, second = (*(axes.get(name, Axis()) for name in ids), Axis(), Axis())[:2]
-        grounds = (ink(child(plot, "spPr")), ink(child(root, "spPr")))
+        grounds = (paint_colour(child(plot, "spPr")), paint_colour(child(root, "spPr")))
         others = (child(root, "chart", name) for name in ("title", "legend"))
         over = max(share(one, "w", 0.0) * share(one, "h", 0.0) for one in others)
         odd = [said for said, there in (
@@ -85,40 +85,40 @@ class Reader:
             ("texts that cannot be seen", any(tag(one) in ("defRPr", "rPr") and unreadable(one) for one in everything)),
             ("a ground of its own", any(one and contrast(one, WHITE) > permitted.FAINT for one in grounds)),
             ("a title or a legend over it", over > permitted.OVER),
-            ("zeros where nothing is", value(root, "chart", "dispBlanksAs") == "zero"),
+            ("zeros where nothing is", val_of(root, "chart", "dispBlanksAs") == "zero"),
         ) if there]  # fmt: skip
-        return Drawn(
+        return ChartData(
             self._text(child(root, "chart", "title", "tx")), tuple(map(tag, groups)),
             [self._line(one) for group in groups for one in group if tag(one) == "ser"], (first, second),
             [one for name, one in axes.items() if name not in ids],
             [form.get("formatCode", "General") for one in everything if tag(one) in ("dLbls", "dLbl")
              for form in one if tag(form) == "numFmt" and form.get("sourceLinked") not in permitted.YES],
             (share(plot, "w", 1.0), share(plot, "h", 1.0)),
-            value(root, "chart", "plotVisOnly", otherwise="1") in permitted.YES,
+            val_of(root, "chart", "plotVisOnly", otherwise="1") in permitted.YES,
             [*sorted({*map(tag, everything)} - {*map(tag, groups)} - permitted.CHART), *odd], self._at, number,
         )  # fmt: skip
 
     def _axis(self, element: Element) -> Axis:
         scaling, form = child(element, "scaling"), child(element, "numFmt")
-        hidden = value(element, "delete", otherwise="0") in permitted.YES or value(element, "tickLblPos") == "none"
-        said = {"backwards": value(scaling, "orientation") == "maxMin", "log": bool(value(scaling, "logBase")),
+        hidden = val_of(element, "delete", otherwise="0") in permitted.YES or val_of(element, "tickLblPos") == "none"
+        said = {"backwards": val_of(scaling, "orientation") == "maxMin", "log": bool(val_of(scaling, "logBase")),
                 "scaled": child(element, "dispUnits") is not None, "not shown": hidden}  # fmt: skip
         return Axis(
             self._text(child(element, "title", "tx")),
-            {end: float(value(scaling, end)) for end in ("min", "max") if value(scaling, end)},
+            {end: float(val_of(scaling, end)) for end in ("min", "max") if val_of(scaling, end)},
             form.get("formatCode", "General") if form is not None else "General",
             frozenset(one for one, there in said.items() if there),
         )
 
     def _line(self, series: Element) -> Line:
         x, y = child(series, "xVal"), child(series, "yVal")
-        unmarked = value(series, "marker", "symbol", otherwise="none") == "none"
-        said = {"not drawn": unmarked and clear(child(series, "spPr", "ln")),
-                "bent between its points": value(series, "smooth", otherwise="0") in permitted.YES}  # fmt: skip
+        unmarked = val_of(series, "marker", "symbol", otherwise="none") == "none"
+        said = {"not drawn": unmarked and is_invisible(child(series, "spPr", "ln")),
+                "bent between its points": val_of(series, "smooth", otherwise="0") in permitted.YES}  # fmt: skip
         return Line(
-            self._area(source(x if x is not None else child(series, "cat"))),
-            self._area(source(y if y is not None else child(series, "val"))),
-            self._area(source(child(series, "errBars", "plus"))),
+            self._area(reference_of(x if x is not None else child(series, "cat"))),
+            self._area(reference_of(y if y is not None else child(series, "val"))),
+            self._area(reference_of(child(series, "errBars", "plus"))),
             self._text(child(series, "tx")),
             frozenset(one for one, there in said.items() if there),
         )
@@ -133,7 +133,7 @@ class Reader:
 
     def _text(self, label: Element | None) -> Name:
         """Return a text, or the cell that has it; LibreOffice quotes a text as if it were a reference."""
-        text = source(label)
+        text = reference_of(label)
         if text.startswith('"'):
             return text.strip('"').replace('""', '"')
         own = "".join(one.text or "" for one in label.iter() if tag(one) in ("t", "v")) if label is not None else ""
@@ -147,7 +147,7 @@ def child(element: Element | None, *path: str) -> Element | None:
     return element
 
 
-def value(element: Element | None, *path: str, otherwise: str = "") -> str:
+def val_of(element: Element | None, *path: str, otherwise: str = "") -> str:
     """Return the attribute ``val`` of the element that a path of names leads to."""
     found = child(element, *path)
     return otherwise if found is None else str(found.get("val", "1"))
@@ -155,28 +155,28 @@ def value(element: Element | None, *path: str, otherwise: str = "") -> str:
 
 def share(part: Element | None, end: str, otherwise: float) -> float:
     """Return which share of a chart's width or height one of its parts has by hand."""
-    return float(value(part, "layout", "manualLayout", end) or otherwise)
+    return float(val_of(part, "layout", "manualLayout", end) or otherwise)
 
 
-def source(data: Element | None) -> str:
+def reference_of(data: Element | None) -> str:
     """Return the reference from which a chart takes its figures, or a text."""
     numbers = child(data, "numRef", "f")
     found = numbers if numbers is not None else child(data, "strRef", "f")
     return (found.text or "") if found is not None else ""
 
 
-def ink(paint: Element | None) -> Colour | None:
+def paint_colour(paint: Element | None) -> Colour | None:
     """Return the colour with which a line, a text or a ground is painted, where its digits say it."""
     colour = child(paint, "solidFill", "srgbClr")
-    return parsed(colour.get("val", "")) if colour is not None else None
+    return parse_colour(colour.get("val", "")) if colour is not None else None
 
 
-def clear(paint: Element | None) -> bool:
+def is_invisible(paint: Element | None) -> bool:
     """Whether a line or a text is painted with nothing, or in a colour that cannot be seen on white."""
-    themed, colour = child(paint, "solidFill", "schemeClr"), ink(paint)
+    themed, colour = child(paint, "solidFill", "schemeClr"), paint_colour(paint)
     if themed is not None:
         return themed.get("val") in ("bg1", "lt1") and not len(themed)
-    faint = int(value(paint, "solidFill", "srgbClr", "alpha") or 100_000) < 10_000
+    faint = int(val_of(paint, "solidFill", "srgbClr", "alpha") or 100_000) < 10_000
     unseen = colour is not None and contrast(colour, WHITE) < permitted.UNSEEN
     return child(paint, "noFill") is not None or faint or unseen
 
@@ -185,9 +185,9 @@ def unreadable(font: Element) -> bool:
     """Whether a text of a chart is painted with nothing, is tiny or struck out, or in a font of signs."""
     face, small = child(font, "latin"), 0 < float(font.get("sz") or 0) < 100 * permitted.LEAST_SIZE
     signs = face is not None and face.get("typeface", "").casefold().startswith(permitted.SIGNS)
-    return clear(font) or small or signs or font.get("strike", "noStrike") != "noStrike"
+    return is_invisible(font) or small or signs or font.get("strike", "noStrike") != "noStrike"
 
 
-def word(name: Name) -> str:
+def name_text(name: Name) -> str:
     """Return a name, or the cell that has it."""
     return name if isinstance(name, str) else f"the text of {name.sheet}!{name.a1}"

@@ -13,7 +13,7 @@ from openpyxl import Workbook
 from openpyxl.styles.colors import COLOR_INDEX
 
 from workbook.judging.display import permitted
-from workbook.judging.display.labels import compared
+from workbook.judging.display.labels import compare_units
 from workbook.judging.report import NOTICE, SHOWN
 from workbook.reading.rows import tag
 
@@ -40,7 +40,7 @@ COLOUR = re.compile(r"(black|white|red|green|blue|yellow|magenta|cyan)|color ?([
 BRIGHT = {"white": "FFFFFF", "yellow": "FFFF00", "cyan": "00FFFF"}
 LANGUAGE = re.compile(r"\$([^-]*)(?:-(?!F800|F400)(?:0?[01])?[0-9A-F]{0,6})?", re.IGNORECASE)  # of our digits
 
-Judged = tuple[str, str]  # the kind of what is told, and what; both empty where nothing is
+Remark = tuple[str, str]  # the kind of what is told, and what; both empty where nothing is
 
 
 class Section(NamedTuple):
@@ -74,9 +74,9 @@ def sections(code: str) -> tuple[Section, ...]:
 
 
 @lru_cache(maxsize=10_000)
-def judged(
+def format_remark(
     code: str, declared: str, unit: str = "", symbol: str = "", text: bool = False, zeros: bool = False
-) -> Judged:
+) -> Remark:
     """Return what is to be told of a format for a text, or for numbers, of which some may round to 0 (``zeros``)."""
     held, ours = sections(code), sections(declared)
     last = held[3] if len(held) > 3 else held[-1] if "@" in held[-1].form else None
@@ -88,12 +88,12 @@ def judged(
     for n, one in enumerate(numeric):
         if n >= len(ours) or one != ours[n]:
             negative = bool(one.condition and one.condition[1][0] == "<" and float(one.condition[2]) <= 0)
-            kinds.add(of_number(one, negative if conditional else n, unit, symbol, zeros))
+            kinds.add(number_kind(one, negative if conditional else n, unit, symbol, zeros))
     kind = SHOWN if SHOWN in kinds else NOTICE if conditional or NOTICE in kinds else ""
     return (kind, f"the number format {code}") if kind else ("", "")
 
 
-def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str:
+def number_kind(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str:
     """Return of which kind the ``n``-th part is, which shows positive numbers, negative ones, or zero."""
     if not all(is_ink(one) or CONDITION.fullmatch(one) for one in part.brackets):
         return SHOWN
@@ -107,7 +107,7 @@ def of_number(part: Section, n: int, unit: str, symbol: str, zeros: bool) -> str
     sign = signed if n != 1 else not signed and found["number"] != "@"
     rest, behind = before[signed:].strip(), behind.removesuffix(")" if before[:1] == "(" else "").strip()
     named = rest in permitted.NEARLY or rest.rstrip("= ") == symbol
-    other = behind and not (unit and compared(behind, unit) == "same")
+    other = behind and not (unit and compare_units(behind, unit) == "same")
     if sign or not named or (found["percent"] and unit) or other:
         return SHOWN
     return "" if set("0@") & set(found["number"]) else SHOWN if zeros else NOTICE
@@ -119,7 +119,7 @@ def is_ink(bracket: str) -> bool:
         return False
     number = int(found[2] or 0) + 7
     code = COLOR_INDEX[number][-6:] if found[2] and number < len(COLOR_INDEX) else BRIGHT.get(bracket.lower(), "0" * 6)
-    return (ink := parsed(code)) is None or contrast(ink, WHITE) >= permitted.UNSEEN
+    return (ink := parse_colour(code)) is None or contrast(ink, WHITE) >= permitted.UNSEEN
 
 
 # Colours and fonts as programs show them: to tell a text that cannot be seen, and a green from a red
@@ -148,11 +148,11 @@ class Palette:
         """Return a colour of openpyxl's; ``otherwise`` where there is none, or the program's own is meant."""
         kind = None if found is None else found.type
         if kind == "rgb" and isinstance(found.rgb, str):
-            return tinted(parsed(found.rgb[-6:]), found.tint)
+            return tinted(parse_colour(found.rgb[-6:]), found.tint)
         if kind == "theme" and found.theme is not None and 0 <= found.theme < len(THEME):
-            return tinted(parsed(self._theme[THEME[found.theme]]), found.tint)
+            return tinted(parse_colour(self._theme[THEME[found.theme]]), found.tint)
         if kind == "indexed" and found.indexed is not None and 0 <= found.indexed < len(self._indexed):
-            return parsed(self._indexed[found.indexed][-6:])
+            return parse_colour(self._indexed[found.indexed][-6:])
         return otherwise
 
     def ground(self, fill: Any, otherwise: Colour | None, conditional: bool = False) -> Colour | None:
@@ -174,7 +174,7 @@ class Palette:
         return self.colour(cell.font.color, BLACK), self.ground(cell.fill, WHITE)
 
 
-def parsed(text: str) -> Colour | None:
+def parse_colour(text: str) -> Colour | None:
     """Return a colour written in six digits."""
     try:
         red, green, blue = (int(text[i : i + 2], 16) / 255 for i in (0, 2, 4))
@@ -199,7 +199,7 @@ def contrast(one: Colour, other: Colour) -> float:
     return (high + 0.05) / (low + 0.05)
 
 
-def looks_passed(look: Look) -> bool:
+def is_green(look: Look) -> bool:
     """Whether a cell looks like a check that passes: on green, or in green ink on no colour."""
     for colour in filter(None, reversed(look)):
         hue, _, saturation = rgb_to_hls(*colour)

@@ -18,7 +18,7 @@ BESIDE = ("label", "symbol", "unit", "note")
 MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
 
 
-class Word(NamedTuple):
+class Label(NamedTuple):
     """A declared text that says what a cell is: of a row, or of a column of a table."""
 
     text: Text
@@ -26,10 +26,10 @@ class Word(NamedTuple):
     what: str
 
 
-Found = tuple[Address, Word]  # a declared text, and where it stands in the file, or something else in its place
+LocatedLabel = tuple[Address, Label]  # a declared text, and where it stands in the file, or something else in its place
 
 
-def words(match: Match, report: Report) -> list[Found]:
+def check_labels(match: Match, report: Report) -> list[LocatedLabel]:
     """Enter texts that say something else of a cell, and as notices those that are reworded; return where they are."""
     misled = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
     for name in match.headless:
@@ -40,20 +40,20 @@ def words(match: Match, report: Report) -> list[Found]:
         if title.casefold() != sheet.title.casefold():
             kind = SHOWN if title.casefold() in titles else NOTICE
             report.say(Address(title, 1, 1), kind, title, sheet.title, "the name of the sheet")
-        known = [word for word in declared(sheet) if word.block.name in match.file.places.keys() - match.headless]
-        found, others = list(standing(match, known)), defaultdict[str, set[str]](set)
+        known = [word for word in labels_of(sheet) if word.block.name in match.file.places.keys() - match.headless]
+        found, others = list(locate_labels(match, known)), defaultdict[str, set[str]](set)
         for word in known:
             others[word.text.style].add(word.text.text)
         for at, word in found:
             first = match.file.places[word.block.name].cell(0, 0)
             if not first.column or (first.sheet, first.a1) not in misled:  # column 0: the first one is gone
-                judge(match, at, word, others[word.text.style], report)
-        unnamed(match, sheet, report)
+                check_label(match, at, word, others[word.text.style], report)
+        check_unlabelled(match, sheet, report)
         everything += found
     return everything
 
 
-def declared(sheet: Sheet) -> Iterator[Word]:
+def labels_of(sheet: Sheet) -> Iterator[Label]:
     """Yield the texts of a sheet that say what its cells are."""
     ordered = sorted(sheet.blocks, key=lambda block: (block.row, block.column))
     rows = {b.row: b for b in reversed(ordered) if not b.is_table}
@@ -62,32 +62,32 @@ def declared(sheet: Sheet) -> Iterator[Word]:
         style = text.style
         if style in HEADINGS:
             if below := next((b for b in ordered if b.row > text.row and b.column >= text.column), None):
-                yield Word(text, below, f"{style} over {below.title or below.quantities[0].label}")
+                yield Label(text, below, f"{style} over {below.title or below.quantities[0].label}")
         elif style in ABOVE:
             above = (b for b in tables if 0 < b.row - text.row <= 4 and text.column in b.columns.values())
             if block := next(above, None):
-                yield Word(text, block, f"{block.title}, {style}")
+                yield Label(text, block, f"{block.title}, {style}")
         elif style in BESIDE and text.row in rows and not text.link:
             block = rows[text.row]
             if text.column in range(FIRST, block.column + 3):
-                yield Word(text, block, f"{style} of {block.quantities[0].label}")
+                yield Label(text, block, f"{style} of {block.quantities[0].label}")
 
 
-def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
+def locate_labels(match: Match, known: Iterable[Label]) -> Iterator[LocatedLabel]:
     """Yield where texts stand: all of a line above a table, and all of one column beside cells, moved alike.
 
     They are the nearest in which most of these texts are found, so that a right text elsewhere excuses no wrong one.
     """
-    lines = defaultdict[tuple[str, int], list[Word]](list)
+    lines = defaultdict[tuple[str, int], list[Label]](list)
     for word in known:
         offset = word.text.row - word.block.row if word.text.style in ABOVE else word.text.column - word.block.column
         lines[word.block.name if word.text.style in ABOVE else "", offset].append(word)
     for (_, offset), line in lines.items():
         furthest = MOST_BETWEEN + 4 if line[0].text.style in ABOVE else MOST_ASIDE
-        best = [place(match, word, offset) for word in line]
+        best = [label_address(match, word, offset) for word in line]
         for more in range(furthest) if offset > 0 else range(0, -furthest, -1):
-            found = [place(match, word, offset + more) for word in line]
-            there = [at.row > 0 < at.column and same(match.file.value(at), word.text.text)
+            found = [label_address(match, word, offset + more) for word in line]
+            there = [at.row > 0 < at.column and same_text(match.file.value(at), word.text.text)
                      for word, at in zip(line, found, strict=True)]  # fmt: skip
             if 2 * sum(there) > len(line):
                 best = found
@@ -95,52 +95,53 @@ def standing(match: Match, known: Iterable[Word]) -> Iterator[Found]:
         yield from ((at, word) for at, word in zip(best, line, strict=True) if at.column > 0 and at.row > 0)
 
 
-def place(match: Match, word: Word, offset: int) -> Address:
+def label_address(match: Match, word: Label, offset: int) -> Address:
     """Return the cell so many rows or columns away from that which a text belongs to."""
     block, held = word.block, match.file.places[word.block.name]
     if word.text.style not in ABOVE:
         return held.cell(0, offset)
     column = held.cell(0, word.text.column - block.column).column
     line = [Address(held.sheet, held.row + offset, one) for one in range(held.column, 0, -1)]
-    moved = next((at for at in line if same(match.file.value(at), word.text.text)), None)
+    moved = next((at for at in line if same_text(match.file.value(at), word.text.text)), None)
     return moved if moved and word.text.style in HEADINGS else Address(held.sheet, held.row + offset, column)
 
 
-def judge(match: Match, at: Address, word: Word, others: set[str], report: Report) -> None:
+def check_label(match: Match, at: Address, word: Label, others: set[str], report: Report) -> None:
     """Enter what is wrong with one text."""
     style, expected, held = word.text.style, word.text.text, match.file.value(at)
     text = "" if held is None else str(held)
-    if same(held, expected):
+    if same_text(held, expected):
         kind = NOTICE if permitted.GAP.search(text) else ""
     else:
-        kind = unit_kind(text, expected, others) if style in ("unit", "units") else reworded(text, expected, others)
+        kind = unit_kind(text, expected, others) if style in ("unit", "units") else text_kind(text, expected, others)
     if kind == SHOWN or (kind == NOTICE and style not in permitted.QUIET):
         report.say(at, kind, text or None, expected, word.what)
 
 
-def reworded(held: str, expected: str, others: Iterable[str]) -> str:
+def text_kind(held: str, expected: str, others: Iterable[str]) -> str:
     """Return of which kind other words are: another's name misleads, and so do figures, translated words do not."""
     more = set(permitted.TELLING.findall(held)) - set(permitted.TELLING.findall(expected))
-    return SHOWN if more or any(same(held, other) for other in others) else NOTICE
+    return SHOWN if more or any(same_text(held, other) for other in others) else NOTICE
 
 
 def unit_kind(held: str, expected: str, others: set[str]) -> str:
     """Return of which kind a changed unit, or symbol with one, is: another misleads, and so do exchanged ones."""
-    (symbol, unit), (ours, declared), known = parted(held), parted(expected), [parted(other) for other in others]
-    stands = compared(unit, declared)
-    exchanged = bool(unit) and stands != "same" and any(same(unit, other) for _, other in known)
+    (symbol, unit), (ours, declared) = split_unit(held), split_unit(expected)
+    known = [split_unit(other) for other in others]
+    stands = compare_units(unit, declared)
+    exchanged = bool(unit) and stands != "same" and any(same_text(unit, other) for _, other in known)
     if stands == "other" or exchanged or (symbol != ours and any(symbol == other for other, _ in known)):
         return SHOWN
     return NOTICE if stands != "same" or symbol != ours or permitted.GAP.search(held) else ""
 
 
-def parted(text: str) -> tuple[str, str]:
+def split_unit(text: str) -> tuple[str, str]:
     """Return symbol and unit of ``s [mm]``; a text without brackets is a unit."""
     symbol, bracket, unit = text.partition("[")
     return (" ".join(symbol.split()), unit.strip().removesuffix("]").strip()) if bracket else ("", text.strip())
 
 
-def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
+def check_unlabelled(match: Match, sheet: Sheet, report: Report) -> None:
     """Enter a unit, or figures, beside a cell whose quantity has no unit."""
     named = {(text.row, text.column) for text in sheet.texts}
     for block, held in match.placed(sheet):
@@ -149,11 +150,11 @@ def unnamed(match: Match, sheet: Sheet, report: Report) -> None:
             continue
         at = held.cell(0, 1)
         text = match.file.value(at)  # a finding where it reads as a unit, and as nothing else
-        if isinstance(text, str) and at not in match.numbers and text.strip() and not unit(text)[1]:
+        if isinstance(text, str) and at not in match.numbers and text.strip() and not parse_unit(text)[1]:
             report.say(at, SHOWN, text, None, f"unit of {q.label}")
 
 
-def same(held: object, expected: str) -> bool:
+def same_text(held: object, expected: str) -> bool:
     """Whether a cell holds a text, however its lines and spaces are broken."""
     return isinstance(held, str) and held.split() == expected.split()
 
@@ -174,7 +175,7 @@ FACTOR = re.compile(r"([^\W\d_]+|°[CF]?|%|‰|1(?![0-9]))\^?(-?[0-9])?")
 
 
 @lru_cache(maxsize=4_000)
-def unit(text: str) -> tuple[dict[str, int], tuple[str, ...]]:
+def parse_unit(text: str) -> tuple[dict[str, int], tuple[str, ...]]:
     """Return the symbols of a unit with their powers, and the words in it that are no symbols, such as ``pieces``."""
     plain = text.strip()
     plain = TURNS.get(plain.lower(), SPELT.get(plain, plain)).translate(RAISED)
@@ -186,7 +187,7 @@ def unit(text: str) -> tuple[dict[str, int], tuple[str, ...]]:
             found = FACTOR.findall(part) if FACTOR.sub("", part) == "" else []
             words += [] if found else [part.casefold()]
             for name, power in found:
-                *first, last = symbols(name) or ("",)
+                *first, last = unit_symbols(name) or ("",)
                 words += [] if last else [name.casefold()]
                 powers.update(dict.fromkeys(first, sign))
                 powers[SPELT.get(last, last)] += sign * int(power or 1)
@@ -194,7 +195,7 @@ def unit(text: str) -> tuple[dict[str, int], tuple[str, ...]]:
     return known, tuple(sorted(words))
 
 
-def symbols(text: str) -> tuple[str, ...]:
+def unit_symbols(text: str) -> tuple[str, ...]:
     """Return the symbol that a text is, or the two that it joins, such as Nm; nothing where it is none."""
 
     def known(part: str) -> bool:
@@ -205,11 +206,11 @@ def symbols(text: str) -> tuple[str, ...]:
     return next((found for found in ((text,), *joined) if all(map(known, found))), ())
 
 
-def compared(held: str, declared: str) -> str:
+def compare_units(held: str, declared: str) -> str:
     """Return how a unit stands to the declared one: ``same``, ``reworded``, or ``other``."""
     if held.split() == declared.split():
         return "same"
-    (powers, words), (ours, declared_words) = unit(held), unit(declared)
+    (powers, words), (ours, declared_words) = parse_unit(held), parse_unit(declared)
     if not held.strip() or (powers == ours and words and declared_words and words != declared_words):
         return "reworded"
     return "same" if (powers, words) == (ours, declared_words) else "other"

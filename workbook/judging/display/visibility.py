@@ -15,8 +15,8 @@ from openpyxl.worksheet.worksheet import Worksheet
 from workbook.book.address import Address
 from workbook.book.declare import Sheet
 from workbook.judging.display import permitted
-from workbook.judging.display.cell_styles import Seen, Told
-from workbook.judging.display.formats import Judged
+from workbook.judging.display.cell_styles import CellGroup, Remarks
+from workbook.judging.display.formats import Remark
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, OK, SHOWN, Report
 from workbook.reading.contents import Cells
@@ -29,7 +29,7 @@ DIGIT, MARGIN = 7, 5  # pixels
 CELL = re.compile("([A-Z]{1,3})([1-9][0-9]{0,6})")
 
 
-class Area(NamedTuple):
+class Rectangle(NamedTuple):
     """A rectangle on a sheet."""
 
     left: float
@@ -37,7 +37,7 @@ class Area(NamedTuple):
     right: float
     bottom: float
 
-    def shared(self, other: Area) -> float:
+    def shared(self, other: Rectangle) -> float:
         """Return which share of this is behind another; 0 of one that has no size."""
         wide = max(min(self.right, other.right) - max(self.left, other.left), 0.0)
         high = max(min(self.bottom, other.bottom) - max(self.top, other.top), 0.0)
@@ -64,7 +64,7 @@ class Lengths:
         return before + (number - whole) * self._given.get(whole, self._usual)
 
 
-class Page:
+class SheetView:
     """A sheet of the file as it is seen."""
 
     def __init__(self, sheet: Worksheet, anchors: list[Anchor]) -> None:
@@ -91,7 +91,7 @@ class Page:
         for one in anchors:
             (left, top), *last = ((self._columns.begin(at.column + 1) + at.right, self.rows.begin(at.row + 1) + at.down)
                                   for at in (one.first, one.last) if at is not None)  # fmt: skip
-            self.areas.append(Area(left, top, *(last[0] if last else (left + one.size[0], top + one.size[1]))))
+            self.areas.append(Rectangle(left, top, *(last[0] if last else (left + one.size[0], top + one.size[1]))))
 
     def out_of_sight(self, at: Address) -> str:
         """Return why a cell, or its middle, is not shown; nothing where it is."""
@@ -113,30 +113,30 @@ def pixels(width: float) -> float:
     return PIXEL * int(width * DIGIT + MARGIN) if width else 0.0
 
 
-def pages(match: Match) -> dict[str, Page]:
+def sheet_views(match: Match) -> dict[str, SheetView]:
     """Return all sheets of a file as they are seen."""
     drawings = match.file.inspected.drawings if match.file.inspected else {}
-    return {sheet.title: Page(sheet, drawings.get(sheet.title, [])) for sheet in match.file.workbook.worksheets}
+    return {sheet.title: SheetView(sheet, drawings.get(sheet.title, [])) for sheet in match.file.workbook.worksheets}
 
 
-def in_view(
-    match: Match, seen: Mapping[str, Page], computed: Cells, cells: list[Seen], report: Report, told: Told
+def check_visibility(
+    match: Match, seen: Mapping[str, SheetView], computed: Cells, cells: list[CellGroup], report: Report, told: Remarks
 ) -> None:
     """Enter what is out of sight: settings, sheets, and cells of the declaration."""
     inspected, workbook = match.file.inspected, match.file.workbook
     if inspected:
-        told.add(Address("", 1, 1), of_settings(inspected.book), "as built", "the windows of the book")
+        told.add(Address("", 1, 1), setting_remarks(inspected.book), "as built", "the windows of the book")
     ours = {title: sheet for sheet, title in match.sheets}
     others = [texts_of(one) for one in workbook.worksheets if one.title not in ours and not seen[one.title].hidden]
     for title, sheet in ours.items():
         first = Address(title, 1, 1)
         if inspected:
-            told.add(first, of_page(inspected.pages[title]), "as built", f"the view of {title}")
+            told.add(first, view_remarks(inspected.pages[title]), "as built", f"the view of {title}")
         if seen[title].hidden:  # another that looks like it misleads
             texts = texts_of(workbook[title])
             replaced = any(len(texts & other) > permitted.ALIKE * len(texts) for other in others)
             told.add(first, [(SHOWN if replaced else NOTICE, "hidden")], "shown", f"the sheet {title}")
-        printed(match, title, sheet, told)
+        check_print_area(match, title, sheet, told)
     overall = {"overall", *(f"status{n}" for n, _ in enumerate(match.declared.sheets, 1))}
     for one in (one for one in cells if not one.folded):
         page = seen[one.at.sheet]
@@ -151,7 +151,7 @@ def in_view(
                 told.add(at, [(NOTICE, said)], "in sight", what, group="")
 
 
-def printed(match: Match, title: str, sheet: Sheet, told: Told) -> None:
+def check_print_area(match: Match, title: str, sheet: Sheet, told: Remarks) -> None:
     """Enter that a verdict is printed no more."""
     area: Any = match.file.workbook[title]._print_area  # type: ignore[attr-defined]
     within = [cells.bounds for cells in area.ranges] if area else []
@@ -167,7 +167,7 @@ def texts_of(sheet: Worksheet) -> set[Any]:
     return {cell.value for cell in sheet._cells.values() if cell.data_type == "s"}
 
 
-def of_settings(root: Element) -> Iterator[Judged]:
+def setting_remarks(root: Element) -> Iterator[Remark]:
     """Yield what is to be told of the settings in a part."""
     elements = [one for one in root.iter() if tag(one) != "pane" or one.get("state", "").startswith("frozen")]
     for name, attribute, usual, kind, said in permitted.SETTINGS:
@@ -176,9 +176,9 @@ def of_settings(root: Element) -> Iterator[Judged]:
                 yield kind, said
 
 
-def of_page(page: Element) -> Iterator[Judged]:
+def view_remarks(page: Element) -> Iterator[Remark]:
     """Yield what is to be told of the views of a sheet, and of what it holds besides cells."""
-    yield from of_settings(page)
+    yield from setting_remarks(page)
     for element in page:
         parts, name = list(element), tag(element)
         if name not in permitted.PAGE:
@@ -193,7 +193,7 @@ def of_page(page: Element) -> Iterator[Judged]:
             yield NOTICE, f"with {newer} for newer programs"
 
 
-def links(match: Match, told: Told) -> None:
+def check_links(match: Match, told: Remarks) -> None:
     """Enter links that lead from a declared cell to another sheet than they should, or out of the book."""
     titles = {sheet.title: title for sheet, title in match.sheets}
     for sheet, title in match.sheets:

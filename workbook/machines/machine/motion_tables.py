@@ -11,7 +11,7 @@ from workbook.laws.sampling import HIGH, LOW, Pieces
 from workbook.machines.machine.boundary import curves
 from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.memo import latest
+from workbook.memo import memoized
 from workbook.motion.cells import Cells, PieceRows, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.requirements import RequiredSmoothness
@@ -32,9 +32,11 @@ class AxisTables:
         self.rows = machine.given.sizes.phases
         self.steps = self.rows + self.rows + 1
         made = partial(rows_of, self.at, axis.motion, stack, self.steps, axis.places)
-        self.pieces: PieceRows = latest("pieces", (axis.motion, self.steps, self.at), made)
+        self.pieces: PieceRows = memoized("pieces", (axis.motion, self.steps, self.at), made)
         required = self.required
-        self.joints = latest("joints", (self.pieces, required), partial(Joints.of, self.pieces, axis.motion, required))
+        self.joints = memoized(
+            "joints", (self.pieces, required), partial(Joints.of, self.pieces, axis.motion, required)
+        )
         self.ends = AxisHandover(self.pieces, axis, machine.over) if machine.hands_over else None
 
     @property

@@ -35,18 +35,18 @@ from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
 from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.memo import latest
+from workbook.memo import memoized
 from workbook.motion.exported import export_sheet
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.pair_selection import PairSelection
-from workbook.template import Other, Template, finish
+from workbook.template import Alternative, Template, finish
 from workbook.template_outputs import CamAxis, CamSwitch
 
 
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
     of_laws = given.laws, given.sizes, bool(given.laws.of("LIN"))
-    book_laws = latest("laws", of_laws, partial(BookLaws, *of_laws))
+    book_laws = memoized("laws", of_laws, partial(BookLaws, *of_laws))
     machine = MachineView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     both = [driven(machine, axis, book_laws.stack) for axis in machine.axes]
@@ -88,13 +88,13 @@ def driven(machine: MachineView, axis: MovingAxis, stack: Pieces) -> tuple[AxisT
     """Return an axis at its place in the book, and its drive; those of the latest book where they are the same."""
     given = machine.given
     others = type(given), *(getattr(given, name) for name in type(given).model_fields if name != "axes")
-    rest = latest("machines", others, lambda: others)
+    rest = memoized("machines", others, lambda: others)
 
     def made() -> tuple[AxisTables, DriveView | None]:
         one = AxisTables(machine, axis, stack)
         return one, DriveView(one, Driven(axis, given)) if axis.given.mechanism and axis.given.motor else None
 
-    one, view = latest("drives", (axis, rest), made)
+    one, view = memoized("drives", (axis, rest), made)
     one.machine = machine
     return one, view
 
@@ -219,5 +219,5 @@ TEMPLATE = Template(
     deviations=deviations,
     rates=rates,
     switches=switches,
-    others={"master.cycle": Other(TimedMachine, told_in_seconds)},
+    others={"master.cycle": Alternative(TimedMachine, told_in_seconds)},
 )

@@ -17,7 +17,7 @@ from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.extremes import measured
-from workbook.memo import latest
+from workbook.memo import memoized
 
 UNITS = {"mm": MM, "°": DEGREE}
 BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entries
@@ -159,10 +159,10 @@ class MachineView:
         both = zip(machine.axes_turned, machine.axes, strict=True)
         speed, over = self.speed, self.over
         moving = [
-            latest("axes", (i, id(library), over, a, typed), partial(MovingAxis, a, i, library, speed, typed, over))
+            memoized("axes", (i, id(library), over, a, typed), partial(MovingAxis, a, i, library, speed, typed, over))
             for i, (a, typed) in enumerate(both, 1)
         ]  # of these very laws: cells find them by what they are, not by what they equal
-        self.axes = [latest("axes at speed", (one, speed), partial(one.at_speed, speed)) for one in moving]
+        self.axes = [memoized("axes at speed", (one, speed), partial(one.at_speed, speed)) for one in moving]
 
     @property
     def near(self) -> float:

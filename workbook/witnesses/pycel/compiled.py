@@ -49,8 +49,8 @@ def compiled(shape: str) -> Compiled | FormulaError:
     """Return a shape as pycel compiles it, or why it cannot; either is found out once."""
     try:
         tokens = Tokenizer(shape).items
-        check(tokens)
-        return _compiled(signed(shape, tokens))
+        check_tokens(tokens)
+        return _compiled(with_signs_first(shape, tokens))
     except FormulaError as error:
         return error
     except RecursionError:
@@ -59,7 +59,7 @@ def compiled(shape: str) -> Compiled | FormulaError:
         return FormulaError("#NAME?", f"pycel cannot compile it: {str(error)[:120]}")
 
 
-def check(tokens: Sequence[Token]) -> None:
+def check_tokens(tokens: Sequence[Token]) -> None:
     """Raise FormulaError for all but dummies, numbers, operators and functions: pycel would hand it on to Python."""
     for token in tokens:
         if token.type == Token.OPERAND and token.subtype in (Token.RANGE, Token.TEXT):
@@ -78,7 +78,7 @@ def check(tokens: Sequence[Token]) -> None:
                 raise FormulaError("#NAME?", f"pycel has no function {name}")
 
 
-def signed(shape: str, tokens: Sequence[Token]) -> str:
+def with_signs_first(shape: str, tokens: Sequence[Token]) -> str:
     """Return a shape whose powers take signs first, as Excel's do, not Python's: ``-A1^A2`` is ``(0-A1)^A2``."""
     if not any(token.type == Token.OP_PRE for token in tokens):
         return shape
@@ -102,7 +102,7 @@ def last_of_operand(tokens: Sequence[Token], first: int) -> int:
     return len(tokens) - 1
 
 
-class Lazy(ast.NodeTransformer):
+class LazyIf(ast.NodeTransformer):
     """IF that works out only what is chosen."""
 
     def visit_Call(self, node: ast.Call) -> ast.Call:
@@ -118,7 +118,7 @@ class Lazy(ast.NodeTransformer):
 def _compiled(shape: str) -> Compiled:
     formula = ExcelFormula(shape)
     if "if_(" in formula.python_code:
-        formula._python_code = ast.unparse(Lazy().visit(ast.parse(formula.python_code)))
+        formula._python_code = ast.unparse(LazyIf().visit(ast.parse(formula.python_code)))
     code, names = formula.compiled_python
     made: list[Callable[[], Any]] = []
     _space["lambdas"] = made
@@ -127,7 +127,7 @@ def _compiled(shape: str) -> Compiled:
     if missing:
         raise FormulaError("#NAME?", f"pycel has no function {', '.join(sorted(missing)).upper()}")
     for name in new:
-        _space[name] = shortcuts.shortened(name, _space[name])
+        _space[name] = shortcuts.with_shortcut(name, _space[name])
     exec(code, _space)  # noqa: S102 - what pycel made of a shape: check() let no word of the file's own pass
     dummies = tuple(match[0] for match in DUMMY.finditer(shape))
     return Compiled(made[0], dummies, frozenset(ADDRESS_ASKED.findall(formula.python_code)))
@@ -142,7 +142,7 @@ class FormulaStep(NamedTuple):
     def compute(self, values: list[Any]) -> Any:
         """Return what the cell holds; raise what pycel raises, and OverflowError for what no cell can hold."""
         arguments.update(zip(self.compiled.dummies, map(values.__getitem__, self.sources), strict=True))
-        return held(self.compiled.call())
+        return as_cell_value(self.compiled.call())
 
 
 class RangeStep(NamedTuple):
@@ -157,7 +157,7 @@ class RangeStep(NamedTuple):
         return Range(zip(*[cells] * self.width, strict=True))
 
 
-def held(result: Any) -> Any:
+def as_cell_value(result: Any) -> Any:
     """Return a result as a cell holds it: 0 for nothing, of an array its first element."""
     kind = type(result)
     if kind is float:
@@ -172,7 +172,7 @@ def held(result: Any) -> Any:
         return result if len(result) <= LONGEST_TEXT else "#VALUE!"
     if kind is bool:
         return result
-    return held(result[0]) if list_like(result) else held(result.item())
+    return as_cell_value(result[0]) if list_like(result) else as_cell_value(result.item())
 
 
 class Numbering:
@@ -204,7 +204,7 @@ class Numbering:
         return number
 
 
-def ordered(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[int, int]]:
+def evaluation_order(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[int, int]]:
     """Return keys so that each follows those keys that it needs; for each in a cycle, one that it needs there."""
     cyclic: dict[int, int] = {}
     try:

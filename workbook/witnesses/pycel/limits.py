@@ -22,7 +22,7 @@ NEAR = 1e-14  # relative: numbers farther apart differ in 15 digits
 MOST_CROSSED = 1_000_000  # cells of all arrays that cross a row with a column, in one evaluation
 
 
-class Crossed:
+class ArrayCells:
     """Counts the cells of arrays that formulas make of a row and a column, or by looking up each of a range."""
 
     cells = 0
@@ -32,19 +32,19 @@ def cross(*arrays: Any) -> None:
     """Count the array of all ``arrays`` before it is made: of a column and a row of 10,000 cells it has 100 million."""
     sizes = [(len(array), len(array[0])) for array in arrays if isinstance(array, tuple)]
     if len(set(sizes)) > 1:
-        spend(max(rows for rows, _ in sizes) * max(columns for _, columns in sizes))
+        count_cells(max(rows for rows, _ in sizes) * max(columns for _, columns in sizes))
 
 
 def count_searches(wanted: Any, array: Any, *_: Any) -> None:
     """Count the cells that are passed through where each of a range is looked up in another."""
     if isinstance(wanted, tuple) and isinstance(array, tuple):
-        spend(len(wanted) * len(wanted[0]) * len(array) * len(array[0]))
+        count_cells(len(wanted) * len(wanted[0]) * len(array) * len(array[0]))
 
 
-def spend(cells: int) -> None:
+def count_cells(cells: int) -> None:
     """Count cells; raise ValueError beyond the limit."""
-    Crossed.cells += cells
-    if Crossed.cells > MOST_CROSSED:
+    ArrayCells.cells += cells
+    if ArrayCells.cells > MOST_CROSSED:
         raise ValueError(f"the arrays of this workbook hold over {MOST_CROSSED:,} cells")
 
 

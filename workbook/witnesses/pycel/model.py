@@ -12,10 +12,10 @@ from pycel.excelutil import AddressRange
 from workbook.book.address import Address, Strip
 from workbook.book.columns import Moved
 from workbook.book.formula import Area, Formula, FormulaError, bounded
-from workbook.reading.contents import Cells, Contents, entered
+from workbook.reading.contents import Cells, Contents, plain_value
 from workbook.reading.files import BookFile
-from workbook.witnesses.pycel.compiled import FormulaStep, Numbering, RangeStep, compiled, ordered
-from workbook.witnesses.pycel.limits import Crossed
+from workbook.witnesses.pycel.compiled import FormulaStep, Numbering, RangeStep, compiled, evaluation_order
+from workbook.witnesses.pycel.limits import ArrayCells
 from workbook.witnesses.witness import CYCLE, CellWitness, Model
 
 PLAIN = frozenset((float, int, str, bool, type(None)))
@@ -46,7 +46,7 @@ class PycelModel:
         self.constants, self.formulas, self._failed = contents.constants, contents.formulas, contents.failed
         if cells is not None:
             self.formulas = {cell: self.formulas[cell] for cell in cells if cell in self.formulas}
-        self._entered = {address: entered(value) for address, value in (self.constants | self._failed).items()}
+        self._entered = {address: plain_value(value) for address, value in (self.constants | self._failed).items()}
         self._numbers = Numbering()
         self._steps: dict[int, FormulaStep | RangeStep] = {}
         self._areas: dict[int, Area] = {}
@@ -59,7 +59,7 @@ class PycelModel:
         self._occupied, self._held = len(self._numbers.values), set[int]()
         for number, address in self._cells.items():
             self._join(number, address, self.formulas[address])
-        self._order, self._cyclic = ordered({number: step.sources for number, step in self._steps.items()})
+        self._order, self._cyclic = evaluation_order({number: step.sources for number, step in self._steps.items()})
         for number, need in self._cyclic.items():
             self._numbers.values[number] = CYCLE
             if number in self._cells:
@@ -74,10 +74,10 @@ class PycelModel:
     @np.errstate(all="ignore")  # what is not finite is worked out again, by elements
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> Cells:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
-        given = {self._numbers.cell(address): entered(value) for address, value in (inputs or {}).items()}
+        given = {self._numbers.cell(address): plain_value(value) for address, value in (inputs or {}).items()}
         self._hold(given)
         values = list(self._numbers.values)
-        Crossed.cells = 0
+        ArrayCells.cells = 0
         for number, value in given.items():
             values[number] = value
         for number in self._order:
@@ -95,8 +95,8 @@ class PycelModel:
         for number in self._areas:
             known[number] = UNKNOWN
         for number, value in zip(cells, values, strict=True):
-            known[number] = value if type(value) in PLAIN else entered(value)
-        Crossed.cells = 0
+            known[number] = value if type(value) in PLAIN else plain_value(value)
+        ArrayCells.cells = 0
         return [self._by_itself(cells[n], known) for n in wanted]
 
     def _by_itself(self, number: int, values: list[Any]) -> Any:
@@ -110,7 +110,7 @@ class PycelModel:
         try:
             return step.compute(values)
         except Exception as error:  # pycel's functions raise whatever Python raises
-            return fault(error)
+            return error_value(error)
 
     def _within(self, strips: Sequence[Strip]) -> list[int]:
         """Return the numbers of the cells of strips; ranges that passed over one as empty now hold it."""
@@ -181,7 +181,7 @@ class PycelModel:
             try:
                 result = step.compute(values)
             except Exception as error:  # pycel's functions raise whatever Python raises
-                result = fault(error)
+                result = error_value(error)
                 problem = "" if result == "#NUM!" else f"pycel: {type(error).__name__}: {str(error)[:120]}"
         if address and number not in self._cyclic:  # a problem of an evaluation before is taken back
             if problem:
@@ -191,6 +191,6 @@ class PycelModel:
         return result
 
 
-def fault(error: Exception) -> str:
+def error_value(error: Exception) -> str:
     """Return the error value of a cell whose computation raised an error."""
     return "#NUM!" if isinstance(error, OverflowError) else "#VALUE!"

@@ -80,7 +80,7 @@ def operators() -> Callable[[Any, str, Any], Any]:
             one, two = (
                 x if k in NUMBERS else array_of(x) if k in RANGES else None for x, k in ((left, kind), (right, other))
             )
-            made = None if one is None or two is None else operated(one, operator, two)
+            made = None if one is None or two is None else array_operation(one, operator, two)
             if made is not None:
                 return Array(made)
             left, right = plain(left), plain(right)
@@ -94,7 +94,7 @@ def operators() -> Callable[[Any, str, Any], Any]:
     return operate
 
 
-def operated(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
+def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
     """Return what an operator makes of arrays of one size, or of one and a number; None where that is not plain."""
     kinds = [one.dtype for one in (a, b) if isinstance(one, np.ndarray)]
     if len(kinds) == 2 and a.shape != b.shape:
@@ -130,7 +130,7 @@ def index(array: Any, row: Any, column: Any = None) -> Any:
     return None
 
 
-def of_one(body: Callable[[float], float], over: Callable[[Any], Any], *arguments: Any) -> Any:
+def of_number(body: Callable[[float], float], over: Callable[[Any], Any], *arguments: Any) -> Any:
     """Return a function of one number in its domain, or of an array of these."""
     value: Any = arguments[0] if len(arguments) == 1 else None
     if type(value) in NUMBERS:
@@ -142,7 +142,7 @@ def of_one(body: Callable[[float], float], over: Callable[[Any], Any], *argument
     return None
 
 
-def of_many(body: Callable[[Sequence[float]], float], *arguments: Any) -> Any:
+def of_numbers(body: Callable[[Sequence[float]], float], *arguments: Any) -> Any:
     """Return a function of any numbers, and of one range that holds nothing else."""
     one_range = len(arguments) == 1 and type(arguments[0]) in RANGES
     rows: Iterable[Any] = plain(arguments[0]) if one_range else (arguments,)
@@ -168,10 +168,10 @@ def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_v
 
 
 ELEMENTARY = ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "sqrt", "log10", "degrees", "radians")
-WAYS: dict[str, Function] = {
-    **{name: functools.partial(of_one, getattr(math, name), getattr(np, name)) for name in ELEMENTARY},
-    "ln": functools.partial(of_one, math.log, np.log), "abs_": functools.partial(of_one, abs, np.abs),
-    **{f"{body.__name__}_": functools.partial(of_many, body) for body in (min, max, sum)},
+SHORTCUTS: dict[str, Function] = {
+    **{name: functools.partial(of_number, getattr(math, name), getattr(np, name)) for name in ELEMENTARY},
+    "ln": functools.partial(of_number, math.log, np.log), "abs_": functools.partial(of_number, abs, np.abs),
+    **{f"{body.__name__}_": functools.partial(of_numbers, body) for body in (min, max, sum)},
     "sumproduct": product_sum, "index": index,
 }  # fmt: skip
 """the straight ways of pycel's functions, by their names there; each gives None for what it does not take"""
@@ -180,9 +180,9 @@ COUNTED |= dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), count_search
 """what counts the cells that functions pass through, before they begin"""
 
 
-def shortened(name: str, function: Function) -> Function:
+def with_shortcut(name: str, function: Function) -> Function:
     """Return a function of pycel as formulas call it: by its straight way, if it has one, counted, and for arrays."""
-    way, count = WAYS.get(name), COUNTED.get(name)
+    way, count = SHORTCUTS.get(name), COUNTED.get(name)
 
     def call(*arguments: Any) -> Any:
         found = way(*arguments) if way is not None else None

@@ -48,7 +48,7 @@ class Motion:
     """Phases one after the other, from position 0: from x = 0, or from a rest that goes on before and after."""
 
     def __init__(self, rows: Sequence[Row | Via], rests_from: float | None = None) -> None:
-        met = [(beside(rows, k, -1), beside(rows, k, 1)) for k in range(len(rows))]
+        met = [(end_condition(rows, k, -1), end_condition(rows, k, 1)) for k in range(len(rows))]
         phases = [(row, ends) for row, ends in zip(rows, met) if isinstance(row, Row)]
         if not phases:
             raise Refused(NUM if rows else VALUE)
@@ -70,7 +70,7 @@ class Motion:
         return self.positions[k] + s, v / duration, a / duration / duration
 
 
-def beside(rows: Sequence[Row | Via], k: int, side: int) -> Via:
+def end_condition(rows: Sequence[Row | Via], k: int, side: int) -> Via:
     """Return what a row has to meet beside it: a straight line, what is prescribed, else rest."""
     asked, place = rows[k], k + side
     near = rows[place] if 0 <= place < len(rows) else None

@@ -33,7 +33,7 @@ class Domain(NamedTuple):
         return 0.0 < value < 1.0 if self.open else 0.0 <= value <= 1.0
 
 
-class Declared(NamedTuple):
+class LawForm(NamedTuple):
     """A law: its parameters as delivered, and one of its three forms.
 
     ``stages`` gives the durations of the edge up, the constant and the edge down of the first pulse, of the uniform
@@ -85,29 +85,29 @@ def two_sines(turn: Any) -> Sequence[Mapping[str, Any]]:
 
 FLAT, HALVES, EDGE, QUARTERS = (0.0, 1.0, 0.0), (0.5, 0.0, 0.5), (0.0, 0.0, 1.0), (0.25, 0.5, 0.25)  # stages of a pulse
 ENDS, ANYWHERE, PART, SHARED = Domain((-1.0, 1.0)), Domain((-1.0, 0.0, 1.0)), Domain(), {0: Domain(open=True)}
-LAWS: dict[str, Declared] = {
-    "DWL": Declared(pieces=lambda: [{"duration": 1.0}]),
-    "LIN": Declared(pieces=lambda: [{"duration": 1.0}], begin=1.0),
-    "ACS": Declared((0.5,), lambda share: shared(share, FLAT, FLAT)),
-    "CIC": Declared((0.5,), lambda share: shared(share, HALVES, HALVES)),
-    "CUB": Declared((0.5,), half=(1.5, -1.5), domains=SHARED),
-    "SHM": Declared((0.5,), lambda share: shared(share, EDGE, EDGE)),
-    "PO5": Declared((0.5,), half=(0.0, 7.5, -11.25, 3.75), domains=SHARED),
-    "PO7": Declared((0.5,), half=(0.0, 0.0, 26.25, -52.5, 32.8125, -6.5625), domains=SHARED),
-    "TVP": Declared((1 / 3, 2 / 3), lambda rise, fall: (0.0, rise, 0.0, fall - rise, 0.0, 1.0 - fall, 0.0)),
-    "SRT": Declared((0.25, 0.75), lambda rise, fall:
+LAWS: dict[str, LawForm] = {
+    "DWL": LawForm(pieces=lambda: [{"duration": 1.0}]),
+    "LIN": LawForm(pieces=lambda: [{"duration": 1.0}], begin=1.0),
+    "ACS": LawForm((0.5,), lambda share: shared(share, FLAT, FLAT)),
+    "CIC": LawForm((0.5,), lambda share: shared(share, HALVES, HALVES)),
+    "CUB": LawForm((0.5,), half=(1.5, -1.5), domains=SHARED),
+    "SHM": LawForm((0.5,), lambda share: shared(share, EDGE, EDGE)),
+    "PO5": LawForm((0.5,), half=(0.0, 7.5, -11.25, 3.75), domains=SHARED),
+    "PO7": LawForm((0.5,), half=(0.0, 0.0, 26.25, -52.5, 32.8125, -6.5625), domains=SHARED),
+    "TVP": LawForm((1 / 3, 2 / 3), lambda rise, fall: (0.0, rise, 0.0, fall - rise, 0.0, 1.0 - fall, 0.0)),
+    "SRT": LawForm((0.25, 0.75), lambda rise, fall:
                     (rise / 2, 0.0, rise / 2, fall - rise, (1.0 - fall) / 2, 0.0, (1.0 - fall) / 2)),
-    "MTP": Declared((0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125), lambda *d: d),
-    "SCV": Declared((1 / 12, 1 / 6, 1 / 12, 1 / 3, 1 / 12, 1 / 6, 1 / 12), lambda *d: d, straight=True),
-    "DHM": Declared((1.0,), pieces=two_sines, domains={0: ENDS}),
-    "MSN": Declared((0.5, 0.25, 0.25), lambda share, first, last:
+    "MTP": LawForm((0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125), lambda *d: d),
+    "SCV": LawForm((1 / 12, 1 / 6, 1 / 12, 1 / 3, 1 / 12, 1 / 6, 1 / 12), lambda *d: d, straight=True),
+    "DHM": LawForm((1.0,), pieces=two_sines, domains={0: ENDS}),
+    "MSN": LawForm((0.5, 0.25, 0.25), lambda share, first, last:
                     shared(share, (first, 0.0, 1.0 - first), (last, 0.0, 1.0 - last))),
-    "MTS": Declared((0.5, 0.0, 0.5), lambda share, turn, edge: cut(share, turn, QUARTERS, (0.0, 1.0 - edge, edge)),
+    "MTS": LawForm((0.5, 0.0, 0.5), lambda share, turn, edge: cut(share, turn, QUARTERS, (0.0, 1.0 - edge, edge)),
                     domains={1: ANYWHERE, 2: PART}),
-    "SCC": Declared((1 / 3, 1 / 3, 1 / 3, 0.0, 0.5), lambda outer, level, inner, cruise, share:
+    "SCC": LawForm((1 / 3, 1 / 3, 1 / 3, 0.0, 0.5), lambda outer, level, inner, cruise, share:
                     shared(share, (outer, level, inner), (outer, level, inner), cruise)),
-    "HAC": Declared((0.5, 1.0), lambda share, turn: cut(share, turn, (0.25, 0.0, 0.75), EDGE), domains={1: ENDS}),
-    "SGS": Declared((0.5, 0.5), lambda share, curved:
+    "HAC": LawForm((0.5, 1.0), lambda share, turn: cut(share, turn, (0.25, 0.0, 0.75), EDGE), domains={1: ENDS}),
+    "SGS": LawForm((0.5, 0.5), lambda share, curved:
                     shared(share, (0.0, 0.0, curved), (0.0, 0.0, curved), 1.0 - curved)),
 }  # fmt: skip
 PARAMETERS = {code: len(one.delivered) for code, one in LAWS.items()}

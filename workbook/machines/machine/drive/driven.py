@@ -31,7 +31,7 @@ from workbook.machines.machine.mechanism import (
     Table,
 )
 from workbook.machines.machine.view import MovingAxis
-from workbook.memo import latest
+from workbook.memo import memoized
 
 T = TypeVar("T")
 SHAFTS = ("motor", "mechanism")
@@ -146,7 +146,7 @@ class Driven:
     def drive_cycle(self) -> DriveCycle:
         """The drive over the motion of its axis, at the rate that it is sized at."""
         motion = self.axis.motion
-        told = latest("told", motion, partial(MotionPieces.of, motion))
+        told = memoized("told", motion, partial(MotionPieces.of, motion))
         return DriveCycle(self.train, told, self.axis.speed, self.axis.shifted.shift)
 
     @cached_property
