@@ -99,7 +99,7 @@ def evaluation_copy(
 
 
 def copy_contents(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Workbook:
-    """Return a workbook with the same sheets, names that lead to cells, and contents, as :func:`evaluation_copy` says."""
+    """Return a workbook of the same sheets, contents and names that lead to cells (see :func:`evaluation_copy`)."""
     made = Workbook()
     made.remove(made.worksheets[0])
     made.epoch = file.workbook.epoch
