@@ -61,7 +61,7 @@ async def timed(text: str, others: list[str], work: Work) -> tuple[float, int]:
     taken, answer = [], ""
     for other in others:
         begin = time.perf_counter()
-        answer = await work.beside(fragment, "machine.toml", other, text)
+        answer = await work.in_worker(fragment, "machine.toml", other, text)
         taken.append(time.perf_counter() - begin)
     return median(taken), len(answer.encode())
 
@@ -127,7 +127,7 @@ async def main() -> None:
     table = Table("Axes", "Edited", "Median [s]", "Goal [s]", "Answer [kB]", title="From an edit to its figures")
     for axes, goal in GOALS.items():
         work, text = Work(), description(axes)
-        await work.beside(fragment, "machine.toml", text, text)  # the process begins
+        await work.in_worker(fragment, "machine.toml", text, text)  # the process begins
         for what, others in edits(text).items():
             taken, size = await timed(text, others, work)
             table.add_row(f"{axes}", what, f"{taken:.3f}", f"{goal:g}", f"{size / 1000:.0f}")

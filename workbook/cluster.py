@@ -1,4 +1,4 @@
-"""A pool of Dask workers, of this machine or a cluster's; Dask is imported only where one piece of work is not all."""
+"""A pool of Dask workers, of this machine or a cluster's; Dask is imported only for more than one task."""
 
 import gc
 import logging
@@ -15,7 +15,7 @@ from workbook.pool import THIS_PROCESS, Pool, WorkerDied, cores
 T = TypeVar("T")
 R = TypeVar("R")
 MOST_JOBS = 61  # Windows waits for no more processes at once
-COLLECT_EVERY = 32  # pieces of work, between two searches for garbage: a command runs with the search off
+COLLECT_EVERY = 32  # tasks between two collections of garbage: a command runs with the collector off
 WAIT = "10s"  # for a scheduler
 LOCAL = {
     "distributed.scheduler.allowed-failures": 0,  # a task whose worker died comes back, and is tried alone
@@ -30,12 +30,12 @@ REMOTE = {"distributed.comm.retry.count": 0, "distributed.comm.timeouts.connect"
 
 
 class ClusterError(MotionbookError):
-    """A cluster that cannot be reached, that has nobody to work, or that is gone."""
+    """A cluster that cannot be reached, has no workers, or is gone."""
 
 
 @contextmanager
 def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
-    """Give who works: this process for one job, processes for more, a cluster by its scheduler; raise ClusterError."""
+    """Give a pool: this process for one job, processes for more, a cluster by its scheduler; raise ClusterError."""
     wanted = min(jobs or cores(), MOST_JOBS)
     if scheduler is None and wanted <= 1:
         yield THIS_PROCESS
@@ -96,7 +96,7 @@ def remote(scheduler: str) -> Iterator[Any]:
 
 
 async def require_answer(scheduler: str) -> None:
-    """Have a scheduler say in time who it is: for a port that is silent Dask's client waits for minutes."""
+    """Raise unless a scheduler answers in time: on a silent port Dask's client waits for minutes."""
     from asyncio import wait_for
 
     from dask.utils import parse_timedelta
@@ -125,7 +125,7 @@ class Workers(Pool):
             yield type(self)(client, "")
 
     def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | WorkerDied]]:
-        """Yield each task with what the function gives; one more than there are workers are handed out."""
+        """Yield each task with its result; at most one task more than there are workers is handed out."""
         from distributed import as_completed
 
         info = self.client.scheduler_info(n_workers=-1)["workers"]
@@ -155,7 +155,7 @@ class Workers(Pool):
             finished.clear()
 
     def _came(self, future: Any) -> Any:
-        """Return what came of a task; raise ClusterError where the scheduler is gone."""
+        """Return the result of a task; raise ClusterError where the scheduler is gone."""
         from concurrent.futures import CancelledError
 
         from distributed import KilledWorker
@@ -172,7 +172,7 @@ class Workers(Pool):
 
 
 def without_recursion_error(function: Callable[..., R], *arguments: Any) -> R:
-    """Return what a function gives; too deep a recursion is another error, since Dask waits for ever for its own."""
+    """Call a function; raise RuntimeError for too deep a recursion, as Dask hangs on a RecursionError."""
     try:
         return function(*arguments)
     except RecursionError as error:
@@ -181,5 +181,5 @@ def without_recursion_error(function: Callable[..., R], *arguments: Any) -> R:
 
 
 def dask_setup(_: Any) -> None:
-    """Begin a worker of ours: Ctrl-C, which reaches every process of a terminal, is left to the first of them."""
+    """Let a worker ignore Ctrl-C, which reaches every process of a terminal: the first of them handles it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,4 +1,4 @@
-"""What can go wrong at the edges, each said in one line that no terminal obeys: what, where, what is expected."""
+"""Errors that a user can mend; each message is a line without control characters: what, where, what is expected."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -8,11 +8,11 @@ AGREES, DISAGREES, UNREADABLE, FAILS = 0, 1, 2, 3  # exit codes of the command
 MOST = 40  # faults that are told, of thousands
 LONGEST = 60  # characters that a message repeats of what was found
 UNFIT = ("Cc", "Cf", "Cs", "Cn", "Zl", "Zp")
-"""control, bidirectional and other marks, halves of characters, no characters, ends of lines and of paragraphs"""
+"""categories of Unicode: controls, format marks, surrogates, unassigned, ends of lines and of paragraphs"""
 
 
 def visible(text: str, kept: str = "") -> str:
-    r"""Return a text in one line, with escapes such as ``\x1b`` of what is none to read, but those ``kept``."""
+    r"""Return a text in one line, unprintable characters but those ``kept`` as escapes such as ``\x1b``."""
     if text.isprintable():
         return text
     return "".join(c.encode("unicode_escape", "surrogatepass").decode() if category(c) in UNFIT and c not in kept else c
@@ -50,7 +50,7 @@ class InputError(MotionbookError):
         Exception.__init__(self, "\n".join(self.lines))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """To another process it goes by its lines."""
+        """Pickle the error by its lines."""
         return InputError, (self.lines,)
 
 
@@ -63,7 +63,7 @@ class WriteError(MotionbookError):
 
 
 class TargetError(MotionbookError):
-    """What a controller cannot be given, or a table that none could be."""
+    """A motion that a target cannot take, or a file that holds no cam table."""
 
 
 class WitnessError(MotionbookError):

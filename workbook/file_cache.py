@@ -1,6 +1,6 @@
-r"""What was found out of a file, remembered by the file's SHA-256 and by this version of the program, from run to run.
+r"""A cache on disk of results on files, by the file's SHA-256 and the version of this program.
 
-It lies where the system keeps what may be lost: ``~/.cache/motionbook``, ``~/Library/Caches/motionbook`` on macOS,
+It lies in the system's folder of caches: ``~/.cache/motionbook``, ``~/Library/Caches/motionbook`` on macOS,
 ``%LOCALAPPDATA%\motionbook\Cache`` on Windows.
 """
 
@@ -18,11 +18,11 @@ from workbook.errors import WriteError
 from workbook.writing.output_files import write_text
 
 SOURCES = Path(__file__).parents[1]
-MOST = 1_000_000  # bytes of what is remembered of a file
+MOST = 1_000_000  # bytes of an entry
 
 
 def load_cached(what: str, sha256: str) -> dict[str, Any] | None:
-    """Return what is remembered of a file; None where nothing is, or what a changed program remembered."""
+    """Return what the cache has of a file; None for nothing, or an entry of another version of the program."""
     with suppress(OSError, ValueError, RuntimeError):  # the last of a system that knows no home
         path = folder() / f"{sha256}.{what}.json"
         if path.stat().st_size <= MOST:
@@ -33,7 +33,7 @@ def load_cached(what: str, sha256: str) -> dict[str, Any] | None:
 
 
 def store_cached(what: str, sha256: str, data: dict[str, Any]) -> None:
-    """Remember ``data`` of a file; where that cannot be written, it is found out again another time."""
+    """Store ``data`` on a file; a folder that cannot be written to is no error."""
     text = json.dumps(data | {"program": program_digest()})
     with suppress(OSError, RuntimeError, WriteError):
         write_text(folder() / f"{sha256}.{what}.json", text, overwrite=True)
@@ -51,7 +51,7 @@ def folder() -> Path:
 
 @cache
 def program_digest() -> str:
-    """Return what tells this program from another: its modules by name, size and time of change, and Python."""
+    """Return a digest of this program: its modules by name, size and time of change, and Python."""
     told = hashlib.sha256(f"{sys.version} {platform.machine()}".encode())
     for room in ("engine", "workbook"):
         for path in sorted((SOURCES / room).rglob("*.py")):

@@ -1,4 +1,4 @@
-"""What was made lately, found again by what it was made of, as far as :func:`enable_memo` asks a process for it."""
+"""A cache of the latest values by what they were made of; it is off until a process calls :func:`enable_memo`."""
 
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -10,18 +10,18 @@ _most = 0
 
 
 def enable_memo(most: int) -> None:
-    """Remember from now on so many things of each kind."""
+    """Keep from now on so many values of each kind."""
     global _most
     _most = most
 
 
 def memo_enabled() -> bool:
-    """Whether anything is remembered."""
+    """Whether values are kept."""
     return _most > 0
 
 
 def memoized(kind: str, of: Any, make: Callable[[], T]) -> T:
-    """Return what was made of an equal thing if it is remembered, else make it."""
+    """Return the value that was made of an equal key if it is kept, else make it."""
     known = _known.setdefault(kind, [])
     place = next((k for k, (other, _) in enumerate(known) if other == of), None)
     pair = (of, make()) if place is None else known.pop(place)

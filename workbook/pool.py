@@ -1,4 +1,4 @@
-"""Work in pieces, here or over a cluster, each handed back as it is finished; Python's search for garbage held back."""
+"""A pool for tasks, here or over a cluster; the garbage collector paused while books are made."""
 
 import gc
 import os
@@ -16,21 +16,21 @@ def cores() -> int:
 
 
 class WorkerDied:
-    """What comes of a task whose worker died."""
+    """The result of a task whose worker died."""
 
 
 class Pool:
-    """Who does the work: this process, one piece after the other; over a cluster its workers."""
+    """A pool of one: this process, which does one task after the other; a subclass has a cluster's workers."""
 
     distant = False  # whether they may be other machines, which do not see this one's files
 
     def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | WorkerDied]]:
-        """Yield each task with what ``function(task, *shared)`` gives, as they are finished, taken as there is room."""
+        """Yield each task with the result of ``function(task, *shared)``, in the order in which they finish."""
         for task in tasks:
             yield task, function(task, *shared)
 
     def alone(self) -> AbstractContextManager[Self]:
-        """Give a pool for a task of which a worker died: one that is fresh, where that harms nobody."""
+        """Give a pool for a task whose worker died: a fresh one, unless others use this one too."""
         return nullcontext(self)
 
 
@@ -39,7 +39,7 @@ THIS_PROCESS = Pool()
 
 @contextmanager
 def collector_paused() -> Iterator[None]:
-    """Hold Python's search for garbage back: among cells that live until the end it finds none, yet takes a quarter."""
+    """Pause the garbage collector: it takes a quarter of the time, and finds none among cells that live to the end."""
     was_on = gc.isenabled()
     gc.disable()
     try:
@@ -50,7 +50,7 @@ def collector_paused() -> Iterator[None]:
 
 
 def collecting_between(items: Iterable[T]) -> Iterator[T]:
-    """Yield items, and search between two of them: a command runs with the search off, and one book may be large."""
+    """Yield items, and collect garbage between them: a command runs with the collector off, and books may be large."""
     for n, item in enumerate(items):
         if n:
             gc.collect()

@@ -18,7 +18,7 @@ MOST = 99  # parts of a kind that are told apart by numbers
 
 
 class Alternative(NamedTuple, Generic[M]):
-    """Another way to tell a machine: the model of such a description, and the same machine told so."""
+    """Another form of a description: its model, and the function that brings a machine into this form."""
 
     model: type[M]
     told: Callable[[M], M]

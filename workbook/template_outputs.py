@@ -1,7 +1,7 @@
-"""What a template offers besides its book: axes, as a controller sees them, and what of a machine only scales.
+"""What a template gives besides its book: axes for controllers, and results of many designs at once.
 
-Designs that differ in nothing else are worked out together, without a book: a template says which entries of its
-description do so (a motor, a reducer), and gives the results of many designs at once, by the names in its book.
+Designs that differ only in entries that scale results (a motor, a reducer) are computed together, without a book: a
+template names these entries, and gives the results by the names in its book.
 """
 
 from collections.abc import Callable, Collection, Mapping, Sequence
@@ -61,7 +61,7 @@ Worked = dict[str, Callable[[], Any]]
 
 
 class Results(NamedTuple):
-    """By name what works a result out; which of them are checks, and which take each design by itself."""
+    """Functions that compute results, by name; which of them are checks, and which take each design by itself."""
 
     named: Mapping[str, Callable[[], Any]]
     checks: Collection[str]
@@ -69,7 +69,7 @@ class Results(NamedTuple):
 
 
 class Scaling(NamedTuple, Generic[M]):
-    """What of a kind of machine only scales.
+    """The entries of a kind of machine that only scale its results, and these results.
 
     ``part`` returns to which part of the machine the entry at a key belongs, empty for all others; one entry of a part
     may differ. ``results`` gives the results of designs that differ in the columns, by the keys of these. ``most``

@@ -1,4 +1,4 @@
-"""Texts that people hand over as files: what is no regular file is never opened, and no file is read beyond a limit."""
+"""Text files of users, read under limits: only regular files are opened, and none is read beyond a size."""
 
 import codecs
 import re
@@ -12,12 +12,12 @@ MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 MOST = 1_000_000  # bytes; the largest description or catalogue that fits into a book has 60,000
 KINDS = {stat.S_IFDIR: "this is a folder", stat.S_IFREG: ""}
 CONTROL = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x19\x1b-\x1f\x7f]")
-"""what is in no text; but a text of old ends with \\x1a"""
+"""control characters that no text has; old files end with \\x1a"""
 OTHER = "this is a device or a pipe"
 
 
 def irregular_kind(path: Path) -> str:
-    """Return what ``path`` leads to unless that is a regular file; nothing is opened: a pipe would wait for ever."""
+    """Return what ``path`` leads to, empty for a regular file; it is not opened, as a pipe would block."""
     return KINDS.get(stat.S_IFMT(path.stat().st_mode), OTHER)
 
 
@@ -34,7 +34,7 @@ def require_file(path: Path, expected: str) -> None:
 
 
 def read_text(path: Path, expected: str, most: int = MOST, foreign: bool = False) -> str:
-    """Return the text of a file in UTF-8; raise ReadError, which says that ``expected`` was, for anything else.
+    """Return the text of a file in UTF-8; raise ReadError, which names what was ``expected``, where it has none.
 
     A ``foreign`` file may be in UTF-16 with its mark, or in Windows' code page, as spreadsheets save columns of text.
     """
@@ -54,5 +54,5 @@ def read_text(path: Path, expected: str, most: int = MOST, foreign: bool = False
 
 
 def read_error(path: Path, error: Exception, expected: str) -> ReadError:
-    """Return the error for a file that the system does not give."""
+    """Return the error for a file that cannot be read."""
     return ReadError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}; expected {expected}")

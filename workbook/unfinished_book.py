@@ -1,4 +1,4 @@
-"""The book of an unfinished design: what was entered, FAIL where it does not do, and no value where that leaves none.
+"""The book of an unfinished design: entries as they are, FAIL where one breaks a rule, no value where one is needed.
 
 The book is declared for a machine whose entries do. Those that were replaced are put back; the formula cells that hang
 on them have no engine value (None), but for the checks of the rules themselves, and what these come to together.
@@ -30,7 +30,7 @@ def with_entries(book: Book, machine: Machine) -> Book:
 
 
 class UnfinishedBook:
-    """A book that is being changed: entries first, then what is known of the checks, then what hangs on entries."""
+    """A book changed to an unfinished design: first the entries, then checks, then the cells that depend on entries."""
 
     def __init__(self, book: Book, machine: Machine) -> None:
         self.book, self.design = book, machine.design

@@ -102,7 +102,7 @@ class Trial:
     def outcome(self, fault: Fault) -> str:
         """Return "named", "missed", or "alike" of a fault that changes no output by more than its tolerance."""
         judge = Judge(put_in(self.file, fault), self.oracle)
-        if any(True for _ in chain(judge.deviating(self.tried, ("pycel",), []), judge.looked())):
+        if any(True for _ in chain(judge.deviating(self.tried, ("pycel",), []), judge.other_findings())):
             return "named"
         if judge.looks.dimensions(judge.model.order).wrong:
             return "named"

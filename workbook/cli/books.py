@@ -18,7 +18,7 @@ app = typer.Typer(no_args_is_help=True, pretty_exceptions_enable=False)
 
 
 def flag(name: str, words: str, **ways: Any) -> Any:
-    """Return what is off unless it is named."""
+    """Return an option that is off unless it is named."""
     return Option(False, name, help=words, **ways)
 
 

@@ -1,4 +1,4 @@
-"""Verify books, and report on them; what verify says of a book, asked once for the same bytes."""
+"""Verify books and report on them; the verdict on a book is cached by its bytes."""
 
 import os
 from collections.abc import Sequence
@@ -73,7 +73,7 @@ def open_finished(book: Path) -> tuple[Machine, State]:
 
 
 def verified_header(book: Path, before: State, unverified: bool, fresh: bool = False) -> tuple[str, ...]:
-    """Return the header's lines on a book that is right or not to be asked; end the command, told why, if wrong."""
+    """Return the header's lines on a book that agrees or is not to be verified; end the command if it disagrees."""
     lines = ["NOT VERIFIED: nobody compared the book with the engine"] if unverified else []
     if not unverified:  # these bytes are verified once, unless ``fresh``
         sha256 = digest_of(book)
@@ -98,7 +98,7 @@ def verified_header(book: Path, before: State, unverified: bool, fresh: bool = F
 
 
 def cache_verdict(sha256: str, report: Report) -> None:
-    """Remember what verify says of a file, unless the witness of every day had no say, or one had no values."""
+    """Cache the verdict on a file, if the usual witness answered and none failed."""
     answered = any(ran.name == DAILY and ran.answered for ran in report.witnesses)
     if answered and not any(finding.kind == "witness" for finding in report.findings):
         failing = [check.line for check in report.failing]

@@ -1,4 +1,4 @@
-"""The targets in order, and what is held for true of each one's format, by which document."""
+"""The targets in order, and the claims about each one's format with their documents."""
 
 import tomllib
 from pathlib import Path

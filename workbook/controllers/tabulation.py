@@ -1,4 +1,4 @@
-"""From an axis to what a target is given: points in its numbers, by their number or the fewest, and certificates."""
+"""From an axis to a target's table: so many points, or the fewest within a tolerance, each with certificates."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace

@@ -33,7 +33,7 @@ COUNTED = re.compile(r"; ([0-9]{1,9}) points(?: at equal steps)?; between them")
 
 
 class Claim(NamedTuple):
-    """One thing about a target's format: what is held for true, how certain that is, and by which document."""
+    """A claim about a target's format: what is assumed, how certain that is, and by which document."""
 
     what: str
     certainty: str
@@ -41,13 +41,13 @@ class Claim(NamedTuple):
 
 
 class ClaimedFormat:
-    """A format, of which ``claims.toml`` tells by its name what is held for true."""
+    """A format whose claims stand in ``claims.toml`` by its name."""
 
     name: str
 
     @property
     def claims(self) -> list[Claim]:
-        """What is held for true, and how certain that is: documented, probable or untested."""
+        """The claims, and how certain each is: documented, probable or untested."""
         told = CLAIMS[self.name].items()
         return [Claim(what, certainty, source) for certainty, rows in told for what, source in rows]
 
@@ -58,7 +58,7 @@ class ClaimedFormat:
 
 
 class CamExport(NamedTuple):
-    """What a writer is given: a table in the target's numbers, a name, and what is said of it in the header."""
+    """The argument of a writer: a table in the target's numbers, a name, and the lines of the header."""
 
     table: Table
     name: str
@@ -70,7 +70,7 @@ class CamExport(NamedTuple):
 
 
 def by_template(name: str, **more: Any) -> Callable[[Any], str]:
-    """Return what writes a file as the template of that name in ``targets`` has it, with functions that this calls."""
+    """Return a writer that fills the template of that name in ``targets``; ``more`` are functions that it calls."""
 
     def write(handed: Any) -> str:
         given = {"handed": handed, "literal": literal} | more
@@ -91,7 +91,7 @@ class Track(NamedTuple):
 
 
 class SwitchExport(NamedTuple):
-    """What a writer is given: tracks in the target's numbers, a name, and what is said of them in the header."""
+    """The argument of a writer: tracks in the target's numbers, a name, and the lines of the header."""
 
     tracks: Sequence[Track]
     name: str

@@ -191,7 +191,7 @@ def first_value(rows: Any, name: str) -> Any:
 
 
 def list_meaning(path: str) -> str:
-    """Return what the numbers of a list of a law's are."""
+    """Return the labels of the numbers in a list of a law."""
     code, name = path.split(".")[1], path.rpartition(".")[2]
     return "; ".join(p.label for p in FAMILY[code].parameters if p.key.startswith(f"{name}.")) if code in FAMILY else ""
 
@@ -237,7 +237,7 @@ def toml(value: Any) -> str:
 
 
 def default_of(key: Key) -> str:
-    """Return what an optional key is where it is left out; nothing of one that must be there."""
+    """Return the default of an optional key as a text; nothing for a required one."""
     if key.required:
         return ""
     if key.rows and key.default:

@@ -40,7 +40,7 @@ PACKAGE = resources.files("workbook.functions") / "addin"
 
 
 def write_book(path: Path, shown: PageInputs = EXAMPLE) -> None:
-    """Write the workbook of the names; what says whether they compute has no saved value, which programs would show."""
+    """Write the workbook of the names; the cell that says whether they compute has no saved value."""
     names = [DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored) for one in definitions()]
     made = parts(declare(shown), PageInputs, names, f"{NAMESPACE}.")  # a copied sheet brings along these names alone
     pack(archive.with_dynamic_arrays(made | {SHEET: WHETHER.sub(rb"\1\2", made[SHEET])}), path, overwrite=True)

@@ -1,4 +1,4 @@
-"""What ``inputs`` and ``regenerate`` leave behind: all but what was entered, and what of one's own keeps its place."""
+"""What ``inputs`` and ``regenerate`` leave behind, and the engineer's additions that ``regenerate`` takes along."""
 
 from collections import defaultdict
 from typing import Any
@@ -43,7 +43,7 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
 
 
 def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> list[str]:
-    """Return a line for each kind of thing that someone put on a generated sheet and is not ``own``, and for names."""
+    """Return a line for each kind of addition to a generated sheet that is not in ``own``, and for names."""
     lines, told = [], Remarks()
     rules = RuleJudge(match, StyleJudge(match, BaseModel, told), told)
     rules.judge(list(cell_groups(match, [])))
@@ -77,7 +77,7 @@ def listed(cells: list[str]) -> str:
 
 
 def find_additions(match: Match, fresh: Book) -> Additions:
-    """Return what of a matched file beside its declared cells is taken into a fresh book of the same inputs."""
+    """Return the additions of a matched file that a fresh book of the same inputs takes along."""
     file = match.file
     ours = {pair.address.sheet for pair in match.pairs}
     own = [sheet for sheet in file.workbook.worksheets if sheet.title not in ours | {s.title for s in fresh.sheets}]

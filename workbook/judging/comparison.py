@@ -1,4 +1,4 @@
-"""What each witness computes against what the engine says: at the values entered, and at variations of them."""
+"""Compare what each witness computes with the engine's values: at the values entered, and at variations of them."""
 
 import math
 from collections import Counter
@@ -44,7 +44,7 @@ def is_error(value: Any) -> bool:
 
 
 class ExpectedValues:
-    """What should stand in the cells of a matched file, by a declaration of the same layout."""
+    """The expected values of a matched file's cells, by a declaration of the same layout."""
 
     def __init__(self, match: Match, declared: Book) -> None:
         self._match = match
@@ -100,13 +100,13 @@ class Comparison:
             self._computed(ran, values)
 
     def require_answers(self, named: Collection[str]) -> None:
-        """Enter a finding for each witness that failed, if it was named, but for a file too large, or none computed."""
+        """Enter a finding for each failed witness if it was named and the file not too large, or if none computed."""
         for ran in self.report.witnesses:
             if ran.why and (not self.values or (ran.name in named and not ran.too_large)):
                 self.report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
 
     def _computed(self, ran: WitnessRun, values: Cells) -> None:
-        """Tell the cells at fault from those that only follow them, or follow what is known to be at fault."""
+        """Enter the cells at fault, and those that are wrong only because they refer to such."""
         wrong = self._wrong(values, first=not self.values)
         places = [pair.address for pair, _ in wrong]
         self._first_wrong = self._first_wrong if self.values else set(places)

@@ -22,7 +22,7 @@ SPARE = "no row between the table's own: delete it, and enter what it should hol
 
 
 def match_layout(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[Match, Machine]:
-    """Return the file held against its declaration, and the machine by whose sizes most tables are as declared.
+    """Match the file with its declaration; return also the machine by whose sizes most tables are as declared.
 
     Where a row is gone from one of several tables of one size, the others tell what that was.
     """

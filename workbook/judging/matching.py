@@ -34,7 +34,7 @@ class Pair(NamedTuple):
 
 @dataclass
 class Match:
-    """A file held against a declaration."""
+    """A file matched with a declaration, cell by cell."""
 
     file: BookFile
     declared: Book

@@ -1,4 +1,4 @@
-"""Cells and entries put in order before a book is judged; the file stays as it is, and each change is told.
+"""Repair cells and entries in memory before a book is judged; each repair is a finding, and the file stays as it is.
 
 Cells cut from a table are put back: formulas that follow them say where they are now, formulas that were cut are known
 by their shape. Of entries, blanks around names go, names that look-ups misread are exchanged, empty rows are filled.

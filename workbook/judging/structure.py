@@ -1,4 +1,4 @@
-"""What the cells of a matched file hold, against what they should: without evaluating anything."""
+"""Compare what the cells of a matched file hold with what is declared, without evaluating anything."""
 
 import math
 from collections import Counter, defaultdict
@@ -176,7 +176,7 @@ def mislabelled_cells(match: Match) -> Iterator[Finding]:
 
 
 def is_declared_cell(match: Match, block: Block, place: Place) -> bool:
-    """Whether a cell is the declared one for all that its label says otherwise: by its formula, its symbol and unit."""
+    """Whether a cell is the declared one though its label differs: by its formula, or its symbol and unit."""
     pair = next((p for p in match.pairs if p.cell.block is block), None)
     if pair is not None and pair.declared_formula:
         return is_formula(pair.held) and match.same_shape(pair)

@@ -83,14 +83,14 @@ class Judge:
         tried = cases(self.oracle.inputs, self.entered, number, seed)
         found = OracleReport(len(tried))
         found.wrong += self.deviating(tried, witnesses, found.notes)
-        found.dimensions = self.by_units()
-        found.wrong += self.looked()
+        found.dimensions = self.check_units()
+        found.wrong += self.other_findings()
         wrong = found.dimensions.wrong.items()
         found.wrong += [Fault(cell, "dimension", text, "one dimension") for cell, text in wrong]
         found.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
         return found
 
-    def looked(self) -> Iterator[Fault]:
+    def other_findings(self) -> Iterator[Fault]:
         """Yield stale saved values, unread inputs, other units beside cells, numbers in place of formulas, gaps."""
         inputs = list(self.cells.values())
         macros = {one: self.file.saved.get(cell) for one, cell in self.cells.items() if one.macro}
@@ -124,7 +124,7 @@ class Judge:
                     found[one.first] = min(cell, found.get(one.first, cell))
         yield from (Fault(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(found.items()))
 
-    def by_units(self) -> Dimensions:
+    def check_units(self) -> Dimensions:
         """Return what cannot be by the units: those declared, and those beside the cells of the same sheets."""
         contents = self.file.contents
         cells = (cell for cell in [*contents.formulas, *contents.constants] if cell.sheet in self.sheets)
@@ -146,7 +146,7 @@ class Judge:
         for name in witnesses:
             unable, by = set[Address](), "" if name == FIRST else f"{name}: "
             try:
-                for case, values in zip(tried, self.said(name, tried), strict=True):
+                for case, values in zip(tried, self.values_by(name, tried), strict=True):
                     for cell, expected, allowed, one in self.expected(case, values):
                         found = values.get(cell)
                         if cell in named or close(found, expected, allowed):
@@ -155,13 +155,13 @@ class Judge:
                             unable.add(cell)
                         else:
                             named.add(cell)
-                            yield Fault(cell, "value", found, expected, by + self.told(one, case))
+                            yield Fault(cell, "value", found, expected, by + self.case_text(one, case))
             except WitnessError as error:
                 notes.append(f"{name}: {error}")
             if unable:
                 notes.append(f"{name} cannot evaluate {len(unable)} of {len(self.targets)} compared cells")
 
-    def said(self, name: str, tried: Sequence[Case]) -> Iterator[Cells]:
+    def values_by(self, name: str, tried: Sequence[Case]) -> Iterator[Cells]:
         """Yield what a witness computes at each case."""
         if name == FIRST:
             yield from (self.values(case) for case in tried)
@@ -197,10 +197,10 @@ class Judge:
         try:
             return one.of(*first, *(case[x] for x in self.oracle.arguments(one)))
         except (ArithmeticError, TypeError, ValueError) as error:
-            what = f"{one.of.__name__} of the declarations at {self.told(one, case)}"
+            what = f"{one.of.__name__} of the declarations at {self.case_text(one, case)}"
             raise ReadError(f"{what}: {type(error).__name__}: {error}") from error
 
-    def told(self, one: Output | Table, case: Case) -> str:
+    def case_text(self, one: Output | Table, case: Case) -> str:
         """Return the inputs of a function with their values at a case."""
         names = {x: name for name, x in self.oracle.names.items()}
         values = {names.get(x, x.cell): case[x] for x in self.oracle.arguments(one)}

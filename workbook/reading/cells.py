@@ -1,4 +1,4 @@
-"""The cells of a workbook as the guard met them, numbers whatever a format makes of them; openpyxl reads all else."""
+"""Cells made from the rows that the guard has read, numbers whatever their format; openpyxl reads the rest."""
 
 from collections.abc import Sequence
 from typing import Any

@@ -1,4 +1,4 @@
-"""What the cells of a workbook hold: constants, and formulas taken apart once, for all who ask."""
+"""The contents of a workbook's cells: constants, and formulas, parsed once."""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -58,7 +58,7 @@ class Contents:
         return grouped_by_pattern(self.formulas.values())
 
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
-        """Return those formulas ``cells`` on which those ``by`` depend: all where one of them is not taken apart."""
+        """Return those of the formula ``cells`` on which those ``by`` depend; all if one of these cannot be parsed."""
         left, found, last = set(cells), set[Address](), set(by)
         while last and left:
             last = left if any(a in self.failed for a in last) else self.read(left, last)
@@ -131,7 +131,7 @@ def referenced_cells(formulas: Patterns, wanted: Mapping[tuple[str, int], list[i
 
 
 def merged_rows(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int, int]]]:
-    """Return areas by sheet, left and right column, as rows from and to of which none meet: running sums are one."""
+    """Return areas by sheet and columns, as ranges of rows merged where they overlap: running sums become one."""
     found: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
     for sheet, top, left, bottom, right, _ in sorted(areas):
         rows = found.setdefault((sheet, left, right), [])

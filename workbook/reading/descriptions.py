@@ -1,4 +1,4 @@
-"""Machine descriptions in and out as TOML, checked by the templates' models; what is wrong told in a line each."""
+"""Read and write machine descriptions as TOML, validated by the templates' models; each fault is a line."""
 
 import re
 import tomllib
@@ -42,7 +42,7 @@ def read_machine(path: Path) -> Machine:
 
 
 def parse_toml(text: str, path: Path) -> dict[str, Any]:
-    """Return the tables of a TOML text; raise ReadError for what is none, and for what no description needs."""
+    """Return the tables of a TOML text; raise ReadError for invalid TOML, and nesting that no description needs."""
     if DOTTED.search(text):
         raise ReadError(f"{path}: not valid TOML for a description: keys are nested too deep")
     try:

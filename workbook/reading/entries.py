@@ -20,12 +20,12 @@ from workbook.template import MOST
 from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
-"""gives what gives the value of a formula cell, told which of them it will be asked"""
-Repair = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # puts entries in order, and says what was not
+"""takes the formula cells that will be asked for, and returns a function that gives the value of each"""
+Repair = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # repairs entries, and returns findings on them
 
 
 class Entries:
-    """Input cells as a description: ``evaluate`` gives values of formulas, ``mend`` puts cells in order first."""
+    """Input cells as a description: ``evaluate`` gives values of formulas, ``mend`` repairs cells first."""
 
     def __init__(self, file: BookFile, evaluate: Evaluate, mend: Repair | None = None) -> None:
         require_narrow(file)
@@ -161,7 +161,7 @@ class Entries:
                 self._between.append(f"{where} {said}")
 
     def _look_below(self, block: Block, last: list[Address]) -> None:
-        """Note what stands in a table's columns directly under its last row: it looks like a row, and is none."""
+        """Note what stands in a table's columns directly under its last row, where nothing reads it."""
         below = [at._replace(row=at.row + 1) for at in last]
         there = [(at.a1, self.file.value(at)) for at in below] if block.is_table else []
         held = [a1 for a1, value in there if value is not None and not is_formula(value)]

@@ -1,4 +1,4 @@
-"""Which part of a package is what, by content types and by relationships: where these differ, readers would too."""
+"""The parts of a workbook's package by content type and relationship; refused where the two disagree."""
 
 import io
 import re

@@ -1,4 +1,4 @@
-"""The rows of a worksheet's part, each cell once; refused is what readers take differently, such as two formulas."""
+"""The rows of a worksheet's part; what readers take differently, such as two formulas in a cell, is refused."""
 
 import re
 from typing import NamedTuple
@@ -43,7 +43,7 @@ def short(text: str) -> str:
 
 
 class Totals:
-    """What all parts of a workbook hold together; raises Refusal beyond each limit."""
+    """Totals over all parts of a workbook; raises Refusal beyond each limit."""
 
     def __init__(self) -> None:
         self.places = self.filled = self.formulas = self.outside = self.in_rows = self.in_pivots = 0

@@ -1,4 +1,4 @@
-"""Rows and columns put into a table or taken out of it, told by the numbers of its rows, by formulas and headings."""
+"""Rows and columns inserted into a table or deleted from it, found by row numbers, formulas and headings."""
 
 from collections.abc import Callable, Container, Sequence
 
@@ -14,7 +14,7 @@ HEADER = 12  # rows above a table in which its headings are looked for
 
 
 def changed_tables(file: BookFile, layout: Book) -> dict[str, Fit]:
-    """Return how tables lie into or from which something was put or taken; of a cell with more of them, the first."""
+    """Return the fit of each table with inserted or deleted rows or columns; a single cell that grew is its first."""
     fits: dict[str, Fit] = {}
     for name, block in layout.blocks.items():
         place = file.places.get(name)
@@ -31,7 +31,7 @@ def changed_tables(file: BookFile, layout: Book) -> dict[str, Fit]:
 
 
 def in_rows_of_lead(file: BookFile, block: Block, found: Fit, fits: dict[str, Fit]) -> Fit:
-    """Return how a table without numbers of its own lies: in the rows of the one beside which it stands."""
+    """Return the fit of a table without row numbers: it has the rows of the table that it stands beside."""
     lead = block.lead
     if lead is None or lead.name not in fits or numbering_column(block) is not None:
         return found
@@ -44,7 +44,7 @@ def in_rows_of_lead(file: BookFile, block: Block, found: Fit, fits: dict[str, Fi
 
 
 def shortened_tables(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple[str, int], list[str]]:
-    """Return the tables of entries that lack rows at their end, by sheet and row; those of sizes ``grown`` do not."""
+    """Return the tables of entries that lack rows at their end, by sheet and row; sizes in ``grown`` are skipped."""
     found: dict[tuple[str, int], list[str]] = {}
     for name, block in layout.blocks.items():
         place = file.places.get(name)
@@ -57,7 +57,7 @@ def shortened_tables(file: BookFile, layout: Book, grown: Container[int]) -> dic
 
 
 def fit_table(file: BookFile, block: Block, place: Place) -> Fit:
-    """Return how a table lies in ``place``, that of its name."""
+    """Return the fit of a table in ``place``, to which its name leads."""
     columns = range(place.columns) if place.columns == len(block.quantities) else matched_columns(file, block, place)
     own = place._replace(columns=len(columns), columns_at=() if isinstance(columns, range) else tuple(columns))
     rows, lost = own_rows(file, block, own)
@@ -146,7 +146,7 @@ def holds_formula(file: BookFile, address: Address) -> bool:
 
 
 def matched_columns(file: BookFile, block: Block, place: Place) -> list[int | None]:
-    """Return for each column of a table which one of the place it is, None where it is gone: in their order."""
+    """Return for each declared column its number in the place, None where it is gone; their order is kept."""
     names = {column: {t.text for t in block.sheet.texts if t.column == column and 0 < block.row - t.row <= 4 and t.text}
              for column in block.columns.values()}  # fmt: skip
     ups = range(1, min(HEADER, place.row))

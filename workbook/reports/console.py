@@ -139,7 +139,7 @@ def alike(one: str, other: str) -> int:
 
 @contextmanager
 def progress(console: Console, words: str, total: int) -> Iterator[Callable[[int, str], None]]:
-    """Show a bar on a terminal, and nothing elsewhere; give what is told how many more are done, and what beside it."""
+    """Show a bar, on a terminal only; give a function that takes how many more are done, and the words beside it."""
     columns = (SpinnerColumn(), TextColumn(words), BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"),
                TimeRemainingColumn())  # fmt: skip
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:

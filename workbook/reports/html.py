@@ -39,7 +39,7 @@ def document(title: str, body: str) -> str:
 
 
 def rendered(template: str, /, **values: Any) -> str:
-    """Return what a template beside the modules, such as ``reports/page.html``, comes to; its texts are escaped."""
+    """Return a template beside the modules, such as ``reports/page.html``, filled with values; texts are escaped."""
     return PAGES.load(template).generate(**values).decode()
 
 

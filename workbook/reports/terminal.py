@@ -1,4 +1,4 @@
-"""What is shown on a terminal: texts that neither it nor rich's markup obeys."""
+"""Print on a terminal; no text acts as a control sequence or as rich's markup."""
 
 import io
 import json
@@ -64,7 +64,7 @@ def show_table(
 
 
 class TolerantOutput(io.TextIOWrapper):
-    """An output that takes whatever is written, also when what it leads to takes no more; ``fault`` says why not."""
+    """An output that never raises: what cannot be written is dropped, and ``fault`` says why."""
 
     fault: OSError | None = None
 
@@ -90,7 +90,7 @@ class TolerantOutput(io.TextIOWrapper):
 
 @contextmanager
 def tolerant_outputs() -> Iterator[Callable[[], OSError | None]]:
-    """Let both outputs of this process last; give what flushes them, and tells why the first took no more.
+    """Make stdout and stderr tolerant; give a function that flushes both, and returns why stdout failed, if it did.
 
     They print names of files too, on terminals that lack their letters.
     """

@@ -42,7 +42,7 @@ async def write(command: str, suffix: str, page: Page) -> str | None:
 
 async def work_out(function: Callable[[str, str], str], page: Page, name: str) -> str:
     """Return what a function of a description's name and text gives of one of the folder."""
-    return await page.work.beside(function, name, read_text(page.folder.file(name), "a description"))
+    return await page.work.in_worker(function, name, read_text(page.folder.file(name), "a description"))
 
 
 async def home(page: Page) -> str:
@@ -73,7 +73,7 @@ async def edit(page: Page, name: str) -> str:
     number, results = page.get_query_argument("pick"), page.folder.file(asked)
     if not number.isdecimal():
         raise InputError([f"{number!r}: expected the place of a design"])
-    text = await page.work.beside(study.picked, results, int(number))
+    text = await page.work.in_worker(study.picked, results, int(number))
     said = f"Design {int(number)} of {asked}, beside the saved {name}. It is not saved yet."
     return pages.editor(name, text, state(path), said, f"{results.stem}-{int(number)}.toml")
 
@@ -82,7 +82,7 @@ async def live_panel(page: Page) -> str:
     """Return the panel beside the text of a description that is being edited."""
     saved = read_text(page.file(), "a description")
     try:
-        return await page.work.beside(live.fragment, page.get_body_argument("name"), page.text(), saved)
+        return await page.work.in_worker(live.fragment, page.get_body_argument("name"), page.text(), saved)
     except WorkError as error:
         return f"<p>{error}: save and build it instead.</p>"
 
@@ -90,14 +90,14 @@ async def live_panel(page: Page) -> str:
 async def form(page: Page) -> str:
     """Return the form of a part of a description that is being edited."""
     name, part = map(page.get_body_argument, ("name", "part"))
-    return await page.work.beside(fields.form, name, page.text(), part)
+    return await page.work.in_worker(fields.form, name, page.text(), part)
 
 
 async def enter(page: Page) -> str:
     """Return the text of a description in which what a field says is entered."""
     name, *asked = map(page.get_body_argument, ("name", "path", "do", "value"))
     page.set_header("Content-Type", "text/plain; charset=utf-8")
-    return await page.work.beside(fields.entered, name, page.text(), *asked)
+    return await page.work.in_worker(fields.entered, name, page.text(), *asked)
 
 
 async def picture(page: Page, name: str) -> str:
@@ -105,7 +105,7 @@ async def picture(page: Page, name: str) -> str:
     if name not in TEMPLATES:
         raise HTTPError(404)
     if name not in gallery:
-        gallery[name] = await page.work.beside(live.picture, name)
+        gallery[name] = await page.work.in_worker(live.picture, name)
     page.set_header("Content-Type", SVG)
     return gallery[name]
 
@@ -167,7 +167,7 @@ async def controller(page: Page, name: str) -> str:
     path = page.folder.file(name)
     digest = state(path)
     if digest not in axis_names:
-        axis_names[digest] = await page.work.beside(axes, path)
+        axis_names[digest] = await page.work.in_worker(axes, path)
     return pages.page(
         f"{name}: controller", "controller", name=name, axes=[*axis_names[digest], ALL], targets=TARGETS, orders=ORDERS
     )

@@ -67,7 +67,7 @@ def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:
 
 
 def rows(of: Table, said: dict[str, str], data: dict[str, Any]) -> list[Element]:
-    """Return the heading of a table and its fields, a row each; of one that is left out, what adds it."""
+    """Return the heading of a table and its fields, a row each; of one that is left out, a button that adds it."""
     place, section = of.place, of.section
     if section.kind:
         heading: list[Element] = []
@@ -113,7 +113,7 @@ def grid(key: Key, place: Place, entries: list[Any], said: dict[str, str], data:
 
 
 def button(place: Place, word: str) -> Element:
-    """Return what adds a table or a row, copies it, or removes it."""
+    """Return a button that adds, copies or removes a table or a row."""
     path = written(place)
     return e("button", word, type="button", **{"data-path": path, "data-do": word, "aria-label": f"{word} {path}"})
 

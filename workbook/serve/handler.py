@@ -70,7 +70,7 @@ def plain(name: str, otherwise: str) -> str:
 
 
 def state(path: Path) -> str:
-    """Return by what a later version of a file is told from this one."""
+    """Return a digest that tells this version of a file from a later one."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
@@ -80,7 +80,7 @@ class Page(RequestHandler):
     def initialize(
         self, method: str, action: "Action | None", folder: Folder, work: Work, verdicts: dict[str, str]
     ) -> None:
-        """Take what is done by which method at this address, and what all pages share."""
+        """Take the action of this address with its HTTP method, and what all pages share."""
         self.method, self.action = method, action
         self.folder, self.work, self.verdicts = folder, work, verdicts
 
@@ -110,7 +110,7 @@ class Page(RequestHandler):
         return None
 
     async def get(self, *names: str) -> None:
-        """Do what is done at this address, and answer with what that gives."""
+        """Run the action of this address, and answer with its result."""
         if self.request.method != self.method:
             raise HTTPError(405)
         if self.action is None:  # there is nothing at this address

@@ -1,4 +1,4 @@
-"""What a description comes to: beside its text while it is edited, with handles at edges; in print, in a line."""
+"""The results of a description: beside its text while it is edited, with handles at edges; in print, in a line."""
 
 import re
 from collections.abc import Iterator
@@ -40,7 +40,7 @@ DRAWN, FEWER, MANY = 4, 2, 12  # charts below the table of axes, and how many wh
 
 
 class Edge(NamedTuple):
-    """What is dragged in the diagram: where phases of an axis begin or end, or its whole lane."""
+    """A handle in the timing diagram: where phases of an axis begin or end, or its whole lane."""
 
     axis: str
     value: float  # as entered
@@ -50,7 +50,7 @@ class Edge(NamedTuple):
 
     @property
     def key(self) -> str:
-        """What the page finds its handle by, also in the next picture."""
+        """The key by which the page finds the handle, also in the next picture."""
         return f"{self.axis} {'lane' if self.lane else format(self.value, 'g')}"
 
 

@@ -50,7 +50,7 @@ OFF = "off"
 async def vary(page: Page, name: str) -> str:
     """Show the form of a study of a description."""
     path = page.folder.file(name)
-    tables, results = await page.work.beside(choices, path)
+    tables, results = await page.work.in_worker(choices, path)
     return pages.page(f"{name}: study", "vary", name=name, tables=tables, results=results, rows=ROWS, asked=ASKED)
 
 
@@ -59,7 +59,7 @@ async def new(page: Page) -> None:
     base = page.file()
     asked = {key: page.get_body_arguments(key) for key in (*page.request.body_arguments, *SENT)}
     text = composed(base.name, asked)
-    await page.work.beside(require_study, text, base)
+    await page.work.in_worker(require_study, text, base)
     path = page.folder.free(f"{base.stem}-study.toml")
     write_text(path, text)
     await begin(page, path)
@@ -102,7 +102,7 @@ async def progress(page: Page, name: str) -> str:
         bar = f'<p><progress value="{done}" max="{max(size, 1)}"></progress> {words}</p>'
         return f'<div data-running="yes">{bar}{pages.post("/cancel", path.name, "Cancel")}</div>'
     if path.with_suffix(".json").exists():
-        found = await page.work.beside(front, path)
+        found = await page.work.in_worker(front, path)
         return found + pages.link(f"/file/{results.name}", "Download all designs")
     done, size = folder.progress(results)
     words = f"{done:,} of {size:,} designs are worked out." if size else "No design is worked out."

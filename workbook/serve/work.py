@@ -69,7 +69,7 @@ class Work:
         self.jobs: dict[str, Job] = {}  # the latest work at each study, by the name of its file
         self._editing: ProcessPoolExecutor | None = None
 
-    async def beside(self, function: Callable[..., T], *arguments: Any) -> T:
+    async def in_worker(self, function: Callable[..., T], *arguments: Any) -> T:
         """Return what a function gives in the process beside the server; raise WorkError where it takes too long."""
         if self._editing is None:
             self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=prepare_worker)

@@ -66,7 +66,7 @@ class Table:
 
 
 class GroupResults(NamedTuple):
-    """What is found of designs that are worked out together; why there is nothing, if so."""
+    """The results of designs that are computed together, or the reason why there are none."""
 
     results: Mapping[str, Any]
     fails: Mapping[str, Any]
@@ -74,7 +74,7 @@ class GroupResults(NamedTuple):
 
 
 class Evaluator:
-    """What works designs of a plan out; slow checks, unless ``thorough``, only of designs that keep to all else."""
+    """Computes the results of designs; slow checks, unless ``thorough``, only of designs that keep to all else."""
 
     def __init__(self, plan: Plan, thorough: bool = False) -> None:
         self.plan, self.names, self.thorough = plan, plan.study.names, thorough

@@ -86,7 +86,7 @@ def pieces(designs: range, number: int = 0, shares: Shares | None = None) -> Ite
 
 @lru_cache(maxsize=2)
 def evaluator(plan: bytes) -> Evaluator:
-    """Return what works a plan out, once in a process."""
+    """Return the evaluator of a pickled plan, made once in a process."""
     return Evaluator(pickle.loads(plan))
 
 

@@ -28,7 +28,7 @@ OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))  # functions that 
 def agreed_values(
     file: BookFile, asked: Collection[Address] = (), names: Iterable[str] = WITNESSES
 ) -> Callable[[Address], Any]:
-    """Return what gives a formula cell's value if two of ``names`` and a saved one agree, else raises DisputedError."""
+    """Return a function that gives a cell's value, or raises DisputedError unless two of ``names`` agree on it."""
     return Evaluation(file, asked, names).value
 
 

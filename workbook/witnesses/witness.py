@@ -24,7 +24,7 @@ CYCLE = "#CYCLE!"  # what a witness has for a cell that computes from itself, or
 
 
 class Witness:
-    """One way to evaluate a workbook, independent of the others; one that only kept values is always asked."""
+    """An evaluator of workbooks, independent of the others; one with ``kept`` is always asked: it reads saved ones."""
 
     name: str
     kept = False

@@ -62,7 +62,7 @@ def shown_value(pair: Pair) -> Any:
 
 
 class Remarks:
-    """What is told of the cells of a file: of many that are shown alike, at the first of them."""
+    """Remarks on the cells of a file; cells with the same remark are counted at the first of them."""
 
     def __init__(self) -> None:
         self._told: dict[tuple[str, str, str, str, str], tuple[Address, str, int]] = {}
@@ -85,7 +85,7 @@ class Remarks:
 
 
 class StyleJudge:
-    """The looks of the cells of a file; ``model`` is that of the machine's entries."""
+    """Judges the looks of the cells of a file; ``model`` is that of the machine's entries."""
 
     def __init__(self, match: Match, model: type[BaseModel], told: Remarks) -> None:
         self._match, self._model, self._told = match, model, told
@@ -202,7 +202,7 @@ def code_of(rule: Rule) -> str:
 
 
 class RuleJudge:
-    """The conditional formats of a file; in one that is ``torn``, rules went with the cells that were cut."""
+    """Judges the conditional formats of a file; in one that is ``torn``, rules went with the cells that were cut."""
 
     def __init__(self, match: Match, looks: StyleJudge, told: Remarks, torn: bool = False) -> None:
         self._match, self._looks, self._told, self._torn = match, looks, told, torn

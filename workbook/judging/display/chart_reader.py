@@ -1,4 +1,4 @@
-"""Charts as far as they are read, of a file or of a fresh build: what each draws, between which limits, how called."""
+"""Read the charts of a file or of a fresh build: what each draws, its limits, its titles and names."""
 
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
@@ -39,7 +39,7 @@ class Axis(NamedTuple):
 
 
 class ChartData(NamedTuple):
-    """A chart."""
+    """What is read of a chart."""
 
     title: Name
     kinds: tuple[str, ...]  # of its plots
@@ -64,7 +64,7 @@ def read_charts(match: Match, title: str) -> Iterator[ChartData]:
 
 
 class ChartReader:
-    """What reads a chart at a cell; ``named`` resolves the names of sheets in its references."""
+    """Reads a chart at a cell; ``named`` resolves the names of sheets in its references."""
 
     def __init__(self, at: Address, named: Callable[[str, str], Area]) -> None:
         self._at, self._named = at, named

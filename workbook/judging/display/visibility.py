@@ -1,4 +1,4 @@
-"""What of a book is in sight: sheets, rows, columns and drawings (EMU), what its windows show, what is printed."""
+"""Whether cells can be seen: hidden sheets, rows and columns, drawings over them (EMU), windows, print areas."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Shapes as pycel compiles them, each once, and what an evaluation makes of them: formulas called, ranges filled."""
+"""Shapes of formulas compiled by pycel, each once, and the steps of an evaluation: formulas called, ranges filled."""
 
 import ast
 import importlib
@@ -46,7 +46,7 @@ class Compiled(NamedTuple):
 
 @lru_cache(maxsize=20_000)
 def compiled(shape: str) -> Compiled | FormulaError:
-    """Return a shape as pycel compiles it, or why it cannot; either is found out once."""
+    """Return a shape as pycel compiles it, or the error why it cannot; either is cached."""
     try:
         tokens = Tokenizer(shape).items
         check_tokens(tokens)
@@ -103,10 +103,10 @@ def last_of_operand(tokens: Sequence[Token], first: int) -> int:
 
 
 class LazyIf(ast.NodeTransformer):
-    """IF that works out only what is chosen."""
+    """Compiles IF so that only the chosen branch is computed."""
 
     def visit_Call(self, node: ast.Call) -> ast.Call:
-        """Leave any other call."""
+        """Put the branches of IF into lambdas; leave other calls as they are."""
         self.generic_visit(node)
         if not isinstance(node.func, ast.Name) or node.func.id != "if_" or len(node.args) != 3:
             return node

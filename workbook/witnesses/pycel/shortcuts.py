@@ -1,4 +1,4 @@
-"""Straight ways into pycel: numbers past its checks, ranges of numbers as arrays; all else takes pycel's own way."""
+"""Shortcuts past pycel's checks for plain numbers, and arrays for ranges of numbers; pycel computes all else."""
 
 import functools
 import math
@@ -64,7 +64,7 @@ def array_of(value: Any) -> NDArray[Any] | None:
 
 
 def operators() -> Callable[[Any, str, Any], Any]:
-    """Return what pycel's code calls for every operator."""
+    """Return the function that pycel's code calls for every operator."""
     checked = build_operators(lambda is_exception, message: None)
 
     def operate(left: Any, operator: str, right: Any) -> Any:
@@ -119,7 +119,7 @@ def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
 
 
 def index(array: Any, row: Any, column: Any = None) -> Any:
-    """Return INDEX of ranges and whole numbers, straightest for a row of a column."""
+    """Return INDEX of ranges and whole numbers, fastest for a row of a column."""
     if type(row) is float and row.is_integer():
         row = int(row)
     if isinstance(array, tuple) and type(row) is int:
@@ -174,14 +174,14 @@ SHORTCUTS: dict[str, Function] = {
     **{f"{body.__name__}_": functools.partial(of_numbers, body) for body in (min, max, sum)},
     "sumproduct": product_sum, "index": index,
 }  # fmt: skip
-"""the straight ways of pycel's functions, by their names there; each gives None for what it does not take"""
+"""shortcuts of pycel's functions, by their names there; each returns None for arguments that it does not take"""
 COUNTED: dict[str, Function] = {"if_": cross}
 COUNTED |= dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), count_searches)
-"""what counts the cells that functions pass through, before they begin"""
+"""functions that count the cells which pycel's functions will pass through"""
 
 
 def with_shortcut(name: str, function: Function) -> Function:
-    """Return a function of pycel as formulas call it: by its straight way, if it has one, counted, and for arrays."""
+    """Return a function of pycel as formulas call it: with its shortcut, if it has one, counted, and for arrays."""
     way, count = SHORTCUTS.get(name), COUNTED.get(name)
 
     def call(*arguments: Any) -> Any:
