@@ -160,8 +160,8 @@ class ModelWalk:
         kind, constraints = unwrap(field.annotation, field.metadata)
         table = next(iter(tables(get_args(kind)[0])), None) if get_origin(kind) is list else None
         cell = self._cells.get(path) or self._of_law(path)
-        otherwise = cell.label if cell else doc_line(table) if table else list_meaning(path)
-        meaning = field.description or WORDS.get(path) or otherwise
+        meaning = field.description or WORDS.get(path) or (cell.label if cell else "")
+        meaning = meaning or (doc_line(table) if table else list_meaning(path))
         more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
         default = None if field.is_required() else field.get_default(call_default_factory=True)
         rows = [self._key(join(f"{path}.*", name), one, of, first_value(default, name))
