@@ -75,7 +75,8 @@ def test_rows_left_empty_before_others_are_judged_as_if_these_were_moved_up(tabl
 
 def test_an_empty_row_by_which_results_are_wrong_is_found(edited, monkeypatch):
     """The press's cells read over empty rows; here the witness of the file as it is says otherwise."""
-    monkeypatch.setattr("workbook.judging.verify.report_wrong_results", lambda before, *others: report_wrong_results({}, *others))
+    name = "workbook.judging.verify.report_wrong_results"
+    monkeypatch.setattr(name, lambda before, *others: report_wrong_results({}, *others))
     report, _ = edited("motors", name=["M1", None, "M2", "M3"], torque=[4, None, 12, 30])
     assert [one.kind for one in report.findings] == ["layout"]
     assert report.findings[0].expected.startswith("fill it, or move up what is below: ")
