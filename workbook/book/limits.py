@@ -154,9 +154,7 @@ def room_cell(guard: Guard, rows: Sequence[int]) -> Quantity:
     """Return the cell under the last row of a table, which says that it is full; by whether each row is in use."""
     used = f"[{guard.table}{MESSAGES}.{USED}]"
     formula = f'=IF(SUM({used})=COUNT({used}),{quoted(IS_FULL)},"")'
-    return Quantity(
-        f"{guard.table}{FULL}", "Room in the table", "", "", "sentence", formula, room_text(rows), align="left"
-    )
+    return message_column(f"{guard.table}{FULL}", "Room in the table", formula, room_text(rows))
 
 
 def room_text(rows: Sequence[int]) -> str:
@@ -184,6 +182,6 @@ def message_columns(guard: Guard) -> Iterator[Quantity]:
         yield message_column(column_of(rule.rule), rule.rule, f'=IF({rule.condition},"",{says})')
 
 
-def message_column(name: str, label: str, formula: str) -> Quantity:
-    """Return a column of messages; their values are empty, as the engine only has sound entries."""
-    return Quantity(name, label, "", "", "sentence", formula, "", align="left")
+def message_column(name: str, label: str, formula: str, value: str = "") -> Quantity:
+    """Return a column of messages; by default they are empty, as the engine only has sound entries."""
+    return Quantity(name, label, "", "", "sentence", formula, value, align="left")

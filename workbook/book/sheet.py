@@ -203,10 +203,8 @@ class Sheet:
         explained = any(q.source for q in block.quantities)
         self._heads(title, block.row - (4 if explained else 3), column, explained, quantities)
         own, name = self._own(quantities), in_scope(name, self.scope)
-        placed = self._place(
-            Block(name, self, block.row, column, own, block.size, title, blank=block.blank, lead=block)
-        )
-        block.workings = block.workings or placed
+        made = self._place(Block(name, self, block.row, column, own, block.size, title, blank=block.blank, lead=block))
+        block.workings = block.workings or made
 
     def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
         """Place a table of one column beside one without equations: as many as a size says, each with its name."""

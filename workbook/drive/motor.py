@@ -11,6 +11,7 @@ from workbook.fields.units import RPM, shown
 
 RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"  # colours in the plane of speed and torque
 PEAKS = "MAX(@tmax,0-@tmin)"
+ReducerLimit = tuple[str, str, str, bool, float, float]  # what, both its cells, whether it is met, value and limit
 
 
 def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> list[Quantity]:
@@ -32,10 +33,8 @@ def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTH
                  not falls or spare >= 0.0, says=says)  # fmt: skip
 
 
-def within_reducer(
-    of: str, *found: tuple[str, str, str, bool, float, float], mends: CheckSentence = NOTHING
-) -> list[Quantity]:
-    """Return checks of a reducer's limits: which, its cells, whether it is met, value and limit as shown."""
+def within_reducer(of: str, *found: ReducerLimit, mends: CheckSentence = NOTHING) -> list[Quantity]:
+    """Return the checks of a reducer's limits."""
     units = {"torque": "Nm", "mean torque": "Nm", "speed": "rpm"}
     names = {"torque": "peak", "mean torque": "mean", "speed": "speed"}
     return [

@@ -78,9 +78,7 @@ def numbered_laws(names: Iterable[str]) -> dict[str, str]:
 
 def with_laws(machine: Machine, laws: dict[str, str]) -> Machine:
     """Return a machine whose book has cells for these laws, and for no other besides the basic ones."""
-    copy = machine.model_copy(
-        deep=True, update={"laws": Laws({key: {"family": family} for key, family in laws.items()})}
-    )
+    copy = machine.model_copy(deep=True, update={"laws": Laws({key: {"family": code} for key, code in laws.items()})})
     for one in references(copy):
         if one.name not in CODES:
             object.__setattr__(one.entries, one.field, CODES[1])  # one that moves

@@ -108,9 +108,7 @@ class Page:
     single: bool = True  # whether it speeds up once, from rest, and comes to rest, whatever its parameters
     start: str = "=0"  # the formula of the velocity with which it begins
     lowest: str = "=0"  # the formula of its lowest velocity
-    wrong_step: str = (
-        "=0"  # the formula of the greatest step of v the wrong way: down before it is largest, up after it
-    )
+    wrong_step: str = "=0"  # the formula of the greatest step of v the wrong way: down before its peak, up after it
     end_mode: str = "=0"
     """the formula of how it meets neighbours that hand velocity over: :func:`engine.motion.handover.end_mode`"""
     early: int = 0  # pieces of its first pulse, of a law of two pulses

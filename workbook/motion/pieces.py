@@ -146,9 +146,8 @@ def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
         share = perm(i, 2)
         own, source = f"{h}*{of_law(f'c{i - 2}')}/{share}", f"h c{i - 2}/({share} δ^{i})"
         formula = f"=({own}+{at.of_end(f'e{i}')})*{per}^{i}" if at.ends else f"={own}*{per}^{i}"
-    return calc(
-        f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, of(lambda piece: piece.c[i]), scale=sizes(i), source=source
-    )
+    values = of(lambda piece: piece.c[i])
+    return calc(f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, values, scale=sizes(i), source=source)
 
 
 def amplitude(order: int, mark: str) -> str:

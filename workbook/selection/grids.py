@@ -75,9 +75,8 @@ def of_motor(figure: str) -> str:
 
 def share(c: int) -> str:
     """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
-    rms = rms_of(
-        f"({of_motor('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "mixed", "square"))
-    )
+    inertia = f"({of_motor('jm')}+[@reducers.jt.{c}])"
+    rms = rms_of(inertia, *(f"[@reducers.{name}.{c}]" for name in ("i", "mixed", "square")))
     return f"IF({of_motor('on')}*[@reducers.on.{c}],{rms}/{continuous(f'[@reducers.mean.{c}]')},0)"
 
 
@@ -88,9 +87,8 @@ def continuous(mean: str) -> str:
 
 def peak(c: int) -> str:
     """Return the formula of the peak torque of the motor of a row; no program takes ABS of an array in MAX alike."""
-    torques = torque_of(
-        f"({of_motor('jm')}+[@reducers.jt.{c}])", *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own"))
-    )
+    inertia = f"({of_motor('jm')}+[@reducers.jt.{c}])"
+    torques = torque_of(inertia, *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own")))
     return f"IF({of_motor('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
 
 

@@ -91,10 +91,8 @@ class SplinePage(Page):
     def stacked(self, law: Law, sizes: Any) -> list[tuple[Piece, dict[str, str]]]:
         """Return the rows of the stack: an interval each, spare ones and all."""
         pieces = filled(law.as_pieces(), sizes.points - 1, Piece(0.0, (law.end.a, 0.0, 0.0, 0.0)))
-        shown = {"d": "=[@intervals.d.{}]", "c0": "=[@intervals.a.{}]", "c1": "=[@intervals.j.{}]"}
-        return [
-            (piece, {name: shown.get(name, "=0").format(k) for name in ENTRIES}) for k, piece in enumerate(pieces, 1)
-        ]
+        own = {"d": "=[@intervals.d.{}]", "c0": "=[@intervals.a.{}]", "c1": "=[@intervals.j.{}]"}
+        return [(piece, {name: own.get(name, "=0").format(k) for name in ENTRIES}) for k, piece in enumerate(pieces, 1)]
 
     def enter(self, sheet: Sheet, named: Any, sizes: Any) -> None:
         """Declare slopes and ends, and the table of points."""

@@ -74,9 +74,8 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
         steps_table(sheet, one)
         room, ends = one.machine.room, one.ends
         columns, halves = (curves.pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
-        pieces_table(
-            sheet, f"Pieces of axis {one.axis.number}", one.pieces, room, one.axis.motion.size, *columns, taken=halves
-        )
+        title, size = f"Pieces of axis {one.axis.number}", one.axis.motion.size
+        pieces_table(sheet, title, one.pieces, room, size, *columns, taken=halves)
         one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
     if handing := [one.ends for one in axes if one.ends]:

@@ -24,11 +24,9 @@ SCHEDULES = {"b": (1, "one after the other"), "a": (3, "with overlap")}
 WAYS = ("dwell", "way out", "rest", "way in")
 
 
-def cells(name: str) -> Cells:
+def cells(key: str) -> Cells:
     """Return where a motion over the master angle stands."""
-    return Cells(
-        f"{name}_phases", f"{name}_pieces", f"{name}_count", "360", "m", "rad", degrees=True, near="overlap_eps"
-    )
+    return Cells(f"{key}_phases", f"{key}_pieces", f"{key}_count", "360", "m", "rad", degrees=True, near="overlap_eps")
 
 
 TRANSFER = cells("transfer")

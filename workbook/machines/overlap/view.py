@@ -27,14 +27,12 @@ BACKWARDS = "a law moves backwards: see its sheet, or Laws"
 class OverlapView:
     """The engine's view: transfer, a station for each tool; laws ``inverted`` by points, as on the sheet Inverse."""
 
-    def __init__(
-        self, machine: IndexingOverlap, library: dict[str, Law], inverted: Inverse = inverse_by_points
-    ) -> None:
-        self.given, self.sizes, self.library = machine.overlap, machine.sizes, library
-        moved = machine.overlap.transfer
+    def __init__(self, given: IndexingOverlap, library: dict[str, Law], inverted: Inverse = inverse_by_points) -> None:
+        self.given, self.sizes, self.library = given.overlap, given.sizes, library
+        moved = given.overlap.transfer
         self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE), inverted)
-        self.rate = si(machine.overlap.rate, PER_HOUR)
-        self.stations = [Station(self, i, tool) for i, tool in enumerate(machine.overlap.tools)]
+        self.rate = si(given.overlap.rate, PER_HOUR)
+        self.stations = [Station(self, i, tool) for i, tool in enumerate(given.overlap.tools)]
         peaks = [max(station.peaks[schedule] for station in self.stations) for schedule in (0, 2)]
         self.peaks = peaks[0], peaks[1]  # the largest of any tool in m/s², one after the other and as set
         self.alone = len(self.stations) == 1  # its book has no sheets for each tool then

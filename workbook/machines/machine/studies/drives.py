@@ -164,9 +164,8 @@ class DriveStudy:
         """Largest output torque of the reducer at its cycles an hour (Nm); 0 for none."""
         used = self.reducers_used
         full = np.where(used["full_cycles"] == 0.0, FULL_CYCLES, used["full_cycles"])
-        return np.asarray(
-            used["peak_torque"] / cycle_factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"])
-        )
+        factor = cycle_factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"])
+        return np.asarray(used["peak_torque"] / factor)
 
     @property
     def time(self) -> Any:
@@ -291,6 +290,4 @@ def checks(study: DriveStudy) -> Worked:
     found = CHECKS | ({"ok_back": lambda study: study.axis.motion.closes} if driven.given.kind in LINKED else {})
     found |= {"ok_brake": lambda study: study.brake_load <= driven.brake.torque} if study.bases[0].brakes else {}
     found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
-    return {
-        f"drive{study.axis.number}_{name}": partial(lambda ok: ok_texts(ok(study)), ok) for name, ok in found.items()
-    }
+    return {f"drive{study.axis.number}_{key}": partial(lambda ok: ok_texts(ok(study)), ok) for key, ok in found.items()}

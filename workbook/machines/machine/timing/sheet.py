@@ -148,13 +148,11 @@ def each(axes: list[MovingAxis], formula: str) -> list[str]:
 
 def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
     """Place the timing diagram: one lane an axis over the master angle."""
-    switches, over = len(machine.given.switches), machine.over
-    n = len(machine.axes) + switches
+    count, over = len(machine.given.switches), machine.over
+    n = len(machine.axes) + count
     lines = [curve(a, over.column, "lane") for a in machine.axes]
-    lines += [
-        Series(f"={switch_name(i)}", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]") for i in range(1, switches + 1)
-    ]
-    bars = ", bars where a switch is on" if switches else ""
+    lines += [Series(f"={switch_name(i)}", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]") for i in range(1, count + 1)]
+    bars = ", bars where a switch is on" if count else ""
     about = f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}"
     chart = Chart("Timing diagram", over.title, "", tuple(lines), about, over.axis(30), (0, n, 1), lanes=True)
     sheet.row += 1
