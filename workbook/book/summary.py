@@ -168,7 +168,7 @@ IDENTIFIED = {"number": "Machine number", "revision": "Revision", "author": "Aut
 
 
 def summary_sheet(book: Book, machine: Any, purpose: str, key_results: list[Quantity]) -> Sheet:
-    """Declare the head of the first sheet; a table of axes may follow, :func:`close_summary` adds what needs all sheets."""
+    """Declare the head of the first sheet; a table of axes may follow; :func:`close_summary` adds the rest."""
     sheet = book.sheet(TITLE, purpose)
     sheet.one_page, sheet.print_columns, sheet.widths = True, COLUMNS, {FIRST: 36, FIRST + 2: 18, FIRST + 3: 16}
     sheet.heading("This machine")

@@ -11,7 +11,7 @@ from engine.drive.results import DriveResults
 from tests.engine.drive.machines import sampled
 from tests.tiers import nights
 from tests.workbook.cells import disagreeing
-from tests.workbook.machines.test_machine_handing import BACK, DRIVE, MACHINE, OUT, SMALL, STEP, axis, phase
+from tests.workbook.machines.test_machine_handover import BACK, DRIVE, MACHINE, OUT, SMALL, STEP, axis, phase
 from tests.workbook.machines.test_machine_rates import drives_of
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
