@@ -57,7 +57,7 @@ class Column(NamedTuple):
         return np.array(self.values)[self.places]
 
 
-Worked = dict[str, Callable[[], Any]]
+Computations = dict[str, Callable[[], Any]]
 
 
 class Results(NamedTuple):

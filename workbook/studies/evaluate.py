@@ -18,10 +18,9 @@ from workbook.errors import InputError
 from workbook.studies.paths import nearest
 from workbook.studies.plan import Plan, book_names
 from workbook.studies.space import Bound
-from workbook.template_outputs import Column, Results
+from workbook.template_outputs import Column, Results, Values
 from workbook.templates import TEMPLATES
 
-Values = NDArray[Any]
 ENDLESS = "∞"  # what a book shows of a jerk where the acceleration jumps
 NOTHING = "this result has no value"
 UNITS = {"mass": "kg"}

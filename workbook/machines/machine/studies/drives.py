@@ -23,7 +23,7 @@ from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MovingAxis
 from workbook.selection.catalogue import FULL_CYCLES
-from workbook.template_outputs import Column, Worked
+from workbook.template_outputs import Column, Computations
 
 WEIGHED = ("mass", "cost")
 FIXED = Column([None], np.zeros(1, dtype=np.intp))  # of what does not differ
@@ -275,7 +275,7 @@ def within(limits: Array, value: Any) -> Any:
     return (limits == 0.0) | (value <= limits)
 
 
-def results(study: DriveStudy) -> Worked:
+def results(study: DriveStudy) -> Computations:
     """Return all results by name, each worked out when it is called."""
     asked = RESULTS | ({"brake_load": lambda study: study.brake_load} if study.bases[0].brakes else {})
     asked |= {"spare": lambda study: study.extremes.spare} if study.products.knows_falling else {}
@@ -284,7 +284,7 @@ def results(study: DriveStudy) -> Worked:
     return {f"drive{study.axis.number}_{name}": partial(figure, study) for name, figure in asked.items()}
 
 
-def checks(study: DriveStudy) -> Worked:
+def checks(study: DriveStudy) -> Computations:
     """Return the checks of its sheet that entries do not decide."""
     driven = study.bases[0].driven
     found = CHECKS | ({"ok_back": lambda study: study.axis.motion.closes} if driven.given.kind in LINKED else {})

@@ -22,7 +22,7 @@ from workbook.machines.machine.studies import drives as each_drive
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles, ok_texts
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.selection.pair_selection import PairSelection
-from workbook.template_outputs import Column, Results, Scaling, Worked
+from workbook.template_outputs import Column, Computations, Results, Scaling
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
 GROWTH = {"v": ("y1_max", 1), "a": ("y2_max", 2), "j": ("y3_max", 3), "rms": ("y2_rms", 2)}
@@ -40,9 +40,9 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     whole, rows = MachineView(machine, laws(machine.laws)), cache(partial(axes_of, machine))
     rate = columns.get("master.rate", Column([machine.per_minute], FIXED.places))
     faster = np.asarray(rate.each) / machine.per_minute
-    found: Worked = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
+    found: Computations = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
     found |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
-    checks: Worked = {}
+    checks: Computations = {}
     for law in [one for one in named_laws(machine.laws) if one.page.has_sheet]:
         found |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
         verdicts = law.page.verdicts(law, machine.sizes)
@@ -69,7 +69,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every})
 
 
-def of_axis(axis: MovingAxis, faster: Any) -> tuple[Worked, Worked]:
+def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
     """Return results of an axis, at rates so many times the machine's, and checks that its entries do not decide."""
     i, given = axis.number, axis.given
 
@@ -79,7 +79,7 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Worked, Worked]:
     def of_whole(figure: str, power: int) -> Any:
         return getattr(axis, figure) * faster**power
 
-    found: Worked = {f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit)}
+    found: Computations = {f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit)}
     for name, (figure, power) in GROWTH.items():
         found |= {f"axis{i}.{name}.{k + 1}": partial(of_move, k, figure, power) for k in range(len(axis.given.phases))}
     for table in ("axes", "axes_short"):
@@ -92,7 +92,7 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Worked, Worked]:
     }
 
 
-def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Worked:
+def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
     """Return the checks of all drives together: the bus, and the choice for the axis that is named for it."""
 
     def bus_fine() -> Any:
@@ -116,7 +116,7 @@ def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Worked:
     return found | ({"sel_ok": partial(chosen, named[0])} if named else {})
 
 
-def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Worked:
+def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
     """Return the results of all drives together."""
     whole = cache(lambda: total_bus_power([one.mains for one in drives]))
 
@@ -127,7 +127,7 @@ def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Worked:
         ]
         return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
-    found: Worked = {
+    found: Computations = {
         "power_mains": lambda: shown(whole().mains, KW),
         "power_resistors": lambda: shown(whole().resistor, KW),
         "power_least": lambda: shown(whole().least, KW),
