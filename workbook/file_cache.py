@@ -6,13 +6,14 @@ It lies in the system's folder of caches: ``~/.cache/motionbook``, ``~/Library/C
 
 import hashlib
 import json
-import os
 import platform
 import sys
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
+
+from platformdirs import user_cache_path
 
 from workbook.errors import WriteError
 from workbook.writing.output_files import write_text
@@ -40,13 +41,8 @@ def store_cached(what: str, sha256: str, data: dict[str, Any]) -> None:
 
 
 def folder() -> Path:
-    """Return the folder by the convention of the system; raise RuntimeError where it knows no home."""
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "motionbook" / "Cache"
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Caches" / "motionbook"
-    named = Path(os.environ.get("XDG_CACHE_HOME") or "")
-    return (named if named.is_absolute() else Path.home() / ".cache") / "motionbook"
+    """Return the folder by the convention of the system."""
+    return user_cache_path("motionbook", appauthor=False)
 
 
 @cache

@@ -6,7 +6,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
 from pydantic import Field, create_model
 
@@ -220,9 +220,13 @@ class Shared(LawSheet):
 
 def parameters_of(law: type[Law], base: type[LawSheet] = LawSheet, **kinds: Any) -> type[LawSheet]:
     """Return the entries of a law's parameters, of these kinds, which are by default as the engine's law has them."""
-    usual = ((name, getattr(law, name)) for name in kinds)
-    fields: dict[str, Any] = {name: (kinds[name], [*of] if isinstance(of, tuple) else of) for name, of in usual}
-    return create_model(f"{law.code}Parameters", __base__=base, **fields)
+    given = ((name, getattr(law, name)) for name in kinds)
+    usual = {name: [*of] if isinstance(of, tuple) else of for name, of in given}
+    fields: Any = {name: (kind, usual[name]) for name, kind in kinds.items()}
+    made = create_model(f"{law.code}Parameters", __base__=base, **fields)
+    if issubclass(made, Staged):
+        made.divided, made.usual = law, usual
+    return made
 
 
 SHARE = Parameter("@share", "Share of the time that accelerates", "λ", "share", "share λ", source="½: symmetric")
@@ -249,6 +253,18 @@ def too_brief(durations: Sequence[float], entry: str, fits: Any) -> Iterator[Des
     if any(BREAK_TOLERANCE < d < LEAST_STAGE for d in durations):
         said = f"a stage lasts less than {figure(LEAST_STAGE)} of the rise; expected that, or none"
         yield DesignError(entry, said, "brief", fits)
+
+
+class Staged(LawSheet):
+    """Parameters that divide the rise into stages; each lasts, or is none."""
+
+    divided: ClassVar[type[Law]]  # the law of these parameters
+    usual: ClassVar[dict[str, Any]]  # as which they are delivered
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a stage that is next to none."""
+        stages = self.divided(**{name: getattr(self, name) for name in self.usual}).as_pieces()
+        yield from too_brief([stage.duration for stage in stages], "", self.model_dump() | self.usual)
 
 
 Seven = Annotated[list[Share], Field(min_length=7, max_length=7)]

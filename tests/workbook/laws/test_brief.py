@@ -26,6 +26,8 @@ def entries(least):
         "SCC 1": {"family": "SCC", "sine": 2 * least, "constant": 0.5 - 2 * least, "cosine": 0.5, "straight": 0.0},
         "SCC 2": {"family": "SCC", "sine": 0.25, "constant": 0.5, "cosine": 0.25 - least, "straight": least},
         "SGS 1": {"family": "SGS", "curved": 1.0 - least},
+        "SRT 1": {"family": "SRT", "rise_end": 0.3, "fall_start": 0.3 + least},
+        "MSN 1": {"family": "MSN", "rise_edge": 2 * least},
     }
 
 
@@ -67,13 +69,7 @@ def near_bounds(page):
                 yield page.made(page.entries.model_validate({name: value}))
 
 
-UNTOLD = pytest.mark.xfail(strict=True, reason="its page tells nothing of brief stages")
-
-
-@pytest.mark.parametrize(
-    "code", [pytest.param(code, marks=UNTOLD if code in ("MSN", "SRT") else ()) for code, page in FAMILY.items()
-             if page.pieces and page.parameters]
-)  # fmt: skip
+@pytest.mark.parametrize("code", [code for code, page in FAMILY.items() if page.pieces and page.parameters])
 def test_a_page_of_stages_that_may_be_brief_says_so_in_entries_and_cells(code, monkeypatch):
     page, asked = FAMILY[code], []
     monkeypatch.setattr(family, "too_brief", lambda *given: asked.append(given) or iter(()))

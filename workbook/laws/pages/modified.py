@@ -60,7 +60,9 @@ MODIFIED_SINE = edged(
         7: Stage(SINE_OUT, "=@fall_edge*(1-@share)"),
     },
     source="LCamHdl, D_D_MOD_SINE", law=engine.ModifiedSine,
-    entries=family.parameters_of(engine.ModifiedSine, share=family.Between, rise_edge=Share, fall_edge=Share),
+    entries=family.parameters_of(
+        engine.ModifiedSine, family.Staged, share=family.Between, rise_edge=Share, fall_edge=Share
+    ),
     parameters=(
         family.SHARE,
         Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",
@@ -71,6 +73,7 @@ MODIFIED_SINE = edged(
         {"share": 0.4, "rise_edge": 0.25, "fall_edge": 0.4}, {"share": 0.6, "rise_edge": 0.0, "fall_edge": 1.0},
         {"share": 0.3, "rise_edge": 0.5, "fall_edge": 0.1},
     ),
+    checks=(family.BRIEF,),
 )  # fmt: skip
 
 PARTS = ("sine", "constant", "cosine", "straight")
@@ -149,26 +152,15 @@ HARMONIC_COMBINATION = edged(
 )
 
 
-class Curved(family.Shared):
-    """The share of the time that is curved, and the part of that which accelerates."""
-
-    curved: Annotated[float, Field(ge=family.LEAST, le=1, allow_inf_nan=False)] = engine.SineStraightSine.curved
-
-    def design_faults(self) -> Iterator[DesignError]:
-        """Yield a stage that is next to none."""
-        fits = self.model_dump() | {"curved": engine.SineStraightSine.curved, "share": family.EVEN}
-        law = engine.SineStraightSine(curved=self.curved, share=self.share)
-        yield from family.too_brief([piece.duration for piece in law.as_pieces()], "", fits)
-
-
+Curved = Annotated[float, Field(ge=family.LEAST, le=1, allow_inf_nan=False)]
 SINE_STRAIGHT_SINE = edged(
     {
         3: Stage(SINE_IN, "=@curved*@share"),
         4: Stage(None, "=1-@curved"),
         5: Stage(SINE_IN, "=@curved*(1-@share)"),
     },
-    source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286", entries=Curved,
-    law=engine.SineStraightSine,
+    source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286", law=engine.SineStraightSine,
+    entries=family.parameters_of(engine.SineStraightSine, family.Staged, curved=Curved, share=family.Between),
     parameters=(
         family.SHARE,
         Parameter("@curved", "Share of the time that is curved", "c", "curved", "share of the sines",

@@ -70,7 +70,7 @@ SINE_RAMPS = edged(
     source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'", law=SineRamps,
     entries=family.parameters_of(SineRamps, BreakPoints, rise_end=RiseEnd, fall_start=FallStart),
     parameters=TRAPEZOIDAL_VELOCITY.parameters, variations=TRAPEZOIDAL_VELOCITY.variations,
-    checks=(ORDER,),
+    checks=(ORDER, family.BRIEF),
 )  # fmt: skip
 
 
