@@ -11,7 +11,7 @@ import numpy as np
 from engine.drive.drivetrain import Drivetrain, Force, LoadMotion, ShaftMotion, TorqueCoefficients, dwell_times
 from engine.drive.search import NOISE, crossed, force_curve, largest_size, sign_changes
 from engine.laws.base import Array
-from engine.laws.ladder import Curve
+from engine.laws.extremes import Curve
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, motion_pieces
 

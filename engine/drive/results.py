@@ -12,7 +12,7 @@ import numpy as np
 from engine.drive.cycle import DriveCycle, TorqueInterval
 from engine.drive.search import extremes, integral
 from engine.laws.base import Array
-from engine.laws.ladder import Curve, zeros
+from engine.laws.extremes import Curve, zeros
 
 OfInterval = Callable[[TorqueInterval, Array], Array]  # a quantity of a torque interval as a function of u
 HOUR = 3600.0  # s

@@ -9,7 +9,7 @@ import numpy as np
 
 from engine.drive.drivetrain import Force
 from engine.laws.base import Array
-from engine.laws.ladder import Curve, narrowed, root, zeros
+from engine.laws.extremes import Curve, narrowed, root, zeros
 from engine.motion.pieces import MotionPiece
 
 PARTS = 16  # of a bracket, in one round

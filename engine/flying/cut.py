@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
+from engine.laws.extremes import reach_of
 from engine.laws.inverse import is_monotone, velocity_peak
-from engine.laws.ladder import reach_of
 from engine.laws.piece import scaled_piece
 
 Beyond = Literal["standstill", "reversal"]

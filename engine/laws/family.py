@@ -9,7 +9,7 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 
 from engine.laws.base import ROUNDING, Array, Coefficients, Kinematics, Real, require_within, stage_of, unwrap
-from engine.laws.ladder import coefficients_of
+from engine.laws.extremes import coefficients_of
 from engine.laws.piece import POWERS, Piece, PlacedPiece, placed_pieces
 
 BLOCK = 8192  # samples evaluated at a time, so that intermediate arrays stay in the processor's cache

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_within, unwrap
+from engine.laws.extremes import acceleration, zeros
 from engine.laws.family import Law
-from engine.laws.ladder import acceleration, zeros
 from engine.laws.piece import Piece, begins, gains, placed_pieces
 
 KNOTS = 65  # points of each stage, between which a height is first located

@@ -1,7 +1,7 @@
 """An own law by nine Gauss-Lobatto points on each of its pieces, as the cells compute its coefficients.
 
 Peaks are the largest values at the points, or of the parabola between two points at which the slopes have different
-signs; the RMS is the weighted sum over the points. :mod:`engine.laws.ladder` has the exact coefficients.
+signs; the RMS is the weighted sum over the points. :mod:`engine.laws.extremes` has the exact coefficients.
 """
 
 import math
@@ -14,9 +14,9 @@ from numpy.polynomial import Legendre
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
+from engine.laws.extremes import extremes_of, reach_of
 from engine.laws.family import Law
 from engine.laws.inverse import velocity_peak
-from engine.laws.ladder import extremes_of, reach_of
 from engine.laws.piece import Piece, begins, gains, placed_pieces, snap
 from engine.laws.pieces import PieceLaw
 

@@ -9,7 +9,7 @@ from typing import ClassVar, NamedTuple
 
 from engine.laws.base import require_finite
 from engine.laws.ends import BoundaryLaw
-from engine.laws.ladder import at_peaks
+from engine.laws.extremes import at_peaks
 from engine.laws.piece import Piece, PlacedPiece, backwards, placed_pieces, scaled_piece
 
 K = 2.0 / math.pi  # mean of a quarter sine

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from engine.laws.ends import REST, BoundaryValues
+from engine.laws.extremes import at_peaks
 from engine.laws.family import Law, Vendors
-from engine.laws.ladder import at_peaks
 from engine.laws.piece import Piece, reversed_pieces
 from engine.laws.pulse_law import CONSTANT, FALLING_SINE, HALF_SINE, Pulse, PulseLaw, TwoPulses, require_share
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array, Real
+from engine.laws.extremes import Curve
 from engine.laws.inverse import LawPiece, law_pieces
-from engine.laws.ladder import Curve
 from engine.laws.piece import POWERS, Sine
 from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array, require_finite
-from engine.laws.ladder import Curve, zeros
+from engine.laws.extremes import Curve, zeros
 from engine.laws.piece import shifted
 from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues

@@ -25,7 +25,7 @@ from engine.drive.motor import TorqueFall
 from engine.drive.quadrature import SHARES, WEIGHTS, QuadratureCycle
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
-from engine.laws.ladder import zeros
+from engine.laws.extremes import zeros
 from engine.motion import Motion
 from engine.motion.pieces import motion_pieces
 from tests.engine.drive.machines import LINKAGES, SIZES, drive_cycle_of

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, kind, kinds, law_with_ends
-from engine.laws.ladder import extremes_of
+from engine.laws.extremes import extremes_of
 from engine.laws.modified import HarmonicCombination, ModifiedSine
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import Limits, SCurve, TrapezoidalVelocity

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from engine.laws.ends import REST
-from engine.laws.ladder import extremes_of
+from engine.laws.extremes import extremes_of
 from engine.laws.modified import (
     HarmonicCombination,
     ModifiedSine,

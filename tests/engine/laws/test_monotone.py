@@ -7,7 +7,7 @@ import pytest
 
 from engine.laws import PieceLaw
 from engine.laws.ends import BoundaryValues
-from engine.laws.ladder import acceleration, zeros
+from engine.laws.extremes import acceleration, zeros
 from engine.laws.polynomials import BoundaryPolynomial
 from engine.laws.pulse_law import PulseLaw
 from engine.motion.handover import PULSES, end_mode

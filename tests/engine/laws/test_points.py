@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from engine.laws import Piece, PieceLaw
+from engine.laws.extremes import extremes_of, reach_of
 from engine.laws.inverse import velocity_peak
-from engine.laws.ladder import extremes_of, reach_of
 from engine.laws.pieces import POLYNOMIAL_345
 from engine.laws.points import POINTS, SHARES, WEIGHTS, PointedLaw, Points, fastest, reach, slowest
 

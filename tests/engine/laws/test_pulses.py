@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws.ladder import coefficients_of, square_integral
+from engine.laws.extremes import coefficients_of, square_integral
 from engine.laws.piece import Piece, backwards, gains, reversed_pieces, scaled_piece
 from engine.laws.pulse_law import (
     CONSTANT,

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.laws import Dwell, Piece, PieceLaw
-from engine.laws.ladder import extremes_of
+from engine.laws.extremes import extremes_of
 from engine.laws.modified import ModifiedSine, ModifiedTrapezoidal, SineConstantCosine
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity

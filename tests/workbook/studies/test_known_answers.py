@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import differential_evolution
 
 from engine.laws import law
-from engine.laws.ladder import square_integral
+from engine.laws.extremes import square_integral
 from engine.selection.front import front
 from tests.workbook.studies.studied import MOTORS, REDUCERS, base, laws, planned, stops
 from workbook.pool import THIS_PROCESS

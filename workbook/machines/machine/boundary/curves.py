@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.ends import BoundaryValues
-from engine.laws.ladder import NODES, WEIGHTS
+from engine.laws.extremes import NODES, WEIGHTS
 from engine.motion import Phase
 from engine.motion.handover import PULSES, Handover
 from engine.motion.pieces import MotionPiece

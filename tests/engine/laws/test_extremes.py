@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws.ladder import Curve, coefficients_of, extremes_of, zeros
+from engine.laws.extremes import Curve, coefficients_of, extremes_of, zeros
 from engine.laws.piece import Piece, gains
 
 number = st.floats(-5, 5)
