@@ -12,10 +12,9 @@ from pydantic import Field, create_model
 
 from engine.laws import Law, Piece
 from engine.laws.base import BREAK_TOLERANCE
-from engine.laws.modified import CLASSIC
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import amount, figure
-from workbook.fields.types import SUM_TOLERANCE, DesignError, Model, Number, Positive, Share
+from workbook.fields.types import DesignError, Model, Number, Positive
 
 COEFFICIENTS = (
     ("cv", "Velocity coefficient", "C_v"),
@@ -241,6 +240,7 @@ POLYNOMIAL = "=IF(ABS(@share-1/2)<1E-12,{},0)"
 """how a polynomial meets its neighbours: by its degree, unless a share shifts it"""
 LEAST_STAGE = 1e-4
 """of the rise: from there on cells and engine agree to 1e-9; below it, differences of shares lose the digits"""
+SUM_SAYS = '"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'
 BRIEF = LawCheck(
     "@brief", "each stage lasts, or is none",
     "SUMPRODUCT(([@pieces.d]>break_eps)*([@pieces.d]<stage_least))=0", "brief",
@@ -265,43 +265,3 @@ class Staged(LawSheet):
         """Yield a stage that is next to none."""
         stages = self.divided(**{name: getattr(self, name) for name in self.usual}).as_pieces()
         yield from too_brief([stage.duration for stage in stages], "", self.model_dump() | self.usual)
-
-
-Seven = Annotated[list[Share], Field(min_length=7, max_length=7)]
-
-
-class SevenDurations(LawSheet):
-    """Seven stage durations as shares of the rise; they sum to 1."""
-
-    durations: Seven = Field(default=list(CLASSIC))
-
-    def design_faults(self) -> Iterator[DesignError]:
-        """Yield durations that do not fill the rise, and a law that cannot start or stop."""
-        total = sum(self.durations)
-        if abs(total - 1) > SUM_TOLERANCE:
-            yield DesignError("durations", f"they sum to {figure(total)}; expected 1", "sum", list(CLASSIC))
-        if not (sum(self.durations[:3]) and sum(self.durations[4:])):
-            yield DesignError("durations", "stages 1 to 3, or 5 to 7, are all 0", "lasts", list(CLASSIC))
-        yield from too_brief(self.durations, "durations", list(CLASSIC))
-
-
-KINDS = ("edge up", "constant", "edge down", "uniform velocity", "edge down", "constant", "edge up")
-DURATIONS = tuple(
-    Parameter(f"@d{k}", f"Duration of stage {k}: {kind}", f"d{k}", f"durations.{k - 1}", f"stage {k}",
-              source="shares of the rise that sum to 1; 0 is allowed" if k == 1 else "")
-    for k, kind in enumerate(KINDS, 1)
-)  # fmt: skip
-
-
-def lasting(*rows: list[float]) -> tuple[dict[str, list[float]], ...]:
-    """Return variations by the durations of the seven stages."""
-    return tuple({"durations": row} for row in rows)
-
-
-SUM_SAYS = '"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'
-LASTING = (
-    LawCheck("@sum", "the seven durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", SUM_SAYS),
-    LawCheck("@lasts", "the law starts and stops", "MIN(@d1+@d2+@d3,@d5+@d6+@d7)>0", "lasts",
-             '"stages 1 to 3, or 5 to 7, are all 0"'),
-    BRIEF,
-)  # fmt: skip

@@ -8,20 +8,20 @@ from pydantic import Field
 from engine.laws import modified as engine
 from workbook.book.sentence import figure
 from workbook.fields.types import SUM_TOLERANCE, DesignError, Share
-from workbook.laws import family
+from workbook.laws import family, seven_stages
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, Parameter
 
 MODIFIED_TRAPEZOIDAL = edged(
     dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),
     titled="Modified trapezoidal acceleration", source="S1, seven parameters; S3, figure 2",
-    entries=family.SevenDurations, law=engine.ModifiedTrapezoidal, parameters=family.DURATIONS,
-    variations=family.lasting(
+    entries=seven_stages.SevenDurations, law=engine.ModifiedTrapezoidal, parameters=seven_stages.DURATIONS,
+    variations=seven_stages.lasting(
         [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13], [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0],
         [0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2], [0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0],
         [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1], [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25],
     ),
-    checks=family.LASTING,
+    checks=seven_stages.LASTING,
 )  # fmt: skip
 
 

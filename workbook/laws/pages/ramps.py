@@ -8,7 +8,7 @@ from pydantic import Field
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from workbook.book.sentence import figure
 from workbook.fields.types import DesignError
-from workbook.laws import family
+from workbook.laws import family, seven_stages
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, LINE_OUT, Stage, edged
 from workbook.laws.family import LawCheck, LawSheet, Page, Parameter, PieceRow
 
@@ -76,11 +76,11 @@ SINE_RAMPS = edged(
 
 S_CURVE = edged(
     dict(enumerate(map(Stage, (LINE_OUT, FLAT, LINE_IN, None, LINE_IN, FLAT, LINE_OUT)), 1)),
-    source="TwinCAT NC, set-point generator with seven phases", law=SCurve, parameters=family.DURATIONS,
-    entries=family.parameters_of(SCurve, family.SevenDurations, durations=family.Seven),
-    variations=family.lasting(
+    source="TwinCAT NC, set-point generator with seven phases", law=SCurve, parameters=seven_stages.DURATIONS,
+    entries=family.parameters_of(SCurve, seven_stages.SevenDurations, durations=seven_stages.Seven),
+    variations=seven_stages.lasting(
         [0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2], [0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25],
         [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0], [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2],
     ),
-    checks=family.LASTING,
+    checks=seven_stages.LASTING,
 )  # fmt: skip

@@ -1,0 +1,50 @@
+"""The entries and checks of laws of seven stages, each told by its duration."""
+
+from collections.abc import Iterator
+from typing import Annotated
+
+from pydantic import Field
+
+from engine.laws.modified import CLASSIC
+from workbook.book.sentence import figure
+from workbook.fields.types import SUM_TOLERANCE, DesignError, Share
+from workbook.laws import family
+from workbook.laws.family import BRIEF, SUM_SAYS, LawCheck, LawSheet, Parameter
+
+Seven = Annotated[list[Share], Field(min_length=7, max_length=7)]
+
+
+class SevenDurations(LawSheet):
+    """Seven stage durations as shares of the rise; they sum to 1."""
+
+    durations: Seven = Field(default=list(CLASSIC))
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield durations that do not fill the rise, and a law that cannot start or stop."""
+        total = sum(self.durations)
+        if abs(total - 1) > SUM_TOLERANCE:
+            yield DesignError("durations", f"they sum to {figure(total)}; expected 1", "sum", list(CLASSIC))
+        if not (sum(self.durations[:3]) and sum(self.durations[4:])):
+            yield DesignError("durations", "stages 1 to 3, or 5 to 7, are all 0", "lasts", list(CLASSIC))
+        yield from family.too_brief(self.durations, "durations", list(CLASSIC))
+
+
+KINDS = ("edge up", "constant", "edge down", "uniform velocity", "edge down", "constant", "edge up")
+DURATIONS = tuple(
+    Parameter(f"@d{k}", f"Duration of stage {k}: {kind}", f"d{k}", f"durations.{k - 1}", f"stage {k}",
+              source="shares of the rise that sum to 1; 0 is allowed" if k == 1 else "")
+    for k, kind in enumerate(KINDS, 1)
+)  # fmt: skip
+
+
+def lasting(*rows: list[float]) -> tuple[dict[str, list[float]], ...]:
+    """Return variations by the durations of the seven stages."""
+    return tuple({"durations": row} for row in rows)
+
+
+LASTING = (
+    LawCheck("@sum", "the seven durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", SUM_SAYS),
+    LawCheck("@lasts", "the law starts and stops", "MIN(@d1+@d2+@d3,@d5+@d6+@d7)>0", "lasts",
+             '"stages 1 to 3, or 5 to 7, are all 0"'),
+    BRIEF,
+)  # fmt: skip
