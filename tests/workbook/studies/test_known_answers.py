@@ -87,7 +87,7 @@ def test_the_best_of_the_laws_of_seven_durations():
         except (ValueError, ZeroDivisionError):  # no law of these
             return 100.0
 
-    found = differential_evolution(mean_square, [(0.0, 1.0)] * 7, seed=5, popsize=8, maxiter=120, tol=1e-10)
+    found = differential_evolution(mean_square, [(0.0, 1.0)] * 7, seed=5, popsize=5, maxiter=60, tol=1e-10)
     assert found.fun == pytest.approx(27.0 * pi * (pi - 2.0) / 8.0, rel=1e-9)
     assert found.x / found.x.sum() == pytest.approx([0.0, 0.0, 0.45866, 0.08269, 0.45866, 0.0, 0.0], abs=3e-5)
 
