@@ -41,8 +41,11 @@ def store_cached(what: str, sha256: str, data: dict[str, Any]) -> None:
 
 
 def folder() -> Path:
-    """Return the folder by the convention of the system."""
-    return user_cache_path("motionbook", appauthor=False)
+    """Return the folder by the convention of the system; raise RuntimeError where it knows no home."""
+    found = user_cache_path("motionbook", appauthor=False)
+    if not found.is_absolute():  # it would lie wherever the command is given
+        raise RuntimeError(f"{found}: an absolute path is expected")
+    return found
 
 
 @cache

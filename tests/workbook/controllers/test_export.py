@@ -3,6 +3,7 @@
 import json
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import openpyxl
@@ -274,6 +275,14 @@ def test_a_folder_that_takes_nothing_is_no_fault(tmp_path, monkeypatch) -> None:
     monkeypatch.setattr(file_cache, "folder", lambda: tmp_path / "file")
     file_cache.store_cached("verdict", "ab", {})
     assert file_cache.load_cached("verdict", "ab") is None
+
+
+def test_a_system_that_knows_no_home_has_nothing_written_where_the_command_is_given(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(file_cache, "user_cache_path", lambda *name, **how: Path("~/.cache/motionbook"))
+    file_cache.store_cached("verdict", "ab", {})
+    assert file_cache.load_cached("verdict", "ab") is None
+    assert list(tmp_path.iterdir()) == []
 
 
 SHAFTS = {"MC01": 8.0 * 300.0 / 134.0 * 180.0 / np.pi, "MC02": 360.0}
