@@ -259,14 +259,18 @@ class Block:
     def by_column(self) -> Iterator[list[Cell]]:
         """Yield the declared cells of each column."""
         for q, column in zip(self.quantities, self.columns.values(), strict=True):
-            where = f"{self.name}.{q.name}"
-            contents = values = as_rows(q.value, self.size, where)
-            if q.formula is not None:
-                texts = as_rows(q.formula, self.size, where)
-                patterns = {text: self.sheet.book.resolve(text, self) for text in set(texts)}
-                contents = [patterns[text].format(Row(row)) for row, text in enumerate(texts, self.row)]
-            both = enumerate(zip(contents, values, strict=True))
+            both = enumerate(self.contents(q))
             yield [Cell(self, q, i, self.row + i, column, content, value) for i, (content, value) in both]
+
+    def contents(self, q: Quantity) -> Iterator[tuple[Any, Any]]:
+        """Return content and engine's value of each cell of a column, from the top."""
+        where = f"{self.name}.{q.name}"
+        contents = values = as_rows(q.value, self.size, where)
+        if q.formula is not None:
+            texts = as_rows(q.formula, self.size, where)
+            patterns = {text: self.sheet.book.resolve(text, self) for text in set(texts)}
+            contents = [patterns[text].format(Row(row)) for row, text in enumerate(texts, self.row)]
+        return zip(contents, values, strict=True)
 
 
 def span(top: int, left: int, bottom: int, right: int, fixed: str = "$") -> str:

@@ -34,6 +34,8 @@ SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW = 1.5  # cm for the labels of the abscissa and its title
 NAMES = 3.0  # cm left of the plot, where the lines have their names there
 LEGEND, LONG_LEGEND, LONG = 0.7, 1.6, 6  # cm for a legend, for one of more lines than so many
+NO_LINE = GraphicalProperties(ln=LineProperties(noFill=True))
+GRIDLINES = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
 NUMBERS = re.compile(rb"<numRef><f>([^<]*)</f></numRef>")
 
 
@@ -47,7 +49,7 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
         drawn.series.append(line(series, book, ink))
         if chart.lanes:
             drawn.series[-1].dLbls = lane_labels(series, book, ink)
-    drawn.graphical_properties = GraphicalProperties(ln=LineProperties(noFill=True))  # no frame
+    drawn.graphical_properties = NO_LINE  # no frame
     drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 and not chart.lanes else None
     axes(drawn, chart, book)
     return drawn
@@ -75,7 +77,10 @@ def line(series: Series, book: Book, ink: str) -> XYSeries:
     """Return one line between the points, never a spline, which would bend a step backwards."""
     x, y = (NumRef(f=book.range(column)) for column in (series.x, series.y))
     stroke = LineProperties(solidFill=ink, w=WIDTH, prstDash="dash" if series.dashed else None)
-    look = GraphicalProperties(solidFill=ink, ln=LineProperties(solidFill=ink))
+    marker = Marker("none")
+    if series.marker != "none":
+        look = GraphicalProperties(solidFill=ink, ln=LineProperties(solidFill=ink))
+        marker = Marker(series.marker, SIGNS[series.marker], look)
     bars = None
     if lengths := series.up or series.right:  # strokes that leave each point
         bars = ErrorBars(errDir="y" if series.up else "x", errBarType="plus", errValType="cust", noEndCap=True,
@@ -84,8 +89,7 @@ def line(series: Series, book: Book, ink: str) -> XYSeries:
     return XYSeries(
         tx=SeriesLabel(strRef=str_ref(series.name[1:], book)) if series.name[:1] == "=" else SeriesLabel(v=series.name),
         xVal=AxDataSource(numRef=x), yVal=NumDataSource(numRef=y), smooth=False, errBars=bars,
-        marker=Marker("none") if series.marker == "none" else Marker(series.marker, SIGNS[series.marker], look),
-        spPr=GraphicalProperties(ln=LineProperties(noFill=True) if series.points else stroke),
+        marker=marker, spPr=NO_LINE if series.points else GraphicalProperties(ln=stroke),
     )  # fmt: skip
 
 
@@ -96,7 +100,7 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
             axis.title = heading(title, 1000, book)
         axis.delete = False  # Excel hides an axis that does not say so
         axis.number_format, axis.majorTickMark = "General", "out"
-        axis.majorGridlines = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
+        axis.majorGridlines = GRIDLINES
         if limits and isinstance(axis, NumericAxis):
             axis.scaling.min, axis.scaling.max, axis.majorUnit = limits
     if chart.log_y:

@@ -7,6 +7,7 @@ A page ends between tables, charts and sections, not within them.
 import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 from itertools import accumulate, pairwise
 from typing import Any
 
@@ -68,6 +69,7 @@ class PossibleTexts:
         return self.texts(block, q) if block and q else frozenset()
 
 
+@lru_cache(maxsize=10_000)
 def text_width(text: str, points: float, bold: bool = False) -> float:
     """Return how wide a text is at most, in digits of a column's width."""
     ems = sum(EMS.get(letter, CAPITAL if letter.isupper() else LETTER) for letter in text)

@@ -19,6 +19,7 @@ from openpyxl.worksheet.page import PageMargins
 from openpyxl.worksheet.pagebreak import Break
 from openpyxl.worksheet.properties import PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
+from openpyxl.writer.excel import ExcelWriter
 from pydantic import BaseModel
 
 from workbook.book.declare import FIRST, Block, Book, Sheet
@@ -70,7 +71,7 @@ def parts(book: Book, model: type[BaseModel], names: Iterable[DefinedName] | Non
     workbook.defined_names.update({defined.name: defined for defined in names})
     write_additions(own, workbook, cells, strings)
     draft = io.BytesIO()
-    workbook.save(draft)
+    ExcelWriter(workbook, zipfile.ZipFile(draft, "w")).save()
     made = archive.unzipped(draft.getvalue())
     for number, page in enumerate(cells.values(), 1):
         name = f"xl/worksheets/sheet{number}.xml"
@@ -156,24 +157,22 @@ def write_block(
     block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel], wide: dict[int, float]
 ) -> None:
     """Write the cells of one block, each column in one style and with its rule, and set the height of wrapped texts."""
-    looks: dict[str, int] = {}
-    for q in block.quantities:
+    for q, column in zip(block.quantities, block.columns.values(), strict=True):
         value = sample(q)
-        aligned = style.aligned(q, value, block.is_table, block.columns[q.name] == FIRST)
-        looks[q.name] = styles.quantity(q.role, format_of(q, value, model), aligned, block.is_table)
+        aligned = style.aligned(q, value, block.is_table, column == FIRST)
+        look = styles.quantity(q.role, format_of(q, value, model), aligned, block.is_table)
         if q.role == "input":
             rule = rules.validation(model, q)
             rule.add(block.reference(q.name).replace("$", ""))
             page.add_data_validation(rule)
-    for _, q, _, row, column, content, value in block.cells():
-        if q.formula is None:
-            cells.put(row, column, looks[q.name], content)
-        else:
-            cells.put_formula(row, column, looks[q.name], content, value)
-        text = content if q.formula is None else value
-        if q.wrap and isinstance(text, str):
-            lines = lines_of(text, FULL, wide.get(column, COLUMN_WIDTH))
-            cells.heights[row] = max(lines * ROW_HEIGHT, cells.heights.get(row, 0))
+        for row, (content, value) in enumerate(block.contents(q), block.row):
+            if q.formula is None:
+                cells.put(row, column, look, content)
+            else:
+                cells.put_formula(row, column, look, content, value)
+            if q.wrap and isinstance(value, str):
+                lines = lines_of(value, FULL, wide.get(column, COLUMN_WIDTH))
+                cells.heights[row] = max(lines * ROW_HEIGHT, cells.heights.get(row, 0))
     for mark in style.conditional_formats(block):
         ranges = " ".join(block.reference(q.name).replace("$", "") for q in mark.quantities)
         page.conditional_formatting.add(ranges, mark.rule)
