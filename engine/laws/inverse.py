@@ -229,9 +229,8 @@ def law_joints(law: Law, pieces: Sequence[Piece]) -> tuple[LawJoint, ...]:
     return tuple(found)
 
 
-def continuity(law: Law) -> tuple[int, int]:
-    """Return the order of the highest continuous derivative of s, up to 3: at the ends next to rest, and inside."""
-    joints = law_joints(law, law.as_pieces())
+def continuity(joints: Sequence[LawJoint]) -> tuple[int, int]:
+    """Return the order of a law's highest continuous derivative of s, up to 3: at its ends next to rest, and inside."""
     ends = min([SMOOTH, *(joint.order for joint in joints if joint.outer)])
     inside = min([SMOOTH, *(joint.order for joint in joints if not joint.outer)])
     return ends, inside

@@ -77,7 +77,7 @@ class Book:
             yield from block.cells()
 
     def resolve(self, text: str, at: Block, fixed: str = "") -> str:
-        """Turn the reference notation into A1 references, with ``{0}`` for this row and ``{0[n]}`` for one n below.
+        """Turn the reference notation into A1 references, with ``{0}`` for this row and ``{1[n]}`` for one n below.
 
         ``fixed`` is ``$`` where columns stay the same as the formula is copied to the right. KeyError: no such name.
         """
@@ -85,13 +85,13 @@ class Book:
         def reference(found: re.Match[str]) -> str:
             first, second, end = found.groups()
             if second is None or second == "-1":
-                row = "{0}" if second is None else "{0[-1]}"
+                row = "{0}" if second is None else "{1[-1]}"
                 return ":".join(f"{fixed}{get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
             block = self.blocks[first]
             ends_range = text[found.start() - 1 : found.start()] == ":"  # its first corner names the sheet
             prefix = "" if ends_range or block.sheet is at.sheet else quoted(block.sheet.title) + "!"
             if end == ".same":
-                row = f"{{0[{block.row - at.row}]}}"
+                row = f"{{1[{block.row - at.row}]}}"
                 return prefix + ":".join(
                     f"{fixed}{get_column_letter(block.columns[name])}{row}" for name in second[1:].split(":")
                 )

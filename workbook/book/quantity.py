@@ -183,7 +183,7 @@ class Cell(NamedTuple):
 
 
 class Row(int):
-    """The number of a row; ``row[n]`` is that of the row n below."""
+    """The number of a row; ``row[n]`` is that of the row n below. Python formats it in twice the time of an int."""
 
     def __getitem__(self, below: int | str) -> int:
         return self + int(below)
@@ -250,7 +250,7 @@ class Block:
 
     def when(self, condition: str, row: int) -> str:
         """Return a condition in a row of the sheet, as a formula without its sign of equality."""
-        return self.sheet.book.resolve(f"={condition}", self, "$").format(Row(row)).removeprefix("=")
+        return self.sheet.book.resolve(f"={condition}", self, "$").format(row, Row(row)).removeprefix("=")
 
     def cells(self) -> Iterator[Cell]:
         """Yield the declared cells, column by column, with contents and the engine's values."""
@@ -269,7 +269,7 @@ class Block:
         if q.formula is not None:
             texts = as_rows(q.formula, self.size, where)
             patterns = {text: self.sheet.book.resolve(text, self) for text in set(texts)}
-            contents = [patterns[text].format(Row(row)) for row, text in enumerate(texts, self.row)]
+            contents = [patterns[text].format(row, Row(row)) for row, text in enumerate(texts, self.row)]
         return zip(contents, values, strict=True)
 
 

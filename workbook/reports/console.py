@@ -14,7 +14,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn
 from rich.table import Column, Table
 
 from engine.laws import CATALOGUE
-from engine.laws.inverse import DERIVATIVES, continuity
+from engine.laws.inverse import DERIVATIVES, continuity, law_joints
 from workbook.errors import visible
 from workbook.judging.batch import Outcome
 from workbook.judging.report import FOLLOWS, Report
@@ -200,7 +200,8 @@ def catalogue() -> list[dict[str, Any]]:
     rows: list[dict[str, Any]] = []
     for law in (one() for one in CATALOGUE):
         figures = {name: plain(getattr(law.coefficients, field)) for name, field in (FIGURES | COSTS).items()}
-        smooth = dict(zip(SMOOTH, (DERIVATIVES[order] for order in continuity(law)), strict=True))
+        orders = continuity(law_joints(law, law.as_pieces()))
+        smooth = dict(zip(SMOOTH, (DERIVATIVES[order] for order in orders), strict=True))
         told = {"code": law.code, "name": law.name, "aliases": list(law.aliases), "source": law.source}
         rows.append(told | figures | smooth | {"names": law.vendors._asdict()})
     return rows

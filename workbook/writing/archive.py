@@ -190,7 +190,7 @@ class Cells:
 
 def value_xml(value: Any) -> tuple[str, str]:
     """Return the type attribute and the element of a value; neither where there is none: None, not a finite number."""
-    if isinstance(value, float):  # all its digits: openpyxl writes 16, some numbers need 17 to come back; no cell has −0
+    if isinstance(value, float):  # all its digits: openpyxl writes 16, and some need 17 to come back; no cell has −0
         return "", f"<v>{repr(float(value) + 0.0).removesuffix('.0')}</v>" if math.isfinite(value) else ""
     if isinstance(value, str):
         return (' t="e"' if value in ERROR_CODES else ' t="str"'), element("v", value)

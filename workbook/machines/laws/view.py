@@ -32,11 +32,13 @@ class ComparedLaws:
         self.curves = [known[name] for name in chosen]
         self.moving = [one for one in laws if not isinstance(one.law, Dwell)]
         self.xi = np.arange(self.sizes.cycle + 1) / self.sizes.cycle
-        self.smooth = [continuity(one.law) for one in self.moving]  # the order of each at its ends and between them
+        self.smooth: list[tuple[int, int]] = []  # the order of each law's continuity at its ends and between them
         self.joints: list[JointRow] = []  # the begin of each piece of each law, and of the rest behind it
         for one in self.moving:
             pieces, begun, first = stack.pieces[one.number], stack.first[one.number], len(self.joints) + 1
-            for k, at in enumerate(law_joints(one.law, pieces), 1):
+            joints = law_joints(one.law, pieces)
+            self.smooth.append(continuity(joints))
+            for k, at in enumerate(joints, 1):
                 row = begun + k - 1 if k <= len(pieces) else stack.first[1]
                 self.joints.append(JointRow(one, k, at, row, first))
 
