@@ -36,13 +36,14 @@ NAMES = 3.0  # cm left of the plot, where the lines have their names there
 LEGEND, LONG_LEGEND, LONG = 0.7, 1.6, 6  # cm for a legend, for one of more lines than so many
 NO_LINE = GraphicalProperties(ln=LineProperties(noFill=True))
 GRIDLINES = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
+TITLE, AXIS_TITLE = (ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)) for size in (1300, 1000))
 NUMBERS = re.compile(rb"<numRef><f>([^<]*)</f></numRef>")
 
 
 def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     """Return the openpyxl chart for ``chart``, ``width`` by ``height`` cm large."""
     drawn = ScatterChart()
-    drawn.title, drawn.style, drawn.scatterStyle = heading(chart.title, 1300, book), 2, "lineMarker"
+    drawn.title, drawn.style, drawn.scatterStyle = heading(chart.title, TITLE, book), 2, "lineMarker"
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
         ink = series.color or COLOURS[i % len(COLOURS)]
@@ -55,14 +56,12 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     return drawn
 
 
-def heading(text: str, size: int, book: Book) -> Title:
-    """Return a bold title of ``size`` hundredths of a point; ``=name`` shows a cell: it follows units as entered."""
-    look = CharacterProperties(sz=size, b=True)
-    properties = ParagraphProperties(defRPr=look)
+def heading(text: str, look: ParagraphProperties, book: Book) -> Title:
+    """Return a title; ``=name`` shows a cell: it follows units as entered."""
     if text.startswith("="):
-        plain = RichText(p=[Paragraph(pPr=properties)])
+        plain = RichText(p=[Paragraph(pPr=look)])
         return Title(tx=ChartText(strRef=str_ref(text[1:], book)), overlay=False, txPr=plain)
-    paragraph = Paragraph(pPr=properties, r=[RegularTextRun(rPr=look, t=text)])
+    paragraph = Paragraph(pPr=look, r=[RegularTextRun(rPr=look.defRPr, t=text)])
     return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=False)
 
 
@@ -97,7 +96,7 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     """Title, scale and number format of both axes."""
     for axis, title, limits in ((drawn.x_axis, chart.x, chart.x_range), (drawn.y_axis, chart.y, chart.y_range)):
         if title:
-            axis.title = heading(title, 1000, book)
+            axis.title = heading(title, AXIS_TITLE, book)
         axis.delete = False  # Excel hides an axis that does not say so
         axis.number_format, axis.majorTickMark = "General", "out"
         axis.majorGridlines = GRIDLINES

@@ -6,10 +6,10 @@ A page ends between tables, charts and sections, not within them.
 
 import re
 from bisect import bisect_left
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from itertools import accumulate, pairwise
-from typing import Any
 
 from workbook.book.declare import FIRST, REFERENCE, Block, Book, Quantity, Sheet
 from workbook.book.quantity import sample
@@ -92,14 +92,7 @@ def lines_of(text: str, points: float, room: float) -> int:
 def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     """Return the width of each column that has one of its own, in digits."""
     found: dict[int, float] = WIDTHS | sheet.widths
-    taken = {(text.row, text.column) for text in sheet.texts if text.text}
-    for block in sheet.blocks:
-        for q, column in zip(block.quantities, block.columns.values(), strict=True):
-            values: list[Any] = as_rows(q.value, block.size, q.name)
-            taken |= {(block.row + i, column) for i, value in enumerate(values)
-                      if q.formula is not None or value not in (None, "")}  # fmt: skip
-    for _, top, left, wide, high in sheet.charts:
-        taken |= {(row, column) for row in range(top, top + high) for column in range(left, left + wide)}
+    taken = taken_rows(sheet)
     for block in sheet.blocks:
         for q, column in zip(block.quantities, block.columns.values(), strict=True):
             if q.role in ("sentence", "check"):
@@ -118,11 +111,29 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     return found
 
 
-def free_width(found: dict[int, float], taken: set[tuple[int, int]], row: int, column: int, step: int) -> float:
-    """Return how much room the empty cells beside a cell have."""
+def taken_rows(sheet: Sheet) -> Mapping[int, set[int]]:
+    """Return the rows of each column in which a cell shows something or a chart lies."""
+    taken: defaultdict[int, set[int]] = defaultdict(set)
+    for text in sheet.texts:
+        if text.text:
+            taken[text.column].add(text.row)
+    for block in sheet.blocks:
+        rows = range(block.row, block.row + block.size)
+        for q, column in zip(block.quantities, block.columns.values(), strict=True):
+            values = as_rows(q.value, block.size, q.name)
+            shown = (row for row, value in zip(rows, values, strict=True) if value not in (None, ""))
+            taken[column].update(shown if q.formula is None else rows)
+    for _, top, left, wide, high in sheet.charts:
+        for column in range(left, left + wide):
+            taken[column].update(range(top, top + high))
+    return taken
+
+
+def free_width(found: dict[int, float], taken: Mapping[int, set[int]], row: int, column: int, step: int) -> float:
+    """Return how much room the empty cells beside a cell have; ``taken`` as :func:`taken_rows` returns it."""
     room = 0.0
     for beside in range(column + step, column + step * (RUN + 1), step or 1):
-        if (row, beside) in taken or beside < FIRST:
+        if row in taken.get(beside, ()) or beside < FIRST:
             break
         room += found.get(beside, COLUMN_WIDTH)
     return room
