@@ -6,17 +6,12 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from engine.laws.base import Array, require_finite
 
 Method = Literal["physical", "document"]  # losses by the direction of power, or as S4 counts them: always over η
 NEAR = 1e-9  # Nm (N at a load that travels) by which a load has to drive, so that rounding does not choose the side
-
-
-def gives_back(torque: ArrayLike, direction: ArrayLike, near: float = NEAR) -> NDArray[np.bool_]:
-    """Return whether a load drives: its torque (Nm, or N) is against its ``direction``, 1, −1 or 0 at rest."""
-    return np.asarray(np.asarray(torque) * np.asarray(direction) < -near)
 
 
 def held_factor(efficiency: float, back_efficiency: float) -> float:
@@ -53,7 +48,7 @@ class Stage:
             return np.full(np.broadcast(torque, direction).shape, 1.0 / self.efficiency)
         back = self.efficiency if self.back_efficiency is None else self.back_efficiency
         forward = np.where(np.asarray(direction) == 0.0, held_factor(self.efficiency, back), 1.0 / self.efficiency)
-        return np.where(gives_back(torque, direction, near), back, forward)
+        return np.where(np.asarray(torque) * np.asarray(direction) < -near, back, forward)
 
 
 @dataclass(frozen=True)

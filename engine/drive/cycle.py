@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.drivetrain import Drivetrain, Force, LoadMotion, ShaftMotion, TorqueCoefficients, dwell_times
-from engine.drive.search import NOISE, crossed, force_curve, largest_size, sign_changes
+from engine.drive.search import NOISE, crossed, largest_size, sign_changes
 from engine.laws.base import Array
 from engine.laws.extremes import Curve
 from engine.motion import Motion
@@ -91,13 +91,28 @@ class TorqueInterval:
         if self.force.by_angle:
             return None
         if shaft == len(self.torque_coefficients):
-            return force_curve(self.piece, self.speed, self.force)
+            return self._force_curve(1.0, 0.0, 0.0)
         if self.train.linkage:
             return None
         ratio = self.train.drive.mechanism.stages[-1].ratio
         weights = TorqueCoefficients(0.0, 0.0) if shaft == 0 and self.braked else self.torque_coefficients[shaft]
-        share, level = weights.force / ratio, self.no_load(shaft)
-        return force_curve(self.piece, self.speed, self.force, share, weights.inertia * ratio, level)
+        return self._force_curve(weights.force / ratio, weights.inertia * ratio, self.no_load(shaft))
+
+    def _force_curve(self, share: float, inertia: float, more: float) -> Curve:
+        """Return ``share`` · F + ``inertia`` · ÿ + ``more`` as a curve over u, F the force at the load."""
+        _, velocity, acceleration, _ = self.piece.curves
+        level, c = share * self.force.level + more, share * self.force.viscous * self.speed
+        m = (share * self.force.mass + inertia) * self.speed**2
+        both = [*(m * c2 for c2 in acceleration.c), 0.0]
+        polynomial = [c * c1 + other for c1, other in zip(velocity.c, both, strict=True)]
+        polynomial[0] += level
+        sines = [(m * p, w, phi) for p, w, phi in acceleration.sines]
+        sines += [(c * p, w, phi) for p, w, phi in velocity.sines] if c else []
+        merged = []  # one sine for each ω
+        for w in dict.fromkeys(w for _, w, _ in sines):
+            phasor = sum(p * np.exp(1j * phi) for p, other, phi in sines if other == w)
+            merged.append((float(abs(phasor)), w, float(np.angle(phasor))))
+        return Curve(tuple(polynomial), tuple(merged))
 
     def crossings(self, shaft: int) -> list[float]:
         """Return every u at which the torque of a shaft changes its sign."""

@@ -138,6 +138,18 @@ class DrivePoints:
         """Return the largest absolute value of a quantity over the cycle."""
         return max(self.top(values), self.top(-values))
 
+    def falling_use(self, peak: float, falling: TorqueFall) -> Array:
+        """Return at each point the use 1/r² of a peak torque T (Nm) that falls: |S + r² I| + f r |ω| = T + f ω_1.
+
+        It has two rows, for positive and negative torque, of the first r that reaches the line; 0 if none does. See
+        :func:`limit_uses` for S and I.
+        """
+        way = np.array([1.0, -1.0])[:, None, None]
+        left = falling.corner(peak) - way * self.standing
+        sink = falling.fall * np.abs(self.speed)
+        square = sink**2 + 4.0 * way * (self.torque - self.standing) * left
+        return np.where(square < 0.0, 0.0, ((sink + np.sqrt(np.maximum(square, 0.0))) / (2.0 * left)) ** 2)
+
 
 LEAST_USE = 1e-9  # a smaller use is rounding: the limit is reached beyond 30,000 times the present rate
 
@@ -186,7 +198,7 @@ def continuous_line(points: DrivePoints, motor: Motor) -> ContinuousTorqueLine:
     return ContinuousTorqueLine(stall, fall, near, mixed + (fall * (stall / near - fall) / 2.0 if near > 0.0 else 0.0))
 
 
-def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> LimitUse:
+def by_rms(points: DrivePoints, motor: Motor) -> LimitUse:
     """Return the use of the continuous torque (Nm): mean (S + x I)² = (M − D √x)², x the square of the rate's factor.
 
     √x ≤ (e + x/e)/2 makes this a quadratic in x that is exact at √x = e and on the safe side elsewhere. e is 1, or
@@ -195,25 +207,13 @@ def by_rms(points: DrivePoints, motor: Motor, moves: bool = True) -> LimitUse:
     own, _, growing = mean_squares(points)
     stall, fall, near, half = continuous_line(points, motor)
     stands, use = math.sqrt(own), 0.0
-    if moves and stands < stall < math.inf:
+    if stands < stall < math.inf:
         left = stall * (stall - fall * near) - own
         use = (math.sqrt(half**2 + growing * left) + half) / left
     return LimitUse(stall, stands, points.rms_torque, use)
 
 
-def falling_use(points: DrivePoints, peak: float, falling: TorqueFall) -> Array:
-    """Return at each point the use 1/r² of a peak torque T that falls: |S + r² I| + f r |ω| = T + f ω_1.
-
-    It has two rows, for positive and negative torque, of the first r that reaches the line; 0 if none does.
-    """
-    way = np.array([1.0, -1.0])[:, None, None]
-    left = falling.corner(peak) - way * points.standing
-    sink = falling.fall * np.abs(points.speed)
-    square = sink**2 + 4.0 * way * (points.torque - points.standing) * left
-    return np.where(square < 0.0, 0.0, ((sink + np.sqrt(np.maximum(square, 0.0))) / (2.0 * left)) ** 2)
-
-
-def by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> LimitUse:
+def _by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> LimitUse:
     """Return the use of a torque limit (Nm), 0 of an infinite one: |I| over the limit less S in the direction of I."""
     grows, use = torque - standing, 0.0
     if not math.isinf(limit):
@@ -229,7 +229,7 @@ def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> tuple
     """
     load = points.load
     limit = reducer.peak_torque / reducer.cycle_factor
-    reduced = by_peak(points, load.output_torque, load.output_torque_at_rest, limit)
+    reduced = _by_peak(points, load.output_torque, load.output_torque_at_rest, limit)
     of_rate = (rate / reducer.full_rate) ** 2
     return reduced.use, of_rate, of_rate if reduced.standing >= reduced.limit else min(of_rate, reduced.use)
 
@@ -258,16 +258,16 @@ def limit_uses(
     """
     peak, fastest = motor.peak_torque, motor.max_speed
     behind, standing = points.load.output_torque, points.load.output_torque_at_rest
-    whole = by_peak(points, behind, standing, reducer.peak_torque)
+    whole = _by_peak(points, behind, standing, reducer.peak_torque)
     found = {
-        "RMS torque": by_rms(points, motor, speed > 0.0),
-        "peak torque": by_peak(points, points.torque, points.standing, peak),
+        "RMS torque": by_rms(points, motor),
+        "peak torque": _by_peak(points, points.torque, points.standing, peak),
         "motor speed": by_speed(speed, fastest),
         "reducer input speed": by_speed(speed, reducer.input_speed),
         "reducer peak torque": whole._replace(use=max(whole.use, by_cycles(points, reducer, rate)[2])),
         "reducer mean torque": by_mean(points, reducer.mean_torque),
     }
     if falling.fall:
-        use = float(falling_use(points, peak, falling).max())
+        use = float(points.falling_use(peak, falling).max())
         found["torque below the curve"] = found["peak torque"]._replace(limit=falling.corner(peak), use=use)
     return found

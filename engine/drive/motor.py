@@ -34,6 +34,9 @@ class TorqueFall(NamedTuple):
         return np.asarray(curve - np.abs(torque))
 
 
+LEVEL = TorqueFall()  # of a peak torque that does not fall
+
+
 class TorqueCurve(NamedTuple):
     """The peak torque of a servo-motor against its speed, as corners of straight lines."""
 
@@ -74,18 +77,17 @@ class Motor:
         """Return the continuous torque (Nm) at a mean speed (rad/s): see :func:`continuous`."""
         return continuous(self.rated_torque, self.stall_torque, self.rated_speed, speed)
 
-    def corners(self, lowest_speed: float, knee: float = 0.0, fall: float = 0.0) -> "LimitCorners":
+    def corners(self, lowest_speed: float, falling: TorqueFall = LEVEL) -> "LimitCorners":
         """Return the limits as a closed line in the plane of speed and torque, from its upper left corner.
 
-        It extends to negative speeds only if ``lowest_speed`` (rad/s) is negative. The peak torque falls beyond
-        ``knee`` (rad/s) by ``fall`` (Nm s).
+        It extends to negative speeds only if ``lowest_speed`` (rad/s) is negative. The peak torque is ``falling``.
         """
         side, which, up = np.array(CORNERS).T
-        begins = knee if fall else self.max_speed
+        begins = falling.knee if falling.fall else self.max_speed
         bends = sorted((min(self.rated_speed, self.max_speed), begins))
         speed = side * np.array([0.0, *bends, self.max_speed])[which]
         speed = speed if lowest_speed < -STANDSTILL else np.maximum(speed, 0.0)
-        peak = self.peak_torque - fall * np.maximum(0.0, np.abs(speed) - begins)
+        peak = self.peak_torque - falling.fall * np.maximum(0.0, np.abs(speed) - begins)
         return LimitCorners(side > 0, speed, up * peak, up * self.continuous(speed))
 
 

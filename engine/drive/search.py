@@ -7,10 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.drivetrain import Force
 from engine.laws.base import Array
 from engine.laws.extremes import Curve, narrowed, root, zeros
-from engine.motion.pieces import MotionPiece
 
 PARTS = 16  # of a bracket, in one round
 ROUNDS = 9  # of narrowing a bracket, to an eighth each
@@ -116,25 +114,6 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
         return (high - low) * last
     middle = 0.5 * (low + high)
     return sum(integral(function, a, b, scale, halvings - 1) for a, b in ((low, middle), (middle, high)))
-
-
-def force_curve(
-    piece: MotionPiece, speed: float, force: Force, share: float = 1.0, inertia: float = 0.0, more: float = 0.0
-) -> Curve:
-    """Return ``share`` · F + ``inertia`` · ÿ + ``more`` as a curve over u, F the force at the load."""
-    _, velocity, acceleration, _ = piece.curves
-    level, c = share * force.level + more, share * force.viscous * speed
-    m = (share * force.mass + inertia) * speed**2
-    both = [*(m * c2 for c2 in acceleration.c), 0.0]
-    polynomial = [c * c1 + other for c1, other in zip(velocity.c, both, strict=True)]
-    polynomial[0] += level
-    sines = [(m * p, w, phi) for p, w, phi in acceleration.sines]
-    sines += [(c * p, w, phi) for p, w, phi in velocity.sines] if c else []
-    merged = []  # one sine for each ω
-    for w in dict.fromkeys(w for _, w, _ in sines):
-        phasor = sum(p * np.exp(1j * phi) for p, other, phi in sines if other == w)
-        merged.append((float(abs(phasor)), w, float(np.angle(phasor))))
-    return Curve(tuple(polynomial), tuple(merged))
 
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:

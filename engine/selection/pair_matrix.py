@@ -41,6 +41,15 @@ class PeakTorqueCurve(NamedTuple):
     knee: float  # rad/s
     fall: float  # decrease beyond the knee (Nm s)
 
+    def reserve(self, load: PointLoad, pair: "Pair") -> float:
+        """Return the least reserve of torque below the curve at the points (Nm)."""
+        return self.peak - max(float(load.peak(pair_arrays(*pair))[0]), self.falling_demand(load, pair))
+
+    def falling_demand(self, load: PointLoad, pair: "Pair") -> float:
+        """Return the largest |T| + f (ω − ω_1) at the points (Nm), the demand on the falling part of the curve."""
+        torque, speed = load.torques(pair_arrays(*pair))[0], pair.ratio * load.points.speed
+        return float((np.abs(torque) + self.fall * (speed - self.knee)).max())
+
 
 class Pair(NamedTuple):
     """A motor with a reducer."""
@@ -49,17 +58,6 @@ class Pair(NamedTuple):
     ratio: float  # i
     efficiency: float  # η
     no_load: float = 0.0  # no-load torque (Nm)
-
-
-def reserve(load: PointLoad, pair: Pair, curve: PeakTorqueCurve) -> float:
-    """Return the least reserve of torque below a motor's curve at the points (Nm)."""
-    return curve.peak - max(float(load.peak(pair_arrays(*pair))[0]), falling_demand(load, pair, curve))
-
-
-def falling_demand(load: PointLoad, pair: Pair, curve: PeakTorqueCurve) -> float:
-    """Return the largest |T| + f (ω − ω_1) at the points (Nm), the demand on the falling part of a curve."""
-    torque, speed = load.torques(pair_arrays(*pair))[0], pair.ratio * load.points.speed
-    return float((np.abs(torque) + curve.fall * (speed - curve.knee)).max())
 
 
 def pair_arrays(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: ArrayLike) -> PairArrays:
@@ -168,14 +166,12 @@ class PairMatrix:
         name = "size" if rank == "mass" else "cost"
         return np.asarray(getattr(self.motors, name)[:, None] + getattr(self.reducers, name))
 
-    def keys(self, rank: Rank, across: int, rooms: int) -> Array:
-        """Return keys in the order of ranks, NaN without: rounded score · ``rooms`` + motor · ``across`` + reducer."""
-        score = np.where(self.verdicts == "yes", self.scores(rank), np.nan)
-        motor, reducer = np.indices(score.shape)
-        return np.asarray(np.floor(score * PARTS + 0.5) * rooms + motor * across + reducer)
+    def rounded(self, rank: Rank) -> Array:
+        """Return the scores of usable pairs as whole numbers of 1/:data:`PARTS`; NaN of others."""
+        return np.floor(np.where(self.verdicts == "yes", self.scores(rank), np.nan) * PARTS + 0.5)
 
-    def best(self, rank: Rank, across: int, rooms: int) -> list[tuple[int, int]]:
-        """Return the numbers of motor and reducer of the ranked pairs, from 0, best first."""
-        keys = self.keys(rank, across, rooms)
-        order = [int(k) for k in np.argsort(keys, axis=None, kind="stable")][: int(np.isfinite(keys).sum())]
-        return [divmod(k, keys.shape[1]) for k in order]
+    def best(self, rank: Rank) -> list[tuple[int, int]]:
+        """Return the numbers of motor and reducer of the ranked pairs, from 0, best first, of equal ones the first."""
+        scores = self.rounded(rank)
+        order = np.argsort(scores, axis=None, kind="stable")[: int(np.isfinite(scores).sum())]
+        return [divmod(k, scores.shape[1]) for k in order.tolist()]

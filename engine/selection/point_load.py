@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.drive.chain import gives_back
 from engine.drive.drive_points import TIED
 from engine.drive.quadrature import LoadPoints
 from engine.drive.results import Energy
@@ -75,7 +74,7 @@ class PointLoad:
     def __post_init__(self) -> None:
         load = self.load
         torque = np.where(load.braked, 0.0, load.output_torque)  # a brake holds it back from the motor
-        back = gives_back(torque, load.direction, 0.0) & (load.train.drive.method == "physical")
+        back = (torque * load.direction < 0.0) & (load.train.drive.method == "physical")  # the load drives
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
         each = load.shaft_acceleration, driving, driven, np.abs(load.speed), load.direction
         self.points = ShaftPoints(*(values.ravel() for values in each))

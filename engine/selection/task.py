@@ -69,21 +69,20 @@ class Task:
         """β = 2 (ω̇_L,rms T*_L,rms + (ω̇_L T*_L)_mean), in Nm rad/s²; 0 of a load that does not move: S5, eq. (15)."""
         return 2.0 * (self.acceleration_rms * self.torque_rms + self.power_rate_mean) if self.moves else 0.0
 
+    def best_ratio(self, inertia: ArrayLike, efficiency: float = 1.0) -> Array:
+        """Return τ_opt = √(J ω̇_rms η/T*_rms), at which the RMS torque is smallest; J (kg m²) is on the motor's shaft.
+
+        NaN for a load that does not move. Source: S5, eq. (14) with its efficiency; (18), where it is √(J_M/J_L).
+        """
+        moment = np.asarray(inertia, dtype=np.float64)
+        if not self.moves:
+            return np.full(moment.shape, np.nan)
+        return np.asarray(np.sqrt(moment * efficiency * self.acceleration_rms / self.torque_rms))
+
 
 def accelerating_factor(rated_torque: ArrayLike, inertia: ArrayLike) -> Array:
     """Return α = T_M,N²/J_M (Nm rad/s²) from Nm and kg m². Source: S5, eq. (15)."""
     return np.asarray(np.square(rated_torque, dtype=np.float64) / np.asarray(inertia, dtype=np.float64))
-
-
-def best_ratio(task: Task, inertia: ArrayLike, efficiency: ArrayLike = 1.0) -> Array:
-    """Return τ_opt = √(J ω̇_rms η/T*_rms), at which the RMS torque is smallest; J (kg m²) is on the motor's shaft.
-
-    NaN for a load that does not move. Source: S5, eq. (14) with its efficiency; (18), where it is √(J_M/J_L).
-    """
-    moment, eta = np.asarray(inertia, dtype=np.float64), np.asarray(efficiency, dtype=np.float64)
-    if not task.moves:
-        return np.full(np.broadcast_shapes(moment.shape, eta.shape), np.nan)
-    return np.asarray(np.sqrt(moment * eta * task.acceleration_rms / task.torque_rms))
 
 
 class Ranges(NamedTuple):
@@ -122,7 +121,7 @@ def ratio_ranges(
     root, wide, smallest, largest = _ends(spare, moment, task.acceleration_rms, torque)
     limit = known * task.max_speed / fastest
     lowest = np.fmax(smallest, limit)
-    optimum = best_ratio(task, moment, efficiency)
+    optimum = task.best_ratio(moment, efficiency)
     accepted = lowest <= largest
     return Ranges(alpha, smallest, largest, optimum, limit, lowest, root, wide, spare >= 0.0, accepted)
 
@@ -167,4 +166,5 @@ def ratio_curves(
     pace = np.sqrt(beta / task.load_factor)
     torque = pace * task.torque_rms / efficiency
     root, wide, low, high = _ends(spare, inertia, pace * task.acceleration_rms, torque)
-    return RatioCurves(share, beta, pace, root, wide, low, best_ratio(task, np.full(points, inertia), efficiency), high)
+    best = task.best_ratio(np.full(points, inertia), efficiency)
+    return RatioCurves(share, beta, pace, root, wide, low, best, high)

@@ -4,7 +4,6 @@ from typing import Any
 
 import numpy as np
 
-from engine.selection.pair_matrix import falling_demand
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
@@ -86,7 +85,7 @@ def figures(view: PairSelection) -> list[Quantity]:
     """Return the columns of a pair's figures, and of what it leaves below its motor's curve."""
     pairs, m = view.ranked[:BEST], view.motors
     each = [view.grid.pair(*pair) for pair in pairs]
-    asked = [falling_demand(view.load, one, view.curve(k)) for one, (k, _) in zip(each, pairs, strict=True)]
+    asked = [view.curve(k).falling_demand(view.load, one) for one, (k, _) in zip(each, pairs, strict=True)]
     scale = max([*(abs(one.peak) for one in view.listed), *map(abs, asked), 1e-3])
     motors, reducers = (list(each) for each in zip(*pairs, strict=True)) if pairs else ([], [])
 

@@ -11,7 +11,7 @@ import numpy as np
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.pair_matrix import RANKS, PairMatrix, PeakTorqueCurve, Requirements, pair_arrays, reserve
+from engine.selection.pair_matrix import RANKS, PairMatrix, PeakTorqueCurve, Requirements, pair_arrays
 from engine.selection.point_load import PairArrays, PointLoad, shares_of
 from workbook.book.chart import in_scope
 from workbook.book.rows import filled
@@ -172,10 +172,12 @@ class PairSelection:
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
         self.bare = pair_arrays(0.0, r.reduction, r.efficiency, r.no_load)  # the reducers, before any motor
-        own, ranking = self.shaft.values, (given.rank, sizes.reducers, self.pairs)
+        own = self.shaft.values
         self.grid = PairMatrix(self.load, self.motors, r, own["beside"], self.requirements, si(own["cycles"], PER_HOUR))
-        self.keys = self.grid.keys(*ranking)  # what the pairs are sorted by; NaN where they are not ranked
-        self.ranked = self.grid.best(*ranking)  # motor and reducer, best first
+        scores = self.grid.rounded(given.rank)
+        motor, reducer = np.indices(scores.shape)
+        self.keys = scores * self.pairs + motor * sizes.reducers + reducer  # what pairs are sorted by; NaN: not ranked
+        self.ranked = self.grid.best(given.rank)  # motor and reducer, best first
 
     def in_use(self, name: str) -> float:
         """Return a figure of the pair that the shaft has."""
@@ -222,7 +224,7 @@ class PairSelection:
         g, found = self.grid, []
         for m, r in self.ranked[:BEST]:
             margin = float(shares_of(np.array(1.0), g.uses[m, r]))
-            spare = reserve(self.load, g.pair(m, r), self.curve(m))
+            spare = self.curve(m).reserve(self.load, g.pair(m, r))
             peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
             found.append(PairFigures(float(g.rms[m, r]), margin, peak, speed, float(g.inertia_ratio[m, r]), spare))
         return found

@@ -13,7 +13,7 @@ from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.pair_matrix import RANKS, Pair, PairMatrix, PeakTorqueCurve, Requirements, reserve
+from engine.selection.pair_matrix import RANKS, Pair, PairMatrix, PeakTorqueCurve, Requirements
 from engine.selection.point_load import PointLoad, ShaftPoints
 from tests.engine.drive.test_quadrature import points_of
 
@@ -97,12 +97,12 @@ def test_a_reducer_carries_less_at_more_cycles_than_its_torque_is_given_for():
 def test_the_smallest_motor_comes_first_and_with_it_the_reducer_that_asks_less_of_it():
     strong = replace(MOTORS, rated_torque=np.array([500.0, 900.0]), peak_torque=np.array([1e4, 1e4]))
     wide = replace(grid(), motors=replace(strong, max_speed=np.array([1e4, 1e4])))
-    assert [m for m, _ in wide.best("smallest motor", 2, 4)] == [0, 0, 1, 1]
-    first, second = (wide.rms[pair] for pair in wide.best("smallest motor", 2, 4)[:2])
+    assert [m for m, _ in wide.best("smallest motor")] == [0, 0, 1, 1]
+    first, second = (wide.rms[pair] for pair in wide.best("smallest motor")[:2])
     assert first < second
-    assert {m for m, _ in wide.best("mass", 2, 4)} == {0}  # of the other none is given
-    assert wide.best("cost", 2, 4) == []
-    match = wide.best("inertia match", 2, 4)[0]
+    assert {m for m, _ in wide.best("mass")} == {0}  # of the other none is given
+    assert wide.best("cost") == []
+    match = wide.best("inertia match")[0]
     best = min(((m, r) for m in (0, 1) for r in (0, 1)), key=lambda p: abs(math.log(
         wide.balance[p[1]] / wide.inertias[p])))  # fmt: skip
     assert match == best
@@ -121,8 +121,8 @@ def test_the_reserve_is_what_is_left_below_the_curve_at_the_points():
     """80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30; of a load that drives η/i of its torque; T_nl less."""
     part = Held([10.0, 0.0], [20.0, 20.0], [0.0, 0.0], [150.0, 150.0])
     gears = Pair(1.0, 1.0, 1.0)
-    assert reserve(part, gears, PeakTorqueCurve(80.0, 150.0, 0.2)) == pytest.approx(50.0)
-    assert reserve(part, gears, PeakTorqueCurve(80.0, 100.0, 0.2)) == pytest.approx(40.0)
+    assert PeakTorqueCurve(80.0, 150.0, 0.2).reserve(part, gears) == pytest.approx(50.0)
+    assert PeakTorqueCurve(80.0, 100.0, 0.2).reserve(part, gears) == pytest.approx(40.0)
     held = Held([0.0], [0.0], [-20.0], [0.0])
-    assert reserve(held, Pair(1.0, 2.0, 0.5, 3.0), PeakTorqueCurve(80.0, 1.0, 0.0)) == pytest.approx(75.0)
-    assert reserve(part, gears._replace(no_load=3.0), PeakTorqueCurve(80.0, 150.0, 0.2)) == pytest.approx(47.0)
+    assert PeakTorqueCurve(80.0, 1.0, 0.0).reserve(held, Pair(1.0, 2.0, 0.5, 3.0)) == pytest.approx(75.0)
+    assert PeakTorqueCurve(80.0, 150.0, 0.2).reserve(part, gears._replace(no_load=3.0)) == pytest.approx(47.0)

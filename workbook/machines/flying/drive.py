@@ -42,7 +42,7 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         in_use(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Workings: the motor's limits in the chart")
-        corners = view.motor.corners(min(0.0, float(view.load.direction.min())), *view.falling)
+        corners = view.motor.corners(min(0.0, float(view.load.direction.min())), view.falling)
         limits_table(sheet, corners, "MIN([@pt.dir])<0", falls=True)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         sheet.heading("Workings: the cycle at points", "Nine points of each piece of the tool's motion, ends included.")

@@ -15,7 +15,7 @@ from engine.laws.inverse import is_monotone, velocity_extremes
 from engine.laws.points import fastest
 from engine.motion import Phase
 from engine.selection.point_load import PointLoad
-from engine.selection.task import Task, best_ratio
+from engine.selection.task import Task
 from workbook.book.rows import filled
 from workbook.book.sentence import figure
 from workbook.fields.texts import place_of
@@ -127,7 +127,7 @@ class ToolDrive:
         self.left = self.falling.reserve(self.motor.peak_torque, self.points.torque, self.points.speed)
         self.reserve = reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
         task, (inertia, ratio, efficiency, _) = self.proposal.grid.task, self.gears
-        best = ratio * float(best_ratio(task, inertia, efficiency))
+        best = ratio * float(task.best_ratio(inertia, efficiency))
         self.balance = 1.0 / best if task.moves else 0.0  # τ/τ_opt; 0 of a load that does not move: S5, (18), step 7
         self.turns = furthest(self.load, self.cycle.still)  # where the tool stands between points
         self.stroke = float(np.ptp(self.turns[1]))

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.drive_points import falling_use
 from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
@@ -114,7 +113,7 @@ def standing(view: DriveView, behind: str) -> list[Quantity]:
     if not view.knows_falling:
         return columns
     peak, level = driven.motor.peak_torque, np.stack([0.0 * points.torque] * 2)
-    forward, backward = falling_use(points, peak, driven.falling) if driven.falling.fall > 0.0 else level
+    forward, backward = points.falling_use(peak, driven.falling) if driven.falling.fall > 0.0 else level
 
     def use(grows: str, left: str) -> str:
         square = f"(@fall*[n])^2+4*({grows})*({left})"

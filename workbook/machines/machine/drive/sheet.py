@@ -61,7 +61,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
             reducer_load.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
         backward = min(0.0, float(view.cycle.direction.min()))
-        corners = driven.motor.corners(backward, *driven.falling)
+        corners = driven.motor.corners(backward, driven.falling)
         limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         sheet.heading("Workings: the cycle in intervals and points")
