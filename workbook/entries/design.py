@@ -10,13 +10,15 @@ from pydantic import BaseModel, ValidationError
 
 from workbook.entries import rules
 from workbook.entries.machine import Design, Fault, Machine, Replaced
-from workbook.fields.types import DesignError, DesignFaultsError
+from workbook.errors import LONGEST, quoted
+from workbook.fields.types import LARGEST, SMALLEST, DesignError, DesignFaultsError, EntryError
 from workbook.laws.entries import key_of
 
 M = TypeVar("M", bound=Machine)
 BEYOND = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
 MOST_ROUNDS = 24
 NONE = object()  # stands where a description has no entry
+Where = Callable[[str], str]  # how an entry is told of, by its key
 
 
 class RefusedError(Exception):
@@ -89,6 +91,34 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
     fits = 0.0 if not beyond and kind is float and Ge(0) in constraints else None  # as a cell reads it
     said = f"expected {rules.expectation(kind, constraints)}"
     return [Fault(key, key, "", said, value if beyond else None, fits)] if known else None
+
+
+def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
+    """Return one line for a fault of a rule or of pydantic's: where, what was found, what is expected."""
+    if isinstance(fault, Fault):
+        return f"{where(fault.key)}: {fault.said}"
+    key, rule = keys_of(model, fault["loc"])
+    cause = fault.get("ctx", {}).get("error")
+    if isinstance(cause, EntryError):
+        return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
+    if fault["type"].startswith("union_tag"):
+        said = quoted(fault["input"].get(rules.KIND)) if fault["type"] == "union_tag_invalid" else ""
+        expected = rules.either(rules.kinds_at(model, rule.split(".")))
+        return f"{where(f'{key}.{rules.KIND}')}: {f'found {said}' if said else 'empty'}; expected {expected}"
+    if fault["type"] == "extra_forbidden":
+        above, unknown = key.removesuffix(f".{fault['loc'][-1]}"), str(fault["loc"][-1])
+        kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
+        plain = unknown.isidentifier() and len(unknown) < LONGEST
+        named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else quoted(unknown)}".strip("."))
+        return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
+    kind, constraints = rules.field_at(model, rule)
+    expected = rules.expectation(kind, constraints)
+    if fault["type"] == "missing" or fault["input"] in ({}, None):
+        return f"{where(key)}: empty; expected {expected}"
+    if isinstance(fault["input"], int | float) and rules.beyond_all(fault["input"], constraints):
+        expected = f"a number of at most {LARGEST:g} in size, and of at least {SMALLEST:g} if it is more than 0"
+    optional = "" if rules.is_required(model, rule) else " (optional)"
+    return f"{where(key)}: found {quoted(fault['input'])}; expected {expected}{optional}"
 
 
 def of_rule(where: str, error: DesignError) -> Fault:

@@ -2,18 +2,15 @@
 
 import re
 import tomllib
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import tomli_w
-from pydantic import BaseModel
 
-from workbook.entries import rules
-from workbook.entries.design import RefusedError, as_entered, finished, keys_of
-from workbook.entries.machine import Fault, Machine
-from workbook.errors import LONGEST, InputError, ReadError, quoted
-from workbook.fields.types import LARGEST, SMALLEST, EntryError
+from workbook.entries.design import RefusedError, Where, as_entered, fault_line, finished
+from workbook.entries.machine import Machine
+from workbook.errors import InputError, ReadError, quoted
+from workbook.fields.types import EntryError
 from workbook.laws.entries import key_of
 from workbook.selection.entries import referred
 from workbook.template import M, Template
@@ -22,7 +19,6 @@ from workbook.text_files import read_text
 
 LINE = re.compile(r"at line (\d+)")
 COMMA = re.compile(r"=\s*([-+]?\d+,\d+)(?![\w.])")
-Where = Callable[[str], str]
 DOTTED = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++[ \t]*+\.[ \t]*+){250}""")  # more than any text has
 
 
@@ -92,34 +88,6 @@ def require_possible(template: Template[M], machine: M, where: Where) -> None:
         template.check(machine)
     except EntryError as error:
         raise InputError([f"{where(error.field)}: {error}"]) from None
-
-
-def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
-    """Return one line for a fault of a rule or of pydantic's: where, what was found, what is expected."""
-    if isinstance(fault, Fault):
-        return f"{where(fault.key)}: {fault.said}"
-    key, rule = keys_of(model, fault["loc"])
-    cause = fault.get("ctx", {}).get("error")
-    if isinstance(cause, EntryError):
-        return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
-    if fault["type"].startswith("union_tag"):
-        said = quoted(fault["input"].get(rules.KIND)) if fault["type"] == "union_tag_invalid" else ""
-        expected = rules.either(rules.kinds_at(model, rule.split(".")))
-        return f"{where(f'{key}.{rules.KIND}')}: {f'found {said}' if said else 'empty'}; expected {expected}"
-    if fault["type"] == "extra_forbidden":
-        above, unknown = key.removesuffix(f".{fault['loc'][-1]}"), str(fault["loc"][-1])
-        kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
-        plain = unknown.isidentifier() and len(unknown) < LONGEST
-        named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else quoted(unknown)}".strip("."))
-        return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
-    kind, constraints = rules.field_at(model, rule)
-    expected = rules.expectation(kind, constraints)
-    if fault["type"] == "missing" or fault["input"] in ({}, None):
-        return f"{where(key)}: empty; expected {expected}"
-    if isinstance(fault["input"], int | float) and rules.beyond_all(fault["input"], constraints):
-        expected = f"a number of at most {LARGEST:g} in size, and of at least {SMALLEST:g} if it is more than 0"
-    optional = "" if rules.is_required(model, rule) else " (optional)"
-    return f"{where(key)}: found {quoted(fault['input'])}; expected {expected}{optional}"
 
 
 def cell_key(key: str, named: dict[str, str]) -> str:

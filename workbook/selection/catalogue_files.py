@@ -10,10 +10,8 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 import workbook
-from workbook.entries import rules
-from workbook.entries.design import numbers_of
+from workbook.entries.design import fault_line, numbers_of
 from workbook.errors import InputError, ReadError, quoted
-from workbook.fields.types import EntryError
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.text_files import read_text
 
@@ -105,15 +103,8 @@ def useless(model: type[Row], columns: dict[str, str], given: Product) -> Iterat
         model.model_validate(given)
     except ValidationError as error:
         for fault in error.errors(include_url=False):
-            cause, entry = fault.get("ctx", {}).get("error"), str(fault["loc"][0])
-            if numbers_of(fault, model) is not None:
-                continue
-            if isinstance(cause, EntryError):
-                yield f"column {names[cause.field or entry]}: {cause}"
-                continue
-            expected = rules.expectation(*rules.field_at(model, entry))
-            what = "empty" if fault["type"] == "missing" else f"found {quoted(fault['input'])}"
-            yield f"column {names[entry]}: {what}; expected {expected}"
+            if numbers_of(fault, model) is None:
+                yield fault_line(fault, model, lambda key: f"column {names[key]}")
 
 
 def committed(model: type[Row], columns: dict[str, str], name: str) -> list[Row]:
