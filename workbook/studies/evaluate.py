@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from workbook.book.declare import Book
+from workbook.book.declare import Book, Quantity
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
@@ -175,14 +175,16 @@ def results_without_book(machine: Machine) -> Results:
 
 def book_value(book: Book, name: str) -> Any:
     """Return the engine's value of a cell of a book by its name: of a block, or ``table.column.row``."""
-    block, _, rest = name.partition(".")
-    column, _, row = rest.partition(".")
-    found = book.blocks[block]
-    quantity = next(q for q in found.quantities if q.name == column) if column else found.quantities[0]
-    value = as_rows(quantity.value, found.size, name)[int(row or 1) - 1]
+    block, column, row = (*name.split("."), "", "")[:3]
+    value = as_rows(quantity_of(book, block, column).value, book.blocks[block].size, name)[int(row or 1) - 1]
     if value is None:
         raise ValueError(f"{name}: {NOTHING}")
     return np.inf if value == ENDLESS else value
+
+
+def quantity_of(book: Book, block: str, column: str) -> Quantity:
+    """Return the quantity of a block, or of a column of a table."""
+    return next(q for q in book.blocks[block].quantities if not column or q.name == column)
 
 
 def require_names(plan: Plan, where: str) -> Labels:
@@ -238,10 +240,8 @@ def with_row_ranges(names: list[str]) -> Iterator[str]:
 
 def label(book: Book, name: str) -> Label:
     """Return what a result is called."""
-    block, _, rest = name.partition(".")
-    found = book.blocks.get(block)
-    if found is None:
+    block, column = (*name.split("."), "")[:2]
+    if block not in book.blocks:
         return Label(name.partition("_")[2].replace("_", " "), UNITS.get(name.rpartition("_")[2], ""))
-    column = rest.partition(".")[0]
-    quantity = next(q for q in found.quantities if not column or q.name == column)
+    quantity = quantity_of(book, block, column)
     return Label(quantity.label, quantity.unit)
