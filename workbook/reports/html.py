@@ -1,7 +1,7 @@
 """Pages of HTML from templates; pictures of SVG: lines over an abscissa, each with its name, the front of a study."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -16,7 +16,6 @@ from workbook.book.chart import COLOURS
 from workbook.errors import visible
 
 STYLE = "\n" + Path(__file__).with_name("page.css").read_text(encoding="utf-8")
-Content = Element | str
 WIDTH, HEIGHT = 720, 400
 LEFT, RIGHT, TOP, BOTTOM = 78, 170, 34, 50
 GREY, BEFORE, INK = "#d5d9de", "#aab2bd", "#1a1a1a"
@@ -53,25 +52,15 @@ def as_bytes(text: str | bytes) -> bytes:
     return text if isinstance(text, bytes) else text.encode(errors="backslashreplace")
 
 
-def table(headings: Sequence[Content], rows: Iterable[Sequence[Content]], numbers: Sequence[int]) -> Element:
-    """Return a table whose columns ``numbers`` stand to the right; in a template it is HTML."""
-    css = ["number" if i in numbers else "" for i in range(len(headings))]
-    head = e("tr", *(e("th", text, css=c, scope="col") for text, c in zip(headings, css, strict=True)))
-    body = [e("tr", *(e("td", text, css=c) for text, c in zip(row, css, strict=True))) for row in rows]
-    return e("table", e("thead", head), e("tbody", *body))
+def table(headings: Sequence[str], rows: Iterable[Sequence[str]], numbers: Container[int]) -> str:
+    """Return a table whose columns ``numbers`` stand to the right."""
+    css = [' class="number"' if k in numbers else "" for k in range(len(headings))]
+    return rendered("reports/table.html", headings=headings, rows=rows, css=css)
 
 
-def e(tag: str, *children: Content, css: str = "", **attributes: str) -> Element:
-    """Return an element; texts are escaped when it is written, and made fit for XML here."""
-    element = Element(tag, {**({"class": css} if css else {}), **{k: xml_safe(v) for k, v in attributes.items()}})
-    for child in children:
-        if isinstance(child, Element):
-            element.append(child)
-        elif len(element):
-            element[-1].tail = (element[-1].tail or "") + xml_safe(child)
-        else:
-            element.text = (element.text or "") + xml_safe(child)
-    return element
+def paragraphs(error: Exception) -> str:
+    """Return the lines of an error's message as HTML."""
+    return "".join(f"<p>{shown(line)}</p>" for line in str(error).splitlines())
 
 
 def markup(*elements: Element) -> str:
@@ -84,9 +73,8 @@ def xml_safe(text: str) -> str:
     return visible(text, kept="\t\n")
 
 
-PAGES = Loader(str(Path(__file__).parents[1]), autoescape="shown", namespace={
-    "shown": shown, "table": lambda *parts: markup(table(*parts)), "_tt_utf8": as_bytes,
-})  # fmt: skip
+FOLDER = str(Path(__file__).parents[1])
+PAGES = Loader(FOLDER, autoescape="shown", namespace={"shown": shown, "table": table, "_tt_utf8": as_bytes})
 
 
 class Line(NamedTuple):

@@ -20,7 +20,7 @@ function fill(words) {
   const top = form.scrollTop;
   const fresh = document.createElement("div");
   fresh.innerHTML = words;
-  if (names(fresh) && names(fresh) === names(form)) form.lastChild.replaceWith(fresh.lastChild);
+  if (names(fresh) && names(fresh) === names(form)) form.lastElementChild.replaceWith(fresh.lastElementChild);
   else form.replaceChildren(...fresh.childNodes);
   form.scrollTop = top;
   part = form.querySelector("select")?.value ?? part;

@@ -18,7 +18,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError, visible
 from workbook.reading.descriptions import counted_from_1, parse_toml, template_named, validated
 from workbook.reports.differences import figure
-from workbook.reports.html import Content, Line, Scales, document, e, markup, plot, rendered, scales
+from workbook.reports.html import Line, Scales, document, markup, paragraphs, plot, rendered, scales
 from workbook.template import FOLDER
 
 AXIS = re.compile(r"(?m)^\[\[axes\]\]")
@@ -141,7 +141,7 @@ def fragment(name: str, text: str, saved: str) -> str:
     try:
         new = design(name, text)
     except MotionbookError as error:
-        return markup(e("h2", "Not yet a machine"), *(e("p", line) for line in str(error).splitlines()))
+        return f"<h2>Not yet a machine</h2>{paragraphs(error)}"
     old = None
     with suppress(MotionbookError):
         old = design(name, saved)
@@ -160,15 +160,15 @@ def design(name: str, text: str) -> ShownDesign:
     return ShownDesign(path, machine, template.declare(machine))
 
 
-def failing(new: ShownDesign) -> list[list[Content]]:
+def failing(new: ShownDesign) -> list[list[str]]:
     """Return a row for each check that fails: its sheet, what it is, where and by how much."""
     return [[one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"]
 
 
-def results(new: ShownDesign, old: ShownDesign | None) -> list[list[Content]]:
+def results(new: ShownDesign, old: ShownDesign | None) -> list[list[str]]:
     """Return a row for each result of the sheet Summary, with that of the saved design where it differs."""
     known = old.figures if old else {}
-    rows: list[list[Content]] = []
+    rows: list[list[str]] = []
     for key, one in new.figures.items():
         sheet, _, axis = one.place.partition(": ")
         if sheet == TITLE:
@@ -221,8 +221,8 @@ def sheet(name: str, text: str) -> str:
     """Return the page of a description: results of the whole machine, those of each axis in a row, pictures."""
     shown = design(name, text)
     machine: Machine = shown.machine
-    whole: list[list[Content]] = []
-    of: dict[str, dict[str, Content]] = {}
+    whole: list[list[str]] = []
+    of: dict[str, dict[str, str]] = {}
     for label, value, _, _, unit in results(shown, None):
         axis, parted, what = str(label).partition(": ")
         if parted:
