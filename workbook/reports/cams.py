@@ -10,7 +10,7 @@ import workbook
 from engine.cams.certificate import Certificate
 from workbook.controllers.tabulation import ORDERS, CertifiedTable, automatic, curve, rules_of
 from workbook.controllers.target import Target
-from workbook.reports.html import Line, document, markup, plot, rendered
+from workbook.reports.html import Line, document, plot, rendered
 from workbook.reports.terminal import OUT, show_table, shown
 from workbook.template_outputs import CamAxis
 
@@ -97,14 +97,14 @@ def pictures(axis: CamAxis, made: CertifiedTable, target: Target) -> Iterator[st
         shares = np.array([one.share(order) for one in tried])
         drawn.append(Line(word, points, np.clip(np.nan_to_num(shares, posinf=FLOOR), FLOOR, None)))
     title = f"{axis.name}: largest error over the number of points; {made.points} were taken"
-    yield markup(plot(title, ("points", "of the peak"), drawn, (True, True)))
+    yield plot(title, ("points", "of the peak"), drawn, (True, True))
     begin, end = axis.profile.edges[[0, -1]]
     x = np.linspace(begin, end, SAMPLES)
     meant = axis.profile.at(x)
     found = {name: rule.made(made.table).at(x) for name, rule in rules_of(target, made.table).items()}
     drawn = [Line("meant", x, meant.y2), *(Line(name, x, one.y2) for name, one in found.items())]
-    yield markup(plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn))
+    yield plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)
     for k, word in ((0, "position"), (2, "acceleration")):
         errors = [Line(name, x, one[k] - meant[k]) for name, one in found.items()]
         title = f"{axis.name}: error of the {word} over the cycle"
-        yield markup(plot(title, (axis.x_unit, axis.units[k]), errors))
+        yield plot(title, (axis.x_unit, axis.units[k]), errors)

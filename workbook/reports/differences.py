@@ -1,13 +1,12 @@
 """What differs between two designs: on the terminal, as JSON, as a page with both timing diagrams."""
 
 from typing import Any
-from xml.etree.ElementTree import Element
 
 import numpy as np
 from rich.console import Console
 
 from workbook.differences.design import Change, Design, Differences
-from workbook.reports.html import Line, document, markup, plot, rendered
+from workbook.reports.html import Line, document, plot, rendered
 from workbook.reports.terminal import say, show_table
 from workbook.templates import TEMPLATES
 
@@ -58,11 +57,11 @@ def page(old: Design, new: Design, found: Differences) -> str:
     title = f"{old.path.name} and {new.path.name}"
     return document(title, rendered(
         "reports/differences.html", title=title, old=old, new=new, found=found, kinds=KINDS, lines=LINES, row=row,
-        headings=HEADINGS, signed=signed, drawn=[*map(markup, diagrams(old, new))],
+        headings=HEADINGS, signed=signed, drawn=diagrams(old, new),
     ))  # fmt: skip
 
 
-def diagrams(old: Design, new: Design) -> list[Element]:
+def diagrams(old: Design, new: Design) -> list[str]:
     """Return a picture of each axis whose motion differs: its position over the cycle, old and new."""
     before = {axis.name: axis for axis in TEMPLATES[old.machine.template].axes(old.machine)}
     found = []

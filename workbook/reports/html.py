@@ -5,9 +5,9 @@ from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
-from xml.etree.ElementTree import Element, SubElement, tostring
 
 import numpy as np
+from numpy.typing import ArrayLike
 from tornado.escape import xhtml_escape
 from tornado.template import Loader
 
@@ -18,7 +18,8 @@ from workbook.errors import visible
 STYLE = "\n" + Path(__file__).with_name("page.css").read_text(encoding="utf-8")
 WIDTH, HEIGHT = 720, 400
 LEFT, RIGHT, TOP, BOTTOM = 78, 170, 34, 50
-GREY, BEFORE, INK = "#d5d9de", "#aab2bd", "#1a1a1a"
+ACROSS = WIDTH - LEFT - RIGHT  # length of the axis below lines
+BEFORE, INK = "#aab2bd", "#1a1a1a"
 TICKS = 6
 APART = 14  # between two names
 POINT = "#1f5fa8"
@@ -63,11 +64,6 @@ def paragraphs(error: Exception) -> str:
     return "".join(f"<p>{shown(line)}</p>" for line in str(error).splitlines())
 
 
-def markup(*elements: Element) -> str:
-    """Return elements as HTML."""
-    return "".join(tostring(one, encoding="unicode", method="html") for one in elements)
-
-
 def xml_safe(text: str) -> str:
     """Return a text with a visible escape for each character that neither XML nor a file in UTF-8 can hold."""
     return visible(text, kept="\t\n")
@@ -96,12 +92,18 @@ class Scale:
     end: float
     powers: bool
 
-    def at(self, values: Array) -> Array:
+    def at(self, values: ArrayLike) -> Array:
         """Return the places of numbers; what lies beyond the axis is put at its end."""
         inside = np.clip(values, self.low, self.high)
         share = (np.log(inside / self.low) / math.log(self.high / self.low) if self.powers
                  else (inside - self.low) / (self.high - self.low))  # fmt: skip
         return np.asarray(self.begin + share * (self.end - self.begin))
+
+    @property
+    def marks(self) -> list[tuple[str, float]]:
+        """The numbers at the axis in words, each with its place."""
+        places = np.round(self.at(np.array(self.ticks)), 1).tolist()
+        return [(figure(value), place) for value, place in zip(self.ticks, places, strict=True)]
 
     @property
     def ticks(self) -> list[float]:
@@ -127,93 +129,64 @@ def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
     return Scale(low, high, begin, end, powers)
 
 
-Scales = tuple[Scale, Scale]  # across, and up
+class Handle(NamedTuple):
+    """What can be dragged in a picture, with its attributes: the name of a line, or a point of it at ``x``."""
 
-
-def scales(lines: Sequence[Line], powers: tuple[bool, bool] = (False, False)) -> Scales:
-    """Return the axes of a picture of some lines, the one across and the one up."""
-    x, y = (np.concatenate([getattr(line, name) for line in lines]) for name in "xy")
-    return scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1])
+    line: str
+    attributes: dict[str, str]
+    x: float | None = None
+    words: str = ""
 
 
 def plot(
     title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False),
-    before: Sequence[Line] = (),
-) -> Element:  # fmt: skip
+    before: Sequence[Line] = (), handles: Sequence[Handle] = (),
+) -> str:  # fmt: skip
     """Return the picture, ``before`` in grey below the lines; raise ValueError for no lines."""
     if not lines:
         raise ValueError("no lines are given; expected one or more")
-    across, up = scales([*lines, *before], powers)
-    svg = framed(title, labels, across, up)
-    for line in before:
-        draw(svg, line, across.at(line.x), up.at(line.y), BEFORE)
-    names: list[float] = []
-    for k, line in enumerate(lines):
-        colour = f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}"
-        x, y = across.at(line.x), up.at(line.y)
-        draw(svg, line, x, y, colour)
-        place = float(y[-1])
-        while any(abs(place - other) < APART for other in names):
+    x, y = (np.concatenate([getattr(line, name) for line in (*lines, *before)]) for name in "xy")
+    across, up = scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1])
+    colours = [f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}" for k in range(len(lines))]
+    drawn = [*((line, BEFORE) for line in before), *zip(lines, colours, strict=True)]
+    heights: list[float] = []
+    for line in lines:
+        place = float(up.at(line.y[-1]))
+        while any(abs(place - other) < APART for other in heights):
             place += APART / 2
-        names.append(place)
-        text(svg, line.name, WIDTH - RIGHT + 8, place + 4, colour=colour)
-    return svg
+        heights.append(place)
+    of = {line.name: line for line in lines}
+    return picture(
+        title, labels, across, up,
+        curves=[(path(across.at(line.x), up.at(line.y)), colour) for line, colour in drawn if not line.points],
+        points=[(*place, 3, colour, "") for line, colour in drawn if line.points
+                for place in zip(across.at(line.x), up.at(line.y), strict=True)],
+        names=[(line.name, WIDTH - RIGHT + 8, height + 4, colour)
+               for line, colour, height in zip(lines, colours, heights, strict=True)],
+        handles={one.line: one.attributes for one in handles if one.x is None},
+        dragged=[(across.at(one.x), up.at(np.interp(one.x, of[one.line].x, of[one.line].y)), one)
+                 for one in handles if one.x is not None],
+    )  # fmt: skip
 
 
-def draw(svg: Element, line: Line, x: Array, y: Array, colour: str) -> None:
-    """Draw a line, or its points, at their places in the picture; a level stretch goes by its ends."""
-    if line.points:
-        for one, other in zip(x.tolist(), y.tolist(), strict=True):
-            SubElement(svg, "circle", {"cx": f"{one:.1f}", "cy": f"{other:.1f}", "r": "3", "fill": colour})
-        return
+def path(x: Array, y: Array) -> str:
+    """Return a line through points; a level stretch goes by its ends."""
     height = np.round(y, 1)
     bends = np.ones(len(height), dtype=bool)
     bends[1:-1] = (height[1:-1] != height[:-2]) | (height[1:-1] != height[2:])
     flat = np.stack([x[bends], height[bends]], axis=1).ravel().tolist()
-    points = " ".join(["%.1f,%.1f"] * (len(flat) // 2)) % tuple(flat)
-    SubElement(svg, "polyline", {"points": points, "fill": "none", "stroke": colour, "stroke-width": "1.8"})
+    return " ".join(["%.1f,%.1f"] * (len(flat) // 2)) % tuple(flat)
 
 
-def framed(title: str, labels: tuple[str, str], across: Scale, up: Scale) -> Element:
-    """Return a picture of its title and its axes with their lines and numbers; no numbers of what has no name."""
-    svg = Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "viewBox": f"0 0 {WIDTH} {HEIGHT}", "role": "img",
-                          "font-family": "Segoe UI, Helvetica, Arial, sans-serif", "font-size": "12"})  # fmt: skip
-    SubElement(svg, "title").text = visible(title)
-    SubElement(svg, "rect", {"width": str(WIDTH), "height": str(HEIGHT), "fill": "#ffffff"})
-    text(svg, title, LEFT, TOP - 14, weight="600")
-    for value, place in zip(across.ticks, across.at(np.array(across.ticks)), strict=True):
-        rule(svg, place, TOP, place, HEIGHT - BOTTOM)
-        text(svg, figure(value), place, HEIGHT - BOTTOM + 17, anchor="middle")
-    for value, place in zip(up.ticks, up.at(np.array(up.ticks)), strict=True):
-        rule(svg, across.begin, place, across.end, place)
-        if labels[1]:
-            text(svg, figure(value), LEFT - 7, place + 4, anchor="end")
-    text(svg, labels[0], (across.begin + across.end) / 2, HEIGHT - 12, anchor="middle")
-    middle = (TOP + HEIGHT - BOTTOM) / 2
-    text(svg, labels[1], 16, middle, anchor="middle").set("transform", f"rotate(-90 16 {middle})")
-    return svg
+def picture(title: str, labels: tuple[str, str], across: Scale, up: Scale, **drawn: Any) -> str:
+    """Return a picture of what is drawn between two axes; no numbers stand at one that has no name."""
+    given = {"title": title, "labels": labels, "across": across, "up": up, "width": WIDTH, "height": HEIGHT}
+    return rendered("reports/picture.svg", **given, **({"curves": (), "handles": {}, "dragged": ()} | drawn))
 
 
 def figure(value: float) -> str:
     """Return a number as it is written at an axis."""
     return f"{value:.4g}" if value == 0.0 or 1e-3 <= abs(value) < 1e5 else f"{value:.0e}"
-
-
-def rule(svg: Element, x1: float, y1: float, x2: float, y2: float) -> None:
-    """Draw a line of the grid."""
-    ends = {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
-    SubElement(svg, "line", {name: f"{value:.1f}" for name, value in ends.items()} | {"stroke": GREY})
-
-
-def text(
-    svg: Element, words: str, x: float, y: float, anchor: str = "start", colour: str = INK, weight: str = "400"
-) -> Element:
-    """Write a text."""
-    one = SubElement(
-        svg, "text", {"x": f"{x:.1f}", "y": f"{y:.1f}", "text-anchor": anchor, "fill": colour, "font-weight": weight}
-    )
-    one.text = visible(words)
-    return one
 
 
 class Point(NamedTuple):
@@ -225,27 +198,24 @@ class Point(NamedTuple):
     y: float
 
 
-def front_picture(title: str, labels: tuple[str, str], points: Sequence[Point], links: Sequence[str] = ()) -> Element:
+def front_picture(title: str, labels: tuple[str, str], points: Sequence[Point], links: Sequence[str] = ()) -> str:
     """Return the picture of one point or more, with room beside the outermost; each leads to the link given for it."""
     x, y = np.array([(one.x, one.y) for one in points]).T
     wider = [np.array([v.min() - MARGIN * np.ptp(v), v.max() + MARGIN * np.ptp(v)]) for v in (x, y)]
     across = scale(wider[0], LEFT, WIDTH - ROOM, powers=False)
     up = scale(wider[1], HEIGHT - BOTTOM, TOP, powers=False)
-    svg = framed(title, labels, across, up)
     places = list(zip(across.at(x).tolist(), up.at(y).tolist(), strict=True))
     taken = [(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
-    if links:
-        svg.set("role", "group")  # a picture by itself may have no links in it
-    for k, (one, (px, py)) in enumerate(zip(points, places, strict=True)):
-        about = {"href": links[k], "aria-label": f"Open design {k + 1}"} if links else {}
-        SubElement(SubElement(svg, "a", about) if links else svg, "circle",
-                   {"cx": f"{px:.1f}", "cy": f"{py:.1f}", "r": f"{RADIUS}", "fill": POINT})  # fmt: skip
-        for words, box in ((name, box) for name in (one.name, one.short) for box in around(px, py, name)):
+    names = []
+    for one, place in zip(points, places, strict=True):
+        for words, box in ((name, box) for name in (one.name, one.short) for box in around(*place, name)):
             if all(box[k + 2] < other[k] or other[k + 2] < box[k] for other in taken for k in (0, 1)):
                 taken.append(box)
-                text(svg, words, box[0], box[3] - 3.0)
+                names.append((words, box[0], box[3] - 3.0, INK))
                 break
-    return svg
+    leads = links or [""] * len(points)  # a picture by itself may have no links in it
+    circles = [(*place, RADIUS, POINT, link) for place, link in zip(places, leads, strict=True)]
+    return picture(title, labels, across, up, points=circles, names=names)
 
 
 def around(x: float, y: float, words: str) -> list[Box]:

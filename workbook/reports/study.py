@@ -5,12 +5,11 @@ import re
 from collections.abc import Mapping, Sequence
 from datetime import datetime
 from typing import Any
-from xml.etree.ElementTree import Element
 
 import numpy as np
 
 import workbook
-from workbook.reports.html import Point, document, front_picture, markup, rendered
+from workbook.reports.html import Point, document, front_picture, rendered
 from workbook.reports.html import shown as escaped
 from workbook.studies.evaluate import Label, Labels
 from workbook.studies.paths import leaves, written
@@ -44,7 +43,7 @@ def front(
     first = [*shown[0].entries.values(), *(shown[0].results[name] for name in names)] if shown else []
     heads = [*(one.label for one in plan.space.dimensions), *(heading(name, named) for name in names)]
     css = ["" if isinstance(value, str) else ' class="number"' for value in first]
-    drawn = markup(picture(plan.study, shown, named, links)) if shown and len(plan.study.goals) > 1 else ""
+    drawn = picture(plan.study, shown, named, links) if shown and len(plan.study.goals) > 1 else ""
     return rendered(
         "reports/study.html", plan=plan, found=found, named=named, judged=judged, links=links, picture=drawn,
         columns=list(zip(heads, css, strict=False)), shown_best=shown, names=names, unranked=unranked, parted=breakable,
@@ -74,7 +73,7 @@ def breakable(words: str) -> str:
     return "<wbr>".join(map(escaped, re.split(r"(?<=[._\]])", words)))
 
 
-def picture(study: Study, designs: Sequence[Design], named: Labels, links: Sequence[str] = ()) -> Element:
+def picture(study: Study, designs: Sequence[Design], named: Labels, links: Sequence[str] = ()) -> str:
     """Return the front by the first two objectives; its points are links where these are given."""
     first, second = list(study.goals)[:2]
     points = [Point(name, str(place), one.results[first], one.results[second])

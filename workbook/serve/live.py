@@ -1,12 +1,11 @@
 """The results of a description: beside its text while it is edited, with handles at edges; in print, in a line."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
-from xml.etree.ElementTree import Element, SubElement, tostring
 
 import numpy as np
 
@@ -15,10 +14,10 @@ from workbook.book.declare import Book
 from workbook.book.summary import TITLE
 from workbook.differences.design import Design
 from workbook.entries.machine import Machine
-from workbook.errors import MotionbookError, visible
+from workbook.errors import MotionbookError
 from workbook.reading.descriptions import counted_from_1, parse_toml, template_named, validated
 from workbook.reports.differences import figure
-from workbook.reports.html import Line, Scales, document, markup, paragraphs, plot, rendered, scales
+from workbook.reports.html import ACROSS, Handle, Line, document, paragraphs, plot, rendered
 from workbook.template import FOLDER
 
 AXIS = re.compile(r"(?m)^\[\[axes\]\]")
@@ -29,7 +28,6 @@ ENTRY = re.compile(r"\b(?:start|stop)\s*=\s*(-?\d[\d.]*)")
 SHIFT = re.compile(r"(?m)^\s*shift\s*=\s*(-?\d[\d.]*)")
 NAME = re.compile(r"(?m)^\s*name\s*=.*$")
 STEPS = 360  # steps of a cycle: of one in degrees, a degree
-RADIUS = "6"
 CHARTS = 6  # of a design at most: those that an edit changes, else the first
 KEPT = 4  # designs that are remembered: the saved one, and the latest
 NEAR = 1e-9  # of a line's range: a smaller change is none
@@ -89,33 +87,22 @@ def ended(text: str, begin: int, end: int) -> int:
     return following.start() if following else end
 
 
-def add_handles(svg: Element, scales: Scales, lines: list[Line], found: list[Edge], shifts: dict[str, float]) -> None:
-    """Add a handle to the timing diagram for each edge, on the line of its axis; a lane's is the name at its line."""
-    across, up = scales
+def handles(lines: list[Line], found: Iterable[Edge], shifts: dict[str, float]) -> Iterator[Handle]:
+    """Yield a handle of the timing diagram for each edge, on the line of its axis; a lane's is the name at its line."""
     drawn = {line.name: line for line in lines}
-    names = {one.text: one for one in svg.iter("text")}
-    svg.set("role", "group")
-    for edge in found:
-        line = drawn.get(edge.axis)
-        if line is None:
-            continue
-        begin, cycle = float(line.x[0]), float(np.ptp(line.x))
-        width = across.end - across.begin
-        if edge.lane:
-            handle = names[visible(edge.axis)]
-        else:
-            later = edge.value + shifts[edge.axis] - begin
-            at = np.array([begin + (later if 0.0 <= later <= cycle else later % cycle)])
-            x, y = across.at(at)[0], up.at(np.interp(at, line.x, line.y))[0]
-            handle = SubElement(svg, "circle", {"r": RADIUS, "cx": f"{x:.1f}", "cy": f"{y:.1f}"})
-            SubElement(handle, "title").text = f"{edge.axis}: {edge.value:g}"
-        handle.attrib.update({
+    for edge in (one for one in found if one.axis in drawn):
+        x = drawn[edge.axis].x
+        begin, cycle = float(x[0]), float(np.ptp(x))
+        attributes = {
             "class": "lane" if edge.lane else "edge", "tabindex": "0", "role": "slider",
             "aria-label": f"{edge.axis}, {'shift' if edge.lane else 'edge of a phase'}",
             "aria-valuenow": f"{edge.value:g}", "data-edge": edge.key, "data-value": f"{edge.value!r}",
-            "data-step": f"{10.0 ** round(np.log10(cycle / STEPS)):g}", "data-across": f"{cycle / width!r}",
+            "data-step": f"{10.0 ** round(np.log10(cycle / STEPS)):g}", "data-across": f"{cycle / ACROSS!r}",
             "data-places": " ".join(f"{low}-{high}" for low, high in edge.places), "data-before": edge.before,
-        })  # fmt: skip
+        }  # fmt: skip
+        later = edge.value + shifts[edge.axis] - begin
+        at = begin + (later if 0.0 <= later <= cycle else later % cycle)
+        yield Handle(edge.axis, attributes, None if edge.lane else at, f"{edge.axis}: {edge.value:g}")
 
 
 class ShownDesign(Design):
@@ -147,7 +134,7 @@ def fragment(name: str, text: str, saved: str) -> str:
         old = design(name, saved)
     drawn = pictures(new, old, list(edges(text, new.machine)))
     return rendered("serve/fragment.html", new=new, counted=counted_from_1, fails=failing(new),
-                    results=results(new, old), drawn=[*map(markup, drawn)])  # fmt: skip
+                    results=results(new, old), drawn=drawn)  # fmt: skip
 
 
 @lru_cache(KEPT)
@@ -181,7 +168,7 @@ def results(new: ShownDesign, old: ShownDesign | None) -> list[list[str]]:
     return rows
 
 
-def pictures(new: ShownDesign, old: ShownDesign | None, found: list[Edge]) -> list[Element]:
+def pictures(new: ShownDesign, old: ShownDesign | None, found: list[Edge]) -> list[str]:
     """Return the timing diagram with handles at edges, the charts that an edit changes, else the first of the book."""
     known = dict(old.charts) if old else {}
     all_ = [(chart, lines, others if (others := known.get(title, (chart, []))[1]) and differ(lines, others) else [])
@@ -190,10 +177,8 @@ def pictures(new: ShownDesign, old: ShownDesign | None, found: list[Edge]) -> li
     all_.sort(key=lambda one: not (one[0].lanes or one[2]))
     drawn = []
     for chart, lines, before in all_[:CHARTS]:
-        svg = plot(chart.title, (chart.x, chart.y), lines, (False, chart.log_y), before=before)
-        if chart.lanes:
-            add_handles(svg, scales([*lines, *before]), lines, found, shifts)
-        drawn.append(svg)
+        held = [*handles(lines, found, shifts)] if chart.lanes else []
+        drawn.append(plot(chart.title, (chart.x, chart.y), lines, (False, chart.log_y), before, held))
     return drawn
 
 
@@ -235,7 +220,7 @@ def sheet(name: str, text: str) -> str:
         "serve/sheet.html", title=machine.title, lines=[": ".join(map(str, row)) for row in failing(shown)], most=LINES,
         known=[name, machine.template, *(f"{word} {value}" for word in KNOWN if (value := getattr(machine, word)))],
         whole=whole, names=names, axes=[[axis, *(row.get(what, "") for what in names)] for axis, row in of.items()],
-        drawn=[*map(markup, drawn)],
+        drawn=drawn,
     ))  # fmt: skip
 
 
@@ -263,4 +248,4 @@ def in_short(name: str, text: str) -> str:
 def picture(template: str) -> str:
     """Return the first chart of a template's committed description as a picture of its own."""
     shown = design(template, (FOLDER / f"{template}.toml").read_text(encoding="utf-8"))
-    return tostring(pictures(shown, None, [])[0], encoding="unicode")
+    return pictures(shown, None, [])[0]
