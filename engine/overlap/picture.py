@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.overlap.schedule import Passage, Tool, Transfer
+from engine.overlap.plan import Station
 
 LANE_SHARE = 0.8  # height of a part in a timing diagram, as a share of its lane
 WIDTH = 0.3  # of a tool, in strokes of the transfer
@@ -33,15 +33,16 @@ class Outline(NamedTuple):
 
 
 class Scene:
-    """A transfer, and each tool with its passage at a station (m)."""
+    """A transfer at one station or more, each with its tool (m)."""
 
-    def __init__(self, transfer: Transfer, stations: Sequence[tuple[Tool, Passage]]) -> None:
-        self.transfer, pitch = transfer, transfer.stroke
-        self.strokes = np.array([tool.stroke for tool, _ in stations], dtype=np.float64)
+    def __init__(self, stations: Sequence[Station]) -> None:
+        self.transfer = stations[0].transfer
+        pitch = self.transfer.stroke
+        self.strokes = np.array([one.tool.stroke for one in stations], dtype=np.float64)
         self.middles = pitch * STEP * np.arange(len(stations), dtype=np.float64)  # x of the stations
         # openings of the transfer at the stations: a tool's width, and on both sides the remaining part of the stroke
-        self.openings = pitch * (WIDTH + 2.0 * np.array([passage.remaining for _, passage in stations]))
-        self.tops = np.array([max(tool.stroke - passage.clearance, 0.0) for tool, passage in stations])  # h − c
+        self.openings = pitch * (WIDTH + 2.0 * np.array([one.passage.remaining for one in stations]))
+        self.tops = np.array([max(one.tool.stroke - one.passage.clearance, 0.0) for one in stations])  # h − c
 
     def punch(self, i: int, travel: float) -> Outline:
         """Return the outline of the ``i``-th tool, from 0, after a travel (m)."""
@@ -64,6 +65,6 @@ class Scene:
         return Outline(across, np.where(upper == 1.0, h * (1.0 + BODY), -PLATE * h))
 
 
-def lane(number: int, travel: Array, stroke: float) -> Array:
-    """Return the height of a part in a timing diagram, in lanes from 0, at travels (m) of its stroke (m)."""
-    return number + LANE_SHARE * travel / stroke
+def lane(number: int, share: Array) -> Array:
+    """Return the height of a part in a timing diagram, in lanes from 0, at shares of its stroke."""
+    return number + LANE_SHARE * share

@@ -12,7 +12,6 @@ from math import degrees, pi
 from engine.drive import derating
 from engine.laws import ConstantAcceleration, Cycloidal
 from engine.laws.inverse import inverse
-from engine.overlap.plan import one_after_the_other, overlap
 from engine.overlap.schedule import movement_time
 from engine.timing import shaft_speed
 from tests.engine.sizing import reduced
@@ -69,7 +68,7 @@ def cutting_machine() -> Iterator[Figure]:
 
 def overlapped_motions() -> Iterator[Figure]:
     """S2, Timing Diagram, Part 3."""
-    before, after = one_after_the_other(s2.MILL, s2.DIE), overlap(s2.MILL, s2.DIE, s2.PASSAGE)
+    before, after = s2.STATION.one_after_the_other(), s2.STATION.overlapping()
     whole = s2.rounded(after, 125)
     slower = before.peak_acceleration(s2.RATE) / whole.peak_acceleration(s2.RATE)
     yield Figure("Mill", "displacement of a cycloid after a tenth of the time", "%", "0.65", 100 * Cycloidal().s(0.1))

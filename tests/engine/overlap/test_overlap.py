@@ -10,17 +10,7 @@ from hypothesis import strategies as st
 from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
 from engine.laws.inverse import HEIGHT, inverse, inverse_by_points
 from engine.motion.pieces import evaluated, located
-from engine.overlap.plan import (
-    blocked_angles,
-    clearance,
-    colliding,
-    critical_angles,
-    free_angles,
-    one_after_the_other,
-    overlap,
-    remaining_shares,
-    sweep_margin,
-)
+from engine.overlap.plan import Station, colliding
 from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time, pieces_of_parts
 from tests.engine.motion.junctions import runs_smoothly
 
@@ -31,20 +21,20 @@ at_rest = laws.filter(lambda law: not (law.start.v or law.end.v))
 """without a jump of the velocity"""
 
 
-def in_the_way(transfer, passage):
-    begin, end = blocked_angles(transfer, passage)
-    return (begin < TURN) & (end > TURN)
+def in_the_way(station):
+    return (station.left.begin < TURN) & (station.left.end > TURN)
 
 
 @given(laws, laws, laws, st.floats(0, 0.3), st.floats(0.002, 0.02), st.floats(0, 1), st.floats(0.2, 0.8))
 def test_the_margin_is_kept_exactly_with_any_laws(law, law_in, law_out, remaining, gap, share, split):
     transfer, tool = Transfer(law, 0.1, radians(200)), Tool(law_in, 0.05, radians(60), law_out)
     passage = Passage(remaining, clearance=gap, margin=share * gap, split=split)
-    schedule = overlap(transfer, tool, passage)
-    found = clearance(schedule, passage, TURN)
+    station = Station(transfer, tool, passage)
+    schedule = station.overlapping()
+    found = station.clearance(schedule, TURN)
     assert found.meets_margin
     assert not found.collides
-    assert found.free[in_the_way(transfer, passage)].min() >= found.minimum - 1e-12
+    assert found.free[in_the_way(station)].min() >= found.minimum - 1e-12
     if schedule.limit == "clearance":
         assert found.minimum == pytest.approx(passage.margin, abs=1e-12)
 
@@ -52,7 +42,7 @@ def test_the_margin_is_kept_exactly_with_any_laws(law, law_in, law_out, remainin
 @given(laws, st.floats(0.01, 0.2))
 def test_the_transfer_misses_the_remaining_share_where_it_ceases_to_block(law, remaining):
     transfer = Transfer(law, 0.1, 2.0)
-    begin, end = blocked_angles(transfer, Passage(remaining, 0.01))
+    begin, end, *_ = Station(transfer, mill_and_die()[1], Passage(remaining, 0.01)).left
     assert law.s(begin / 2.0) == pytest.approx(remaining, abs=1e-12)
     assert law.s(end / 2.0) == pytest.approx(1.0 - remaining, abs=1e-12)
 
@@ -60,8 +50,8 @@ def test_the_transfer_misses_the_remaining_share_where_it_ceases_to_block(law, r
 def test_the_way_out_is_that_of_an_asymmetric_law_in_reverse():
     slow_start = TrapezoidalVelocity(0.7, 0.7)
     transfer, tool = Transfer(Cycloidal(), 0.1, radians(200)), Tool(Cycloidal(), 0.05, radians(60), slow_start)
-    schedule = overlap(transfer, tool, Passage(0.01, 0.01))
-    begin, end = blocked_angles(transfer, Passage(0.01, 0.01))
+    station = Station(transfer, tool, Passage(0.01, 0.01))
+    schedule, (begin, end, *_) = station.overlapping(), station.left
     free = 2 * pi - (end - begin) - radians(60)
     share = 1 - (0.2 * 0.3) ** 0.5  # of the time, to be out by 4/5 of the stroke
     assert schedule.limit == "clearance"
@@ -72,8 +62,12 @@ def mill_and_die():
     return Transfer(Cycloidal(), 0.1, radians(150)), Tool(Cycloidal(), 0.05, radians(100), Cubic())
 
 
+def station():
+    return Station(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+
+
 def test_the_travel_begins_and_ends_where_the_edges_say():
-    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    schedule = station().overlapping()
     away, there, leaves, back = schedule.edges
     tool = schedule.travel(np.array([away, there, leaves, back]))
     assert tool == pytest.approx([0.0, 0.05, 0.05, 0.0], abs=1e-12)
@@ -81,7 +75,7 @@ def test_the_travel_begins_and_ends_where_the_edges_say():
 
 
 def test_the_tool_s_motion_closes_and_is_counted_from_its_arrival():
-    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    schedule = station().overlapping()
     assert schedule.motion.closes
     assert runs_smoothly(schedule.motion)
     assert schedule.motion.at(TURN).y == pytest.approx(schedule.travel(TURN + schedule.arrival), abs=1e-12)
@@ -95,7 +89,7 @@ def test_the_transfer_stays_where_it_has_come_to_until_the_next_cycle():
 
 
 def test_peaks_are_those_of_the_motion():
-    schedule = overlap(*mill_and_die(), Passage(0.01, 0.02, 0.001))
+    schedule = station().overlapping()
     assert schedule.peak_acceleration(0.5) == pytest.approx(schedule.motion.peaks.y2 * pi**2, rel=1e-12)
     assert np.abs(schedule.rates(TURN, 0.5)[1]).max() == pytest.approx(schedule.peak_acceleration(0.5), rel=1e-3)
 
@@ -105,7 +99,9 @@ def test_peaks_are_those_of_the_motion():
 def test_acceleration_is_the_second_derivative_of_the_travel(law_in, law_out, split):
     """Over whole phases: ∫∫ of the acceleration takes the tool from the part to where it rests, and back."""
     transfer, _ = mill_and_die()
-    schedule = overlap(transfer, Tool(law_in, 0.05, radians(100), law_out), Passage(0.01, 0.02, 0.001, split=split))
+    schedule = Station(
+        transfer, Tool(law_in, 0.05, radians(100), law_out), Passage(0.01, 0.02, 0.001, split=split)
+    ).overlapping()
     step = 2 * pi / 20_000
     angle = schedule.arrival + step * (np.arange(20_000) + 0.5)
     speed = np.cumsum(schedule.rates(angle, 1.0)[1]) * step / (2 * pi)
@@ -118,7 +114,7 @@ def test_pieces_give_the_same_motion(law_in, law_out, split):
     """A second way to the travel: by its pieces, as a sheet goes."""
     transfer, _ = mill_and_die()
     tool = Tool(law_in, 0.05, radians(100), law_out)
-    schedule = overlap(transfer, tool, Passage(0.01, 0.02, 0.001, split=split))
+    schedule = Station(transfer, tool, Passage(0.01, 0.02, 0.001, split=split)).overlapping()
     found = evaluated(pieces_of_parts(schedule.parts), schedule.since(TURN), 0.0, 2 * pi)
     assert found.y == pytest.approx(schedule.travel(TURN), abs=1e-12)
     for order, values in enumerate(schedule.rates(TURN, 1.0), 1):
@@ -128,7 +124,7 @@ def test_pieces_give_the_same_motion(law_in, law_out, split):
 
 
 def test_just_below_a_whole_turn_counts_as_on_it():
-    schedule = one_after_the_other(*mill_and_die())
+    schedule = station().one_after_the_other()
     found = schedule.since(np.array([schedule.arrival - 1e-9, schedule.arrival, schedule.arrival - 1e-7]))
     assert found == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
     place = located(pieces_of_parts(schedule.parts), found, 0.0, 2 * pi)
@@ -136,8 +132,7 @@ def test_just_below_a_whole_turn_counts_as_on_it():
 
 
 def test_a_gain_is_that_of_the_peaks_at_any_rate():
-    transfer, tool = mill_and_die()
-    before, after = one_after_the_other(transfer, tool), overlap(transfer, tool, Passage(0.01, 0.02, 0.001))
+    before, after = station().one_after_the_other(), station().overlapping()
     gain = before.peak_acceleration(0.7) / after.peak_acceleration(0.7)
     assert after.times_lower(before) == pytest.approx(gain, rel=1e-14)
     assert before.times_lower(before) == 1.0
@@ -147,11 +142,9 @@ def test_room_and_rests_lead_to_the_ways():
     """S2's steps: free angle, split, over the share that is left when the transfer comes."""
     transfer, tool = mill_and_die()
     passage = Passage(0.0065, 0.02, 0.001, split=0.4)
-    left, (rest_in, rest_out) = (
-        free_angles(transfer, tool, passage),
-        remaining_shares(tool, passage, np.array([passage.margin])),
-    )
-    found = overlap(transfer, tool, passage)
+    station = Station(transfer, tool, passage)
+    left, (rest_in, rest_out) = station.left, station.remaining_shares(np.array([passage.margin]))
+    found = station.overlapping()
     assert left.end - left.begin + left.free_in + left.free_out + tool.dwell == pytest.approx(2 * pi, rel=1e-14)
     assert left.both == pytest.approx(radians(260), rel=1e-14)
     assert (found.angle_in, found.angle_out) == pytest.approx(
@@ -165,25 +158,26 @@ def test_room_and_rests_lead_to_the_ways():
 def test_the_least_clearance_stands_at_a_corner(law, law_in, law_out, remaining, shift):
     transfer, tool = Transfer(law, 0.1, radians(200)), Tool(law_in, 0.05, radians(60), law_out)
     passage = Passage(remaining, 0.01, 0.001)
-    plan = overlap(transfer, tool, passage)
+    station = Station(transfer, tool, passage)
+    plan = station.overlapping()
     moved = Schedule(transfer, tool, plan.angle_in, plan.angle_out, plan.arrival + shift)
-    found, at = clearance(moved, passage, TURN), critical_angles(moved, passage)
+    found, at = station.clearance(moved, TURN), station.critical_angles(moved)
     assert found.minimum == at.free.min()
-    assert found.free[in_the_way(transfer, passage)].min() >= found.minimum - 1e-12
+    assert found.free[in_the_way(station)].min() >= found.minimum - 1e-12
     assert ((at.angle >= 0) & (at.angle < 2 * pi)).all()
     assert np.cos(at.raw) == pytest.approx(np.cos(at.angle), abs=1e-12)
     assert (at.free[~at.inside] == passage.clearance).all()
 
 
 def test_without_a_share_or_clearance_nothing_overlaps():
-    transfer, tool = mill_and_die()
-    before, after = one_after_the_other(transfer, tool), overlap(transfer, tool, Passage(0.0, 0.0))
+    apart = Station(*mill_and_die(), Passage(0.0, 0.0))
+    before, after = apart.one_after_the_other(), apart.overlapping()
     assert after.edges == pytest.approx(before.edges, rel=1e-14)
 
 
 def test_a_tool_that_is_never_in_the_way_is_limited_by_the_cycle():
     transfer, tool = mill_and_die()
-    schedule = overlap(transfer, tool, Passage(0.01, clearance=0.06))
+    schedule = Station(transfer, tool, Passage(0.01, clearance=0.06)).overlapping()
     assert schedule.limit == "cycle"
     assert schedule.angle_in + schedule.angle_out + tool.dwell == pytest.approx(2 * pi, rel=1e-12)
     assert schedule.motion.closes
@@ -191,10 +185,9 @@ def test_a_tool_that_is_never_in_the_way_is_limited_by_the_cycle():
 
 def test_a_tool_that_sets_off_too_early_collides():
     transfer, tool = mill_and_die()
-    passage = Passage(0.01, 0.02, 0.001)
-    good = overlap(transfer, tool, passage)
+    good = station().overlapping()
     early = Schedule(transfer, tool, good.angle_in, good.angle_out, good.arrival - radians(20))
-    found = clearance(early, passage, TURN)
+    found = station().clearance(early, TURN)
     assert found.collides
     assert not found.meets_margin
     assert found.minimum == pytest.approx(found.free.min(), abs=2e-4)
@@ -202,11 +195,9 @@ def test_a_tool_that_sets_off_too_early_collides():
 
 
 def test_where_the_transfer_is_in_place_the_tool_may_go_to_the_part():
-    transfer, tool = mill_and_die()
-    passage = Passage(0.01, 0.02, 0.001)
-    plan = overlap(transfer, tool, passage)
-    found = clearance(plan, passage, TURN)
-    assert (found.allowed == np.where(in_the_way(transfer, passage), 0.02, 0.05)).all()
+    plan = station().overlapping()
+    found = station().clearance(plan, TURN)
+    assert (found.allowed == np.where(in_the_way(station()), 0.02, 0.05)).all()
     assert found.allowed - found.free == pytest.approx(plan.travel(TURN), abs=1e-15)
     assert not colliding(found.free, np.array(0.05)).any()
 
@@ -214,9 +205,9 @@ def test_where_the_transfer_is_in_place_the_tool_may_go_to_the_part():
 def test_the_sweep_is_the_schedule_of_each_margin():
     transfer, tool = mill_and_die()
     margins = np.linspace(0.0, 0.02, 9)
-    sweep = sweep_margin(transfer, tool, Passage(0.01, 0.02), margins, 0.5)
-    single = [overlap(transfer, tool, Passage(0.01, 0.02, m)) for m in margins]
-    before = one_after_the_other(transfer, tool).peak_acceleration(0.5)
+    sweep = Station(transfer, tool, Passage(0.01, 0.02)).sweep(margins, 0.5)
+    single = [Station(transfer, tool, Passage(0.01, 0.02, m)).overlapping() for m in margins]
+    before = station().one_after_the_other().peak_acceleration(0.5)
     assert sweep.angle_in == pytest.approx([s.angle_in for s in single], rel=1e-13)
     assert sweep.angle_out == pytest.approx([s.angle_out for s in single], rel=1e-13)
     assert sweep.acceleration == pytest.approx([s.peak_acceleration(0.5) for s in single], rel=1e-12)
@@ -228,10 +219,11 @@ def test_tools_at_several_stations_keep_their_own_margins_over_the_same_transfer
     transfer, die = mill_and_die()
     tools = (die, Tool(Cubic(), 0.08, radians(40)), Tool(ConstantAcceleration(), 0.025, radians(60), ASYMMETRIC))
     passages = (Passage(0.01, 0.02, 0.001), Passage(0.0, 0.015, 0.004), Passage(0.005, 0.004, 0.001, split=0.4))
-    plans = [overlap(transfer, tool, passage) for tool, passage in zip(tools, passages, strict=True)]
-    for plan, passage in zip(plans, passages, strict=True):
+    stations = [Station(transfer, tool, passage) for tool, passage in zip(tools, passages, strict=True)]
+    for station in stations:
+        plan = station.overlapping()
         assert plan.limit == "clearance"
-        assert clearance(plan, passage, TURN).minimum == pytest.approx(passage.margin, abs=1e-12)
+        assert station.clearance(plan, TURN).minimum == pytest.approx(station.passage.margin, abs=1e-12)
         assert plan.motion.closes
 
 
@@ -261,18 +253,18 @@ def test_what_cannot_be_is_refused(make, message):
 def test_no_angle_left_is_said_in_degrees():
     transfer = Transfer(ConstantAcceleration(), 0.1, radians(270))
     with pytest.raises(ValueError, match=r"transfer \(270 degrees\) and dwell \(100 degrees\)"):
-        one_after_the_other(transfer, Tool(Cycloidal(), 0.05, radians(100)))
+        Station(transfer, mill_and_die()[1], Passage(0.01, 0.02)).one_after_the_other()
 
 
 def test_an_allowance_that_takes_all_is_refused():
     with pytest.raises(ValueError, match="an allowance of 170 degrees"):
-        overlap(*mill_and_die(), Passage(0.01, 0.02, allowance=radians(170)))
+        Station(*mill_and_die(), Passage(0.01, 0.02, allowance=radians(170))).overlapping()
 
 
 @given(st.floats(0, 0.02), st.floats(0, 0.02))
 def test_a_larger_margin_never_gains(one, other):
     assume(one < other)
-    sweep = sweep_margin(*mill_and_die(), Passage(0.01, 0.02), [one, other], 0.5)
+    sweep = Station(*mill_and_die(), Passage(0.01, 0.02)).sweep([one, other], 0.5)
     assert sweep.acceleration[0] <= sweep.acceleration[1] * (1 + 1e-12)
 
 
@@ -290,13 +282,14 @@ def test_points_of_a_law_give_its_inverse_within_what_is_stated(law, heights):
 def test_schedules_by_points_keep_the_margin_within_what_is_stated(law, law_in, remaining, gap, share):
     passage = Passage(remaining, clearance=gap, margin=share * gap)
     by_points, exact = (
-        overlap(Transfer(law, 0.1, radians(200), how), Tool(law_in, 0.05, radians(60), None, how), passage)
+        Station(Transfer(law, 0.1, radians(200), how), Tool(law_in, 0.05, radians(60), None, how), passage)
         for how in (inverse_by_points, inverse)
     )
-    found = clearance(by_points, passage, 0.0)
+    plan, exactly = by_points.overlapping(), exact.overlapping()
+    found = by_points.clearance(plan, 0.0)
     assert found.meets_margin
-    assert found.minimum == pytest.approx(clearance(exact, passage, 0.0).minimum, abs=2 * HEIGHT * 0.05)
-    assert by_points.angle_in == pytest.approx(exact.angle_in, rel=0.01)
+    assert found.minimum == pytest.approx(exact.clearance(exactly, 0.0).minimum, abs=2 * HEIGHT * 0.05)
+    assert plan.angle_in == pytest.approx(exactly.angle_in, rel=0.01)
 
 
 def test_heights_of_0_and_1_are_met_at_the_ends():

@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 
 from engine.laws import Cycloidal
 from engine.overlap.picture import Scene, lane
+from engine.overlap.plan import Station
 from engine.overlap.schedule import Passage, Tool, Transfer
 
 TOOLS = (0.05, 0.03, 0.08)  # strokes
-SCENE = Scene(
-    Transfer(Cycloidal(), 0.1, radians(150)), [(Tool(Cycloidal(), h, 0.0), Passage(0.01, 0.04)) for h in TOOLS]
-)
+MILL = Transfer(Cycloidal(), 0.1, radians(150))
+SCENE = Scene([Station(MILL, Tool(Cycloidal(), h, 0.0), Passage(0.01, 0.04)) for h in TOOLS])
 
 
 @pytest.mark.parametrize("i", range(3))
@@ -50,4 +50,4 @@ def test_at_both_ends_of_its_stroke_the_transfer_leaves_the_station_open_for_the
 
 
 def test_lanes_lie_one_above_the_other():
-    assert lane(2, np.array([0.0, 0.025, 0.05]), 0.05) == pytest.approx([2.0, 2.4, 2.8])
+    assert lane(2, np.array([0.0, 0.5, 1.0])) == pytest.approx([2.0, 2.4, 2.8])

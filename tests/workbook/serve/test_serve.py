@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import time
+from html import unescape
 from xml.etree.ElementTree import fromstring
 
 import openpyxl
@@ -231,7 +232,7 @@ def test_what_is_edited_is_shown_beside_it_with_the_figures_of_its_book(server):
     saved = (server.root / "live.toml").read_text(encoding="utf-8")
     faster = re.sub(r"(?m)^rate = [\d.]+", "rate = 150.0", saved)
     assert faster != saved
-    panel = server.ask("/live", server.form(name="live.toml", text=faster)).body.decode()
+    panel = unescape(server.ask("/live", server.form(name="live.toml", text=faster)).body.decode())
     (server.root.parent / "faster.toml").write_text(faster, encoding="utf-8")
     found = Design(path := server.root.parent / "faster.toml", machine := read_machine(path), TEMPLATE.declare(machine))
     fails = [one for one in found.checks().values() if one.value == "FAIL"]

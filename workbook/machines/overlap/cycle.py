@@ -133,7 +133,7 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     first, *work_b = before.columns("b")
     second, *work_a = after.columns("a")
     at, moved = si(theta, DEGREE), station.machine.transfer
-    heights = lane(0, moved.travel(at), moved.stroke)
+    heights = lane(0, moved.travel(at) / moved.stroke)
     found, h, i = station.clearance, station.tool.stroke, station.number
     lane_t = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights)
     sheet.table(
@@ -149,8 +149,8 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         after.rate(2, "acc", "acceleration", "a", "m/s²", "a"),
         *([lane_t] if i == 1 else []),
         calc("lane_b", "tool, one after the other", "", "",
-             f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel, h)),
-        calc("lane_a", "tool, with overlap", "", "", f"={i}+[ya]/@stroke*overlap_lane", lane(i, after.travel, h)),
+             f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel / h)),
+        calc("lane_a", "tool, with overlap", "", "", f"={i}+[ya]/@stroke*overlap_lane", lane(i, after.travel / h)),
         constant("k", "sample", "k", "", list(range(len(theta)))),
         after.rate(1, "vel", "velocity", "v", "m/s", "a"),
         after.rate(3, "jerk", "jerk", "j", "m/s³", "a"),

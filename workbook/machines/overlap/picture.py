@@ -3,7 +3,7 @@
 import numpy as np
 
 from engine.overlap.picture import BODY, FRAME, LANE_SHARE, PLATE, PUNCH, STEP, WALLS, WIDTH
-from engine.overlap.plan import clearance, colliding
+from engine.overlap.plan import colliding
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.fields.units import DEGREE, MM, shown, si
@@ -27,7 +27,7 @@ class States:
         angle, stations = si(self.theta, DEGREE), machine.stations
         self.pairs = [tuple(AtAngles(s, plan, self.theta, pieces) for plan in SCHEDULES) for s in stations]
         self.before, self.after = np.array([[state.travel[0] for state in pair] for pair in self.pairs]).T
-        found = [clearance(s.as_set, s.passage, angle) for s in stations]
+        found = [s.engine.clearance(s.as_set, angle) for s in stations]
         self.allowed = np.array([c.allowed[0] for c in found])
         self.free = np.array([c.free[0] for c in found])
         self.strokes = machine.scene.strokes

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from engine.overlap.plan import critical_angles, free_angles, remaining_shares
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.sentence import amount
@@ -182,10 +181,10 @@ def longest(way: str, rest: str) -> str:
 
 def steps(sheet: Sheet, station: Station) -> None:
     """Declare the way from the entries to the angles, as S2 goes it."""
-    left, before = free_angles(station.transfer, station.tool, station.passage), station.before
+    left, before = station.engine.left, station.before
     (first, last), shorter = station.blocked_rows, min(before.angle_in, before.angle_out)
     begin, end, free_in, free_out, both = (shown(angle, DEGREE) for angle in left)
-    rest_in, rest_out = remaining_shares(station.tool, station.passage, np.array(station.passage.margin))
+    rest_in, rest_out = station.engine.remaining_shares(np.array(station.passage.margin))
     sheet.rows(*quoting(
         station,
         calc("@free0", "Free angle one after the other", "", "°", "=360-overlap_angle-@dwell",
@@ -213,7 +212,7 @@ def steps(sheet: Sheet, station: Station) -> None:
 
 def corners_table(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     """Declare the corners of the diagram, at which the clearance is least."""
-    at = critical_angles(station.as_set, station.passage)
+    at = station.engine.critical_angles(station.as_set)
     theta = shown(at.angle, DEGREE)
     sheet.row += 1
     sheet.table(

@@ -8,8 +8,8 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.inverse import inverse_by_points, is_monotone
+from engine.overlap import plan
 from engine.overlap.picture import Scene
-from engine.overlap.plan import Clearance, MarginSweep, clearance, one_after_the_other, overlap, sweep_margin
 from engine.overlap.schedule import Inverse, Passage, Tool, Transfer
 from workbook.book.chart import in_scope
 from workbook.book.sentence import figure
@@ -38,7 +38,7 @@ class OverlapView:
         self.alone = len(self.stations) == 1  # its book has no sheets for each tool then
         self.room = self.sizes.motion_pieces or 0  # rows of the tables of pieces
         self.angles = np.linspace(0.0, TURN, self.sizes.cycle + 1)  # the sampled ones of the master shaft, in degrees
-        self.scene = Scene(self.transfer, [(station.tool, station.passage) for station in self.stations])  # as drawn
+        self.scene = Scene([station.engine for station in self.stations])  # as drawn
 
     def each(self, formula: str) -> list[str]:
         """Return a formula for each tool, in its scope: the rows of a table over the tools."""
@@ -63,26 +63,26 @@ class Station:
         self.machine, self.given = machine, tool
         self.number, self.key, self.scope = i + 1, f"overlap.tools.{i}", SCOPE.format(i + 1)
         self.law_rows, self.blocked_rows = (row, row + 1), (row - 1, row)
-        self.transfer = machine.transfer
         dwell, allowance = si(tool.dwell, DEGREE), si(p.allowance, DEGREE)
         self.tool = Tool(
             library[tool.law_in], si(tool.stroke, MM), dwell, library[tool.law_out], machine.transfer.inverted
         )
         self.passage = Passage(si(p.remaining, PERCENT), si(p.clearance, MM), si(p.margin, MM), allowance, p.split)
-        found = overlap(self.transfer, self.tool, self.passage)
+        self.engine = plan.Station(machine.transfer, self.tool, self.passage)
+        found = self.engine.overlapping()
         way_in = found.angle_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
         way_out = found.angle_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
-        self.before = one_after_the_other(self.transfer, self.tool, p.split)
-        self.longest = overlap(self.transfer, self.tool, replace(self.passage, allowance=0.0))
+        self.before = self.engine.one_after_the_other()
+        self.longest = replace(self.engine, passage=replace(self.passage, allowance=0.0)).overlapping()
         self.as_set = replace(found, angle_in=way_in, angle_out=way_out)  # as entered, or the longest less a bit
         self.schedules = self.before, self.longest, self.as_set
         self.peaks = [schedule.peak_acceleration(machine.rate) for schedule in self.schedules]  # m/s²
         self.angles_set = shown(way_in, DEGREE), shown(way_out, DEGREE)
 
     @cached_property
-    def clearance(self) -> Clearance:
+    def clearance(self) -> plan.Clearance:
         """What is free between the parts over the cycle as it is set."""
-        return clearance(self.as_set, self.passage, si(self.machine.angles, DEGREE))
+        return self.engine.clearance(self.as_set, si(self.machine.angles, DEGREE))
 
     @property
     def least(self) -> float:
@@ -90,10 +90,10 @@ class Station:
         return shown(self.clearance.minimum, MM)
 
     @cached_property
-    def margins(self) -> MarginSweep:
+    def margins(self) -> plan.MarginSweep:
         """The schedules for margins from 0 to the whole clearance."""
         margins = np.linspace(0.0, self.passage.clearance, self.machine.sizes.margins + 1)
-        return sweep_margin(self.transfer, self.tool, self.passage, margins, self.machine.rate)
+        return self.engine.sweep(margins, self.machine.rate)
 
 
 def laid_out(machine: IndexingOverlap, names: Container[str]) -> IndexingOverlap:
