@@ -174,11 +174,30 @@ def subdivided(x: Array, parts: int) -> Array:
 def spread(
     of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_] | None = None
 ) -> Array:
-    """Return at most n points: the breaks, and between them equal steps by the error of a rule of interpolation.
+    """Return points of a profile: the breaks, and between them equal steps by the error of a rule of interpolation.
 
     A rule by polynomials of degree ``order`` − 1 between points h apart has an error of y'' in proportion to
-    h^(order − 2) max|y^(order)|; the steps of each piece are the longest that keep it below a common level. Each piece
-    has at least ``least`` steps, and no more if it is ``exact``. Raises ValueError if n is too small for these.
+    h^(order − 2) max|y^(order)|; the steps of each piece are the longest that keep it below a common level.
+
+    Parameters
+    ----------
+    of : CamProfile
+    n, order : int
+        Number of points at most, and order of the rule.
+    least : array (pieces,) of int
+        Least number of steps of each piece.
+    exact : array (pieces,) of bool, optional
+        Pieces that need no more than these, as the rule meets them exactly.
+
+    Returns
+    -------
+    array (n,) at most
+        Abscissae, in units of the profile.
+
+    Raises
+    ------
+    ValueError
+        If ``n`` is too small for the least steps.
     """
     needed = int(least.sum()) + 1
     if n < needed:

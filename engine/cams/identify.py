@@ -32,8 +32,21 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     """Return the movements of a table in order, each with the first law of the catalogue that it follows.
 
     A movement that is not from rest to rest becomes phases that meet at speed. One that follows no law becomes splines
-    through few of the points, within ``share`` of the range of the others; it does not fit if they are too many.
-    With ``turns`` a cycle that begins at speed is counted from its first dwell at 0. ``rebuilt`` is the whole profile.
+    through few of the points; it does not fit if they are too many.
+
+    Parameters
+    ----------
+    of : CamPoints
+    rebuilt : CamProfile
+        The whole table by the controller's rule between points.
+    turns : bool
+        Whether a cycle that begins at speed is counted from its first dwell at 0.
+    share : float
+        Deviation of the splines from the other points at most, as a share of the range of y.
+
+    Returns
+    -------
+    IdentifiedMotion
     """
     of = of._replace(thinned=share * float(np.ptp(of.y)))
     begins, ends = (of.moves_at(side) for side in (0, -1))

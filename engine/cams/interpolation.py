@@ -50,12 +50,35 @@ def central(x: Array, y: Array) -> CamProfile:
 
 
 def quintics(x: Array, y: Array, v: Array, a: Array) -> CamProfile:
-    """Return the polynomial of degree 5 of each interval with y, y' and y'' at both its ends."""
+    """Return the polynomial of degree 5 of each interval.
+
+    Parameters
+    ----------
+    x, y, v, a : array (n,)
+        Points, and y' and y'' at each.
+
+    Returns
+    -------
+    CamProfile
+    """
     return _profile(x, *quintics_between(x, [rate[:-1] for rate in (y, v, a)], [rate[1:] for rate in (y, v, a)]).T)
 
 
 def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> Array:
-    """Return the six coefficients of each interval from y, y' and y'' at its begin and at its end."""
+    """Return the coefficients of a polynomial of degree 5 on each interval.
+
+    Parameters
+    ----------
+    x : array (n,)
+        Ends of the intervals.
+    begin, end : three arrays (n − 1,)
+        y, y' and y'' at the begin and at the end of each interval.
+
+    Returns
+    -------
+    array (n − 1, 6)
+        Of the powers of x from the begin of each.
+    """
     h, (y, v, a) = np.diff(x), begin
     d = end[0] - y - (v + 0.5 * a * h) * h
     e = (end[1] - v - a * h) * h
@@ -67,10 +90,19 @@ def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> 
 
 
 def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamProfile:
-    """Return the cubic spline through the points: y, y' and y'' are continuous.
+    """Return the cubic spline through points: y, y' and y'' are continuous.
 
-    ``ends`` are the slopes of a clamped spline, or "natural" (y'' = 0), "not-a-knot" (y''' continuous at the second
-    point from each end), "periodic" (y' and y'' equal at both ends). A travel is added to a periodic spline as a line.
+    Parameters
+    ----------
+    x, y : array (n,)
+        A travel is added to a periodic spline as a line.
+    ends : (float, float) or {"natural", "not-a-knot", "periodic"}
+        Slopes of a clamped spline, or: y'' = 0; y''' continuous at the second point from each end; y' and y'' equal at
+        both ends.
+
+    Returns
+    -------
+    CamProfile
     """
     from scipy.interpolate import CubicSpline  # slow to import, and most commands need no spline
 
@@ -83,9 +115,21 @@ def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamPro
 
 
 def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArray[np.bool_]) -> CamProfile:
-    """Return lines on the ``straight`` intervals, and clamped splines between them.
+    """Return lines, and clamped splines between them, that have the slope of the line next to them.
 
-    A spline has the slope of the line next to it, at the table's ends that of ``ends``. Source: Rockwell, SegmentType.
+    Source: Rockwell, SegmentType.
+
+    Parameters
+    ----------
+    x, y : array (n,)
+    ends : (float, float)
+        Slopes at the ends of the table.
+    straight : array (n − 1,) of bool
+        Which intervals are lines.
+
+    Returns
+    -------
+    CamProfile
     """
     slope = np.diff(y) / np.diff(x)
     c = np.zeros((len(slope), 4))

@@ -104,11 +104,24 @@ PARTS = 256  # of a bracket, in one round
 
 
 def narrowed(positive: Callable[[Array], NDArray[np.bool_]], low: Array, high: Array, rounds: int) -> Array:
-    """Return the points at which ``positive`` changes within brackets, to 256^-rounds of each bracket.
+    """Return the points at which a condition changes within brackets.
 
-    ``positive`` takes and returns arrays of shape (n,) and differs at the ends of each bracket. If it changes more
-    than once in a bracket, the first change among its samples counts. One array of 256 samples costs hardly more than
-    a single one, and narrows a bracket as far as eight halvings.
+    One array of 256 samples costs hardly more than a single one, and narrows a bracket as far as eight halvings. If the
+    condition changes more than once in a bracket, the first change among its samples counts.
+
+    Parameters
+    ----------
+    positive : callable
+        The condition: it takes and returns arrays of shape (n,), and differs at the ends of each bracket.
+    low, high : array (n,)
+        The ends of the brackets.
+    rounds : int
+        Each narrows a bracket to a 256th.
+
+    Returns
+    -------
+    array (n,)
+        The middles of the brackets that are left.
     """
     share = np.linspace(0.0, 1.0, PARTS + 1)
     each = np.arange(low.size)
@@ -179,7 +192,7 @@ def turning_points(piece: Piece, v0: float) -> list[float]:
     return zeros(Curve((still, *(c / (i + 1) for i, c in enumerate(a.c))), turned), piece.duration)
 
 
-def values_by_piece(
+def _values_by_piece(
     pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
 ) -> list[tuple[Array, Array, Array, Array]]:
     """Return s, v, a, j of each piece of any duration at its begin, at the u of ``inside(piece, v)``, at its end."""
@@ -194,11 +207,22 @@ def values_by_piece(
 
 @lru_cache(maxsize=1_000)
 def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0, a1: float = 0.0) -> Coefficients:
-    """Return the coefficients of consecutive pieces that begin with the velocity ``v0``.
+    """Return the coefficients of consecutive pieces, for unit rise and time.
 
-    C_j is infinite if a jumps between pieces of any duration, or from ``a0`` before them or to ``a1`` after them.
+    Parameters
+    ----------
+    pieces : tuple of Piece
+    v0 : float
+        Velocity at the begin of the first piece.
+    a0, a1 : float
+        Acceleration before the pieces and after them.
+
+    Returns
+    -------
+    Coefficients
+        C_j is infinite if a jumps between pieces of any duration, or at either end.
     """
-    found = values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
+    found = _values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
     _, v, a, j = np.concatenate(found, axis=1)
     before = np.array([a0, *(accelerations[-1] for _, _, accelerations, _ in found)])
     after = np.array([*(accelerations[0] for _, _, accelerations, _ in found), a1])
@@ -231,12 +255,12 @@ class Extremes(NamedTuple):
 @lru_cache(maxsize=1_000)
 def reach_of(pieces: tuple[Piece, ...], v0: float) -> tuple[float, float]:
     """Return the lowest and the highest position of consecutive pieces, from s = 0 with the velocity ``v0``."""
-    s = np.concatenate([positions for positions, *_ in values_by_piece(pieces, v0, turning_points)])
+    s = np.concatenate([positions for positions, *_ in _values_by_piece(pieces, v0, turning_points)])
     return float(s.min()), float(s.max())
 
 
 @lru_cache(maxsize=1_000)
 def extremes_of(pieces: tuple[Piece, ...], v0: float) -> Extremes:
     """Return the exact extremes of consecutive pieces that begin with the velocity ``v0``."""
-    _, *rates = np.concatenate(values_by_piece(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
+    _, *rates = np.concatenate(_values_by_piece(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
     return Extremes(*((float(x.min()), float(x.max())) for x in rates))

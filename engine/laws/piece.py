@@ -73,10 +73,24 @@ def snap(u: Array, row: Array) -> Array:
 
 
 def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Array, Array, Array]:
-    """Return ∬a, ∫a, a and da/du from the coefficients of a polynomial and the P, ω, sin φ, cos φ of sines.
+    """Return ∬a, ∫a, a and da/du for an acceleration that is a polynomial plus sines.
 
     With h = ωu/2 and m, n the sine and cosine of φ + h, the integrals of a sine are
     ∫ = u m sin h/h and ∬ = u² (sin φ (sin h/h)²/2 + cos φ (2h − sin 2h)/(2h)²); they hold for ω = 0 too.
+
+    Parameters
+    ----------
+    u : array (n,)
+        Time since the begin of the piece.
+    c : sequence of float or array (n,)
+        Coefficients of the polynomial, of 1, u, u², ….
+    sines : sequence of such columns
+        Amplitude P, frequency ω, sin φ and cos φ of each sine.
+
+    Returns
+    -------
+    four arrays (n,)
+        Gain of position and of velocity, acceleration, jerk.
     """
     s, v, a, j = (np.zeros_like(u) for _ in range(4))
     for i in range(len(c) - 1, -1, -1):
@@ -90,7 +104,7 @@ def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Arr
         sin, cos = np.sin(h), np.cos(h)
         m, n = sin_phi * cos + cos_phi * sin, cos_phi * cos - sin_phi * sin
         sinc = np.divide(sin, h, out=np.ones_like(h), where=h != 0.0)
-        s = s + p * u * u * (sin_phi * sinc * sinc / 2.0 + cos_phi * lag(h, sin, cos))
+        s = s + p * u * u * (sin_phi * sinc * sinc / 2.0 + cos_phi * _lag(h, sin, cos))
         v = v + p * u * m * sinc
         a = a + p * (m * cos + n * sin)
         j = j + p * w * (n * cos - m * sin)
@@ -163,7 +177,7 @@ def located(pieces: Sequence[Piece], xi: Array) -> Located:
     return Located(k, u, omega * u + phi, omega2 * u + phi2)
 
 
-def lag(h: Array, sin: Array, cos: Array) -> Array:
+def _lag(h: Array, sin: Array, cos: Array) -> Array:
     """Return (2h − sin 2h)/(2h)², for small h by its series, as the difference would lose digits."""
     y = 4.0 * h * h
     series = h / 3.0

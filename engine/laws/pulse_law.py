@@ -38,9 +38,23 @@ class Pulse:
 
 
 def sine_edged(rise: float, flat: float, fall: float) -> Pulse:
-    """Return the pulse sin(πx/2d1), 1, cos(πx/2d3) over the shares d1, d2, d3, x from the begin of each stage.
+    """Return the pulse sin(πx/2d1), 1, cos(πx/2d3), x from the begin of each stage.
 
-    Raises ValueError unless the shares are 0 or more and sum to 1. Source: S1, 'Modified trapezoidal … curve'.
+    Source: S1, 'Modified trapezoidal … curve'.
+
+    Parameters
+    ----------
+    rise, flat, fall : float
+        Shares d1, d2, d3 of the pulse's duration.
+
+    Returns
+    -------
+    Pulse
+
+    Raises
+    ------
+    ValueError
+        Unless the shares are 0 or more and sum to 1.
     """
     return _edged((rise, flat, fall), sine=True)
 

@@ -123,7 +123,7 @@ def _require(points: Sequence[Point]) -> None:
             raise ValueError(f"point {k} is at {after:g}, the one before at {before:g}; expected them to rise")
 
 
-def eliminate_forward(below: Array, diagonal: Array, above: Array, right: Array) -> tuple[list[float], ...]:
+def _eliminate_forward(below: Array, diagonal: Array, above: Array, right: Array) -> tuple[list[float], ...]:
     """Return multipliers, pivots and right sides of a diagonally dominant tridiagonal system, eliminated forward."""
     d, x, shares = diagonal.tolist(), right.tolist(), [0.0]
     for k, (low, high) in enumerate(zip(below.tolist(), above.tolist(), strict=True)):
@@ -136,7 +136,7 @@ def eliminate_forward(below: Array, diagonal: Array, above: Array, right: Array)
 
 def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Array:
     """Return the solution of a diagonally dominant tridiagonal system by Gaussian elimination."""
-    _, d, x = eliminate_forward(below, diagonal, above, right)
+    _, d, x = _eliminate_forward(below, diagonal, above, right)
     x[-1] /= d[-1]
     for k in range(len(d) - 2, -1, -1):
         x[k] = (x[k] - float(above[k]) * x[k + 1]) / d[k]
@@ -149,7 +149,7 @@ EQUAL = 1e-12  # share of the largest velocity by which equal peaks may differ
 SAME = 1e-9  # difference of ξ below which two places are the same
 
 
-def rising_zeros(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Array, still: float) -> Array:
+def _rising_zeros(v: Array, v1: Array, a: Array, j: Array, low: Array, high: Array, still: float) -> Array:
     """Return u at which v rises through 0 on each interval, from below −``still`` to above ``still``; else 0."""
     rises = ((v < -still) & (high > still)) | ((v1 > still) & (low < -still))
     root = np.sqrt(np.maximum(0.0, a**2 - 2.0 * j * v))
@@ -188,7 +188,7 @@ class SplineTable:
     def solved(self) -> dict[str, list[Any]]:
         """Columns of the elimination, a value for each point: forward from the first, ``back`` from the last."""
         below, _, above, right = self.law.system
-        shares, pivots, rights = eliminate_forward(*self.law.system)
+        shares, pivots, rights = _eliminate_forward(*self.law.system)
         xi, s = self.law.knots
         d, (begin, end) = np.diff(xi), self.law.natural
         return {
@@ -226,8 +226,8 @@ class SplineTable:
                 for at in (third, -third)
             )
         low, high = np.min([v, v1, crest], axis=0), np.max([v, v1, crest], axis=0)
-        rises = rising_zeros(v, v1, a, j, low, high, self.still)
-        falls = rising_zeros(-v, -v1, -a, -j, -high, -low, self.still)
+        rises = _rising_zeros(v, v1, a, j, low, high, self.still)
+        falls = _rising_zeros(-v, -v1, -a, -j, -high, -low, self.still)
         turns = [y + u * (4.0 * v + a * u) / 6.0 for u in (rises, falls)]
         powers = [v * a, v1 * a1, plus, minus]
         return found | {

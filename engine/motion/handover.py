@@ -118,7 +118,20 @@ class Handover:
 
 
 def handovers(found: JoinedMotion, through: Mapping[int, Rates], periodic: bool) -> tuple[Handover, ...]:
-    """Return the handover of each phase of a joined motion; ``through`` and ``periodic`` as in :func:`join_phases`."""
+    """Return the handover of each phase of a joined motion.
+
+    Parameters
+    ----------
+    found : JoinedMotion
+    through : mapping of int to Rates
+        The prescribed rates, as :func:`join_phases` takes them.
+    periodic : bool
+        Whether the last phase meets the first.
+
+    Returns
+    -------
+    tuple of Handover
+    """
     slopes = [slope(phase) for phase in found.motion.phases]
     reasons = {fault.phase: fault.reason for fault in found.faults if slopes[fault.phase] is None}
 

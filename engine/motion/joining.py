@@ -201,7 +201,24 @@ def joints(
     pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True,
     spans: Sequence[tuple[float, float]] = (),
 ) -> tuple[Joint, ...]:  # fmt: skip
-    """Return the joints of pieces, whole or in ``spans`` of u; jumps over 1e-9 of ``scales`` count up to ``smooth``."""
+    """Return the joints of pieces.
+
+    Parameters
+    ----------
+    pieces : sequence of MotionPiece
+    scales : Rates
+        Largest rates of the motion: jumps over 1e-9 of them count.
+    smooth : {"velocity", "acceleration", "jerk"}
+        The highest derivative of which jumps count.
+    periodic : bool
+        Whether the last piece meets the first.
+    spans : sequence of (float, float), optional
+        From which u to which each piece is used, if not whole.
+
+    Returns
+    -------
+    tuple of Joint
+    """
     found: list[Joint] = []
     asked = ORDERS.index(smooth) + 1
     whole = spans or [(0.0, piece.duration) for piece in pieces]
@@ -236,6 +253,20 @@ def scales_of(motion: Motion) -> Rates:
 
 
 def shortfalls(motion: Motion, smooth: Smoothness, periodic: bool = True) -> tuple[Joint, ...]:
-    """Return where a motion is less smooth than asked, within its laws too; periodic, from end to begin."""
+    """Return where a motion is less smooth than asked, within its laws too.
+
+    Parameters
+    ----------
+    motion : Motion
+    smooth : {"velocity", "acceleration", "jerk"}
+        The highest derivative that must not jump.
+    periodic : bool
+        Whether the end meets the begin.
+
+    Returns
+    -------
+    tuple of Joint
+        Those at which it jumps.
+    """
     found = joints(motion_pieces(motion), scales_of(motion), smooth, periodic)
     return tuple(joint for joint in found if joint.order)

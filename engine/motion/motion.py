@@ -52,7 +52,26 @@ class Motion:
 
     @classmethod
     def from_edges(cls, edges: ArrayLike, lifts: Sequence[float], laws: Sequence[Law], position: float = 0.0) -> Self:
-        """Return the motion of phases between ``edges``, kept exactly; raise ValueError where these do not rise."""
+        """Return the motion of phases between edges that are kept exactly.
+
+        Parameters
+        ----------
+        edges : array (n + 1,)
+            Abscissae at which phases begin and end.
+        lifts : sequence of float, n
+        laws : sequence of Law, n
+        position : float
+            y at the first edge.
+
+        Returns
+        -------
+        Motion
+
+        Raises
+        ------
+        ValueError
+            Where the edges do not rise, or their number does not suit.
+        """
         bounds = np.array(edges, dtype=np.float64)
         if not len(bounds) - 1 == len(lifts) == len(laws):
             raise ValueError(

@@ -107,7 +107,18 @@ def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
 
 
 def shares(pieces: Sequence[MotionPiece], begin: float, end: float) -> list[float]:
-    """Return the begin of each piece as a share of the motion from ``begin`` to ``end``."""
+    """Return the begin of each piece as a share of the motion.
+
+    Parameters
+    ----------
+    pieces : sequence of MotionPiece
+    begin, end : float
+        Of the motion, in units of its abscissa.
+
+    Returns
+    -------
+    list of float
+    """
     return [(piece.begin - begin) / (end - begin) for piece in pieces]
 
 
@@ -120,9 +131,19 @@ class Located(NamedTuple):
 
 
 def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> Located:
-    """Return the piece at each x of a motion from ``begin`` to ``end``: the last that begins at or before it.
+    """Return the piece at each abscissa: the last that begins at or before it.
 
-    An x less than :data:`BREAK_TOLERANCE` of the motion before a piece counts as in it; the end has the left limit.
+    Parameters
+    ----------
+    pieces : sequence of MotionPiece
+    x : array (n,)
+        Abscissae. One less than :data:`BREAK_TOLERANCE` of the motion before a piece counts as in it.
+    begin, end : float
+        Of the motion, in units of its abscissa; at its end the left limit counts.
+
+    Returns
+    -------
+    Located
     """
     reached = np.minimum((x - begin) / (end - begin) + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
     k = np.searchsorted(shares(pieces, begin, end), reached, side="right") - 1
@@ -133,7 +154,21 @@ def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -
 
 
 def evaluated(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> MotionValues[Array]:
-    """Return y, y', y'', y''' of a table of pieces at x."""
+    """Return the motion values of a table of pieces.
+
+    Parameters
+    ----------
+    pieces : sequence of MotionPiece
+    x : array (n,)
+        Abscissae.
+    begin, end : float
+        Of the motion, in units of its abscissa.
+
+    Returns
+    -------
+    MotionValues
+        y, y', y'' and y''', each of shape (n,), in units of the motion.
+    """
     place, table = located(pieces, x, begin, end), np.empty((4, x.size))
     for k in np.unique(place.piece):
         here = place.piece == k
@@ -174,7 +209,20 @@ class CamProfile:
         return MotionValues(*(math.factorial(n) * row for n, row in enumerate(self.taylor(x, self.index(x, left), 4))))
 
     def taylor(self, x: Array, k: NDArray[np.intp], terms: int) -> Array:
-        """Return the Taylor coefficients of y about each x, in the pieces k: shape (terms, x.size)."""
+        """Return the Taylor coefficients of y about each x.
+
+        Parameters
+        ----------
+        x : array (n,)
+            Abscissae.
+        k : array (n,) of int
+            The piece in which each lies.
+        terms : int
+
+        Returns
+        -------
+        array (terms, n)
+        """
         u, c, sines = x - self.origins[k], self.c[k].T, self.sines[k]
         found = np.zeros((terms, x.size))
         for power in range(min(terms, len(c))):
@@ -191,7 +239,20 @@ class CamProfile:
 
 
 def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
-    """Return the pieces of any duration, up to ``end``, as a profile in other units: one of theirs is ``x``, ``y``."""
+    """Return the pieces of any duration as a profile in other units.
+
+    Parameters
+    ----------
+    pieces : sequence of MotionPiece
+    end : float
+        Abscissa at which the last one ends, in their unit.
+    x, y : float
+        What their units of abscissa and position are in those of the profile.
+
+    Returns
+    -------
+    CamProfile
+    """
     lasting = [piece for piece in pieces if piece.duration > 0.0]
     ends = [*(piece.begin for piece in lasting[1:]), np.inf]
     least = SAME * abs(end - lasting[0].begin)
@@ -207,20 +268,53 @@ def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: flo
 
 
 def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProfile:
-    """Return a motion as a profile in other units: a unit of its abscissa is ``x`` of them, a unit of y is ``y``."""
+    """Return a motion as a profile in other units.
+
+    Parameters
+    ----------
+    motion : Motion
+    x, y : float
+        What its units of abscissa and position are in those of the profile.
+
+    Returns
+    -------
+    CamProfile
+    """
     return profile_of(motion_pieces(motion, whole=True), float(motion.edges[-1]), x, y)
 
 
 def in_units(values: MotionValues[Real], x: float, y: float) -> MotionValues[Real]:
-    """Return a motion's values in other units: a unit of its abscissa is ``x`` of them, a unit of y is ``y``."""
+    """Return a motion's values in other units.
+
+    Parameters
+    ----------
+    values : MotionValues
+    x, y : float
+        What the motion's units of abscissa and position are in the others.
+
+    Returns
+    -------
+    MotionValues
+    """
     return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
 
 
 def shifted_profile(of: CamProfile, by: float, travel: float | None = None) -> CamProfile:
-    """Return y(x − ``by``), the cycle later by an abscissa, over the same range.
+    """Return y(x − by), the cycle later by an abscissa, over the same range.
 
-    A piece that runs over the end of the cycle is cut there, and begins the range lower by the ``travel`` of a cycle:
-    by default the profile's own, from which the sum of lifts differs if the last law does not end at 1.
+    A piece that runs over the end of the cycle is cut there, and begins the range lower by the travel of a cycle.
+
+    Parameters
+    ----------
+    of : CamProfile
+    by : float
+        In units of the profile's abscissa.
+    travel : float, optional
+        Of a cycle; the profile's own by default, from which the sum of lifts differs if the last law does not end at 1.
+
+    Returns
+    -------
+    CamProfile
     """
     begin, end, total = float(of.edges[0]), float(of.edges[-1]), of.total
     travel = of.travel if travel is None else travel

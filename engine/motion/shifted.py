@@ -116,7 +116,19 @@ def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, hig
 
 
 def meets_least(gap: float, least: float, size: float) -> bool:
-    """Return whether a gap is no less than ``least``, but for rounding; ``size`` as :func:`gap_size` gives it."""
+    """Return whether a gap is wide enough, but for rounding.
+
+    Parameters
+    ----------
+    gap, least : float
+        In the unit of the axes.
+    size : float
+        Of the positions from which the gap comes, as :func:`gap_size` gives it.
+
+    Returns
+    -------
+    bool
+    """
     return gap >= least - LOST * size
 
 
@@ -126,6 +138,18 @@ def gap_size(axes: Sequence[tuple[float, Shifted]], offset: float) -> float:
 
 
 def place_in_cycle(angle: float, late: float, cycle: float, near: float = 0.0) -> float:
-    """Return the place in a cycle, from 0, of an angle that is later by ``late``; ``near`` its end it counts as 0."""
+    """Return the place of a delayed angle in the cycle, from 0.
+
+    Parameters
+    ----------
+    angle, late, cycle : float
+        The angle, its delay and the length of the cycle, in one unit.
+    near : float
+        So near the end of the cycle it counts as 0.
+
+    Returns
+    -------
+    float
+    """
     place = angle + late
     return place - cycle * math.floor((place + near) / cycle)
