@@ -30,7 +30,21 @@ class Interpolation(NamedTuple):
 
 
 def interpolation_at(points: Array, places: Array, near: float) -> Interpolation:
-    """Return the places between rising points; one within ``near`` of the next point counts as at that point."""
+    """Return where places lie between rising points.
+
+    Parameters
+    ----------
+    points : array (intervals, points)
+        Angles of the points, rising from row to row.
+    places : array (n,)
+        In the unit of the points.
+    near : float
+        A place so near the next point counts as at that point.
+
+    Returns
+    -------
+    Interpolation
+    """
     x = points.ravel()
     point = np.searchsorted(x, np.minimum(places + near, x[-1] - near), side="right") - 1
     return Interpolation(point, (places - x[point]) / (x[point + 1] - x[point]))
@@ -222,10 +236,21 @@ def _by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) 
 
 
 def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> tuple[float, float, float]:
-    """Return three uses at a rate (1/s): of a reducer's peak torque reduced by f_s, of ``full_rate``, of both.
+    """Return three uses of a reducer: of its peak torque reduced by f_s, of ``full_rate``, of both.
 
     The reduced torque is no limit up to ``full_rate``, so the smaller use counts; that of ``full_rate`` if S alone is
     beyond the reduced torque. The use of an infinite torque is 0.
+
+    Parameters
+    ----------
+    points : DrivePoints
+    reducer : ReducerLimits
+    rate : float, 1/s
+
+    Returns
+    -------
+    tuple of three floats
+        As :func:`limit_uses` counts uses.
     """
     load = points.load
     limit = reducer.peak_torque / reducer.cycle_factor
@@ -250,11 +275,27 @@ def by_speed(speed: float, limit: float) -> LimitUse:
 def limit_uses(
     points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: TorqueFall, rate: float
 ) -> dict[str, LimitUse]:
-    """Return the use of each limit by its name; ``speed`` is the motor's largest (rad/s), ``rate`` the present (1/s).
+    """Return the use of each limit by its name.
 
     Torques of inertia grow with the square of the rate. With S, the torque without motion, and I = T − S, a limit is
     reached at 1/√use times the present rate. This is exact for use = 1; elsewhere viscous friction and
     reversals of power make errors of about 1 %. :func:`engine.drive.limits.highest_rate` is exact.
+
+    Parameters
+    ----------
+    points : DrivePoints
+    speed : float, rad/s
+        Largest speed of the motor.
+    motor : Motor
+    reducer : ReducerLimits
+    falling : TorqueFall
+        By which the motor's peak torque falls above a speed.
+    rate : float, 1/s
+        The present rate.
+
+    Returns
+    -------
+    dict of str to LimitUse
     """
     peak, fastest = motor.peak_torque, motor.max_speed
     behind, standing = points.load.output_torque, points.load.output_torque_at_rest

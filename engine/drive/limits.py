@@ -42,7 +42,18 @@ class ReducerLimits:
 
 
 def cycle_factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) -> Array:
-    """Return the divisor of reducers' peak torques at a rate (1/s): the cycle factor beyond ``full_rate``, else 1."""
+    """Return the divisor of reducers' peak torques: the cycle factor beyond the full rate, else 1.
+
+    Parameters
+    ----------
+    rate, full_rate : array_like (n,), 1/s
+    factor : array_like (n,)
+        Cycle factor f_s of each reducer.
+
+    Returns
+    -------
+    array (n,)
+    """
     return np.where(np.asarray(rate) > np.asarray(full_rate) * (1.0 + NEAR), factor, 1.0)
 
 

@@ -150,7 +150,20 @@ class MeanBusPower(NamedTuple):
 
 
 def mean_bus_power(energy: Energy, time: Any, efficiency: float) -> MeanBusPower:
-    """Return the mean powers for the energy at a motor's shaft over a time (s): E/η drawn, η E regenerated."""
+    """Return the mean powers at the DC bus: E/η drawn, η E regenerated.
+
+    Parameters
+    ----------
+    energy : Energy
+        At the motor's shaft, J.
+    time : float or array (n,), s
+    efficiency : float
+        η of motor and inverter.
+
+    Returns
+    -------
+    MeanBusPower
+    """
     return MeanBusPower(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
 
 
@@ -162,7 +175,19 @@ class PeakBusPower(NamedTuple):
 
 
 def peak_bus_power(highest: float, lowest: float, efficiency: float) -> PeakBusPower:
-    """Return the peak powers for the highest and the lowest power at a motor's shaft (W)."""
+    """Return the peak powers at the DC bus.
+
+    Parameters
+    ----------
+    highest, lowest : float, W
+        Power at the motor's shaft.
+    efficiency : float
+        η of motor and inverter.
+
+    Returns
+    -------
+    PeakBusPower
+    """
     return PeakBusPower(max(0.0, highest) / efficiency, max(0.0, -lowest) * efficiency)
 
 

@@ -20,11 +20,29 @@ class Kind:
         self, load: Load, size: float = 1.0, efficiency: float = 1.0, gears: Sequence[Stage] = (),
         parts: Sequence[Part] = (), belt: float = 0.0,
     ) -> Mechanism:  # fmt: skip
-        """Return the mechanism that moves a load, behind gears with ``parts`` on their shafts.
+        """Return the mechanism that moves a load, behind gears with parts on their shafts.
 
-        ``size`` and ``efficiency`` are those of the last element: turns a metre of a screw (1/m), diameter of a wheel,
-        radius of a feed roller (m). The mass of the ``belt`` (kg) moves without lift; kinds without a belt ignore it.
-        Raises ValueError unless size and efficiency are above 0, the efficiency at most 1, and the belt 0 or more.
+        Parameters
+        ----------
+        load : Load
+        size : float
+            Of the last element: turns a metre of a screw (1/m), diameter of a wheel, radius of a feed roller (m).
+        efficiency : float
+            Of the last element.
+        gears : sequence of Stage
+            From the motor on.
+        parts : sequence of Part
+        belt : float, kg
+            Mass that moves without lift; kinds without a belt ignore it.
+
+        Returns
+        -------
+        Mechanism
+
+        Raises
+        ------
+        ValueError
+            Unless size and efficiency are above 0, the efficiency at most 1, and the belt 0 or more.
         """
         require_not_negative(self.name, belt=belt)
         ratio = 1.0

@@ -41,9 +41,22 @@ class SlideLinkage(Linkage):
 
 
 def lever_angle(lever: float, link: float, offset: float, side: int, x: Array) -> Array:
-    """Return ψ (rad) for a slide at x (m): the angle of the line from shaft to slide, plus or minus the angle A.
+    """Return ψ for a slide: the angle of the line from shaft to slide, plus or minus the angle A.
 
     With d, the distance of slide and shaft, tan² A/2 = (l − d + r)(l + d − r)/((d + r − l)(d + r + l)).
+
+    Parameters
+    ----------
+    lever, link, offset : float, m
+        r, l, and the distance of the slide's line from the shaft.
+    side : {1, -1}
+        The sign of A.
+    x : array (n,), m
+        Position of the slide along its line, from the foot of the shaft.
+
+    Returns
+    -------
+    array (n,), rad
     """
     d = np.hypot(x, offset)
     over = (link - d + lever) * (link + d - lever)
@@ -53,9 +66,21 @@ def lever_angle(lever: float, link: float, offset: float, side: int, x: Array) -
 
 
 def slopes(lever: float, offset: float, psi: Array, x: Array) -> tuple[Array, Array]:
-    """Return dx/dψ and d²x/dψ² (m/rad, m/rad²) for the lever at ψ (rad) and the slide at x (m).
+    """Return the first and the second derivative of the slide's position by the lever's angle.
 
     With s = r sin ψ − e, c = r cos ψ and q = x − c: −(r sin ψ + s c/q), −(c + (c² − s r sin ψ)/q + s² c²/q³).
+
+    Parameters
+    ----------
+    lever, offset : float, m
+        r and e.
+    psi : array (n,), rad
+    x : array (n,), m
+        Position of the slide at each ψ.
+
+    Returns
+    -------
+    two arrays (n,), m/rad and m/rad²
     """
     sin, c = lever * np.sin(psi), lever * np.cos(psi)
     s, q = sin - offset, x - c
@@ -84,6 +109,10 @@ def crank_slider(
         Side of the crank from the line of shaft and slide; with an offset the two motions differ.
     position : float, m
         Distance of y = 0 from the dead centre.
+
+    Returns
+    -------
+    SlideLinkage
 
     Raises
     ------
@@ -116,12 +145,29 @@ SQUARE = "link square to the slide"
 def rocker(
     lever: float, link: float, offset: float, angle: float, ahead: bool = True, direction: int = 1
 ) -> SlideLinkage:
-    """Return a lever r on a shaft, a link l, and a slide on a line at the distance e from the shaft (m).
+    """Return a rocker: a lever on a shaft, a link, and a slide on a line beside the shaft.
 
-    At y = 0 the lever is at ``angle`` (rad) from the direction of the line, and the slide is before (``ahead``) or
-    behind the lever's end; y grows with x (``direction`` 1) or against it (−1). The reach ends where lever and link are
-    in line, or the link is square to the slide. Raises ValueError if the link is too short to reach the slide, or if
-    y = 0 is an end of the reach.
+    The reach ends where lever and link are in line, or the link is square to the slide.
+
+    Parameters
+    ----------
+    lever, link, offset : float, m
+        r, l, and e, the distance of the slide's line from the shaft.
+    angle : float, rad
+        The lever's angle from the direction of the line at y = 0.
+    ahead : bool
+        Whether the slide is before the lever's end at y = 0, else behind it.
+    direction : {1, -1}
+        Whether y grows with x or against it.
+
+    Returns
+    -------
+    SlideLinkage
+
+    Raises
+    ------
+    ValueError
+        If the link is too short to reach the slide, or y = 0 is an end of the reach.
     """
     require_positive("rocker", lever=lever, link=link)
     require_finite(offset=offset, angle=angle)
@@ -157,7 +203,21 @@ class LockPlace(NamedTuple):
 
 
 def lock_places(lever: float, link: float, offset: float, side: int, zero: float) -> list[LockPlace]:
-    """Return the places at which a linkage may lock: lever and link in line, or the link square to the slide."""
+    """Return the places at which a linkage may lock: lever and link in line, or the link square to the slide.
+
+    Parameters
+    ----------
+    lever, link, offset : float, m
+        r, l and e.
+    side : {1, -1}
+        As :func:`lever_angle` takes it.
+    zero : float, m
+        Position of the slide at y = 0.
+
+    Returns
+    -------
+    list of LockPlace
+    """
     both, far, found = (1.0, -1.0), far_off(lever, link, offset), []
     in_line = [((link + way * lever) ** 2 - offset**2, DEAD) for way in both]
     square = [(lever**2 - (offset + way * link) ** 2, SQUARE) for way in both]
@@ -172,7 +232,16 @@ def lock_places(lever: float, link: float, offset: float, side: int, zero: float
 
 
 def far_off(lever: float, link: float, offset: float) -> float:
-    """Return a distance (m) beyond the reach of any slide of these lengths (m)."""
+    """Return a distance beyond the reach of any slide of these lengths.
+
+    Parameters
+    ----------
+    lever, link, offset : float, m
+
+    Returns
+    -------
+    float, m
+    """
     return FAR * (lever + link + abs(offset))
 
 
