@@ -22,7 +22,7 @@ from engine.cams.certificate import certify, equal_steps
 from engine.cams.interpolation import lines, quintics, segmented, spline
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
-from engine.motion.pieces import CamProfile, profile_of_motion
+from engine.motion.profile import CamProfile, profile_of_motion
 from workbook.controllers.registry import target, targets
 from workbook.controllers.tabulation import automatic, certify_table, reread, tabulate
 from workbook.controllers.target import CamExport

@@ -11,7 +11,7 @@ from typing import Any, Generic, NamedTuple, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 from engine.timing import Switch
 
 M = TypeVar("M")

@@ -13,7 +13,7 @@ from engine.laws import Law
 from engine.laws.base import Array
 from engine.laws.ends import BoundaryLaw
 from engine.laws.spline import MOST, NARROWEST, Spline
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 
 FEW = 6  # points, from which the velocity at an end of a table is computed
 ROUND = 24  # numbers: up to so many may be round by chance

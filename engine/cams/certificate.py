@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array
-from engine.motion.pieces import SAME, CamProfile
+from engine.motion.profile import SAME, CamProfile
 
 DEGREE = 15  # of every polynomial here; a sine over one rad about its middle is one to 1e-13 of its third derivative
 NARROW = 1e-9  # share by which the largest value may exceed the one found

@@ -12,7 +12,7 @@ from engine.cams.cam_points import AT_SPEED, LONGER, CamPoints, FoundPhase, spli
 from engine.cams.moving_phases import RATES, gauss_newton, phases_at_speed, rates_agree, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
-from engine.motion.pieces import CamProfile, shifted_profile
+from engine.motion.profile import CamProfile, shifted_profile
 
 ROUNDED = 1e-9  # share of the range: least error that a fit may have
 MOST_WAYS = 24  # strokes between reversals of one movement; with more of them no law is tried

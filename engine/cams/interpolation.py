@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.laws.base import Array
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 
 SplineEnds = Literal["natural", "not-a-knot", "periodic"]
 

@@ -12,7 +12,7 @@ from engine.cams.cam_points import LONGER, QUINTIC, SEAM, CamPoints, FoundPhase,
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 
 SHORTEST = 3  # intervals of a straight line, if the table has no y'
 TURNS = 12  # iterations of Gauss and Newton

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from engine.drive.chain import Load, Mechanism, Method, Resists, require_not_negative, resisting
-from engine.drive.mechanisms.slides import ByAngle
+from engine.drive.mechanisms.by_angle import ByAngle
 from engine.drive.mechanisms.variable_ratio import Linkage
 from engine.laws.base import Array, require_finite
 

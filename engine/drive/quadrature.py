@@ -19,7 +19,8 @@ from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain, dwell_times
 from engine.laws.base import Array
 from engine.laws.points import POINTS, SHARES, WEIGHTS
-from engine.motion.pieces import CamProfile, MotionPiece
+from engine.motion.pieces import MotionPiece
+from engine.motion.profile import CamProfile
 
 STANDSTILL = 1e-9  # share of the largest speed: a slower load is at rest
 

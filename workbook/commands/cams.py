@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from engine.cams.identify import THINNED
-from engine.motion.pieces import SAME
+from engine.motion.profile import SAME
 from workbook.commands.export import LOAD, SHAFT, SwitchFile, choose_axes, parse_tolerance, shafts, switch_format
 from workbook.commands.verify import open_finished, verified_header
 from workbook.controllers import as_description

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from engine.cams import interpolation
 from engine.cams.cam_points import CamPoints
 from engine.laws.base import Array
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 from workbook.errors import TargetError
 
 MOST_POINTS = 100_000

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from engine.cams.certificate import Certificate, certify, equal_steps, jumps, spread
 from engine.cams.interpolation import straight
 from engine.laws.base import Array
-from engine.motion.pieces import SAME, CamProfile
+from engine.motion.profile import SAME, CamProfile
 from workbook.controllers.table import RULES, Rule, Table
 from workbook.controllers.target import Target, parse_table
 from workbook.controllers.texts import step_of

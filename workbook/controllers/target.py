@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tornado.template import Loader
 
 from engine.laws.base import Array
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 from engine.timing import Switch, SwitchDifference, compare_switches
 from workbook.controllers.claims import CLAIMS
 from workbook.controllers.table import Table

@@ -7,7 +7,8 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.motion.phase import MotionValues
-from engine.motion.pieces import evaluated, in_units
+from engine.motion.pieces import evaluated
+from engine.motion.profile import in_units
 from engine.motion.shifted import Unshifted
 from workbook.book.declare import Book, Quantity, calc, constant, result
 from workbook.entries.abscissa import ANGLE, Abscissa

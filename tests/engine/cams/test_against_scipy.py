@@ -8,7 +8,7 @@ from engine import law
 from engine.cams.certificate import certify, equal_steps, spread
 from engine.cams.interpolation import hermite, parabolas, quintics, spline
 from engine.motion import Motion, Phase
-from engine.motion.pieces import profile_of_motion
+from engine.motion.profile import profile_of_motion
 
 REST = law("dwell")
 PHASES = ((law("MTP"), 30.0, 70.0), (REST, 0.0, 40.0), (law("polynomial 4-5-6-7"), -30.0, 150.0), (REST, 0.0, 100.0))

@@ -10,7 +10,7 @@ from engine.cams.certificate import Certificate, certify, equal_steps, spread
 from engine.cams.interpolation import hermite, lines, parabolas, parted_spline, quintics, spline
 from engine.laws import CATALOGUE, Dwell
 from engine.motion import Motion, Phase
-from engine.motion.pieces import CamProfile, profile_of_motion, shifted_profile
+from engine.motion.profile import CamProfile, profile_of_motion, shifted_profile
 
 RISE = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))
 TURN = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0), Phase(law("dwell"), 0.0, 280.0)]))

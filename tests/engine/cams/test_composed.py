@@ -8,7 +8,7 @@ from engine.cams.interpolation import FunctionValues, composed
 from engine.drive.mechanisms.slides import crank_slider
 from engine.drive.mechanisms.variable_ratio import PositionTable
 from engine.motion import Motion, Phase
-from engine.motion.pieces import profile_of_motion
+from engine.motion.profile import profile_of_motion
 
 CRANK = crank_slider(0.05, 0.2, 0.01, "inner", "ahead", 0.03)
 TABLE = PositionTable([(0.3 * k, 0.02 * k - 0.03 + 0.004 * np.sin(k)) for k in range(8)])

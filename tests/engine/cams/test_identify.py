@@ -13,7 +13,7 @@ from engine.laws import CATALOGUE, Dwell, PieceLaw
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates
 from engine.motion.joining import join_phases as join
-from engine.motion.pieces import profile_of_motion, shifted_profile
+from engine.motion.profile import profile_of_motion, shifted_profile
 
 MOVING = [entry for entry in CATALOGUE if entry not in (Dwell, PieceLaw)]
 

@@ -10,7 +10,7 @@ from engine.drive import KINDS, Drive, Load, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
 from engine.drive.drivetrain import Drivetrain, Window
-from engine.drive.mechanisms.slides import Arm, PressCrank
+from engine.drive.mechanisms.by_angle import Arm, PressCrank
 from engine.drive.quadrature import QuadratureCycle
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law

@@ -17,8 +17,9 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drive_points import DrivePoints, by_rms, limit_uses
+from engine.drive.drive_points import DrivePoints
 from engine.drive.drivetrain import Drivetrain
+from engine.drive.limit_use import by_rms, limit_uses
 from engine.drive.limits import LimitChecks, Limits, ReducerLimits, highest_rate
 from engine.drive.mechanisms.variable_ratio import OutOfReachError
 from engine.drive.motor import TorqueFall

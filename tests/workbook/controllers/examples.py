@@ -8,7 +8,7 @@ from engine import law
 from engine.cams.interpolation import quintics
 from engine.laws import Dwell
 from engine.motion import Motion, Phase
-from engine.motion.pieces import profile_of_motion
+from engine.motion.profile import profile_of_motion
 from tests.engine.laws.claims import CLAIMS
 from workbook.controllers.tabulation import table_at
 from workbook.controllers.target import CamExport, Target

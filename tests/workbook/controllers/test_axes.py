@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 from workbook.fields.units import DEGREE, MM
 from workbook.law_sheets.library import laws
 from workbook.machines.flying.view import CutterView

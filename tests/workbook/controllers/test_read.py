@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.motion.pieces import shifted_profile
+from engine.motion.profile import shifted_profile
 from workbook.controllers import as_description
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
@@ -123,7 +123,7 @@ def test_a_file_becomes_a_description_that_is_built_and_exported_and_the_same(ru
 def test_a_law_that_needs_an_entry_gets_one(run, tmp_path) -> None:
     from engine import law
     from engine.motion import Motion, Phase
-    from engine.motion.pieces import profile_of_motion
+    from engine.motion.profile import profile_of_motion
 
     motion = Motion([Phase(law("MSN"), 50.0, 180.0), Phase(law("dwell"), 0.0, 30.0), Phase(law("MSN"), -50.0, 150.0)])
     x = np.linspace(0.0, 360.0, 721)

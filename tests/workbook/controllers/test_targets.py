@@ -16,7 +16,7 @@ from engine import law
 from engine.cams import interpolation
 from engine.cams.certificate import certify
 from engine.motion import Motion, Phase
-from engine.motion.pieces import CamProfile, profile_of_motion
+from engine.motion.profile import CamProfile, profile_of_motion
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target

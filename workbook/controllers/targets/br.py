@@ -6,7 +6,7 @@ import numpy as np
 
 from engine.cams.interpolation import quintics_between
 from engine.laws.base import Array
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 from workbook.controllers import texts
 from workbook.controllers.table import Table, required_part
 from workbook.controllers.target import Target, by_template

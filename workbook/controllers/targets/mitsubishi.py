@@ -4,7 +4,7 @@ import numpy as np
 
 from engine.cams.certificate import equal_steps
 from engine.laws.base import Array
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 from workbook.controllers.table import Table
 from workbook.controllers.target import CamExport, Target
 from workbook.controllers.texts import DINT, Number, as_lines, counts, numbers, read_counts, read_stand, remarks, stands

@@ -6,7 +6,7 @@ from xml.etree.ElementTree import Element, ParseError, fromstring
 import numpy as np
 
 from engine.cams.interpolation import straight
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 from workbook.controllers.table import MOST_POINTS, Table
 from workbook.controllers.target import SwitchExport, Tappets, Target, Track, by_template, tracks_of_rows
 from workbook.controllers.texts import DINT, REAL, literal

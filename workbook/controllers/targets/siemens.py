@@ -4,7 +4,7 @@ import numpy as np
 
 from engine.cams.interpolation import HIGHEST, segmented, simple
 from engine.laws.base import Array
-from engine.motion.pieces import CamProfile
+from engine.motion.profile import CamProfile
 from workbook.controllers.table import SPLINES, Table, required_part
 from workbook.controllers.target import Target, by_template
 from workbook.controllers.texts import indexed, points

@@ -4,7 +4,7 @@ from math import pi, radians
 from typing import Any
 
 from engine.flying.pieces import cut_pieces
-from engine.motion.pieces import profile_of
+from engine.motion.profile import profile_of
 from workbook.book.declare import Book, result
 from workbook.book.sentence import rounded
 from workbook.book.summary import summary_sheet

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 
 from engine.cams.interpolation import FunctionValues, composed
-from engine.motion.pieces import CamProfile, profile_of_motion, shifted_profile
+from engine.motion.profile import CamProfile, profile_of_motion, shifted_profile
 from engine.timing import Switch, turn_time
 from workbook.book.declare import Book, Quantity, declare_or_copy, result
 from workbook.book.summary import group_verdict_column, summary_sheet

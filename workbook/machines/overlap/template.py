@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from engine.motion.pieces import profile_of, shifted_profile
+from engine.motion.profile import profile_of, shifted_profile
 from engine.motion.shifted import Shifted
 from engine.overlap.schedule import pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.mechanisms.slides import PressCrank as Crank
+from engine.drive.mechanisms.by_angle import PressCrank as Crank
 from engine.drive.quadrature import LoadPoints
 from workbook.book.declare import Quantity, calc, check, entries_of
 from workbook.book.sentence import amount, quoted

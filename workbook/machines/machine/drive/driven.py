@@ -11,8 +11,9 @@ from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cyli
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drivetrain import Brake, Drivetrain, Window
 from engine.drive.limits import LimitChecks, Limits
-from engine.drive.mechanisms import slides
-from engine.drive.mechanisms.slides import Arm, ByAngle, crank_slider, rocker
+from engine.drive.mechanisms import by_angle
+from engine.drive.mechanisms.by_angle import Arm, ByAngle
+from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
 from engine.drive.motor import TorqueCurve, TorqueFall
 from engine.drive.results import DriveResults
@@ -61,7 +62,7 @@ def by_angle_of(given: MechanismEntry) -> ByAngle:
     """Return what a slide does by the angle of its axis. Raises ValueError for sizes that cannot be."""
     given = of_kind(PressCrank, given)
     crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
-    return slides.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
+    return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
 
 
 def turning(part: AxisPart) -> Part:

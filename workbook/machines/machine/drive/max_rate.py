@@ -6,7 +6,7 @@ With T_s the torque at standstill and I = T − T_s, a rate of √x times the pr
 import math
 from collections.abc import Iterable, Sequence
 
-from engine.drive.drive_points import LEAST_USE, by_cycles, continuous_line, mean_squares
+from engine.drive.limit_use import LEAST_USE, by_cycles, continuous_line, mean_squares
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.sentence import CheckSentence, Sentence, bound
 from workbook.fields.units import RPM, shown

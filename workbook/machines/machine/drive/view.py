@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.drive_points import DrivePoints, Interpolation, interpolation_at, limit_uses
+from engine.drive.drive_points import DrivePoints, Interpolation, interpolation_at
+from engine.drive.limit_use import limit_uses
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import LoadPoints, QuadratureCycle
 from engine.laws.base import Array

@@ -7,7 +7,7 @@ between points, and the parabola finds it to 0.5 %.
 
 from engine.drive.chain import held_factor
 from engine.drive.drive_points import peak
-from engine.drive.mechanisms.slides import Arm
+from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import STANDSTILL
 from engine.laws.points import POINTS
 from workbook.book.declare import Quantity, Sheet, calc, constant

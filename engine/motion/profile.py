@@ -1,0 +1,165 @@
+"""A motion as a cam profile: its pieces in one array, in units of choice."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from engine.laws.base import Array, Real
+from engine.motion.motion import Motion
+from engine.motion.phase import MotionValues
+from engine.motion.pieces import MotionPiece, motion_pieces
+
+SAME = 1e-12  # share of the cycle: breaks that are nearer to each other count as one
+
+
+@dataclass(frozen=True, eq=False)
+class CamProfile:
+    """A cam y(x) in n pieces, y = Σ c_k u^k + Σ A sin(ωu + φ); the first and the last extend beyond the range."""
+
+    edges: Array  # x of the breaks, rising: shape (n + 1,)
+    origins: Array  # x at which u = 0 on each piece: shape (n,)
+    c: Array  # c_0, c_1 …: shape (n, powers)
+    sines: Array  # A, ω, φ (rad) of each sine: shape (n, sines, 3)
+
+    @property
+    def total(self) -> float:
+        """Length of the cycle."""
+        return float(self.edges[-1] - self.edges[0])
+
+    @property
+    def travel(self) -> float:
+        """Travel of a cycle, y(end) − y(begin)."""
+        begin, end = self.at(self.edges[:1]).y, self.at(self.edges[-1:], left=True).y
+        return float(end[0] - begin[0])
+
+    def index(self, x: Array, left: bool = False) -> NDArray[np.intp]:
+        """Return the number of the piece at each x; at a break the one after it, or with ``left`` the one before it."""
+        found = np.searchsorted(self.edges, x, side="left" if left else "right") - 1
+        return np.clip(found, 0, len(self.origins) - 1)
+
+    def at(self, x: Array, left: bool = False) -> MotionValues[Array]:
+        """Return y, y', y'', y''' at x; at a jump the value after it, or with ``left`` the one before it."""
+        return MotionValues(*(math.factorial(n) * row for n, row in enumerate(self.taylor(x, self.index(x, left), 4))))
+
+    def taylor(self, x: Array, k: NDArray[np.intp], terms: int) -> Array:
+        """Return the Taylor coefficients of y about each x.
+
+        Parameters
+        ----------
+        x : array (n,)
+            Abscissae.
+        k : array (n,) of int
+            The piece in which each lies.
+        terms : int
+
+        Returns
+        -------
+        array (terms, n)
+        """
+        u, c, sines = x - self.origins[k], self.c[k].T, self.sines[k]
+        found = np.zeros((terms, x.size))
+        for power in range(min(terms, len(c))):
+            value = np.zeros(x.size)
+            for higher in range(len(c) - 1, power - 1, -1):
+                value = value * u + math.comb(higher, power) * c[higher]
+            found[power] = value
+        for a, w, phi in np.moveaxis(sines, 1, 0).transpose(0, 2, 1):
+            size = a.copy()
+            for power in range(terms):
+                found[power] += size * np.sin(w * u + phi + power * math.pi / 2.0)
+                size = size * w / (power + 1)
+        return found
+
+
+def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
+    """Return the pieces of any duration as a profile in other units.
+
+    Parameters
+    ----------
+    pieces : sequence of MotionPiece
+    end : float
+        Abscissa at which the last one ends, in their unit.
+    x, y : float
+        What their units of abscissa and position are in those of the profile.
+
+    Returns
+    -------
+    CamProfile
+    """
+    lasting = [piece for piece in pieces if piece.duration > 0.0]
+    ends = [*(piece.begin for piece in lasting[1:]), np.inf]
+    least = SAME * abs(end - lasting[0].begin)
+    kept = [piece for piece, after in zip(lasting, ends, strict=True) if after - piece.begin > least]
+    c = np.array([piece.c for piece in kept])
+    c = c * y / x ** np.arange(c.shape[1])
+    sines = np.array([piece.sines for piece in kept])
+    sines[sines[:, :, 0] == 0.0] = 0.0
+    sines = sines[:, sines.any(axis=(0, 2))] * [y, 1.0, 1.0] / [1.0, x, 1.0]
+    edges = np.array([*(piece.begin for piece in kept), end])
+    last = int(np.flatnonzero(c.any(axis=0)).max(initial=0))
+    return CamProfile(edges * x, np.array([piece.origin for piece in kept]) * x, c[:, : last + 1], sines)
+
+
+def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProfile:
+    """Return a motion as a profile in other units.
+
+    Parameters
+    ----------
+    motion : Motion
+    x, y : float
+        What its units of abscissa and position are in those of the profile.
+
+    Returns
+    -------
+    CamProfile
+    """
+    return profile_of(motion_pieces(motion, whole=True), float(motion.edges[-1]), x, y)
+
+
+def in_units(values: MotionValues[Real], x: float, y: float) -> MotionValues[Real]:
+    """Return a motion's values in other units.
+
+    Parameters
+    ----------
+    values : MotionValues
+    x, y : float
+        What the motion's units of abscissa and position are in the others.
+
+    Returns
+    -------
+    MotionValues
+    """
+    return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
+
+
+def shifted_profile(of: CamProfile, by: float, travel: float | None = None) -> CamProfile:
+    """Return y(x − by), the cycle later by an abscissa, over the same range.
+
+    A piece that runs over the end of the cycle is cut there, and begins the range lower by the travel of a cycle.
+
+    Parameters
+    ----------
+    of : CamProfile
+    by : float
+        In units of the profile's abscissa.
+    travel : float, optional
+        Of a cycle; the profile's own by default, from which the sum of lifts differs if the last law does not end at 1.
+
+    Returns
+    -------
+    CamProfile
+    """
+    begin, end, total = float(of.edges[0]), float(of.edges[-1]), of.total
+    travel = of.travel if travel is None else travel
+    whole = math.floor(by / total + SAME)
+    by -= whole * total
+    c = np.concatenate([of.c, of.c])  # of the cycle before, and of this one
+    c[:, 0] -= np.repeat([whole + 1, whole], len(of.c)) * travel
+    edges, origins = (np.concatenate([x + by - total, x + by]) for x in (of.edges[:-1], of.origins))
+    ends = np.append(edges[1:], end + by)
+    kept = (ends > begin + SAME * total) & (edges < end - SAME * total)
+    edges = np.concatenate([[begin], edges[kept][1:], [end]])
+    return CamProfile(edges, origins[kept], c[kept], np.concatenate([of.sines, of.sines])[kept])
