@@ -12,18 +12,18 @@ import numpy as np
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book
 from workbook.book.summary import TITLE
-from workbook.differences.design import Design
+from workbook.differences.design import Change, Design, Figure, Key
 from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError
+from workbook.judging.comparison import is_number
 from workbook.reading.descriptions import counted_from_1, parse_toml, template_named, validated
 from workbook.reports.differences import figure
 from workbook.reports.html import ACROSS, Handle, Line, document, paragraphs, plot, rendered
 from workbook.template import FOLDER
 
-AXIS = re.compile(r"(?m)^\[\[axes\]\]")
-HEADER = re.compile(r"(?m)^\s*\[")
-TABLE = re.compile(r"(?m)^\s*\[\[axes\.phases\]\]")
-INLINE = re.compile(r"(?m)^\s*phases\s*=\s*\[")
+BEFORE_NEXT = r".*?(?=^[ \t]*\[|\Z)"  # a table of TOML, up to the next
+AXIS = re.compile(rf"(?ms)^\[\[axes\]\]{BEFORE_NEXT}")
+PHASES = re.compile(rf"(?ms)^\s*(?:\[\[axes\.phases\]\]{BEFORE_NEXT}|phases\s*=\s*\[(?:[^][]|\[[^][]*\])*\])")
 ENTRY = re.compile(r"\b(?:start|stop)\s*=\s*(-?\d[\d.]*)")
 SHIFT = re.compile(r"(?m)^\s*shift\s*=\s*(-?\d[\d.]*)")
 NAME = re.compile(r"(?m)^\s*name\s*=.*$")
@@ -54,37 +54,24 @@ class Edge(NamedTuple):
 
 def edges(text: str, machine: Any) -> Iterator[Edge]:
     """Yield the lane and the edges of each axis whose entries stand in the text as the machine has them."""
-    marks = [found.start() for found in AXIS.finditer(text)]
+    heads = [found.span() for found in AXIS.finditer(text)]
     axes = getattr(machine, "axes", [])
-    if len(marks) != len(axes):
+    if len(heads) != len(axes):
         return
-    for axis, begin, end in zip(axes, marks, [*marks[1:], len(text)], strict=False):
-        head = (text, begin, ended(text, text.index("\n", begin), end))
-        shift, name = SHIFT.search(*head), NAME.search(*head)
+    for axis, head, (end, _) in zip(axes, heads, [*heads[1:], (len(text), 0)], strict=False):
+        shift, name = SHIFT.search(text, *head), NAME.search(text, *head)
         if shift and float(shift[1]) == axis.shift:
             yield Edge(axis.name, axis.shift, [shift.span(1)], lane=True)
         elif not shift and not axis.shift and name:  # there is room for one
             yield Edge(axis.name, 0.0, [(name.end(), name.end())], lane=True, before="\nshift = ")
-        lists = [(one.end(), ended(text, one.end(), end)) for one in TABLE.finditer(text, begin, end)]
-        for one in INLINE.finditer(text, begin, end):
-            depth, at = 1, one.end()
-            while depth and at < end:
-                depth += {"[": 1, "]": -1}.get(text[at], 0)
-                at += 1
-            lists.append((one.end(), at))
-        numbers = (one for place in sorted(lists) for one in ENTRY.finditer(text, *place))
+        lists = (one.span() for one in PHASES.finditer(text, head[0], end))
+        numbers = (one for place in lists for one in ENTRY.finditer(text, *place))
         found = [(float(one[1]), one.span(1)) for one in numbers
                  if "#" not in text[text.rfind("\n", 0, one.start()) + 1 : one.start()]]  # fmt: skip
         entered = [value for phase in axis.phases for value in (phase.start, phase.stop)]
         if [value for value, _ in found] == entered:
             for value in dict.fromkeys(entered):
                 yield Edge(axis.name, value, [place for one, place in found if one == value])
-
-
-def ended(text: str, begin: int, end: int) -> int:
-    """Return where the next table begins, or the part of a text ends."""
-    following = HEADER.search(text, begin, end)
-    return following.start() if following else end
 
 
 def handles(lines: list[Line], found: Iterable[Edge], shifts: dict[str, float]) -> Iterator[Handle]:
@@ -120,7 +107,11 @@ class ShownDesign(Design):
                 seen.add(chart.series)
         return found
 
-    figures = cached_property(Design.results)
+    @cached_property
+    def summary(self) -> dict[Key, Figure]:
+        """The results of the sheet Summary, each with its axis, if any, as its place."""
+        parted = ((key, one, one.place.partition(": ")) for key, one in self.results().items())
+        return {key: one._replace(place=axis) for key, one, (sheet, _, axis) in parted if sheet == TITLE}
 
 
 def fragment(name: str, text: str, saved: str) -> str:
@@ -154,17 +145,13 @@ def failing(new: ShownDesign) -> list[list[str]]:
 
 def results(new: ShownDesign, old: ShownDesign | None) -> list[list[str]]:
     """Return a row for each result of the sheet Summary, with that of the saved design where it differs."""
-    known = old.figures if old else {}
-    rows: list[list[str]] = []
-    for key, one in new.figures.items():
-        sheet, _, axis = one.place.partition(": ")
-        if sheet == TITLE:
-            saved = known.get(key)
-            before = saved.value if saved is not None and saved.value != one.value else None
-            other, by = "" if before is None else figure(before), ""
-            if isinstance(before, int | float) and isinstance(one.value, int | float) and before:
-                by = f"{100.0 * (one.value - before) / abs(before):+.3g} %"
-            rows.append([f"{axis}: {one.label}" if axis else one.label, figure(one.value), other, by, one.unit])
+    known = old.summary if old else {}
+    rows = []
+    for key, one in new.summary.items():
+        saved = known.get(key, one).value
+        share = Change(one.place, one.label, one.unit, saved, one.value).per_cent if saved != one.value else None
+        before, by = "" if saved in (None, one.value) else figure(saved), "" if share is None else f"{share:+.3g} %"
+        rows.append([": ".join(filter(None, one[:2])), figure(one.value), before, by, one.unit])
     return rows
 
 
@@ -208,12 +195,11 @@ def sheet(name: str, text: str) -> str:
     machine: Machine = shown.machine
     whole: list[list[str]] = []
     of: dict[str, dict[str, str]] = {}
-    for label, value, _, _, unit in results(shown, None):
-        axis, parted, what = str(label).partition(": ")
-        if parted:
-            of.setdefault(axis, {})[f"{what} [{unit}]" if unit else what] = short(str(value))
+    for one in shown.summary.values():
+        if one.place:
+            of.setdefault(one.place, {})[f"{one.label} [{one.unit}]" if one.unit else one.label] = short(one.value)
         else:
-            whole.append([label, short(str(value)), unit])
+            whole.append([one.label, short(one.value), one.unit])
     names = list(dict.fromkeys(what for row in of.values() for what in row))
     drawn = pictures(shown, None, [])[: 1 + (FEWER if len(shown.axes) > MANY else DRAWN)]
     return document(machine.title, rendered(
@@ -224,13 +210,9 @@ def sheet(name: str, text: str) -> str:
     ))  # fmt: skip
 
 
-def short(value: str) -> str:
-    """Return a number with four digits that count, and all before its point; another text as it is."""
-    try:
-        number = float(value)
-    except ValueError:
-        return value
-    return f"{number:,.0f}" if abs(number) >= 1000.0 else f"{number:.4g}"
+def short(value: Any) -> str:
+    """Return a number with four digits that count, and all before its point; another value as it is."""
+    return (f"{value:,.0f}" if abs(value) >= 1000.0 else f"{value:.4g}") if is_number(value) else figure(value)
 
 
 def in_short(name: str, text: str) -> str:
@@ -239,8 +221,7 @@ def in_short(name: str, text: str) -> str:
         shown = design(name, text)
     except MotionbookError as error:
         return str(error).partition("\n")[0]
-    whole = [f"{label} {short(str(value))} {unit}".rstrip() for label, value, _, _, unit in results(shown, None)
-             if ": " not in str(label)]  # fmt: skip
+    whole = [f"{one.label} {short(one.value)} {one.unit}".rstrip() for one in shown.summary.values() if not one.place]
     fails = len(failing(shown))
     return "; ".join([*whole[:FIRST], f"{fails} checks FAIL" if fails else "all checks OK"])
 
