@@ -19,7 +19,7 @@ from workbook.build import read_inputs
 from workbook.controllers.claims import TARGETS
 from workbook.errors import InputError, WriteError
 from workbook.serve import fields, live, pages, study
-from workbook.serve.handler import LARGEST, REPORT, Action, Folder, Page, plain, state
+from workbook.serve.handler import LARGEST, REPORT, Action, Folder, Page, state
 from workbook.serve.work import Work, WorkError
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
@@ -145,20 +145,13 @@ async def verify(page: Page) -> str:
 
 async def upload(page: Page) -> str:
     """Verify a workbook from elsewhere, which is not kept."""
-    file = page.upload("book")
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / plain(file.filename, "upload.xlsx")
-        path.write_bytes(file.body)
+    with page.upload("book", "upload.xlsx") as path:
         return await page.reported(path)
 
 
 async def compare(page: Page) -> str:
     """Tell what differs between two files of the folder."""
-    old, new = page.file("old"), page.file("new")
-    with tempfile.TemporaryDirectory() as folder:
-        report = Path(folder) / REPORT
-        done = await page.work.run("diff", old, new, "--html", report)
-        text = report.read_text(encoding="utf-8") if report.exists() else ""
+    done, text = await page.told("diff", page.file("old"), page.file("new"), "--html")
     return pages.framed(text) if text else pages.printed("Comparison", done.text, "")
 
 
@@ -200,10 +193,7 @@ async def export(page: Page) -> str:
 
 async def read(page: Page) -> str:
     """Write what a controller's file was made of as a description, under a name that is free, and edit it."""
-    file = page.upload("table")
-    with tempfile.TemporaryDirectory() as folder:
-        table = Path(folder) / plain(file.filename, "table.txt")
-        table.write_bytes(file.body)
+    with page.upload("table", "table.txt") as table:
         target = page.folder.free(f"{table.stem}.toml")
         done = await page.work.run("read", table, "--from", page.get_body_argument("target"), "-o", target)
     if done.code:

@@ -5,17 +5,17 @@ import hashlib
 import hmac
 import re
 import tempfile
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from tornado.httputil import HTTPFile
 from tornado.web import HTTPError, RequestHandler
 
 from workbook.errors import MotionbookError, ReadError, WriteError
 from workbook.reports.html import STYLE
 from workbook.serve import pages
-from workbook.serve.work import Work
+from workbook.serve.work import Done, Work
 
 KINDS = (".toml", ".xlsx", ".xlsm")  # descriptions and workbooks: what the first page lists
 MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")  # what is written and downloaded
@@ -61,12 +61,6 @@ class Folder:
         if not NAME.fullmatch(name) or name.startswith(".") or path.resolve().parent != self.path:
             raise ReadError(f"{name!r}: expected the plain name of a file in this folder")
         return path
-
-
-def plain(name: str, otherwise: str) -> str:
-    """Return the name of a file that was sent, without folders; ``otherwise`` where it is none."""
-    last = Path(name).name
-    return last if NAME.fullmatch(last) else otherwise
 
 
 def state(path: Path) -> str:
@@ -144,12 +138,17 @@ class Page(RequestHandler):
         """Return the text that is edited, as it is: a form sends it with the line ends of Windows."""
         return self.get_body_argument("text", strip=False).replace("\r\n", "\n")
 
-    def upload(self, name: str) -> HTTPFile:
-        """Return the file that came with the form."""
-        files = self.request.files.get(name, [])
+    @contextmanager
+    def upload(self, field: str, otherwise: str) -> Iterator[Path]:
+        """Keep the file that came with the form for a while; ``otherwise`` is its name where it has none."""
+        files = self.request.files.get(field, [])
         if len(files) != 1:
             raise WriteError("no file came; choose one first")
-        return files[0]
+        name = Path(files[0].filename).name
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / (name if NAME.fullmatch(name) else otherwise)
+            path.write_bytes(files[0].body)
+            yield path
 
     async def made(self, command: str, source: Path | str, target: Path) -> str | None:
         """Write a file by a command, under a name that is free; edit it where it is a description, else offer it."""
@@ -160,12 +159,16 @@ class Page(RequestHandler):
         files = [one for one in (source, target) if isinstance(one, Path) and one.exists()]
         return pages.printed(Path(source).name, done.text, "not written" if done.code else "", *files)
 
-    async def reported(self, path: Path, *links: str) -> str:
-        """Verify a workbook and return its report, links above it."""
+    async def told(self, *command: str | Path) -> tuple[Done, str]:
+        """Return how a command ended whose last option writes a report, and that; empty where there is none."""
         with tempfile.TemporaryDirectory() as folder:
             report = Path(folder) / REPORT
-            done = await self.work.run("verify", path, "--report", report)
-            text = report.read_text(encoding="utf-8") if report.exists() else ""
+            done = await self.work.run(*command, report)
+            return done, report.read_text(encoding="utf-8") if report.exists() else ""
+
+    async def reported(self, path: Path, *links: str) -> str:
+        """Verify a workbook and return its report, links above it."""
+        done, text = await self.told("verify", path, "--report")
         verdict = self.verdicts[path.name] = pages.VERDICTS.get(done.code, "cannot be read")
         return pages.framed(text, *links) if text else pages.printed(path.name, done.text, verdict)
 

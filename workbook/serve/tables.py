@@ -13,6 +13,7 @@ from tomlkit.items import Array, InlineTable
 from workbook.description.keys import Key, Section, sections, toml
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
+from workbook.studies.paths import entry_at
 from workbook.template import has_key
 from workbook.templates import TEMPLATES
 
@@ -94,12 +95,10 @@ def changed(text: str, template: str, data: dict[str, Any], place: Place, do: st
 
 def at(data: Any, place: Place) -> Any:
     """Return what is at a place, None where there is nothing."""
-    for part in place:
-        if isinstance(data, list):
-            data = data[int(part)] if part.isdigit() and int(part) < len(data) else None
-        else:
-            data = data.get(part) if isinstance(data, dict) else None
-    return data
+    try:
+        return entry_at(data, place)
+    except (LookupError, TypeError, ValueError):
+        return None
 
 
 def key_of(tables: Sequence[Table], place: Place) -> Key:

@@ -75,7 +75,7 @@ def test_the_page_to_print_has_the_results_of_the_design(server):
     assert found.machine.title in page
     for one in found.results().values():
         if one.place.startswith("Summary"):
-            assert f">{short(figure(one.value))}<" in page
+            assert f">{short(one.value)}<" in page
 
 
 def test_a_verified_book_is_taken_into_edit_and_built_anew(server):
