@@ -25,6 +25,7 @@ from typing import Any
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 
+from workbook.book.formula import Area
 from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Block, Cell, Quantity, calc, check, columns_of, constant, entries_of, given, result
 from workbook.book.rows import as_rows
@@ -113,6 +114,12 @@ class Book:
         quantity = next(q for q in block.quantities if q.name == column)
         return as_rows(quantity.value, block.size, text)
 
+    def areas(self) -> dict[str, Area]:
+        """Return what each defined name means, a block or a named column; and of each sheet, ``title!``, a cell."""
+        areas = {f"{sheet.title}!": Area(sheet.title, 1, 1, 1, 1, single=True) for sheet in self.sheets}
+        areas |= {name: block.area() for name, block in self.blocks.items()}
+        return areas | {name: self.blocks[table].area(column) for name, (table, column) in self.column_names.items()}
+
     def names(self) -> Iterator[tuple[str, str]]:
         """Yield every defined name with what it refers to: the blocks, then the named columns."""
         for block in self.blocks.values():
@@ -153,7 +160,7 @@ def declare_or_copy(book: Book, kind: str, of: tuple[Any, ...], declare: Callabl
 
 def add_copies(book: Book, sheets: Sequence[Sheet], checks: Sequence[tuple[Sheet, Quantity]]) -> None:
     """Add copies of sheets with their blocks and checks to a book."""
-    blocks = {id(block): block.copied() for sheet in sheets for block in sheet.blocks}
+    blocks = {id(block): copy(block) for sheet in sheets for block in sheet.blocks}
     twins = {id(sheet): copy(sheet) for sheet in sheets}
 
     def own(block: Block | None) -> Block | None:

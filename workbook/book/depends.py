@@ -11,7 +11,7 @@ from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.columns import Formulas, Moved, Node, tree
-from workbook.book.declare import Block, Book
+from workbook.book.declare import Book
 from workbook.book.formula import Area, Formula
 
 CHOOSING = frozenset(("INDEX", "MATCH", "IF", "CHOOSE"))  # functions that need not read all that they name
@@ -24,15 +24,15 @@ class Dependence:
     """The cells that the formulas of a book refer to."""
 
     def __init__(self, book: Book) -> None:
-        self._book = book
         self._formulas: dict[Address, Formula | Moved] = {}
         self._values: dict[Address, Any] = {}
         self._by_cell: dict[Address, list[Address]] = defaultdict(list)
         self._by_column: dict[tuple[str, int], dict[Area, list[Address]]] = defaultdict(lambda: defaultdict(list))
         self._known: dict[Address, frozenset[Area]] = {}
-        self._titles = {sheet.title for sheet in book.sheets}
-        self._keyed = {self._column(*name.split(".")) for name in book.keyed}
-        readers = {sheet.title: Formulas(sheet.title, self._area) for sheet in book.sheets}
+        keyed = (name.split(".") for name in book.keyed)
+        self._keyed = {book.blocks[table].area(column) for table, column in keyed}
+        areas = book.areas()
+        readers = {sheet.title: Formulas(sheet.title, lambda name, _: areas[name]) for sheet in book.sheets}
         for cell in book.cells():
             title = cell.block.sheet.title
             at = Address(title, cell.row, cell.column)
@@ -71,22 +71,6 @@ class Dependence:
                 areas = Reading(formula.arguments, self._values, self._keyed).of(tree(formula.shape))
             self._known[reader] = frozenset(area for area in areas if isinstance(area, Area))
         return any(area.holds(at) for area in self._known[reader])
-
-    def _area(self, name: str, sheet: str) -> Area:
-        """Return the area of a defined name of the book; of ``title!`` the first cell of that sheet."""
-        if name.endswith("!") and name[:-1] in self._titles:
-            return Area(name[:-1], 1, 1, 1, 1, True)
-        book = self._book
-        if name in book.blocks:
-            block = book.blocks[name]
-            return placed(block, block.column, len(block.quantities))
-        return self._column(*book.column_names[name])
-
-    def _column(self, table: str, column: str) -> Area:
-        """Return the area of a column of a table, or of several side by side."""
-        block = self._book.blocks[table]
-        first, last = block.ends(column)
-        return placed(block, first, last - first + 1)
 
 
 class Reading:
@@ -178,12 +162,6 @@ class Reading:
             found = self.values[area.first]
             return "" if found is None else found
         return self.value(node)
-
-
-def placed(block: Block, column: int, columns: int) -> Area:
-    """Return the area of a block's columns."""
-    last, right = block.row + block.size - 1, column + columns - 1
-    return Area(block.sheet.title, block.row, column, last, right, block.size == columns == 1)
 
 
 def compared(sign: str, one: Any, other: Any) -> bool | None:

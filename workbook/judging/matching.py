@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from workbook.book.address import Address, Place, Strip
 from workbook.book.declare import Block, Book, Cell, Sheet
-from workbook.book.formula import Area, FormulaError, area_of, read
+from workbook.book.formula import Area, FormulaError, read
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, is_formula
 
@@ -205,13 +205,12 @@ class Match:
     @cached_property
     def declared_area(self) -> Callable[[str, str], Area]:
         """What gives the area that a name means in the declaration, whatever sheet it stands on, or ``title!``."""
-        names = {name.lower(): declared_area(self.declared, name) for name, _ in self.declared.names()}
-        names |= {f"{s.title}!".lower(): Area(s.title, 1, 1, 1, 1, single=True) for s in self.declared.sheets}
+        areas = {name.lower(): area for name, area in self.declared.areas().items()}
 
         def area(name: str, sheet: str) -> Area:
-            if name.lower() not in names:
+            if name.lower() not in areas:
                 raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
-            return names[name.lower()]
+            return areas[name.lower()]
 
         return area
 
@@ -224,16 +223,6 @@ def corners(area: Area) -> tuple[Address, Address]:
 def declared_place(block: Block) -> Place:
     """Return where the declaration has a block."""
     return Place(block.sheet.title, block.row, block.column, block.size, len(block.quantities))
-
-
-def declared_area(book: Book, name: str) -> Area:
-    """Return what a defined name of the declaration means: a block, or a named column."""
-    if name in book.blocks:
-        return area_of(declared_place(book.blocks[name]))
-    table, column = book.column_names[name]
-    block = book.blocks[table]
-    first, last = block.ends(column)
-    return area_of(Place(block.sheet.title, block.row, first, block.size, last - first + 1))
 
 
 def cell_index(places: dict[str, Place], header: Callable[[str], int]) -> dict[Address, Index]:
