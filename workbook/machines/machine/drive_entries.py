@@ -11,7 +11,7 @@ from workbook.fields.texts import LOOKED_UP
 from workbook.fields.types import Angle, DesignError, EmptyCell, EntryError, Model, NotNegative, Number, Positive
 from workbook.machines.machine.entries_beside import Name
 from workbook.selection.catalogue import Factor
-from workbook.selection.entries import COMMITTED, REFERENCE, Products, Ranked
+from workbook.selection.entries import Products, Ranked
 
 Slope = Annotated[float, Field(ge=-90, le=90)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
@@ -139,16 +139,12 @@ class Choice(Ranked):
         "such motors if empty",
     )
 
-    @model_validator(mode="before")
-    @classmethod
-    def _as_catalogued(cls, data: Any) -> Any:
+    @model_validator(mode="after")
+    def _as_catalogued(self) -> Self:
         """Leave out what the catalogue says too: a description stays as it is, through a book and back."""
-        if not isinstance(data, dict) or data.get("falling") is None:
-            return data
-        rows = data.get("motors", REFERENCE)
-        told = COMMITTED["motors"]() if rows == REFERENCE else rows
-        known = isinstance(told, (list, tuple)) and data["falling"] is any(map(falling, told))
-        return data | {"falling": None} if known else data
+        if self.falling is any(map(falling, self.motors)):
+            object.__setattr__(self, "falling", None)
+        return self
 
     @property
     def knows_falling(self) -> bool:

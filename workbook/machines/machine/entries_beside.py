@@ -34,9 +34,9 @@ class TimeOn(Model):
         return {"anyOf": [pair, handler(core)]}
 
     @property
-    def complete(self) -> bool:
-        """Whether both ends are entered."""
-        return self.start is not None and self.stop is not None
+    def ends(self) -> tuple[float, float] | None:
+        """Both ends, if they are entered."""
+        return None if self.start is None or self.stop is None else (self.start, self.stop)
 
 
 class SwitchEntry(Model):
@@ -58,15 +58,14 @@ class SwitchEntry(Model):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a time with one end, and the first that does not last or is not over where another begins."""
-        half = (k for k, time in enumerate(self.on) if not time.complete and time != type(time)())
+        half = (k for k, time in enumerate(self.on) if time.ends is None and time != type(time)())
         yield from (DesignError(f"on.{k}", HALF.words, HALF.rule, UNUSED) for k in [*half][:1])
         yield from meeting(self) if self.PLACED else ()
 
 
 def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError]:
     """Yield the first time of a switch, in degrees, that does not last, or is not over where another begins."""
-    told = [(k, time.start, time.stop) for k, time in enumerate(turned.on, 1)
-            if time.start is not None and time.stop is not None]  # fmt: skip
+    told = [(k, *time.ends) for k, time in enumerate(turned.on, 1) if time.ends]
     spans = {k: stop - start + (TURN if stop < start else 0.0) for k, start, stop in told}
     said = [f"time {k} does not last" for k, span in spans.items() if span <= ANGLE_TOLERANCE]
     for k, start, _ in told:

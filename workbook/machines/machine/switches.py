@@ -6,15 +6,14 @@ from itertools import chain
 from typing import TypeVar
 
 from engine.timing import Switch
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
-from workbook.book.sentence import first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
 from workbook.machines.machine.file_layout import switch_name
-from workbook.machines.machine.timing.phases import going_beyond
+from workbook.machines.machine.timing.phases import going_beyond, no_fault
 from workbook.machines.machine.timing.sheet import LANE_SHARE
 from workbook.machines.machine.view import MachineView
 
@@ -36,8 +35,7 @@ class Lane:
         self.given, self.number = given, number
         self.typed: list[TimeOn] = filled(typed.on, TIMES, TimeOn())
         self.times: list[TimeOn] = filled(given.on, TIMES, TimeOn())
-        self.entered = {k: (time.start, time.stop) for k, time in enumerate(self.times)
-                     if time.start is not None and time.stop is not None}  # fmt: skip
+        self.entered = {k: time.ends for k, time in enumerate(self.times) if time.ends}
 
     @cached_property
     def switch(self) -> Switch:
@@ -80,11 +78,9 @@ def switches_sheet(book: Book, machine: MachineView) -> None:
     faults += [("late", "within", "ends", "no time goes on beyond the cycle")] if over.measured else []
     for column, name, rule, said in faults:
         for i in range(1, len(lanes) + 1):
-            texts = f"[switch{i}_times.{column}]"
-            at = first_text(texts)
-            sheet.checks(check(f"switch{i}_{name}", f"Switch {i}: {said}", f'COUNTIF({texts},"?*")=0', True,
-                               rule=over.rule("switches", i, rule),
-                               says=f'[switches.name.{i}]&" time "&{at}&" "&INDEX({texts},{at})'))  # fmt: skip
+            texts, called = f"[switch{i}_times.{column}]", f'[switches.name.{i}]&" time "'
+            told = f"switch{i}_{name}", f"Switch {i}: {said}"
+            sheet.checks(no_fault(*told, texts, called, over.rule("switches", i, rule)))
     sheet.not_printed_below()
     sheet.heading("Workings: the times of each switch")
     for lane in lanes:

@@ -197,7 +197,7 @@ def switches(machine: AnyMachine) -> list[CamSwitch]:
     """Return the switches of a machine, over the degrees of its master shaft, or the seconds of its cycle."""
     over, found = machine.over, []
     for one in machine.switches:
-        on = tuple((time.start, time.stop) for time in one.on if time.start is not None and time.stop is not None)
+        on = tuple(time.ends for time in one.on if time.ends)
         found.append(CamSwitch(one.name, Switch(one.name, on, over.length), over.unit))
     return found
 

@@ -1,15 +1,14 @@
 """What is entered of a drive beside its mechanism and motor: load, rotating parts, process forces over the cycle."""
 
-from workbook.book.declare import Quantity, Sheet, calc, check, columns_of, constant, entries_of
+from workbook.book.declare import Quantity, Sheet, calc, columns_of, constant, entries_of
 from workbook.book.quantity import PLAIN
 from workbook.book.rows import filled
-from workbook.book.sentence import first_text
 from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
 from workbook.fields.units import DEGREE, KG_CM2, shown
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive_entries import WINDOWS
-from workbook.machines.machine.timing.phases import beyond
+from workbook.machines.machine.timing.phases import beyond, no_fault
 
 TITLE = "Rotating parts: an inertia, or a cylinder's diameter, length and density; teeth of what is geared"
 CYLINDER = (
@@ -116,8 +115,6 @@ def edge(view: DriveView, name: str, label: str, at: str, values: list[float]) -
 def windows_check(view: DriveView) -> Quantity:
     """Return the check that process forces end with the cycle, of which an entry says how long it is."""
     over, i = view.tables.machine.over, view.driven.number
-    words = "[@windows.beyond]"
-    row = first_text(words)
-    return check("@ok_windows", f"{view.driven.called}: no process force goes on beyond the cycle",
-                 f'COUNTIF({words},"?*")=0', True, rule=over.rule("axes", i, "forces"),
-                 says=f'[axes.name.{i}]&" process force "&{row}&" "&INDEX({words},{row})')  # fmt: skip
+    label = f"{view.driven.called}: no process force goes on beyond the cycle"
+    called, rule = f'[axes.name.{i}]&" process force "', over.rule("axes", i, "forces")
+    return no_fault("@ok_windows", label, "[@windows.beyond]", called, rule)

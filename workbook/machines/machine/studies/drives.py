@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from functools import cached_property, partial
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -219,7 +220,7 @@ def varied(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:
 
 
 def ok_texts(ok: Any) -> Any:
-    """Return ok_texts in words."""
+    """Return in words which checks hold."""
     return np.where(ok, "OK", "FAIL")
 
 
@@ -247,17 +248,6 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "binds": lambda one: one.highest[1],
     "reducer_held": lambda one: one.reducer_held,
 } | {f"pair_{name}": lambda one, name=name: one.motors_used[name] + one.reducers_used[name] for name in WEIGHED}
-MOTORS = {
-    "motor_row": "row", "jm": "inertia", "motor_rated": "rated_torque", "motor_peak": "peak_torque",
-    "motor_nmax": "max_speed", "motor_stall": "stall_torque", "motor_nn": "rated_speed",
-    "motor_mass": "mass", "motor_cost": "cost",
-}  # fmt: skip
-REDUCERS = {
-    "reducer_row": "row", "i1": "ratio", "eta1": "efficiency", "j_reducer": "inertia", "no_load": "no_load_torque",
-    "reducer_peak": "peak_torque", "reducer_mean": "mean_torque", "reducer_nmax": "max_speed",
-    "reducer_full": "full_cycles", "reducer_fs": "cycle_factor", "reducer_mass": "mass", "reducer_cost": "cost",
-}  # fmt: skip
-"""of motors and of reducers: the cells of their figures"""
 CHECKS: dict[str, Callable[[DriveStudy], Any]] = {
     "ok_rms": lambda one: one.rms <= one.continuous,
     "ok_peak": lambda one: one.extremes.peak <= one.motors_used["peak_torque"],
@@ -279,8 +269,11 @@ def results(study: DriveStudy) -> Computations:
     """Return all results by name, each worked out when it is called."""
     asked = RESULTS | ({"brake_load": lambda study: study.brake_load} if study.bases[0].brakes else {})
     asked |= {"spare": lambda study: study.extremes.spare} if study.products.knows_falling else {}
-    asked |= {cell: lambda study, name=name: study.motors_used[name] for cell, name in MOTORS.items()}
-    asked |= {cell: lambda study, name=name: study.reducers_used[name] for cell, name in REDUCERS.items()}
+    for kind, figures_of in (("motor", in_use.MOTOR), ("reducer", in_use.REDUCER)):
+        cells = {cell.removeprefix("@"): name for name, *_, cell, _ in figures_of}
+        cells |= {f"{kind}_{name}": name for name in ("row", *WEIGHED)}
+        used = attrgetter(f"{kind}s_used")
+        asked |= {cell: lambda study, used=used, name=name: used(study)[name] for cell, name in cells.items()}
     return {f"drive{study.axis.number}_{name}": partial(figure, study) for name, figure in asked.items()}
 
 

@@ -186,6 +186,13 @@ def gaps(tables: AxisTables) -> list[float]:
     return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
 
+def no_fault(name: str, label: str, texts: str, called: str, rule: str) -> Quantity:
+    """Return the check that a column of faults is empty; where it is not, it says whose is the first, and its row."""
+    row = first_text(texts)
+    says = f'{called}&{row}&" "&INDEX({texts},{row})'
+    return check(name, label, f'COUNTIF({texts},"?*")=0', True, rule=rule, says=says)
+
+
 def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
     """Declare the checks of one axis; each calls it by its number, as it may get another name."""
     axis, t, i = tables.axis, tables.name, tables.axis.number
@@ -193,10 +200,8 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
 
     def none_in(column: str, rule: str, said: str) -> Quantity:
-        texts, row = f"[{t}.{column}]", first_text(f"[{t}.{column}]")
-        says = f'[axes.name.{i}]&" row "&{row}&" "&INDEX({texts},{row})'
-        return check(f"{t}_{rule}", f"{label}: {said}", f'COUNTIF({texts},"?*")=0', True, says=says,
-                     rule=over.rule("axes", i, rule))  # fmt: skip
+        called = f'[axes.name.{i}]&" row "'
+        return no_fault(f"{t}_{rule}", f"{label}: {said}", f"[{t}.{column}]", called, over.rule("axes", i, rule))
 
     sheet.checks(
         none_in("backwards", "forward", "every phase runs forward"),
