@@ -12,7 +12,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Book, Quantity
 from workbook.book.depends import Dependence
 from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_use, room_text
-from workbook.book.quantity import HOLDS, SAYS, number_format, sample
+from workbook.book.quantity import SAYS, number_format, sample
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
 from workbook.book.summary import check_cells
@@ -41,7 +41,7 @@ class UnfinishedBook:
         self.values: dict[tuple[str, int], list[Any]] = {}
         turns = dict(self._entered())
         known = self._known(turns)
-        summed = {at for name, values in check_cells(book).items() for at in self._column(name, len(values))}
+        summed = {at for name in check_cells(book) for at in self._column(name)}
         moved = [at for at, value in known.items() if self.at[at].expected != value]
         for at in self.dependence.on([*turns, *moved], {*known, *summed}):
             self._put(at, None)
@@ -49,7 +49,7 @@ class UnfinishedBook:
             self._put(at, value)
         self._write()
         for name, values in check_cells(book).items():
-            for at, value in zip(self._column(name, len(values)), values, strict=True):
+            for at, value in zip(self._column(name), values, strict=True):
                 self._put(at, value)
         self._write()
 
@@ -81,7 +81,7 @@ class UnfinishedBook:
         said = ""
         for place, (q, _) in enumerate(guard.entries):
             name = f"{q.name}{EXPECTED}"
-            (at,) = self._column(f"{name}.{name}", 1)
+            (at,) = self._column(f"{name}.{name}")
             faults = list(self._faults(self._key(q.key), ""))
             found[at] = guard.message(place, faults[0].value) if faults else q.source
             said = said or (found[at] if faults else "")
@@ -104,10 +104,10 @@ class UnfinishedBook:
         said = next((Sentence(f"row {i}, {message}") for i, message in enumerate(columns[MESSAGE], 1) if message), "")
         known: dict[Address, Any] = {}
         for name, values in columns.items():
-            known |= zip(self._column(f"{block.name}.{name}", guard.rows), values, strict=True)
+            known |= zip(self._column(f"{block.name}.{name}"), values, strict=True)
         if USED in columns:
             full = f"{guard.table}{FULL}"
-            known |= dict.fromkeys(self._column(f"{full}.{full}", 1), room_text(columns[USED]))
+            known |= dict.fromkeys(self._column(f"{full}.{full}"), room_text(columns[USED]))
         above = self._key(guard.entries[0][0].key.partition(".*")[0])
         return known, EMPTY if any(self._faults(above, "")) else said
 
@@ -133,16 +133,15 @@ class UnfinishedBook:
         if where and not any(f.turn == 0 and f.where != where and f.key.startswith(below) for f in self.design.faults):
             return next((fault.said for fault in faults if fault.turn == 0), "")  # asked of what was entered
         last = faults[0].turn if faults else MOST_TURNS
-        (at,) = self._column(f"{q.name}.{q.name}", 1)
+        (at,) = self._column(f"{q.name}.{q.name}")
         if at in self.hanging(frozenset(at for at, turn in turns.items() if turn < last)):
             return None
         return faults[0].said if faults else ""
 
     def _verdict(self, check: str, said: str) -> dict[Address, Any]:
         """Return what stands in a check, and in the sentence beside it."""
-        holds = self.book.blocks[f"{check}{SAYS}"].quantities[0]
-        (at,), (beside,) = self._column(f"{check}.{check}", 1), self._column(f"{holds.name}.{holds.name}", 1)
-        source = next(q.source for _, q in self.book.checks if q.name == check) or HOLDS
+        (at,), (beside,) = self._column(f"{check}.{check}"), self._column(f"{check}{SAYS}.{check}{SAYS}")
+        source = next(q.source for _, q in self.book.checks if q.name == check)
         return {at: "FAIL", beside: Sentence(said)} if said else {at: OK, beside: source}
 
     def _faults(self, where: str, rule: str) -> Iterator[Fault]:
@@ -160,12 +159,10 @@ class UnfinishedBook:
         begin = ".".join(key.split(".")[:2])
         return f"{self.laws.get(begin, begin)}{key.removeprefix(begin)}".replace("*", str(row))
 
-    def _column(self, name: str, rows: int) -> Iterator[Address]:
-        """Yield the addresses of a column, named ``block.quantity``."""
+    def _column(self, name: str) -> list[Address]:
+        """Return the addresses of a column, named ``block.quantity``."""
         block, _, quantity = name.partition(".")
-        found = self.book.blocks[block]
-        for i in range(rows):
-            yield Address(found.sheet.title, found.row + i, found.columns[quantity])
+        return self.book.blocks[block].area(quantity).cells()
 
     def _put(self, at: Address, value: Any) -> None:
         cell = self.at[at]

@@ -19,7 +19,7 @@ from workbook.book.sentence import CheckSentence, Sentence, quoted
 if TYPE_CHECKING:
     from workbook.book.sheet import Sheet
 
-HOLDS, FAILS = "", "not met"
+FAILS = "not met"  # what a check says where it fails that says nothing else
 SAYS, WHERE = "_says", ": where, and by how much"
 """behind the name of a check, and behind its label: the cell that says where it fails"""
 WANTED = ": what is expected"  # behind the label of an entry: the message beside it
@@ -140,9 +140,8 @@ def check(
 
 def sentence(q: Quantity) -> Quantity:
     """Return the cell beside a check, which says where it fails and by how much; else what the check is about."""
-    holds = q.source or HOLDS
-    formula = f'=IF({q.name}="OK",{quoted(holds)},{q.says or quoted(FAILS)})'
-    value = holds if q.value == "OK" else Sentence(q.said or FAILS)
+    formula = f'=IF({q.name}="OK",{quoted(q.source)},{q.says or quoted(FAILS)})'
+    value = q.source if q.value == "OK" else Sentence(q.said or FAILS)
     return Quantity(f"{q.name}{SAYS}", f"{q.label}{WHERE}", "", "", "sentence", formula, value, align="left")
 
 
