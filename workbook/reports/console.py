@@ -214,13 +214,8 @@ def show_catalogue(console: Console) -> None:
     console.print("Unit rise and time, parameters as delivered. --json adds aliases and sources.")
     show_laws(console, rows, COSTS, SMOOTH)
     console.print(EXPLAINED)
-    named = Table("Code", title="Names elsewhere, as far as they are sure", title_justify="left")
-    for vendor in VENDORS.values():
-        named.add_column(vendor, overflow="fold")
-    for row in rows:
-        if any(row["names"].values()):
-            named.add_row(row["code"], *(row["names"][vendor] for vendor in VENDORS))
-    console.print(named)
+    named = ([row["code"], *(row["names"][vendor] for vendor in VENDORS)] for row in rows if any(row["names"].values()))
+    show_table(console, ("Code", *VENDORS.values()), named, title="Names elsewhere, as far as they are sure")
 
 
 def show_laws(console: Console, rows: Sequence[dict[str, Any]], numbers: Iterable[str], words: Iterable[str]) -> None:

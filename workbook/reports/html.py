@@ -189,33 +189,28 @@ def figure(value: float) -> str:
     return f"{value:.4g}" if value == 0.0 or 1e-3 <= abs(value) < 1e5 else f"{value:.0e}"
 
 
-class Point(NamedTuple):
-    """A design in the picture: what stands beside it, in words where they fit, else ``short``; its two objectives."""
+def front_picture(
+    title: str, labels: tuple[str, str], names: Sequence[str], values: Array, links: Sequence[str] = ()
+) -> str:
+    """Return the picture of designs with room beside the outermost; each leads to the link given for it.
 
-    name: str
-    short: str
-    x: float
-    y: float
-
-
-def front_picture(title: str, labels: tuple[str, str], points: Sequence[Point], links: Sequence[str] = ()) -> str:
-    """Return the picture of one point or more, with room beside the outermost; each leads to the link given for it."""
-    x, y = np.array([(one.x, one.y) for one in points]).T
-    wider = [np.array([v.min() - MARGIN * np.ptp(v), v.max() + MARGIN * np.ptp(v)]) for v in (x, y)]
-    across = scale(wider[0], LEFT, WIDTH - ROOM, powers=False)
-    up = scale(wider[1], HEIGHT - BOTTOM, TOP, powers=False)
-    places = list(zip(across.at(x).tolist(), up.at(y).tolist(), strict=True))
+    ``values`` are their two objectives, a row each. Beside a design stands its name, or its number where that fits not.
+    """
+    margins = MARGIN * np.ptp(values, axis=1, keepdims=True)
+    x, y = np.hstack([values - margins, values + margins])
+    across, up = scale(x, LEFT, WIDTH - ROOM, powers=False), scale(y, HEIGHT - BOTTOM, TOP, powers=False)
+    places = np.array([across.at(values[0]), up.at(values[1])]).T.tolist()
     taken = [(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
-    names = []
-    for one, place in zip(points, places, strict=True):
-        for words, box in ((name, box) for name in (one.name, one.short) for box in around(*place, name)):
+    written = []
+    for number, (name, (px, py)) in enumerate(zip(names, places, strict=True), 1):
+        for words, box in ((said, box) for said in (name, str(number)) for box in around(px, py, said)):
             if all(box[k + 2] < other[k] or other[k + 2] < box[k] for other in taken for k in (0, 1)):
                 taken.append(box)
-                names.append((words, box[0], box[3] - 3.0, INK))
+                written.append((words, box[0], box[3] - 3.0, INK))
                 break
-    leads = links or [""] * len(points)  # a picture by itself may have no links in it
+    leads = links or [""] * len(places)  # a picture by itself may have no links in it
     circles = [(*place, RADIUS, POINT, link) for place, link in zip(places, leads, strict=True)]
-    return picture(title, labels, across, up, points=circles, names=names)
+    return picture(title, labels, across, up, points=circles, names=written)
 
 
 def around(x: float, y: float, words: str) -> list[Box]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 import workbook
-from workbook.reports.html import Point, document, front_picture, rendered
+from workbook.reports.html import document, front_picture, rendered
 from workbook.reports.html import shown as escaped
 from workbook.studies.evaluate import Label, Labels
 from workbook.studies.paths import leaves, written
@@ -76,9 +76,8 @@ def breakable(words: str) -> str:
 def picture(study: Study, designs: Sequence[Design], named: Labels, links: Sequence[str] = ()) -> str:
     """Return the front by the first two objectives; its points are links where these are given."""
     first, second = list(study.goals)[:2]
-    points = [Point(name, str(place), one.results[first], one.results[second])
-              for place, (name, one) in enumerate(zip(names_of(designs), designs, strict=True), 1)]  # fmt: skip
-    return front_picture(study.title, (heading(first, named), heading(second, named)), points, links)
+    values = np.array([[one.results[goal] for one in designs] for goal in (first, second)])
+    return front_picture(study.title, (heading(first, named), heading(second, named)), names_of(designs), values, links)
 
 
 def names_of(designs: Sequence[Design]) -> list[str]:

@@ -57,7 +57,7 @@ def show_table(
     """Print rows of texts under headings; the columns ``right`` stand to the right."""
     grid = Table(title=title, title_justify="left", **look)
     for k, heading in enumerate(headings):
-        grid.add_column(shown(heading), justify="right" if k in right else "left")
+        grid.add_column(shown(heading), justify="right" if k in right else "left", overflow="fold")
     for row in rows:
         grid.add_row(*map(shown, row))
     console.print(grid)
