@@ -7,7 +7,7 @@ import tempfile
 import webbrowser
 from collections.abc import Callable
 from datetime import datetime
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -28,10 +28,8 @@ from workbook.writing.output_files import write_text
 STATIC = {"favicon.ico": "icon.svg"}
 STATIC |= {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")}
 SVG = "image/svg+xml"
-gallery: dict[str, str] = {}  # the pictures of the gallery, by templates
 ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
-axis_names: dict[str, list[str]] = {}  # the names of the axes of books that were read, by the SHA-256 of the file
 
 
 async def write(command: str, suffix: str, page: Page) -> str | None:
@@ -101,13 +99,11 @@ async def enter(page: Page) -> str:
 
 
 async def picture(page: Page, name: str) -> str:
-    """Send the picture of a template in the gallery, which is drawn once."""
+    """Send the picture of a template in the gallery."""
     if name not in TEMPLATES:
         raise HTTPError(404)
-    if name not in gallery:
-        gallery[name] = await page.work.in_worker(live.picture, name)
     page.set_header("Content-Type", SVG)
-    return gallery[name]
+    return await page.work.in_worker(live.picture, name)
 
 
 async def static(page: Page, name: str) -> bytes:
@@ -158,12 +154,8 @@ async def compare(page: Page) -> str:
 async def controller(page: Page, name: str) -> str:
     """Show the form of an export, with the axes of the workbook."""
     path = page.folder.file(name)
-    digest = state(path)
-    if digest not in axis_names:
-        axis_names[digest] = await page.work.in_worker(axes, path)
-    return pages.page(
-        f"{name}: controller", "controller", name=name, axes=[*axis_names[digest], ALL], targets=TARGETS, orders=ORDERS
-    )
+    names = [*await page.work.in_worker(axes, path, state(path)), ALL]
+    return pages.page(f"{name}: controller", "controller", name=name, axes=names, targets=TARGETS, orders=ORDERS)
 
 
 async def export(page: Page) -> str:
@@ -201,8 +193,9 @@ async def read(page: Page) -> str:
     return pages.editor(target.name, target.read_text(encoding="utf-8"), state(target), done.text)
 
 
-def axes(book: Path) -> list[str]:
-    """Return the names of the axes of a workbook that a controller can be given."""
+@lru_cache
+def axes(book: Path, digest: str) -> list[str]:
+    """Return the names of the axes of a workbook that a controller can be given; ``digest`` tells its versions."""
     machine, _ = read_inputs(book)
     return [one.name for one in TEMPLATES[machine.template].axes(machine)]
 

@@ -226,6 +226,7 @@ def in_short(name: str, text: str) -> str:
     return "; ".join([*whole[:FIRST], f"{fails} checks FAIL" if fails else "all checks OK"])
 
 
+@lru_cache
 def picture(template: str) -> str:
     """Return the first chart of a template's committed description as a picture of its own."""
     shown = design(template, (FOLDER / f"{template}.toml").read_text(encoding="utf-8"))

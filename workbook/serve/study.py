@@ -13,7 +13,6 @@ from pydantic import ValidationError
 
 from workbook.build import read_description
 from workbook.commands.study import summary_from
-from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.laws.entries import ENTRIES, references
@@ -23,7 +22,7 @@ from workbook.reports import study as reported
 from workbook.reports.html import shown
 from workbook.serve import pages
 from workbook.serve.handler import Page
-from workbook.serve.tables import differing, edited
+from workbook.serve.tables import edited
 from workbook.studies import folder
 from workbook.studies.evaluate import Label, listed_results, require_names
 from workbook.studies.paths import entry_at, leaves, written
@@ -215,11 +214,12 @@ def picked(path: Path, number: int) -> str:
     plan, found = read_results(path)
     if not 1 <= number <= len(found.best):
         raise InputError([f"design {number}: expected 1 to {len(found.best)}"])
-    machine: Machine = machine_of(plan, found.best[number - 1])
+    best = found.best[number - 1]
+    machine: Machine = machine_of(plan, best)
     base = path.parent / str(plan.study.base)
     text = read_text(base, "a machine description, a .toml file")
     try:
-        changed = edited(text, differing(as_entered(plan.base), as_entered(machine)))
+        changed = edited(text, plan.changes({one: best.entries[one.label] for one in plan.space.dimensions}).items())
         template = template_named(plan.base.template, "template")
         if template.model_for(data := parse_toml(changed, base)).model_validate(data) == machine:
             return changed

@@ -18,8 +18,6 @@ from workbook.template import has_key
 from workbook.templates import TEMPLATES
 
 Place = tuple[str, ...]  # the way to an entry: names, and numbers of rows from 0
-
-NOTHING = object()  # stands where a description has no entry
 COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")  # entries, blanks, and a comment
 
 
@@ -189,15 +187,3 @@ def put(table: Any, path: Place, value: Any) -> None:
         table.append(tomlkit.parse(f"x = {toml(value)}")["x"] if isinstance(table, Array) else value)
     else:
         table[key] = value
-
-
-def differing(old: Any, new: Any, path: Place = ()) -> Iterator[tuple[Place, Any]]:
-    """Yield the paths of the entries by which a description differs from another, with the new values."""
-    if isinstance(old, dict) and isinstance(new, dict):
-        for key in {**old, **new}:
-            yield from differing(old.get(key, NOTHING), new.get(key, NOTHING), (*path, key))
-    elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
-        for k, (one, other) in enumerate(zip(old, new, strict=True)):
-            yield from differing(one, other, (*path, str(k)))
-    elif old is not new and old != new:
-        yield path, None if new is NOTHING else new

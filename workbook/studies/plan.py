@@ -71,18 +71,26 @@ class Plan:
         sizes = {} if self.roomy else {"sizes": self.base.sizes.model_dump(exclude={"motion_pieces"})}
         return as_dict(self.base) | sizes
 
+    def changes(self, chosen: dict[Dimension, Any]) -> dict[tuple[str, ...], Any]:
+        """Return the entries that these values change, by their paths."""
+        found: dict[tuple[str, ...], Any] = {}
+        for one, value in chosen.items():
+            own = one.paths[0]
+            if one.takes:  # room from its neighbour
+                entry, way = EDGES[own[-1]]
+                path = (*one.takes, entry)
+                now, begun = (found.get(place, entry_at(self.data, place)) for place in (path, own))
+                found[path] = now + way * (value - begun)
+            found |= dict.fromkeys(one.paths, value)
+            if own[-1] == "law" and value in ENTRIES and value not in self.data["laws"]:  # of a new family
+                found["laws", value] = {"family": value}
+        return found
+
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
         data = self.data
-        for one, value in chosen.items():
-            if one.takes:  # room from its neighbour
-                entry, way = EDGES[one.paths[0][-1]]
-                path = (*one.takes, entry)
-                data = dict(with_entry(data, path, entry_at(data, path) + way * (value - entry_at(data, one.paths[0]))))
-            for path in one.paths:
-                data = dict(with_entry(data, path, value))
-            if one.paths[0][-1] == "law" and value in ENTRIES and value not in data["laws"]:  # of a new family
-                data = dict(with_entry(data, ("laws", value), {"family": value}))
+        for path, value in self.changes(chosen).items():
+            data = dict(with_entry(data, path, value))
         try:
             machine, faults = validated(type(self.base), self.template.check, data)
         except EntryError as error:
