@@ -37,12 +37,27 @@ class Stage:
             raise ValueError(f"{self.name}: efficiency backward is {back:g}; expected a finite number, at most 1")
 
     def factor(self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR) -> Array:
-        """Return the factor of losses f, by which the torque at the output (Nm, or N) times 1/ratio is multiplied.
+        """Return the factor of losses f, by which the torque at the output times 1/ratio is multiplied.
 
         f = 1/η where power flows to the load and at rest, η' where the load drives. A self-locking stage, η' ≤ 0, holds
-        the load at rest by itself, f = 0, and has to be driven when the load drives. By the method "document" f = 1/η
-        always. ``direction`` is 1, −1, or 0 at rest. Source: S1, 'Feeding group', last equation, where f = 1; S4,
-        problem 1, where inertia and torque behind the screw are over η; S5, step 7.
+        the load at rest by itself, f = 0, and has to be driven when the load drives. Source: S1, 'Feeding group', last
+        equation, where f = 1; S4, problem 1, where inertia and torque behind the screw are over η; S5, step 7.
+
+        Parameters
+        ----------
+        torque : array_like, Nm, or N
+            At the output.
+        direction : array_like
+            Direction of motion: 1, −1, or 0 at rest.
+        method : {"physical", "document"}
+            Losses by the direction of power, or f = 1/η always.
+        near : float, Nm, or N
+            Torque by which the load has to drive before η' counts.
+
+        Returns
+        -------
+        array
+            f, dimensionless.
         """
         if method == "document":
             return np.full(np.broadcast(torque, direction).shape, 1.0 / self.efficiency)
@@ -137,29 +152,38 @@ class Mechanism:
         parts = math.fsum(part.reflected for part in self.parts if part.shaft == shaft)
         return parts + self.load.inertia if shaft == self.last else parts
 
-    def at_motor(self, inertia: float, shaft: int, method: Method = "physical") -> float:
-        """Return J/i² at the motor's shaft (kg m²) of an inertia on a shaft; by the method "document" J/(i² η).
+    def inertia_divisor(self, shaft: int, method: Method = "physical") -> float:
+        """Return i², by which an inertia on a shaft is divided at the motor's; by the method "document" i² η.
 
         Source: S4, problem 1, J_load = m/(η (2πP)²); problem 2, J = m r²/(η N²).
         """
-        lossless = inertia / self.ratio_to(shaft) ** 2
         lost = math.prod(stage.efficiency for stage in self.stages[:shaft]) if method == "document" else 1.0
-        return lossless / lost
+        return self.ratio_to(shaft) ** 2 * lost
 
     def inertia(self, method: Method = "physical") -> float:
         """Return the inertia of all parts and the load at the motor's shaft (kg m²), without the motor's own."""
-        parts = (self.at_motor(part.reflected, part.shaft, method) for part in self.parts)
-        return math.fsum([*parts, self.at_motor(self.load.inertia, self.last, method)])
+        return math.fsum(self.on_shaft(k) / self.inertia_divisor(k, method) for k in range(self.last + 1))
 
     def driving_torque(self, force: float) -> float:
         """Return the motor's torque F/(i η) (Nm) for a force F (N, or Nm) at the load. Source: S4, problem 1."""
         return force / self.ratio / self.efficiency
 
     def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:
-        """Return the torque (Nm, or N) that drives each shaft, from the motor's to the load's.
+        """Return the torque that drives each shaft: T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k.
 
-        T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k, f of :meth:`Stage.factor`; ``acceleration`` is of the load
-        (m/s² or rad/s²), ``direction`` is 1, −1, or 0 at rest.
+        Parameters
+        ----------
+        acceleration : array_like, m/s² or rad/s²
+            a, of the load.
+        direction : array_like
+            Direction of motion: 1, −1, or 0 at rest.
+        method : {"physical", "document"}
+            How losses count in f, see :meth:`Stage.factor`.
+
+        Returns
+        -------
+        list of array, Nm (N of a shaft that travels)
+            From the motor's shaft, without the motor's own inertia, to the load's.
         """
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
         found = [self.load.resisting(sign) + self.torque_per_acceleration[self.last] * a]
@@ -225,10 +249,24 @@ def resisting(force: float, resists: Resists) -> Load:
 
 
 def cylinder(diameter: float, length: float, density: float, bore: float = 0.0) -> float:
-    """Return the inertia of a solid or hollow cylinder about its axis, ½ ρ π (R⁴ − r⁴) L, in kg m².
+    """Return the inertia of a solid or hollow cylinder about its axis, ½ ρ π (R⁴ − r⁴) L.
 
-    ``diameter``, ``length`` and ``bore`` (the inner diameter) in m, ``density`` in kg/m³. Raises ValueError for a
-    negative quantity, or a bore that is not smaller than the diameter. Source: S4, problem 1, 'a. J_leadscrew'.
+    Source: S4, problem 1, 'a. J_leadscrew'.
+
+    Parameters
+    ----------
+    diameter, length, bore : float, m
+        The bore is the inner diameter.
+    density : float, kg/m³
+
+    Returns
+    -------
+    float, kg m²
+
+    Raises
+    ------
+    ValueError
+        For a negative quantity, or a bore that is not smaller than the diameter.
     """
     require_not_negative("cylinder", diameter=diameter, length=length, density=density, bore=bore)
     if bore > 0.0 and bore >= diameter:

@@ -34,13 +34,13 @@ class TorqueInterval:
     braked: bool = False  # whether a brake holds the motor's shaft
 
     @property
-    def nodes(self) -> int:
-        """Number of parts in which it is searched."""
+    def samples(self) -> Array:
+        """Every u at which a function is sampled before it is searched: the ends of equal parts."""
         fastest = max((abs(w) for a, w, _ in self.piece.sines if a), default=0.0)
         angle = fastest * (self.high - self.low)
         if self.force.by_angle:
             angle += abs(self.piece.curves[0](self.high) - self.piece.curves[0](self.low))
-        return NODES * (1 + int(angle / np.pi))
+        return np.linspace(self.low, self.high, NODES * (1 + int(angle / np.pi)) + 1)
 
     def load(self, u: Array) -> LoadMotion:
         """Return the motion of the load at u."""
@@ -84,7 +84,7 @@ class TorqueInterval:
     @property
     def power_reversals(self) -> list[float]:
         """Every u at which the motor's power changes its sign by copper losses; none without these."""
-        return crossed(self.power, self.low, self.high, self.nodes) if self.train.drive.copper else []
+        return crossed(self.power, self.samples) if self.train.drive.copper else []
 
     def curve(self, shaft: int = 0) -> Curve | None:
         """Return the torque of a shaft as a curve over u (Nm, or N); None if it depends on the position."""
@@ -118,7 +118,7 @@ class TorqueInterval:
         """Return every u at which the torque of a shaft changes its sign."""
         curve = self.curve(shaft)
         if curve is None:
-            return crossed(lambda u: self.torque(u, shaft), self.low, self.high, self.nodes)
+            return crossed(lambda u: self.torque(u, shaft), self.samples)
         return sign_changes(curve, self.low, self.high)
 
 
@@ -208,7 +208,8 @@ class DriveCycle:
             middle = 0.5 * (low + high)
             direction = float(np.sign(velocity(middle))) if moves else 0.0
             sense = direction * self.train.sense(piece.curves[0](middle))
-            force = self.train.force(sense, piece.begin + middle + self.shift, self.unshifted.total)
+            acting = self.train.acting(piece.begin + middle + self.shift, self.unshifted.total)
+            force = self.train.force(sense, acting)
             yield Span(piece, low, high, direction, force)
 
     def _knots(self, piece: MotionPiece, turns: Sequence[float]) -> Iterator[float]:

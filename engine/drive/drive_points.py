@@ -6,46 +6,12 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.drive.motor import TorqueFall
 from engine.drive.quadrature import LoadPoints
 from engine.laws.base import Array
 
 TIED = 1e-9  # share of the largest absolute value by which equal peaks may differ
-
-
-class Interpolation(NamedTuple):
-    """Places between points."""
-
-    point: NDArray[np.intp]  # number of the last point before each place, from 0
-    share: Array  # of the step to the next point
-
-    def of(self, values: Array) -> Array:
-        """Return a quantity at the places, interpolated linearly between its values at the points."""
-        y = values.ravel()
-        return np.asarray(y[self.point] + self.share * (y[self.point + 1] - y[self.point]))
-
-
-def interpolation_at(points: Array, places: Array, near: float) -> Interpolation:
-    """Return where places lie between rising points.
-
-    Parameters
-    ----------
-    points : array (intervals, points)
-        Angles of the points, rising from row to row.
-    places : array (n,)
-        In the unit of the points.
-    near : float
-        A place so near the next point counts as at that point.
-
-    Returns
-    -------
-    Interpolation
-    """
-    x = points.ravel()
-    point = np.searchsorted(x, np.minimum(places + near, x[-1] - near), side="right") - 1
-    return Interpolation(point, (places - x[point]) / (x[point + 1] - x[point]))
 
 
 class Peak(NamedTuple):
@@ -149,6 +115,11 @@ class DrivePoints:
     def size(self, values: Array) -> float:
         """Return the largest absolute value of a quantity over the cycle."""
         return max(self.top(values), self.top(-values))
+
+    def reserve(self, peak: float, falling: TorqueFall) -> Array:
+        """Return what of a peak torque (Nm) that falls is left at each point (Nm): T − f max(0, |ω| − ω_1) − |T|."""
+        curve = peak - falling.fall * np.maximum(0.0, np.abs(self.speed) - falling.knee)
+        return np.asarray(curve - np.abs(self.torque))
 
     def falling_use(self, peak: float, falling: TorqueFall) -> Array:
         """Return at each point the use 1/r² of a peak torque T (Nm) that falls: |S + r² I| + f r |ω| = T + f ω_1.

@@ -195,11 +195,14 @@ class Drivetrain:
         """Return 1, or −1 if the load moves backward while its axis moves forward from y, beyond a dead centre."""
         return float(np.sign(self.by_angle.slopes(np.asarray(y))[0])) if self.by_angle else 1.0
 
-    def force(self, direction: float, x: float, cycle: float) -> Force:
-        """Return the force on the load in its direction (1, −1, or 0 at rest) at the abscissa x of a cycle's length."""
+    def acting(self, x: float, cycle: float) -> list[Load]:
+        """Return the process forces that act at the abscissa x of a cycle's length."""
+        return [window.load for window in self.windows if window.acts_at(x, cycle)]
+
+    def force(self, direction: float, acting: Sequence[Load] = ()) -> Force:
+        """Return the force on the load in its direction (1, −1, or 0 at rest) with the process forces that act."""
         m = self.drive.mechanism
-        loads = [m.load, *(window.load for window in self.windows if window.acts_at(x, cycle))]
-        level = math.fsum(float(load.resisting(direction)) for load in loads)
+        level = math.fsum(float(load.resisting(direction)) for load in (m.load, *acting))
         return Force(m.on_shaft(m.last), self.viscous, level, self.by_angle)
 
     def torque_coefficients(self, factors: Sequence[float]) -> list[TorqueCoefficients]:

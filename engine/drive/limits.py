@@ -42,17 +42,19 @@ class ReducerLimits:
 
 
 def cycle_factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) -> Array:
-    """Return the divisor of reducers' peak torques: the cycle factor beyond the full rate, else 1.
+    """Return the divisor of reducers' peak torques: the cycle factor beyond their full rate, else 1.
 
     Parameters
     ----------
-    rate, full_rate : array_like (n,), 1/s
-    factor : array_like (n,)
-        Cycle factor f_s of each reducer.
+    rate, full_rate : array_like, 1/s
+        Cycles per second, and those up to which the peak torque holds in full.
+    factor : array_like
+        f_s, 1 or more.
 
     Returns
     -------
-    array (n,)
+    array
+        Dimensionless.
     """
     return np.where(np.asarray(rate) > np.asarray(full_rate) * (1.0 + NEAR), factor, 1.0)
 
@@ -131,7 +133,7 @@ class LimitChecks:
                 speed = np.clip(interval.motor_speed(u), -last, last)
                 return np.asarray(np.abs(interval.torque(u)) - curve.at(speed))
 
-            ((found, u),) = extremes(excess, interval.low, interval.high, interval.nodes, (1.0,), least)
+            ((found, u),) = extremes(excess, interval.samples, (1.0,), least)
             return found, float(np.abs(interval.torque(np.array([u])))[0])
 
         over, torque = -math.inf, 0.0

@@ -20,18 +20,14 @@ class TorqueFall(NamedTuple):
     fall: float = 0.0  # decrease of torque by speed (Nm s)
 
     @classmethod
-    def between(cls, knee: float, peak_torque: float, fastest: float, end_torque: float) -> "TorqueFall":
-        """Return the fall of a peak torque from a knee (rad/s) to ``end_torque`` (Nm) at the largest speed (rad/s)."""
-        return cls(knee, max(0.0, peak_torque - end_torque) / (fastest - knee)) if knee < fastest else cls()
+    def between(cls, knee: tuple[float, float], end: tuple[float, float]) -> "TorqueFall":
+        """Return the fall between two points of speed (rad/s) and peak torque (Nm): the knee, and the largest speed."""
+        (begins, full), (fastest, least) = knee, end
+        return cls(begins, max(0.0, full - least) / (fastest - begins)) if begins < fastest else cls()
 
     def corner(self, peak_torque: float) -> float:
         """Return the torque (Nm) of the falling line extended to speed 0; infinite if it does not fall."""
         return peak_torque + self.fall * self.knee if self.fall else math.inf
-
-    def reserve(self, peak_torque: float, torque: Array, speed: Array) -> Array:
-        """Return the peak torque less |torque| (Nm) at speeds (rad/s), for a peak torque (Nm) below the knee."""
-        curve = peak_torque - self.fall * np.maximum(0.0, np.abs(speed) - self.knee)
-        return np.asarray(curve - np.abs(torque))
 
 
 LEVEL = TorqueFall()  # of a peak torque that does not fall
@@ -137,20 +133,44 @@ class Reserve(NamedTuple):
 
 
 def continuous(rated: ArrayLike, stall: ArrayLike, rated_speed: ArrayLike, speed: ArrayLike) -> Array:
-    """Return the continuous torque (Nm) of motors at a mean speed (rad/s).
+    """Return the continuous torque of motors at a mean speed.
 
-    It falls in a straight line from the stall torque (Nm) to the rated torque at the rated speed (rad/s), constant
-    beyond; it is the rated torque throughout if the stall torque is not larger. The RMS torque is compared with it at
-    the mean of |ω|: copper losses grow with the square of the torque, losses by speed about in proportion to speed.
-    Source: Siemens, SINAMICS S210, operating instructions 12/2017, 3.3, effective torque and average speed of a duty
-    cycle; SIMOTICS S-1FK2, configuration manual 02/2022, 6.1, the S1 characteristic that falls from the stall torque.
+    It falls in a straight line from the stall torque to the rated torque at the rated speed, constant beyond. The RMS
+    torque is compared with it at the mean of |ω|: copper losses grow with the square of the torque, losses by speed
+    about in proportion to speed. Source: Siemens, SINAMICS S210, operating instructions 12/2017, 3.3, effective torque
+    and average speed of a duty cycle; SIMOTICS S-1FK2, configuration manual 02/2022, 6.1, the S1 characteristic that
+    falls from the stall torque.
+
+    Parameters
+    ----------
+    rated, stall : array_like, Nm
+        Continuous at the rated speed and at standstill; a stall torque that is not larger is ignored.
+    rated_speed, speed : array_like, rad/s
+        The rated speed, and the mean of |ω| over the cycle.
+
+    Returns
+    -------
+    array, Nm
     """
     drop = np.maximum(0.0, np.asarray(stall) - rated)
     return np.asarray(rated + drop * (1.0 - np.minimum(1.0, np.abs(speed) / np.asarray(rated_speed))))
 
 
 def reserve(motor: Motor, rms_torque: float, peak_torque: float, speed: float, mean_speed: float) -> Reserve:
-    """Return RMS torque (Nm) at a mean speed (rad/s), peak torque (Nm) and largest speed (rad/s) against the limits."""
+    """Return the quantities of a cycle against the limits of a motor.
+
+    Parameters
+    ----------
+    motor : Motor
+    rms_torque, peak_torque : float, Nm
+    speed, mean_speed : float, rad/s
+        The largest |ω|, and the mean, at which the continuous torque limits the RMS torque.
+
+    Returns
+    -------
+    Reserve
+        Of the peak torque against the motor's own up to its largest speed, not against a curve.
+    """
     return Reserve(
         LimitCheck("RMS torque", rms_torque, float(motor.continuous(mean_speed))),
         LimitCheck("peak torque", peak_torque, motor.peak_torque),
@@ -159,10 +179,26 @@ def reserve(motor: Motor, rms_torque: float, peak_torque: float, speed: float, m
 
 
 def derating(temperature: float, limit: float = WINDING_LIMIT, rated_at: float = RATED_AT) -> float:
-    """Return the share of its rated torque that a motor can give at a temperature (°C) of its surroundings.
+    """Return the share of its rated torque that a motor can give at a temperature of its surroundings.
 
-    It is √((T_max − T)/(T_max − T_rated)), at most 1: 0.9661 at 35 °C.
-    Raises ValueError unless both temperatures are below ``limit`` (T_max). Source: S4, problem 2, last lines.
+    It is √((T_max − T)/(T_max − T_rated)), at most 1: 0.9661 at 35 °C. Source: S4, problem 2, last lines.
+
+    Parameters
+    ----------
+    temperature, rated_at : float, °C
+        T of the surroundings, and T_rated, to which the rated torque applies.
+    limit : float, °C
+        T_max of the winding.
+
+    Returns
+    -------
+    float
+        Dimensionless.
+
+    Raises
+    ------
+    ValueError
+        Unless both temperatures are below the limit.
     """
     if not max(temperature, rated_at) < limit:
         raise ValueError(f"{temperature:g} °C, rated at {rated_at:g} °C; expected less than the limit, {limit:g} °C")

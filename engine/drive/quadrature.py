@@ -129,6 +129,18 @@ class LoadPoints:
         return drive.brake.holds(self.direction, self.dwell) & (drive.holding == "brake")
 
 
+class Interpolation(NamedTuple):
+    """Places between points."""
+
+    point: NDArray[np.intp]  # number of the last point before each place, from 0
+    share: Array  # of the step to the next point
+
+    def of(self, values: Array) -> Array:
+        """Return a quantity at the places, interpolated linearly between its values at the points."""
+        y = values.ravel()
+        return np.asarray(y[self.point] + self.share * (y[self.point + 1] - y[self.point]))
+
+
 @dataclass(frozen=True)
 class QuadratureCycle:
     """A drive's cycle, cut into intervals with nine points each."""
@@ -176,9 +188,8 @@ class QuadratureCycle:
     def levels(self) -> tuple[Array, Array]:
         """Resisting forces in each interval (N or Nm): against positive motion, and against the motion."""
         cycle = self.drive_cycle
-        force, shift, total = cycle.train.force, cycle.shift, cycle.unshifted.total
-        places = [interval.middle + shift for interval in self.intervals]
-        steady, moving = (np.array([force(way, x, total).level for x in places]) for way in (0.0, 1.0))
+        acting = [cycle.train.acting(one.middle + cycle.shift, cycle.unshifted.total) for one in self.intervals]
+        steady, moving = (np.array([cycle.train.force(way, loads).level for loads in acting]) for way in (0.0, 1.0))
         return steady, moving - steady
 
     def points(self) -> LoadPoints:
@@ -195,6 +206,12 @@ class QuadratureCycle:
         return LoadPoints(
             self.drive_cycle.train, place, y, v, a, direction, steady, friction, first, second, share, dwell
         )
+
+    def interpolation_at(self, points: Array, places: Array) -> Interpolation:
+        """Return the places between rising points; one within ``near`` of the next point counts as at that point."""
+        x = points.ravel()
+        point = np.searchsorted(x, np.minimum(places + self.near, x[-1] - self.near), side="right") - 1
+        return Interpolation(point, (places - x[point]) / (x[point + 1] - x[point]))
 
     def _moved(self, number: NDArray[np.intp], place: Array) -> list[Array]:
         """Return position, velocity and acceleration of the motion at places, by the numbers of their intervals."""

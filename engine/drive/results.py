@@ -49,6 +49,10 @@ class Energy(NamedTuple):
         """∮ T dφ (J)."""
         return self.driving - self.regenerated
 
+    def mean_bus_power(self, time: Any, efficiency: float) -> "MeanBusPower":
+        """Return the mean powers of a drive on its own DC bus over a time (s): E/η drawn, η E regenerated."""
+        return MeanBusPower(self.driving / efficiency / time, self.regenerated * efficiency / time)
+
 
 @dataclass(frozen=True)
 class DriveResults:
@@ -114,7 +118,7 @@ class DriveResults:
         for part in self.drive_cycle.torque_intervals:
             over = curve(part)
             if over is None:
-                inner = [extreme.x for extreme in extremes(partial(of, part), part.low, part.high, part.nodes)]
+                inner = [extreme.x for extreme in extremes(partial(of, part), part.samples)]
             else:
                 inner = [u for u in zeros(over.derivative(), part.piece.duration) if part.low < u < part.high]
             u = np.array([part.low, *inner, part.high])
@@ -149,24 +153,6 @@ class MeanBusPower(NamedTuple):
         return np.maximum(0.0, self.net)
 
 
-def mean_bus_power(energy: Energy, time: Any, efficiency: float) -> MeanBusPower:
-    """Return the mean powers at the DC bus: E/η drawn, η E regenerated.
-
-    Parameters
-    ----------
-    energy : Energy
-        At the motor's shaft, J.
-    time : float or array (n,), s
-    efficiency : float
-        η of motor and inverter.
-
-    Returns
-    -------
-    MeanBusPower
-    """
-    return MeanBusPower(energy.driving / efficiency / time, energy.regenerated * efficiency / time)
-
-
 class PeakBusPower(NamedTuple):
     """Peak powers of a drive on its own DC bus (W)."""
 
@@ -174,21 +160,9 @@ class PeakBusPower(NamedTuple):
     resistor: float  # into the brake resistor
 
 
-def peak_bus_power(highest: float, lowest: float, efficiency: float) -> PeakBusPower:
-    """Return the peak powers at the DC bus.
-
-    Parameters
-    ----------
-    highest, lowest : float, W
-        Power at the motor's shaft.
-    efficiency : float
-        η of motor and inverter.
-
-    Returns
-    -------
-    PeakBusPower
-    """
-    return PeakBusPower(max(0.0, highest) / efficiency, max(0.0, -lowest) * efficiency)
+def peak_bus_power(powers: tuple[float, float], efficiency: float) -> PeakBusPower:
+    """Return the peak powers for the highest and the lowest power at a motor's shaft (W): P/η drawn, η P given back."""
+    return PeakBusPower(max(0.0, powers[0]) / efficiency, max(0.0, -powers[1]) * efficiency)
 
 
 def total_bus_power(found: Sequence[MeanBusPower]) -> MeanBusPower:

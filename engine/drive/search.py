@@ -1,7 +1,7 @@
 """Extremes, zeros and integrals of smooth functions between two points, and of curves: powers and sines."""
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -31,18 +31,16 @@ class Extremum(NamedTuple):
 
 
 def extremes(
-    function: Function, low: float, high: float, nodes: int, signs: Sequence[float] = (-1.0, 1.0),
-    least: float = -np.inf,
-) -> tuple[Extremum, ...]:  # fmt: skip
-    """Return the lowest and the largest value of a function between two points, one for each of ``signs``.
+    function: Function, samples: Array, signs: Sequence[float] = (-1.0, 1.0), least: float = -np.inf
+) -> tuple[Extremum, ...]:
+    """Return the lowest and the largest value of a function from the first to the last sample, by ``signs``.
 
-    The best samples among the ends of ``nodes`` parts are narrowed. The result is right if the function has at most one
-    maximum within two neighbouring parts, which exceeds a sample by no more than the sample does the lower of its
-    neighbours. Extremes below ``least`` are not narrowed.
+    The best of the ``samples``, abscissae in order, are narrowed. The result is right if the function has at most one
+    maximum within three of them, which exceeds a sample by no more than the sample does the lower of its neighbours.
+    Extremes below ``least`` are not narrowed.
     """
-    u = np.linspace(low, high, nodes + 1)
-    values = function(u)
-    return tuple(_top(function, sign, u, sign * values, least) for sign in signs)
+    values = function(samples)
+    return tuple(_top(function, sign, samples, sign * values, least) for sign in signs)
 
 
 def _top(function: Function, sign: float, u: Array, values: Array, least: float) -> Extremum:
@@ -69,9 +67,8 @@ def _top(function: Function, sign: float, u: Array, values: Array, least: float)
     return Extremum(sign * best.value, best.x)
 
 
-def crossed(function: Function, low: float, high: float, nodes: int) -> list[float]:
-    """Return every u at which a function changes its sign, if it does so at most once between two nodes."""
-    u = np.linspace(low, high, nodes + 1)
+def crossed(function: Function, u: Array) -> list[float]:
+    """Return every u at which a function changes its sign, if it does so at most once between two samples at u."""
     values = function(u)
     kept = np.abs(values) > NOISE * float(np.abs(values).max())
     u, positive = u[kept], values[kept] > 0.0
@@ -81,38 +78,25 @@ def crossed(function: Function, low: float, high: float, nodes: int) -> list[flo
     return [float(zero) for zero in narrowed(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
 
 
-@lru_cache(maxsize=8)
-def clenshaw_curtis(n: int) -> tuple[Array, Array]:
-    """Return the n + 1 nodes on [0, 1] of Clenshaw and Curtis's rule of integration, and its weights.
-
-    Source: C. W. Clenshaw, A. R. Curtis, Numer. Math. 2 (1960) 197–205.
-    """
-    angle = np.pi * np.arange(n + 1) / n
-    k = np.arange(0, n + 1, 2)
-    terms = np.cos(np.outer(angle, k)) * (2.0 / (1.0 - k.astype(np.float64) ** 2))
-    terms[:, [0, -1]] *= 0.5
-    weights = terms.sum(axis=1) / n
-    weights[[0, -1]] *= 0.5
-    return (1.0 - np.cos(angle)) / 2.0, weights
+gauss_legendre = cache(np.polynomial.legendre.leggauss)  # the nodes of the rule on [−1, 1], and its weights
 
 
 def integral(function: Function, low: float, high: float, scale: float = 0.0, halvings: int = HALVINGS) -> float:
     """Return the integral of a function between two points, to :data:`TOLERANCE` of that of its absolute value.
 
-    ``scale`` is the largest absolute value outside this range, whose rounding this integral need not undercut. Clenshaw
-    and Curtis's rule is used with 16 to 128 nodes, then on halves of the range.
+    ``scale`` is the largest absolute value outside this range, whose rounding this integral need not undercut. The rule
+    of Gauss and Legendre is used with 16 to 128 nodes, then on halves of the range.
     """
-    last = np.nan
+    middle, half, last = 0.5 * (low + high), 0.5 * (high - low), np.nan
     for n in ORDERS:
-        nodes, weights = clenshaw_curtis(n)
-        values = function(low + (high - low) * nodes)
-        found = float(weights @ values)
-        if abs(found - last) <= TOLERANCE * max(LEAST * scale, float(weights @ np.abs(values))):
-            return (high - low) * found
+        nodes, weights = gauss_legendre(n)
+        values = function(middle + half * nodes)
+        found = half * float(weights @ values)
+        if abs(found - last) <= TOLERANCE * half * max(2.0 * LEAST * scale, float(weights @ np.abs(values))):
+            return found
         last = found
     if not halvings:
-        return (high - low) * last
-    middle = 0.5 * (low + high)
+        return last
     return sum(integral(function, a, b, scale, halvings - 1) for a, b in ((low, middle), (middle, high)))
 
 

@@ -40,9 +40,9 @@ class Motors:
         unknown = np.isnan(self.rated_speed)
         self.falls_to = np.where(unknown, self.max_speed, self.rated_speed)  # speed of the rated torque (rad/s)
         self.knee = np.where(np.isnan(self.full_torque_to), self.max_speed, self.full_torque_to)  # of the peak (rad/s)
-        change = np.nan_to_num(self.end_torque - self.peak_torque)
-        beyond, none = self.max_speed - self.knee, np.zeros(change.shape)
-        self.slope = np.divide(change, beyond, out=none, where=change != 0.0)  # beyond the knee (Nm per rad/s)
+        drop = np.nan_to_num(np.maximum(0.0, self.peak_torque - self.end_torque))
+        beyond, none = self.max_speed - self.knee, np.zeros(drop.shape)
+        self.fall: Array = np.divide(drop, beyond, out=none, where=drop > 0.0)  # of the peak beyond the knee (Nm s)
 
     def derated(self, share: float) -> "Motors":
         """Return the motors with rated and stall torque times a share: see :func:`engine.drive.derating`."""

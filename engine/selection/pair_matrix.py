@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from engine.drive.limits import cycle_factor_at
 from engine.laws.base import Array
@@ -34,23 +34,6 @@ class Requirements(NamedTuple):
     least_speed: float = 1.0  # largest speed of a motor over the cycle's, at least
 
 
-class PeakTorqueCurve(NamedTuple):
-    """A motor's peak torque against speed."""
-
-    peak: float  # Nm, up to the knee
-    knee: float  # rad/s
-    fall: float  # decrease beyond the knee (Nm s)
-
-    def reserve(self, load: PointLoad, pair: "Pair") -> float:
-        """Return the least reserve of torque below the curve at the points (Nm)."""
-        return self.peak - max(float(load.peak(pair_arrays(*pair))[0]), self.falling_demand(load, pair))
-
-    def falling_demand(self, load: PointLoad, pair: "Pair") -> float:
-        """Return the largest |T| + f (ω − ω_1) at the points (Nm), the demand on the falling part of the curve."""
-        torque, speed = load.torques(pair_arrays(*pair))[0], pair.ratio * load.points.speed
-        return float((np.abs(torque) + self.fall * (speed - self.knee)).max())
-
-
 class Pair(NamedTuple):
     """A motor with a reducer."""
 
@@ -59,11 +42,10 @@ class Pair(NamedTuple):
     efficiency: float  # η
     no_load: float = 0.0  # no-load torque (Nm)
 
-
-def pair_arrays(inertia: ArrayLike, ratio: ArrayLike, efficiency: ArrayLike, no_load: ArrayLike) -> PairArrays:
-    """Return pairs as flat arrays of one length: J (kg m²), i, η, no-load torque (Nm)."""
-    columns = (np.asarray(column, dtype=np.float64) for column in (inertia, ratio, efficiency, no_load))
-    return PairArrays(*(column.reshape(-1) for column in np.broadcast_arrays(*columns)))
+    @property
+    def arrays(self) -> PairArrays:
+        """It as the only one of several pairs."""
+        return PairArrays(*np.array(self)[:, None])
 
 
 @dataclass(eq=False)
@@ -81,7 +63,8 @@ class PairMatrix:
         r, rated = self.reducers, self.motors.rated_torque
         self.beside_motor: Array = r.inertia + self.beside  # on the motor's shaft with each reducer (kg m²)
         self.inertias: Array = self.motors.inertia[:, None] + self.beside_motor  # J of each pair (kg m²)
-        self.gears = pair_arrays(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)  # of each pair, motor by motor
+        each = np.broadcast_arrays(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)
+        self.gears = PairArrays(*(column.ravel() for column in each))  # of each pair, motor by motor
         self.speed: Array = self.load.speed / r.ratio  # largest speed of the motor before each reducer (rad/s)
         self.at_motor: Array = self.beside_motor + self.load.inertia * r.ratio**2  # inertia that each drives (kg m²)
         self.inertia_ratio: Array = self.at_motor / self.motors.inertia[:, None]  # the same over each motor's
@@ -95,6 +78,17 @@ class PairMatrix:
     def pair(self, motor: int, reducer: int) -> Pair:
         """Return J, i, η and no-load torque of a pair."""
         return Pair(*(float(column.reshape(self.inertias.shape)[motor, reducer]) for column in self.gears))
+
+    def reserve(self, motor: int, reducer: int) -> float:
+        """Return the least reserve of torque of a pair below its motor's curve at the points (Nm)."""
+        most = max(float(self.peak[motor, reducer]), self.falling_demand(motor, reducer))
+        return float(self.motors.peak_torque[motor]) - most
+
+    def falling_demand(self, motor: int, reducer: int) -> float:
+        """Return the largest |T| + f (ω − ω_1) of a pair at the points (Nm), its demand on a curve that falls."""
+        pair, m = self.pair(motor, reducer), self.motors
+        torque, speed = self.load.torques(pair.arrays)[0], pair.ratio * self.load.points.speed
+        return float((np.abs(torque) + m.fall[motor] * (speed - m.knee[motor])).max())
 
     @cached_property
     def rms(self) -> Array:

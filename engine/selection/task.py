@@ -6,15 +6,16 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from engine.drive import Load
+from engine.drive import Load, Motor
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
+from engine.selection.catalogue import Motors
 
 AT_REST = 1e-9  # share of the mean velocity of a phase: a slower end is at rest
 NOTHING = 1e-9  # rad/s², Nm, rad/s: a smaller acceleration, torque or speed is rounding
@@ -38,26 +39,24 @@ class Task:
             raise ValueError(f"load: power_rate_mean is {self.power_rate_mean:g}; expected −{bound:g} to {bound:g}")
 
     @classmethod
-    def of_load(cls, load: Load, phases: Sequence[Phase], radius: float = 1.0) -> "Task":
-        """Return the exact task of a load over phases in s and rad, or in m on a wheel of the ``radius`` (m).
+    def of_load(cls, load: Load, phases: Sequence[Phase]) -> "Task":
+        """Return the exact task of a load over phases in s and rad.
 
         Its friction resists in movements, its torque always. Resisting and accelerating torque do not correlate, as
         neither ∫ω̇ dt nor ∫ sign(ω) ω̇ dt, the gains of ω and |ω|, differ from 0 over a cycle.
         Raises ValueError if a phase does not begin and end at rest, or no phases are given.
         """
-        if not phases or not (math.isfinite(radius) and radius > 0.0):
-            raise ValueError(f"{len(phases)} phases and radius {radius:g}; expected a phase and a radius above 0")
+        if not phases:
+            raise ValueError("0 phases; expected one or more")
         for k, phase in enumerate(phases, 1):
             if phase.lift != 0.0 and max(abs(phase.law.start.v), abs(phase.law.end.v)) > AT_REST:
                 raise ValueError(f"phase {k}: {phase.law.name} does not begin and end at rest")
-        per = 1.0 / radius
-        motion = Motion([replace(p, lift=p.lift * per) for p in phases])
-        time, acceleration = math.fsum(p.duration for p in phases), motion.y2_rms
+        motion = Motion(phases)
         held = [load.torque + load.friction * np.sign(p.lift) for p in phases]
-        square = math.fsum(p.duration / time * float(torque) ** 2 for p, torque in zip(phases, held, strict=True))
-        fastest = max(p.law.coefficients.cv * abs(p.lift) / p.duration for p in phases) / radius
-        torque = math.sqrt((load.inertia * acceleration) ** 2 + square)
-        return cls(acceleration, torque, load.inertia * acceleration**2, fastest)
+        square = math.fsum(p.duration * float(torque) ** 2 for p, torque in zip(phases, held, strict=True))
+        fastest = max(p.law.coefficients.cv * abs(p.lift) / p.duration for p in phases)
+        torque = math.sqrt((load.inertia * motion.y2_rms) ** 2 + square / motion.total)
+        return cls(motion.y2_rms, torque, load.inertia * motion.y2_rms**2, fastest)
 
     @property
     def moves(self) -> bool:
@@ -78,6 +77,59 @@ class Task:
         if not self.moves:
             return np.full(moment.shape, np.nan)
         return np.asarray(np.sqrt(moment * efficiency * self.acceleration_rms / self.torque_rms))
+
+    def ratio_ranges(self, motors: Motors, efficiency: float = 1.0) -> "Ranges":
+        """Return the range of τ for each motor, by the efficiency η of the transmission.
+
+        τ_min,max = √J_M/(2T) (√(α − β/η + 4 ω̇_rms T) ∓ √(α − β/η)), T = T*_L,rms/η; α < β/η is rejected.
+        A load that does not move accepts no motor. Raises ValueError unless 0 < η ≤ 1.
+        Source: S5, eqs. (14)–(18), steps 3 and 4; H. Giberti, S. Cinquemani, G. Legnani, Effects of transmission
+        mechanical characteristics on the choice of a motor-reducer, Mechatronics 20 (2010).
+        """
+        if not 0.0 < efficiency <= 1.0:
+            raise ValueError(f"efficiency is {efficiency:g}; expected more than 0 and at most 1")
+        alpha = accelerating_factor(motors.rated_torque, motors.inertia)
+        known = 1.0 if self.moves else np.nan
+        spare, torque = known * (alpha - self.load_factor / efficiency), known * self.torque_rms / efficiency
+        root, wide, smallest, largest = _ends(spare, motors.inertia, self.acceleration_rms, torque)
+        limit = known * self.max_speed / motors.max_speed
+        lowest = np.fmax(smallest, limit)
+        optimum = self.best_ratio(motors.inertia, efficiency)
+        accepted = lowest <= largest
+        return Ranges(alpha, smallest, largest, optimum, limit, lowest, root, wide, spare >= 0.0, accepted)
+
+    def ratio_curves(self, motor: Motor, efficiency: float, points: int, begin: tuple[float, float]) -> "RatioCurves":
+        """Return the range of τ of a motor for the load at other rates, up to β/η = α.
+
+        The k-th of n points is at β/(η α) = 1 − (1 − s)(1 − k/(n − 1))², k from 0, s the task's own value, clipped. For
+        a load that does not move the ratios are NaN and the rate factors 0. Source: S5, figure 12 and (14).
+
+        Parameters
+        ----------
+        motor : Motor
+        efficiency : float
+            η of the transmission.
+        points : int
+            n, 2 or more.
+        begin : tuple of two float
+            The least and the largest share β/(η α) at which the curves may begin.
+
+        Returns
+        -------
+        RatioCurves
+        """
+        alpha = float(accelerating_factor(motor.rated_torque, motor.inertia))
+        first = max(begin[0], min(begin[1], self.load_factor / efficiency / alpha))
+        share = 1.0 - (1.0 - first) * (1.0 - np.arange(points) / (points - 1)) ** 2
+        beta, spare = share * efficiency * alpha, (1.0 - share) * alpha
+        if not self.moves:
+            nothing, root = np.full(points, np.nan), np.sqrt(spare)
+            return RatioCurves(share, beta, np.zeros(points), root, root, nothing, nothing, nothing)
+        pace = np.sqrt(beta / self.load_factor)
+        torque = pace * self.torque_rms / efficiency
+        root, wide, low, high = _ends(spare, motor.inertia, pace * self.acceleration_rms, torque)
+        best = self.best_ratio(np.full(points, motor.inertia), efficiency)
+        return RatioCurves(share, beta, pace, root, wide, low, best, high)
 
 
 def accelerating_factor(rated_torque: ArrayLike, inertia: ArrayLike) -> Array:
@@ -100,41 +152,6 @@ class Ranges(NamedTuple):
     accepted: NDArray[np.bool_]  # whether the motor accepts any ratio
 
 
-def ratio_ranges(
-    task: Task, rated_torque: ArrayLike, inertia: ArrayLike, max_speed: ArrayLike, efficiency: float = 1.0
-) -> Ranges:
-    """Return the range of τ for each motor: T_M,N (Nm), J_M (kg m²), ω_M,max (rad/s).
-
-    τ_min,max = √J_M/(2T) (√(α − β/η + 4 ω̇_rms T) ∓ √(α − β/η)), T = T*_L,rms/η; α < β/η is rejected.
-    A load that does not move accepts no motor. Raises ValueError unless 0 < η ≤ 1.
-    Source: S5, eqs. (14)–(18), steps 3 and 4; H. Giberti, S. Cinquemani, G. Legnani, Effects of transmission
-    mechanical characteristics on the choice of a motor-reducer, Mechatronics 20 (2010).
-    """
-    if not 0.0 < efficiency <= 1.0:
-        raise ValueError(f"efficiency is {efficiency:g}; expected more than 0 and at most 1")
-    rated, moment, fastest = np.broadcast_arrays(
-        *(np.asarray(given, dtype=np.float64) for given in (rated_torque, inertia, max_speed))
-    )
-    alpha = accelerating_factor(rated, moment)
-    known = 1.0 if task.moves else np.nan
-    spare, torque = known * (alpha - task.load_factor / efficiency), known * task.torque_rms / efficiency
-    root, wide, smallest, largest = _ends(spare, moment, task.acceleration_rms, torque)
-    limit = known * task.max_speed / fastest
-    lowest = np.fmax(smallest, limit)
-    optimum = task.best_ratio(moment, efficiency)
-    accepted = lowest <= largest
-    return Ranges(alpha, smallest, largest, optimum, limit, lowest, root, wide, spare >= 0.0, accepted)
-
-
-def _ends(spare: Array, inertia: ArrayLike, acceleration: ArrayLike, torque: ArrayLike) -> tuple[Array, ...]:
-    """Return both roots of (14), τ_min and τ_max, from α − β/η, J, ω̇_rms and T*_rms/η; NaN if α − β/η < 0."""
-    half, dw, load = np.sqrt(np.asarray(inertia)), np.asarray(acceleration), np.asarray(torque)
-    root = np.sqrt(np.where(spare >= 0.0, spare, np.nan))
-    wide = np.sqrt(root**2 + 4.0 * dw * load)
-    smallest = 2.0 * half * dw / (wide + root)  # the difference of the roots would lose digits
-    return root, wide, smallest, half / (2.0 * load) * (wide + root)
-
-
 class RatioCurves(NamedTuple):
     """The range of τ of one motor against the load factor, figure 12 of S5: arrays over the points of the curves."""
 
@@ -148,23 +165,10 @@ class RatioCurves(NamedTuple):
     tau_max: Array
 
 
-def ratio_curves(
-    task: Task, rated_torque: float, inertia: float, efficiency: float, points: int, begin: tuple[float, float]
-) -> RatioCurves:
-    """Return the range of τ of a motor (T_M,N in Nm, J_M in kg m²) for a load at other rates, up to β/η = α.
-
-    The k-th of n points is at β/(η α) = 1 − (1 − s)(1 − k/(n − 1))², k from 0, s the task's own value, clipped to
-    ``begin``. For a load that does not move the ratios are NaN and the rate factors 0. Source: S5, figure 12 and (14).
-    """
-    alpha = float(accelerating_factor(rated_torque, inertia))
-    first = max(begin[0], min(begin[1], task.load_factor / efficiency / alpha))
-    share = 1.0 - (1.0 - first) * (1.0 - np.arange(points) / (points - 1)) ** 2
-    beta, spare = share * efficiency * alpha, (1.0 - share) * alpha
-    if not task.moves:
-        nothing, root = np.full(points, np.nan), np.sqrt(spare)
-        return RatioCurves(share, beta, np.zeros(points), root, root, nothing, nothing, nothing)
-    pace = np.sqrt(beta / task.load_factor)
-    torque = pace * task.torque_rms / efficiency
-    root, wide, low, high = _ends(spare, inertia, pace * task.acceleration_rms, torque)
-    best = task.best_ratio(np.full(points, inertia), efficiency)
-    return RatioCurves(share, beta, pace, root, wide, low, best, high)
+def _ends(spare: Array, inertia: ArrayLike, acceleration: ArrayLike, torque: ArrayLike) -> tuple[Array, ...]:
+    """Return both roots of (14), τ_min and τ_max, from α − β/η, J, ω̇_rms and T*_rms/η; NaN if α − β/η < 0."""
+    half, dw, load = np.sqrt(np.asarray(inertia)), np.asarray(acceleration), np.asarray(torque)
+    root = np.sqrt(np.where(spare >= 0.0, spare, np.nan))
+    wide = np.sqrt(root**2 + 4.0 * dw * load)
+    smallest = 2.0 * half * dw / (wide + root)  # the difference of the roots would lose digits
+    return root, wide, smallest, half / (2.0 * load) * (wide + root)

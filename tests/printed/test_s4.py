@@ -56,8 +56,8 @@ def torques(sizing):
 
 def reflected(machine):
     """The inertia of each part and of the load at the motor's shaft, as S4 has it."""
-    parts = {part.name: machine.at_motor(part.reflected, part.shaft, "document") for part in machine.parts}
-    return parts | {"load": machine.at_motor(machine.load.inertia, machine.last, "document")}
+    parts = {part.name: part.reflected / machine.inertia_divisor(part.shaft, "document") for part in machine.parts}
+    return parts | {"load": machine.load.inertia / machine.inertia_divisor(machine.last, "document")}
 
 
 def test_screw_inertias(screw, screw_sizing):

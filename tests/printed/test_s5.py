@@ -8,10 +8,11 @@ from math import pi, radians, sqrt
 import numpy as np
 import pytest
 
+from engine.drive import Motor
 from engine.flying.cut import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal, ModifiedTrapezoidal
-from engine.selection.task import Task, accelerating_factor, ratio_curves, ratio_ranges
-from tests.engine.selection.tasks import inertial_task, rms_torque
+from engine.selection.task import Task, accelerating_factor
+from tests.engine.selection.tasks import inertial_task, motors_of, rms_torque
 
 RADIUS, LINE, INERTIA = 0.12, 1.5, 0.02
 DRUM = rotary_drum(3, RADIUS, radians(30))
@@ -88,7 +89,7 @@ def test_equations_15_and_17_agree_for_an_inertial_load():
 
 def test_at_both_ends_of_14_the_rms_torque_is_the_rated_one():
     task = Task(acceleration_rms=300.0, torque_rms=9.0, power_rate_mean=1100.0, max_speed=30.0)
-    found = ratio_ranges(task, [5.0, 12.0], [8e-4, 3e-3], [500.0, 400.0])
+    found = task.ratio_ranges(motors_of([5.0, 12.0], [8e-4, 3e-3], [500.0, 400.0]))
     for tau in (found.tau_min, found.tau_max):
         assert rms_torque(task, [8e-4, 3e-3], tau) == pytest.approx([5.0, 12.0], rel=1e-12)
     assert found.tau_opt == pytest.approx(np.sqrt(found.tau_min * found.tau_max), rel=1e-12)
@@ -105,7 +106,7 @@ def test_equation_16_bounds_the_same_motors():
 
 def test_equations_18_and_20_with_their_roots():
     task, inertia = task_of_the_drum(), 1.2e-3
-    found = ratio_ranges(task, sqrt(3.0 * task.load_factor * inertia), inertia, 600.0)
+    found = task.ratio_ranges(motors_of(sqrt(3.0 * task.load_factor * inertia), inertia, 600.0))
     assert found.accelerating_factor / task.load_factor == pytest.approx(3.0, rel=1e-12)
     optimum = sqrt(inertia / INERTIA)
     assert found.tau_max == pytest.approx(optimum * (sqrt(3.0) + sqrt(2.0)), rel=1e-12)
@@ -117,7 +118,7 @@ def test_equations_18_and_20_with_their_roots():
 def test_figure_12_is_18_and_closes_where_beta_reaches_alpha():
     alpha = float(accelerating_factor(4.0, 1e-3))
     task = inertial_task(INERTIA, sqrt(0.05 * alpha / 4 / INERTIA), 1.0)
-    curves = ratio_curves(task, 4.0, 1e-3, 1.0, 40, (0.001, 0.1))
+    curves = task.ratio_curves(Motor(1e-3, 4.0), 1.0, 40, (0.001, 0.1))
     k, optimum = alpha / curves.load_factor, sqrt(1e-3 / INERTIA)
     assert k[[0, -1]] == pytest.approx([20.0, 1.0], rel=1e-12)
     spread = np.sqrt(np.maximum(k - 1.0, 0.0))
@@ -132,6 +133,6 @@ def test_figure_12_is_18_and_closes_where_beta_reaches_alpha():
 def test_with_losses_a_motor_needs_alpha_of_beta_over_eta(efficiency):
     task = Task(300.0, 9.0, 1100.0, 30.0)
     needed = sqrt(task.load_factor / efficiency * 1e-3)
-    found = ratio_ranges(task, np.array([0.999999, 1.000001]) * needed, 1e-3, 1e4, efficiency)
+    found = task.ratio_ranges(motors_of(np.array([0.999999, 1.000001]) * needed, 1e-3, 1e4), efficiency)
     assert found.accepted.tolist() == [False, True]
     assert rms_torque(task, 1e-3, found.tau_opt[1], efficiency) == pytest.approx(needed, rel=1e-12)

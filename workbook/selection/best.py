@@ -2,8 +2,6 @@
 
 from typing import Any
 
-import numpy as np
-
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
@@ -85,7 +83,7 @@ def figures(view: PairSelection) -> list[Quantity]:
     """Return the columns of a pair's figures, and of what it leaves below its motor's curve."""
     pairs, m = view.ranked[:BEST], view.motors
     each = [view.grid.pair(*pair) for pair in pairs]
-    asked = [view.curve(k).falling_demand(view.load, one) for one, (k, _) in zip(each, pairs, strict=True)]
+    asked = [view.grid.falling_demand(*pair) for pair in pairs]
     scale = max([*(abs(one.peak) for one in view.listed), *map(abs, asked), 1e-3])
     motors, reducers = (list(each) for each in zip(*pairs, strict=True)) if pairs else ([], [])
 
@@ -115,7 +113,7 @@ def figures(view: PairSelection) -> list[Quantity]:
                [one.rms for one in view.listed], scale=scale),
         figure("tp", "motor's peak torque", "", "Nm", motor("peak"), m.peak_torque[motors]),
         figure("knee", "holds to", "n_1", "rpm", motor("knee"), shown(m.knee[motors], RPM)),
-        figure("fall", "fall beyond", "f", "Nm/rpm", motor("fall"), np.maximum(0.0, -shown(m.slope[motors], PER_RPM))),
+        figure("fall", "fall beyond", "f", "Nm/rpm", motor("fall"), shown(m.fall[motors], PER_RPM)),
         figure("asked", "asked of what falls", "", "Nm", f"SUMPRODUCT(MAX({beyond}))", asked, scale=scale,
                source="|T| + f (n − n_1), at most"),
         figure("spare", "reserve below the motor's curve", "", "Nm", "[tp]-MAX(INDEX([@best.peak],[place]),[asked])",

@@ -191,7 +191,7 @@ def motors(sheet: Sheet, view: PairSelection) -> None:
         column("knee", "peak torque up to", "rpm", or_largest("knee"), shown(m.knee, RPM)),
         column("fall", "fall beyond", "Nm/rpm",
                "IF([nmax]>[knee],MAX(0,[peak]-INDEX([motors.end],[k]))/([nmax]-[knee]),0)",
-               np.maximum(0.0, -shown(m.slope, PER_RPM))),
+               shown(m.fall, PER_RPM)),
         column("jmax", "largest inertia at the motor", "kg m²", "@inertia_ratio*[jm]",
                m.inertia * view.given.inertia_ratio),
         column("top", "largest torque of the cycle, with its margin", "Nm", "[peak]/@least_peak",

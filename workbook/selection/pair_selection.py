@@ -11,7 +11,7 @@ import numpy as np
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.pair_matrix import RANKS, PairMatrix, PeakTorqueCurve, Requirements, pair_arrays
+from engine.selection.pair_matrix import RANKS, Pair, PairMatrix, Requirements
 from engine.selection.point_load import PairArrays, PointLoad, shares_of
 from workbook.book.chart import in_scope
 from workbook.book.rows import filled
@@ -171,7 +171,7 @@ class PairSelection:
         )  # fmt: skip
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
-        self.bare = pair_arrays(0.0, r.reduction, r.efficiency, r.no_load)  # the reducers, before any motor
+        self.bare = PairArrays(0.0 * r.reduction, r.reduction, r.efficiency, r.no_load)  # before any motor
         own = self.shaft.values
         self.grid = PairMatrix(self.load, self.motors, r, own["beside"], self.requirements, si(own["cycles"], PER_HOUR))
         scores = self.grid.rounded(given.rank)
@@ -186,7 +186,7 @@ class PairSelection:
     @cached_property
     def own_reducer(self) -> PairArrays:
         """The reducer that the drive has."""
-        return pair_arrays(0.0, *(self.in_use(name) for name in ("i", "eta", "no_load")))
+        return Pair(0.0, *(self.in_use(name) for name in ("i", "eta", "no_load"))).arrays
 
     @cached_property
     def behind_own(self) -> PairMatrix:
@@ -213,20 +213,15 @@ class PairSelection:
         return (self.motors.names[motor - 1] if motor else AS_ENTERED,
                 self.reducers.names[reducer - 1] if reducer else AS_ENTERED)  # fmt: skip
 
-    def curve(self, motor: int) -> PeakTorqueCurve:
-        """Return the curve of a motor of the catalogue."""
-        m = self.motors
-        return PeakTorqueCurve(float(m.peak_torque[motor]), float(m.knee[motor]), max(0.0, 0.0 - float(m.slope[motor])))
-
     @cached_property
     def listed(self) -> list[PairFigures]:
         """The figures of the best pairs."""
         g, found = self.grid, []
         for m, r in self.ranked[:BEST]:
             margin = float(shares_of(np.array(1.0), g.uses[m, r]))
-            spare = self.curve(m).reserve(self.load, g.pair(m, r))
             peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
-            found.append(PairFigures(float(g.rms[m, r]), margin, peak, speed, float(g.inertia_ratio[m, r]), spare))
+            inertias, spare = float(g.inertia_ratio[m, r]), g.reserve(m, r)
+            found.append(PairFigures(float(g.rms[m, r]), margin, peak, speed, inertias, spare))
         return found
 
     @cached_property
@@ -239,7 +234,7 @@ class PairSelection:
         """The pair that the drive has."""
         figure, inertia = self.in_use, self.in_use("j")
         ratio, motor = figure("i"), figure("jm")
-        rms = float(self.load.rms(pair_arrays(inertia, ratio, figure("eta"), figure("no_load")))[0])
+        rms = float(self.load.rms(Pair(inertia, ratio, figure("eta"), figure("no_load")).arrays)[0])
         inertias = (inertia - motor + self.load.inertia / ratio**2) / motor if motor else 0.0
         margin = figure("rated") / rms if rms else 0.0
         return PairFigures(rms, margin, figure("top"), shown(ratio * self.load.speed, RPM), inertias, figure("spare"))

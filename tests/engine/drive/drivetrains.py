@@ -157,12 +157,12 @@ class Section:
 
     def peak(self, sign: float, common: bool, least: float) -> float:
         """Return its largest value (W); any value below ``least`` where it stays below that."""
-        return extremes(self.total(sign, common), self.low, self.high, self._nodes, (1.0,), least)[0].value
+        return extremes(self.total(sign, common), self._samples, (1.0,), least)[0].value
 
     def energy(self, sign: float, common: bool, scale: float) -> float:
         """Return the integral (J) of what it has above 0; ``scale`` is the largest power of the cycle."""
         function = self.total(sign, common)
-        cuts = [self.low, *crossed(function, self.low, self.high, self._nodes), self.high]
+        cuts = [self.low, *crossed(function, self._samples), self.high]
         middles = function(np.array([0.5 * (a + b) for a, b in pairwise(cuts)]))
         above = [ends for ends, middle in zip(pairwise(cuts), middles, strict=True) if middle > 0.0]
         return math.fsum(integral(function, a, b, scale) for a, b in above)
@@ -178,8 +178,8 @@ class Section:
         return float(np.abs(found).max(axis=1).sum()) * (2.0 / width) ** 2
 
     @property
-    def _nodes(self) -> int:
-        return max(part.interval.nodes for part in self.parts)
+    def _samples(self) -> Array:
+        return np.linspace(self.low, self.high, max(part.interval.samples.size for part in self.parts))
 
 
 def _areas(t: Array, line: Array) -> Array:

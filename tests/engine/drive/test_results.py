@@ -15,10 +15,11 @@ from engine.flying.cut import Cut, rotary_drum
 from engine.flying.pieces import cut_pieces
 from engine.laws import Dwell, law
 from engine.motion import Motion, Phase
-from engine.selection.task import Task, ratio_ranges
+from engine.selection.task import Task
 from tests.engine.drive.machines import SIZES, drive_cycle_of, electric, sampled
 from tests.engine.integrals import integral
 from tests.engine.profiles import thirds
+from tests.engine.selection.tasks import motors_of
 from tests.engine.sizing import Sizing
 from tests.tiers import nights, seed
 
@@ -147,8 +148,8 @@ def test_s5_steps_3_and_4():
     """S5, eqs. (14) to (18): the RMS torque is T_M,N at τ_min and τ_max, least at τ_opt; at τ_M,lim it is fastest."""
     inertia, rated, fastest = 3e-4, 5.0, 600.0
     task = Task.of_load(Load(0.02), drum(1.0, inertia).motion.phases)
-    ranges = ratio_ranges(task, rated, inertia, fastest)
-    low, high, best, limit = (float(one) for one in ranges[1:5])
+    ranges = task.ratio_ranges(motors_of(rated, inertia, fastest))
+    low, high, best, limit = (float(one[0]) for one in ranges[1:5])
     for tau in (low, high):
         assert DriveResults(drum(tau, inertia)).rms_torque == pytest.approx(rated, rel=1e-11)
     assert DriveResults(drum(limit, inertia)).speed.peak == pytest.approx(fastest, rel=1e-12)

@@ -16,7 +16,6 @@ from engine.flying.pieces import cut_pieces, cycle_of, furthest, train_of
 from engine.laws import law
 from engine.selection.pair_matrix import PairMatrix, Requirements
 from engine.selection.point_load import PointLoad
-from engine.selection.task import ratio_ranges
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 from workbook.selection.pair_selection import engine_motors, engine_reducers
 
@@ -96,7 +95,7 @@ def test_without_losses_and_own_inertia_the_pairs_are_those_in_the_ranges_of_14(
     cut = Cut(DRUM, 0.18, 1.5, law("CIC"))
     found = grid(cut, efficiency=1.0, inertia=None, max_speed=None, max_torque=None)
     m, r = found.motors, found.reducers
-    ranges = ratio_ranges(found.task, m.rated_torque, m.inertia, m.max_speed)
+    ranges = found.task.ratio_ranges(m)
     inside = (r.ratio >= ranges.lowest[:, None]) & (r.ratio <= ranges.tau_max[:, None])
     able = (found.rms <= m.rated_torque[:, None]) & (found.speed <= m.max_speed[:, None])
     assert (able == inside).all()

@@ -4,7 +4,14 @@ import math
 
 import numpy as np
 
+from engine.selection.catalogue import Motors
 from engine.selection.task import Task
+
+
+def motors_of(rated, inertia, fastest):
+    """Motors of these rated torques (Nm), inertias (kg m²) and largest speeds (rad/s)."""
+    names = tuple(f"M{k}" for k in range(np.broadcast(rated, inertia, fastest).size))
+    return Motors(names, inertia, rated, np.inf, fastest)
 
 
 def sampled_task(time, speed, acceleration, torque):

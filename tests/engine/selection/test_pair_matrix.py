@@ -13,7 +13,7 @@ from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from engine.selection.catalogue import Motors, Reducers
-from engine.selection.pair_matrix import RANKS, Pair, PairMatrix, PeakTorqueCurve, Requirements
+from engine.selection.pair_matrix import RANKS, PairMatrix, Requirements
 from engine.selection.point_load import PointLoad, ShaftPoints
 from tests.engine.drive.test_quadrature import points_of
 
@@ -115,14 +115,21 @@ class Held:
     def __init__(self, acceleration, driving, driven, speed):
         self.points = ShaftPoints(*(np.array(one) for one in (acceleration, driving, driven, speed, np.sign(speed))))
         self.torques, self.peak = PointLoad.torques.__get__(self), PointLoad.peak.__get__(self)
+        self.speed, self.inertia, self.torque, self.mean_torque = max(speed), 0.0, 0.0, 0.0
+
+    def reserve(self, knee, end, reducer=(1.0, 1.0, 0.0)):
+        """What a motor of 1 kg m² and 80 Nm to a knee, ``end`` at 200 rad/s, has left: with i, η and T_nl."""
+        motor = Motors(("M",), 1.0, 1.0, 80.0, 200.0, full_torque_to=knee, end_torque=end)
+        ratio, efficiency, no_load = reducer
+        reducers = Reducers(("R",), ratio, efficiency, 0.0, np.inf, np.inf, no_load=no_load)
+        return PairMatrix(self, motor, reducers, 0.0, Requirements(1.0, 1.0, 1.0, 1.0)).reserve(0, 0)
 
 
 def test_the_reserve_is_what_is_left_below_the_curve_at_the_points():
     """80 − 30 below the knee; beyond, 80 − 0.2 (150 − 100) − 30; of a load that drives η/i of its torque; T_nl less."""
     part = Held([10.0, 0.0], [20.0, 20.0], [0.0, 0.0], [150.0, 150.0])
-    gears = Pair(1.0, 1.0, 1.0)
-    assert PeakTorqueCurve(80.0, 150.0, 0.2).reserve(part, gears) == pytest.approx(50.0)
-    assert PeakTorqueCurve(80.0, 100.0, 0.2).reserve(part, gears) == pytest.approx(40.0)
+    assert part.reserve(150.0, 70.0) == pytest.approx(50.0)
+    assert part.reserve(100.0, 60.0) == pytest.approx(40.0)
     held = Held([0.0], [0.0], [-20.0], [0.0])
-    assert PeakTorqueCurve(80.0, 1.0, 0.0).reserve(held, Pair(1.0, 2.0, 0.5, 3.0)) == pytest.approx(75.0)
-    assert PeakTorqueCurve(80.0, 150.0, 0.2).reserve(part, gears._replace(no_load=3.0)) == pytest.approx(47.0)
+    assert held.reserve(1.0, 80.0, (2.0, 0.5, 3.0)) == pytest.approx(75.0)
+    assert part.reserve(150.0, 70.0, (1.0, 1.0, 3.0)) == pytest.approx(47.0)

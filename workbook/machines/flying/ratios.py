@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
-from engine.selection.task import NOTHING, ratio_curves, ratio_ranges
+from engine.selection.task import NOTHING
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.book.rows import filled
@@ -25,9 +25,8 @@ class RatiosSheet:
         self.view, self.choice, self.task = view, view.proposal, view.proposal.grid.task
         self.rooms, self.efficiency = self.choice.rooms, view.chosen.efficiency
         self.first = float(self.choice.reducers.ratio[0])
-        m, motor = self.choice.motors, view.motor
-        self.ranges = ratio_ranges(self.task, m.rated_torque, m.inertia, m.max_speed, self.efficiency)
-        self.curves = ratio_curves(self.task, motor.rated_torque, motor.inertia, self.efficiency, POINTS, (LEAST, MOST))
+        self.ranges = self.task.ratio_ranges(self.choice.motors, self.efficiency)
+        self.curves = self.task.ratio_curves(view.motor, self.efficiency, POINTS, (LEAST, MOST))
         """the ratios of the motor in use over the load factor"""
 
     def declare(self, book: Book) -> None:

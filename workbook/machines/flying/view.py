@@ -76,8 +76,7 @@ class CutterView:
         """Return the demands of a cut on the drive at the tool's shaft, exact by the law's coefficients."""
         rest = cut.cycle_time - cut.moving_time
         rests = [Phase(Dwell(), 0.0, rest)] if rest > 0.0 else []
-        phases = [Phase(self.law, cut.superimposed, cut.moving_time), *rests]
-        return Task.of_load(self.load, phases, self.tool.radius)
+        return Task.of_load(self.load, [Phase(self.law, cut.superimposed / self.tool.radius, cut.moving_time), *rests])
 
     @property
     def scales(self) -> dict[str, float]:
@@ -113,7 +112,7 @@ class ToolDrive:
         self.gears = self.proposal.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
         self.motor = Motor(*(float(one[self.pair[0]]) for one in of))
-        self.falling = TorqueFall(*self.proposal.curve(self.pair[0])[1:])
+        self.falling = TorqueFall(*(float(one[self.pair[0]]) for one in (motors.knee, motors.fall)))
         limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
         found = [float(one[self.pair[1]]) for one in limits]
         self.limits = [0.0 if np.isinf(one) else one for one in found]  # of the reducer; 0: none
@@ -124,7 +123,7 @@ class ToolDrive:
         self.speed = self.gears.ratio * cut.max_angular_speed  # the largest of the motor
         self.peak = float(np.abs(self.points.torque).max())  # of the motor: no torque is larger between the points
         self.motor_torque = max(self.peak, self.torque / self.gears.ratio, LEAST)  # the scale of its torques
-        self.left = self.falling.reserve(self.motor.peak_torque, self.points.torque, self.points.speed)
+        self.left = self.points.reserve(self.motor.peak_torque, self.falling)
         self.reserve = reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
         task, (inertia, ratio, efficiency, _) = self.proposal.grid.task, self.gears
         best = ratio * float(task.best_ratio(inertia, efficiency))

@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from engine.drive.results import Energy, MeanBusPower, mean_bus_power, peak_bus_power, total_bus_power
+from engine.drive.results import Energy, MeanBusPower, peak_bus_power, total_bus_power
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.rows import total
@@ -34,10 +34,10 @@ class Mains:
 
     def __init__(self, drives: Sequence[DriveView], entered: PowerEntry) -> None:
         self.drives, self.entered, self.over, eta = drives, entered, drives[0].tables.machine.over, entered.efficiency
-        self.each = [mean_bus_power(Energy(*one.energy), one.driven.drive_cycle.time, eta) for one in drives]
+        self.each = [Energy(*one.energy).mean_bus_power(one.driven.drive_cycle.time, eta) for one in drives]
         self.alone = total_bus_power(self.each)
         most = [(one.points.top(one.points.power), -one.points.top(-one.points.power)) for one in drives]
-        tops = [peak_bus_power(*powers, eta) for powers in most]
+        tops = [peak_bus_power(powers, eta) for powers in most]
         self.size = max(1e-3, sum(max(one) for one in tops))  # how large all together grow
         self.mains, self.resistor = np.array(tops).T  # the peaks of each without a bus
 

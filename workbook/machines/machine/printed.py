@@ -60,7 +60,7 @@ def printed_sheet(book: Book, view: DriveView) -> None:
     driven = view.driven
     m, drive, hardest = driven.mechanism, replace(driven.train.drive, method="document"), driven.axis.max_acceleration
     values = [
-        m.at_motor(m.load.inertia, m.last, "document"), m.inertia("document"), drive.total_inertia,
+        m.load.inertia / m.inertia_divisor(m.last, "document"), m.inertia("document"), drive.total_inertia,
         *map(m.driving_torque, (m.load.friction, m.load.torque, float(m.load.resisting(1.0)))),
         driven.max_geometric_velocity * driven.axis.speed, view.speed, m.ratio * hardest,
         *(float(drive.torque(a, 1.0)) for a in (hardest, 0.0, -hardest)), view.points.rms_torque, driven.left,

@@ -118,7 +118,7 @@ def falling_of(name: str, products: Products) -> TorqueFall:
     if found is None or found.full_torque_to is None or found.end_torque is None:
         return TorqueFall()
     knee, fastest = si(found.full_torque_to, RPM), si(found.max_speed, RPM)
-    return TorqueFall.between(knee, found.peak_torque, fastest, found.end_torque)
+    return TorqueFall.between((knee, found.peak_torque), (fastest, found.end_torque))
 
 
 def left_of(motor: AxisMotor) -> float:

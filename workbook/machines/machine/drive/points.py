@@ -122,7 +122,7 @@ def standing(view: DriveView, behind: str) -> list[Quantity]:
     return [
         *columns,
         calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
-             of(driven.falling.reserve(peak, points.torque, points.speed)), "T_max − f (n − n_1) − |T|",
+             of(points.reserve(peak, driven.falling)), "T_max − f (n − n_1) − |T|",
              scale=size.torque),
         calc("uc", "share of the curve", "", "", use("[T]-[T0]", "@corner-[T0]"), of(forward), "of torques forward",
              scale=1.0),

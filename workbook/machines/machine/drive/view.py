@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.drive_points import DrivePoints, Interpolation, interpolation_at
+from engine.drive.drive_points import DrivePoints
 from engine.drive.limit_use import limit_uses
 from engine.drive.motor import LimitCheck, Reserve, reserve
-from engine.drive.quadrature import LoadPoints, QuadratureCycle
+from engine.drive.quadrature import Interpolation, LoadPoints, QuadratureCycle
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
@@ -79,7 +79,7 @@ class DriveView:
     def between(self) -> Interpolation:
         """Where the samples of the sheet Cycle lie between the points."""
         told = self.driven.axis.unshifted(self.tables.machine.samples).x
-        return interpolation_at(self.load.x, told, self.cycle.near)
+        return self.cycle.interpolation_at(self.load.x, told)
 
     @cached_property
     def sampled(self) -> tuple[Array, Array]:
@@ -114,7 +114,7 @@ class DriveView:
         if not self.driven.train.inertia_varies:
             return self.driven.mechanism.inertia()
         m = self.driven.mechanism
-        fixed = sum(m.at_motor(m.on_shaft(k), k) for k in range(m.last))
+        fixed = sum(m.on_shaft(k) / m.inertia_divisor(k) for k in range(m.last))
         return float(fixed + m.on_shaft(m.last) * (self.travel / m.stages[0].ratio) ** 2)
 
     @property
@@ -150,7 +150,7 @@ class DriveView:
     def spare(self) -> float:
         """The least that is left below the motor's curve (Nm)."""
         peak, points = self.driven.motor.peak_torque, self.points
-        return float(self.driven.falling.reserve(peak, points.torque, points.speed).min())
+        return float(points.reserve(peak, self.driven.falling).min())
 
     @cached_property
     def scales(self) -> Scales:

@@ -9,7 +9,7 @@ import numpy as np
 
 from engine.drive.limits import cycle_factor_at
 from engine.drive.motor import continuous
-from engine.drive.results import Energy, MeanBusPower, mean_bus_power
+from engine.drive.results import Energy, MeanBusPower
 from engine.laws.base import Array
 from engine.selection.point_load import DriveBatch, Extremes, MotorLimits, PairArrays, PointLoad, shares_of
 from engine.timing import shaft_speed, turn_time
@@ -176,7 +176,7 @@ class DriveStudy:
     @cached_property
     def mains(self) -> MeanBusPower:
         """Mean powers from the mains and in the resistor (W)."""
-        return mean_bus_power(self.works, self.time, self.machine.power.efficiency)
+        return self.works.mean_bus_power(self.time, self.machine.power.efficiency)
 
     @cached_property
     def designs(self) -> list[DesignPlaces]:
