@@ -31,8 +31,7 @@ class RequiredSmoothness:
     entry: str  # the formula of what is entered
     order: str  # the name of the cell that counts the derivatives
     largest: tuple[str, str]  # the formulas of the largest |y'| and |y''|
-    place: tuple[str, str]  # the unit of the abscissa, behind a place
-    units: tuple[tuple[str, str], ...]  # of the derivatives
+    place: str  # the unit of the abscissa, behind a place
     of: tuple[str, str] = ("", "")  # the motion's name
     wraps: str = ""  # the condition under which the motion repeats
     periodic: bool = True  # whether it does
@@ -40,6 +39,7 @@ class RequiredSmoothness:
     names: tuple[str, ...] = ()  # of its phases, in the column ``what`` of their table, in place of numbers
     speed: tuple[str, float] | None = None  # of a motion in degrees told over time: the cell of its speed, and rad/s
     lift: tuple[str, float] = ("", 1.0)  # the end of a formula of a lift in another unit, and what that is in it
+    units: tuple[str, ...] = ()  # of the derivatives, where sentences have others than the motion's own
     quickest: str = ""  # the formula of the greatest 1/δ by which jerks are measured: by default that of all phases
 
 

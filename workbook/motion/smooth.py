@@ -11,7 +11,7 @@ from engine.motion.joining import JUMP, ORDERS, Joint, Rates, joints, scales_of,
 from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import filled
-from workbook.book.sentence import CheckSentence, Sentence, figure
+from workbook.book.sentence import CheckSentence, Sentence, figure, quoted
 from workbook.fields.units import DEGREE, shown
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import at_begin, at_place, place_columns
@@ -59,6 +59,11 @@ class Joints:
             *(calc(f"{self.required.order}_{name}", f"A jump of {word} up to this is none", "", "", f"={formula}",
                    JUMP * scale) for name, word, formula, scale in zip(RATES, ORDERS, lost, scales, strict=True)),
         ]  # fmt: skip
+
+    @property
+    def units(self) -> Sequence[str]:
+        """The units of the derivatives in sentences."""
+        return self.required.units or [self.rows.at.unit(order) for order in range(1, len(ORDERS) + 1)]
 
     @property
     def name(self) -> str:
@@ -183,11 +188,11 @@ class Joints:
 
         order = at(f"{self.name}.order")
         x, size = jump_formulas(required, at(f"{self.rows.at.pieces}.begin"), f"ABS({at(f'{self.name}.size')})", order)
-        units = ",".join(formula for formula, _ in required.units)
+        units = ",".join(map(quoted, self.units))
         who, straight = self._who(), self._straight_lines()
         number = self.found.index(self._worst[1]) + 1 if self._worst else 0
         says = (
-            f'{f"{name}_who&" if who else ""}"at "&ROUND({name}_place,9)&{required.place[0]}&": "&{name}_what'
+            f'{f"{name}_who&" if who else ""}"at "&ROUND({name}_place,9)&{quoted(required.place)}&": "&{name}_what'
             f'&" jumps by "&{name}_jump&" "&{name}_unit{f"&{name}_lines" if straight else ""}'
         )
         phases = [
@@ -265,8 +270,8 @@ class Joints:
         at, size = jump_values(required, piece.begin, abs(joint.size), joint.order)
         x, jump, slopes = shown(at, DEGREE) if degrees else at, figure(size), self._slopes(piece, joint)
         lines = f": straight lines of {' and '.join(figure(one) for one in slopes)}" if slopes else ""
-        what, unit = ORDERS[joint.order - 1], required.units[joint.order - 1][1]
-        says = f"{who}at {figure(x)}{required.place[1]}: {what} jumps by {jump} {unit}{lines}"
+        what, unit = ORDERS[joint.order - 1], self.units[joint.order - 1]
+        says = f"{who}at {figure(x)}{required.place}: {what} jumps by {jump} {unit}{lines}"
         return NOTHING | {
             "place": x, "what": what, "size": size, "unit": unit, "jump": Sentence(jump), "who": who,
             "before": joint.before + 1, "after": piece.phase + 1, "other": int(not within),

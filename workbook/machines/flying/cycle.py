@@ -27,14 +27,10 @@ def rows_of(machine: CutterView, stack: Pieces) -> PieceRows:
 
 def joints_of(machine: CutterView, rows: PieceRows) -> Joints:
     """Return the joints of the tool's pieces, and how smooth it must be."""
-    smooth, cut = machine.given.smoothness, machine.cut
-    largest = ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
-    units = tuple((f'"{unit}"', unit) for unit in ("m/s", "m/s²", "m/s³"))
-    required = RequiredSmoothness(
-        smooth, "fly_smooth", "fly_order", largest, ('" s"', " s"), units, names=PARTS, quickest=f"[{AT.phases}.rate.1]"
-    )
-    found = cut_joints(cut, smooth)
-    return Joints(rows, required, found, rates_of(cut))
+    smooth, largest = machine.given.smoothness, ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
+    quickest = f"[{AT.phases}.rate.1]"
+    required = RequiredSmoothness(smooth, "fly_smooth", "fly_order", largest, " s", names=PARTS, quickest=quickest)
+    return Joints(rows, required, cut_joints(machine.cut, smooth), rates_of(machine.cut))
 
 
 def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces) -> None:

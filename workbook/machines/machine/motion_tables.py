@@ -15,7 +15,7 @@ from workbook.memo import memoized
 from workbook.motion.cells import Cells, PieceRows, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.requirements import RequiredSmoothness
-from workbook.motion.smooth import RATES, Joints
+from workbook.motion.smooth import Joints
 
 Figure = Callable[[int, Phase], Any]
 STEPS = "Steps of axis {}: its phases, and the rests between them"
@@ -53,13 +53,11 @@ class AxisTables:
         """How smooth the axis must be."""
         t, i, over = self.name, self.axis.number, self.machine.over
         lift = over.lift(self.axis.given.unit)
-        by_rad = tuple(self.at.unit(order) for order in range(1, len(RATES) + 1))
-        units = over.rates(self.axis.given.unit) if over.measured else by_rad
         return RequiredSmoothness(
             self.axis.given.smoothness, f"[axes.smooth.{i}]", f"{t}_order",
-            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), (f'"{over.after}"', over.after),
-            tuple((f'"{unit}"', unit) for unit in units), (f"[axes.name.{i}]", self.axis.given.name),
+            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), over.after, (f"[axes.name.{i}]", self.axis.given.name),
             wraps=f'[axes.closes.{i}]<>"open"', periodic=self.axis.given.repeats, rows=False,
+            units=over.rates(self.axis.given.unit) if over.measured else (),
             speed=("omega", self.axis.speed) if over.measured else None, lift=(lift.shown, lift.size),
         )  # fmt: skip
 

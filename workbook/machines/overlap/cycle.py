@@ -59,17 +59,12 @@ class AtAngles:
         return result(f"{name}{suffix}", f"{what}, {self.words}", symbol, unit, formula, self.rates[order - 1])
 
 
-UNITS = tuple((f'"{unit}"', unit) for unit in ("m/rad", "m/rad²", "m/rad³"))
-
-
 def joints_of(rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry, scope: str, after: str, cell: str,
               names: tuple[str, ...]) -> Joints:  # fmt: skip
     """Return the joints of a motion's pieces, and how smooth it must be; ``cell`` has its name."""
     largest = f"MAX([{rows.at.phases}.v])", f"MAX([{rows.at.phases}.a])"
-    place, of = (f'"{after}"', after), (cell, given.name)
-    required = RequiredSmoothness(
-        given.smoothness, f"{scope}smooth", f"{scope}order", largest, place, UNITS, of, names=names
-    )
+    of = cell, given.name
+    required = RequiredSmoothness(given.smoothness, f"{scope}smooth", f"{scope}order", largest, after, of, names=names)
     return Joints.of(rows, motion, required)
 
 
