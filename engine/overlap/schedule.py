@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from engine.drive.chain import require_positive
 from engine.laws import Dwell, Law
 from engine.laws.base import BREAK_TOLERANCE, Array, require_finite
 from engine.laws.inverse import inverse
@@ -31,7 +32,7 @@ class Transfer:
     inverted: Inverse = inverse
 
     def __post_init__(self) -> None:
-        require_positive(transfer_stroke=self.stroke, transfer_angle=self.angle)
+        require_positive("transfer", stroke=self.stroke, angle=self.angle)
         if self.angle >= FULL_TURN:
             raise ValueError(f"the transfer takes {math.degrees(self.angle):g} degrees; expected less than 360")
 
@@ -57,7 +58,7 @@ class Tool:
     inverted: Inverse = inverse
 
     def __post_init__(self) -> None:
-        require_positive(tool_stroke=self.stroke)
+        require_positive("tool", stroke=self.stroke)
         require_finite(dwell=self.dwell)
         if self.dwell < 0.0:
             raise ValueError(f"the tool dwells for {math.degrees(self.dwell):g} degrees; expected 0 or more")
@@ -97,13 +98,6 @@ class Passage:
     def travelled_share(self, stroke: float, margin: ArrayLike) -> Array:
         """Return the allowed travel of a tool as a share of its stroke (m), at most 1: S2, s = (20 − 1)/50 = 0.38."""
         return np.minimum((self.clearance - np.asarray(margin, dtype=np.float64)) / stroke, 1.0)
-
-
-def require_positive(**quantities: float) -> None:
-    """Raise ValueError for the first quantity that is not a finite number above 0."""
-    for name, value in quantities.items():
-        if not (math.isfinite(value) and value > 0.0):
-            raise ValueError(f"{name.replace('_', ' ')} is {value:g}; expected a finite number above 0")
 
 
 @dataclass(eq=False)
@@ -169,7 +163,7 @@ class Schedule:
 
 def movement_time(angle: float, rate: float) -> float:
     """Return t_m = B_m/(2π n) (s) of an angle (rad) at a rate n (1/s), both above 0; S2: 10 B_m/N in ° and 1/h."""
-    require_positive(angle=angle, rate=rate)
+    require_positive("movement", angle=angle, rate=rate)
     return angle / (FULL_TURN * rate)
 
 

@@ -239,7 +239,7 @@ def test_time_of_an_angle():
         (lambda: Passage(0.1, inf), "clearance is inf"),
         (lambda: Passage(0.1, 0.02, split=1.0), "split is 1"),
         (lambda: Passage(0.1, 0.02, allowance=-0.1), "allowance is -5.7"),
-        (lambda: Transfer(Cycloidal(), 0.0, 1.0), "transfer stroke is 0"),
+        (lambda: Transfer(Cycloidal(), 0.0, 1.0), "transfer: stroke is 0"),
         (lambda: Transfer(Cycloidal(), 0.1, 7.0), "401.07 degrees; expected less than 360"),
         (lambda: Tool(Cycloidal(), 0.1, -1.0), "dwells for -57.2"),
         (lambda: movement_time(1.0, 0.0), "rate is 0"),
