@@ -15,11 +15,6 @@ def enable_memo(most: int) -> None:
     _most = most
 
 
-def memo_enabled() -> bool:
-    """Whether values are kept."""
-    return _most > 0
-
-
 def memoized(kind: str, of: Any, make: Callable[[], T]) -> T:
     """Return the value that was made of an equal key if it is kept, else make it."""
     known = _known.setdefault(kind, [])

@@ -18,8 +18,7 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from copy import copy
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -30,7 +29,6 @@ from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Block, Cell, Quantity, calc, check, columns_of, constant, entries_of, given, result
 from workbook.book.rows import as_rows
 from workbook.book.sheet import FIRST, Sheet, Text
-from workbook.memo import memo_enabled, memoized
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "RowRule", "Sheet", "Text",
@@ -131,47 +129,3 @@ class Book:
 def quoted(title: str) -> str:
     """Return a sheet's title as formulas have it: without quotes where it is a word that no cell or column has."""
     return title if title.isascii() and title.isalpha() and len(title) > 3 else quote_sheetname(title)
-
-
-def declare_or_copy(book: Book, kind: str, of: tuple[Any, ...], declare: Callable[[], None]) -> None:
-    """Declare sheets, or copy those that were declared of equal things behind sheets of the same titles."""
-    if not memo_enabled():
-        declare()
-        return
-    fresh: list[Book] = []
-
-    def made() -> Book:
-        sheets, checks, guards = len(book.sheets), len(book.checks), len(book.guards)
-        names, keyed = set(book.column_names), set(book.keyed)
-        declare()
-        kept = Book(book.template, book.title, guards=book.guards[guards:], keyed=book.keyed - keyed)
-        kept.column_names = {name: column for name, column in book.column_names.items() if name not in names}
-        add_copies(kept, book.sheets[sheets:], book.checks[checks:])  # which later calls on the book leave alone
-        fresh.append(kept)
-        return kept
-
-    found = memoized(kind, (*of, *(sheet.title for sheet in book.sheets)), made)
-    if not fresh:
-        book.guards += found.guards
-        book.column_names |= found.column_names
-        book.keyed |= found.keyed
-        add_copies(book, found.sheets, found.checks)
-
-
-def add_copies(book: Book, sheets: Sequence[Sheet], checks: Sequence[tuple[Sheet, Quantity]]) -> None:
-    """Add copies of sheets with their blocks and checks to a book."""
-    blocks = {id(block): copy(block) for sheet in sheets for block in sheet.blocks}
-    twins = {id(sheet): copy(sheet) for sheet in sheets}
-
-    def own(block: Block | None) -> Block | None:
-        return blocks[id(block)] if block is not None else None
-
-    for sheet, one in zip(sheets, twins.values(), strict=True):
-        one.book, one.texts, one.charts, one.widths = book, [*sheet.texts], [*sheet.charts], dict(sheet.widths)
-        one.blocks = [blocks[id(block)] for block in sheet.blocks]
-        one.messages = [(blocks[id(block)], columns) for block, columns in sheet.messages]
-        for block in one.blocks:
-            block.sheet, block.lead, block.workings = one, own(block.lead), own(block.workings)
-    book.sheets += twins.values()
-    book.blocks |= {block.name: block for block in blocks.values()}
-    book.checks += [(twins[id(sheet)], q) for sheet, q in checks]

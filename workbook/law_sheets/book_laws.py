@@ -9,7 +9,7 @@ from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.piece import placed_pieces
 from engine.laws.points import reach, slowest
 from engine.motion.handover import end_mode
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant, declare_or_copy, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.rows import LEAST
 from workbook.entries.machine import Sizes
 from workbook.law_sheets.library import NamedLaw, named_laws
@@ -46,16 +46,10 @@ class BookLaws:
 
     def sheets(self, book: Book, printed: Container[str] | None = None) -> None:
         """Declare a page for each law, and the Laws sheet; of the pages print all, or those of some laws."""
-        begun = len(book.sheets)
-        declare_or_copy(book, "law sheets", (self,), lambda: self._sheets(book))
-        sheets = book.sheets[begun:]
-        for one, sheet in zip((one for one in self.named if one.page.has_sheet), sheets, strict=False):
-            sheet.unprinted = printed is not None and one.name.casefold() not in printed
-
-    def _sheets(self, book: Book) -> None:
         for one in self.named:
             if one.page.has_sheet:
-                law_sheet(book, one, self.sizes, self.stack)
+                sheet = law_sheet(book, one, self.sizes, self.stack)
+                sheet.unprinted = printed is not None and one.name.casefold() not in printed
         laws_sheet(book, self.named, self.sizes, self.rows, self.stack, self.hands_over)
 
 

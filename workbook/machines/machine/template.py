@@ -7,7 +7,7 @@ from functools import partial
 from engine.cams.interpolation import FunctionValues, composed
 from engine.motion.profile import CamProfile, profile_of_motion, shifted_profile
 from engine.timing import Switch, turn_time
-from workbook.book.declare import Book, Quantity, declare_or_copy, result
+from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import group_verdict_column, summary_sheet
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
@@ -61,7 +61,7 @@ def declare(given: AnyMachine) -> Book:
     book.name("axes", axis_name="name")
     for one in rows:
         if view := drives.get(one.axis.number):
-            declare_or_copy(book, "drive sheets", (view, machine.near), partial(named_drive_sheet, book, view))
+            named_drive_sheet(book, view)
     clearances_sheet(book, [ClearanceView(one, k, rows) for k, one in enumerate(given.clearances, 1)])
     if bus:
         power_sheet(book, bus)
@@ -75,10 +75,8 @@ def declare(given: AnyMachine) -> Book:
             printed_sheet(book, view)
     book_laws.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
     for one in rows:
-        floor = len(rows) + len(given.switches) - one.axis.number
-        declare_or_copy(book, "cycle sheets", (one, floor), partial(cycle_sheet, book, machine, one, floor))
-    of_pieces = tuple((one.pieces, one.joints, one.ends) for one in rows)
-    declare_or_copy(book, "pieces sheet", of_pieces, partial(pieces_sheet, book, rows))
+        cycle_sheet(book, machine, one, len(rows) + len(given.switches) - one.axis.number)
+    pieces_sheet(book, rows)
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
     return finish(book, ("S1", "S3", "S4"))
