@@ -12,24 +12,10 @@ FULL_TURN = 2.0 * math.pi  # rad
 
 
 def shaft_speed(rate: float) -> float:
-    """Return the speed of the master shaft, ω = 2π n, of one cycle a turn.
+    """Return the speed of the master shaft (rad/s), ω = 2π n, at n cycles per second, of one cycle a turn.
 
+    Raises ValueError unless n is finite and above 0.
     Source: S1, 'Timing diagram for a cutting machine', 200 pieces per minute = 20.944 rad/s.
-
-    Parameters
-    ----------
-    rate : float, 1/s
-        n, cycles per second, finite and above 0.
-
-    Returns
-    -------
-    float, rad/s
-        ω.
-
-    Raises
-    ------
-    ValueError
-        If the rate is not finite and above 0.
     """
     if not (math.isfinite(rate) and rate > 0.0):
         raise ValueError(f"rate is {rate:g}; expected a finite number above 0")

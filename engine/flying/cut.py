@@ -27,9 +27,9 @@ class Tool:
     radius: float  # R_t (m/rad of its shaft)
 
     def __post_init__(self) -> None:
-        require(self.radius > 0.0, "radius", self.radius, "more than 0")
-        require(self.design_length >= 0.0, "design length", self.design_length, "0 or more")
-        require(self.tool_length >= 0.0, "tool length", self.tool_length, "0 or more")
+        _require(self.radius > 0.0, "radius", self.radius, "more than 0")
+        _require(self.design_length >= 0.0, "design length", self.design_length, "0 or more")
+        _require(self.tool_length >= 0.0, "tool length", self.tool_length, "0 or more")
         if 0.0 < self.design_length <= self.tool_length:
             raise ValueError(f"tool length is {self.tool_length:g} m; expected less than {self.design_length:g} m")
 
@@ -44,12 +44,27 @@ class Tool:
 
 
 def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:
-    """Return a drum of n tools at radius R_t (m), in step with the line over the angle θ_T (rad).
+    """Return a drum of tools: θ_0 = 2π/n, L_0 = θ_0 R_t, L_T = θ_T R_t. Source: S5, 'Kinematic analysis'.
 
-    θ_0 = 2π/n, L_0 = θ_0 R_t, L_T = θ_T R_t. Raises ValueError unless n ≥ 1 and 0 ≤ θ_T < θ_0.
-    Source: S5, 'Kinematic analysis'.
+    Parameters
+    ----------
+    tools : int
+        n, evenly around the drum.
+    radius : float, m
+        R_t.
+    tool_angle : float, rad
+        θ_T, over which a tool is in step with the line.
+
+    Returns
+    -------
+    Tool
+
+    Raises
+    ------
+    ValueError
+        Unless n ≥ 1, R_t > 0 and 0 ≤ θ_T < θ_0.
     """
-    require(tools >= 1, "tools", tools, "1 or more")
+    _require(tools >= 1, "tools", tools, "1 or more")
     pitch = 2.0 * math.pi / tools
     if not 0.0 <= tool_angle < pitch:
         found, limit = math.degrees(tool_angle), math.degrees(pitch)
@@ -67,7 +82,7 @@ def flying_saw(tool_length: float, metres_per_radian: float) -> Tool:
     return Tool(0.0, tool_length, metres_per_radian)
 
 
-def require(holds: bool, name: str, value: float, expected: str) -> None:
+def _require(holds: bool, name: str, value: float, expected: str) -> None:
     """Raise ValueError, with what was expected, unless the condition holds and the value is finite."""
     if not (holds and math.isfinite(value)):
         raise ValueError(f"{name} is {value:g}; expected {expected}")
@@ -94,7 +109,7 @@ class Cut:
         self, tool: Tool, product_length: float, line_speed: float, law: Law, beyond: Beyond = "standstill",
         peak: float | None = None,
     ) -> None:  # fmt: skip
-        require(line_speed > 0.0, "line speed", line_speed, "more than 0")
+        _require(line_speed > 0.0, "line speed", line_speed, "more than 0")
         if not (math.isfinite(product_length) and product_length > tool.tool_length):
             raise ValueError(f"product length is {product_length:g} m; expected more than L_T, {tool.tool_length:g} m")
         if beyond not in ("standstill", "reversal"):

@@ -17,7 +17,7 @@ from engine.flying.cut import Cut
 from engine.laws import Dwell
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.motion.joining import Joint, Rates, Smoothness, joints
-from engine.motion.pieces import MotionPiece, ScaledLaw, pieces_of
+from engine.motion.pieces import MotionPiece, ScaledLaw
 
 
 class CutPart(NamedTuple):
@@ -30,7 +30,7 @@ class CutPart(NamedTuple):
 
     def pieces(self, number: int, whole: bool = False) -> list[MotionPiece]:
         """Return its pieces, with ``number`` as that of their phase."""
-        found = pieces_of(self.scaled, number, whole)[self.first : self.first + self.used] if self.used else []
+        found = self.scaled.pieces(number, whole)[self.first : self.first + self.used] if self.used else []
         return [replace(piece, begin=max(piece.begin, self.begin)) for piece in found]
 
 
@@ -43,7 +43,7 @@ def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart,
     """
     v, t, h, wait = cut.line_speed, cut.moving_time, cut.superimposed, cut.waiting_time
     begin, end = cut.wait
-    begins = [piece.begin / t for piece in pieces_of(ScaledLaw(cut.law, 1.0, t), whole=whole)]
+    begins = [piece.begin / t for piece in ScaledLaw(cut.law, 1.0, t).pieces(whole=whole)]
     peak = cut.fastest if cut.waits else 1.0
     before = sum(xi < peak - BREAK_TOLERANCE for xi in begins)
     again = sum(xi <= min(peak + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE) for xi in begins) - 1
@@ -93,7 +93,20 @@ class CutCycle(QuadratureCycle):
 
 
 def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Drivetrain:
-    """Return the tool's shaft with a load (kg m², Nm); ``pair`` is J_M + J_T (kg m²), i, η and no-load torque (Nm)."""
+    """Return the tool's shaft with its load, motor and reducer.
+
+    Parameters
+    ----------
+    cut : Cut
+    load : Load
+        Inertia J_L (kg m²) and torque T_L (Nm) at the shaft.
+    pair : (float, float, float, float)
+        Motor and reducer: J_M + J_T (kg m²), i, η and no-load torque (Nm); by default the bare shaft.
+
+    Returns
+    -------
+    Drivetrain
+    """
     inertia, ratio, efficiency, no_load = pair
     radius, stage = cut.tool.radius, Stage("reducer", ratio, efficiency)
     shaft = Part("shaft", load.inertia, 1)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from engine.laws import Law, law
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
 from engine.laws.points import reach
-from engine.motion.phase import MotionValues, Phase, PhaseEnds, TimeValues, numbered_phase, scaled
+from engine.motion.phase import MotionValues, Phase, PhaseEnds, TimeValues, phases_of
 
 ZERO_TOLERANCE = 1e-9  # of the largest lift: a smaller jump is none
 
@@ -78,9 +78,8 @@ class Motion:
                 f"{len(bounds)} edges, {len(lifts)} lifts and {len(laws)} laws are given; "
                 "expected one lift and one law between each two edges"
             )
-        rows = enumerate(zip(laws, lifts, np.diff(bounds).tolist(), strict=True), 1)
-        made = [numbered_phase(k, family, float(lift), duration) for k, (family, lift, duration) in rows]
-        return cls(made, position=position, edges=bounds)
+        rows = zip(laws, map(float, lifts), np.diff(bounds).tolist(), strict=True)
+        return cls(phases_of(rows), position=position, edges=bounds)
 
     @cached_property
     def total(self) -> float:
@@ -106,7 +105,7 @@ class Motion:
     def ends(self) -> tuple[PhaseEnds, ...]:
         """y, y', y'', y''' at the begin and at the end of each phase, of its law at ξ = 0 and 1."""
         return tuple(
-            PhaseEnds(*(scaled(phase, y, at) for at in (phase.law.start, phase.law.end)))
+            PhaseEnds(*(phase.values(y, at) for at in (phase.law.start, phase.law.end)))
             for phase, y in zip(self.phases, self._begins.tolist(), strict=True)
         )
 
@@ -166,7 +165,7 @@ class Motion:
         table = np.empty((4, flat.size))
         for k in np.unique(index):
             here, phase = index == k, self.phases[k]
-            table[:, here] = scaled(phase, self._begins[k], phase.law.evaluate(xi[here]))
+            table[:, here] = phase.values(self._begins[k], phase.law.evaluate(xi[here]))
         return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
 
     def at_speed(self, x: Real, speed: float) -> TimeValues[Real]:
@@ -226,7 +225,7 @@ def motionlaw(
     if n < 2:
         raise ValueError(f"n is {n}; expected at least 2 samples")
     settings = [None] * len(laws) if parameters is None else parameters
-    rows = enumerate(zip(laws, lifts, durations, settings, strict=True), 1)
-    motion = Motion([numbered_phase(k, law(name, **(more or {})), h, d) for k, (name, h, d, more) in rows])
+    made = (law(name, **(more or {})) for name, more in zip(laws, settings, strict=True))
+    motion = Motion(phases_of(zip(made, lifts, durations, strict=True)))
     abscissa = np.linspace(0.0, motion.total, n)
     return MotionSamples(abscissa, *motion.at(abscissa))

@@ -1,5 +1,6 @@
 """A phase of a motion: a law over a lift in a duration, and its peaks."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Generic, NamedTuple
 
@@ -85,6 +86,11 @@ class Phase:
         """RMS of y'' over the phase, C_a,rms |h|/δ²."""
         return self.law.coefficients.ca_rms * abs(self.scale) / self.duration**2
 
+    def values(self, y: float, at: Kinematics[Real]) -> MotionValues[Real]:
+        """Return y, y', y'' and the jerk where its law has the values ``at``; the phase begins at ``y``."""
+        d, per = self.duration, self.scale / self.duration
+        return MotionValues(y + self.scale * at.s, per * at.v, per / d * at.a, per / d**2 * at.j)
+
 
 class PhaseEnds(NamedTuple):
     """y, y', y'', y''' of a phase at its ends."""
@@ -93,15 +99,12 @@ class PhaseEnds(NamedTuple):
     end: MotionValues[float]  # left limit
 
 
-def scaled(phase: Phase, y: float, at: Kinematics[Real]) -> MotionValues[Real]:
-    """Return the motion values of a phase that begins at ``y``, ``at`` those of its law at ξ."""
-    d, per = phase.duration, phase.scale / phase.duration
-    return MotionValues(y + phase.scale * at.s, per * at.v, per / d * at.a, per / d**2 * at.j)
-
-
-def numbered_phase(number: int, law: Law, lift: float, duration: float) -> Phase:
-    """Return a phase; a ValueError names its number."""
-    try:
-        return Phase(law, lift, duration)
-    except ValueError as error:
-        raise ValueError(f"phase {number}: {error}") from None
+def phases_of(rows: Iterable[tuple[Law, float, float]]) -> list[Phase]:
+    """Return phases of laws, lifts and durations. Raises ValueError with the number of an impossible one, from 1."""
+    made = []
+    for number, row in enumerate(rows, 1):
+        try:
+            made.append(Phase(*row))
+        except ValueError as error:
+            raise ValueError(f"phase {number}: {error}") from None
+    return made

@@ -69,16 +69,15 @@ class ScaledLaw(NamedTuple):
         """1/δ; 0 if δ = 0."""
         return 1.0 / self.duration if self.duration else 0.0
 
+    def pieces(self, phase: int = 0, whole: bool = False) -> list[MotionPiece]:
+        """Return its pieces as those of the ``phase``-th, from 0; ``whole`` as in :func:`law_pieces`.
 
-def pieces_of(scaled: ScaledLaw, phase: int = 0, whole: bool = False) -> list[MotionPiece]:
-    """Return the pieces of one phase, the ``phase``-th, from 0; ``whole`` as in :func:`law_pieces`.
+        With s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
 
-    With s_k, v_k at the begin ξ_k of a piece of the law, per unit of ξ::
-
-    y(u) = y + drift (x_k − x + u) + h [s_k + v_k u/δ + Σ c_i (u/δ)^(i+2)/((i+1)(i+2))
-           + P/ω² (sin φ + ωu/δ cos φ − sin(ωu/δ + φ))],      u from x_k = x + ξ_k δ
-    """
-    return [_piece(scaled, phase, number, placed) for number, placed in enumerate(law_pieces(scaled.law, whole))]
+        y(u) = y + drift (x_k − x + u) + h [s_k + v_k u/δ + Σ c_i (u/δ)^(i+2)/((i+1)(i+2))
+               + P/ω² (sin φ + ωu/δ cos φ − sin(ωu/δ + φ))],      u from x_k = x + ξ_k δ
+        """
+        return [_piece(self, phase, number, placed) for number, placed in enumerate(law_pieces(self.law, whole))]
 
 
 def _piece(of: ScaledLaw, phase: int, number: int, placed: LawPiece) -> MotionPiece:
@@ -102,23 +101,13 @@ def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
     found: list[MotionPiece] = []
     for k, (phase, at) in enumerate(zip(motion.phases, motion.ends, strict=True)):
         scaled = ScaledLaw(phase.law, phase.scale, phase.duration, float(motion.edges[k]), at.begin.y)
-        found += pieces_of(scaled, k, whole)
+        found += scaled.pieces(k, whole)
     return found
 
 
-def shares(pieces: Sequence[MotionPiece], begin: float, end: float) -> list[float]:
-    """Return the begin of each piece as a share of the motion.
-
-    Parameters
-    ----------
-    pieces : sequence of MotionPiece
-    begin, end : float
-        Of the motion, in units of its abscissa.
-
-    Returns
-    -------
-    list of float
-    """
+def shares(pieces: Sequence[MotionPiece], end: float) -> list[float]:
+    """Return the begin of each piece of a motion as a share of it; ``end`` is that of the motion (unit of x)."""
+    begin = pieces[0].begin
     return [(piece.begin - begin) / (end - begin) for piece in pieces]
 
 
@@ -127,10 +116,9 @@ class Located(NamedTuple):
 
     piece: NDArray[np.intp]  # number of the piece, from 0
     u: Array  # abscissa from its origin
-    angle: Array  # ωu + φ of its first sine (rad)
 
 
-def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> Located:
+def located(pieces: Sequence[MotionPiece], x: Array, end: float) -> Located:
     """Return the piece at each abscissa: the last that begins at or before it.
 
     Parameters
@@ -138,22 +126,20 @@ def located(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -
     pieces : sequence of MotionPiece
     x : array (n,)
         Abscissae. One less than :data:`BREAK_TOLERANCE` of the motion before a piece counts as in it.
-    begin, end : float
-        Of the motion, in units of its abscissa; at its end the left limit counts.
+    end : float
+        Of the motion, in units of its abscissa; there the left limit counts.
 
     Returns
     -------
     Located
     """
+    begin = pieces[0].begin
     reached = np.minimum((x - begin) / (end - begin) + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
-    k = np.searchsorted(shares(pieces, begin, end), reached, side="right") - 1
-    k = np.maximum(k, 0)
-    origin, omega, phi = np.array([(piece.origin, *piece.sines[0][1:]) for piece in pieces]).T
-    u = x - origin[k]
-    return Located(k, u, omega[k] * u + phi[k])
+    k = np.maximum(np.searchsorted(shares(pieces, end), reached, side="right") - 1, 0)
+    return Located(k, x - np.array([piece.origin for piece in pieces])[k])
 
 
-def evaluated(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float) -> MotionValues[Array]:
+def evaluated(pieces: Sequence[MotionPiece], x: Array, end: float) -> MotionValues[Array]:
     """Return the motion values of a table of pieces.
 
     Parameters
@@ -161,7 +147,7 @@ def evaluated(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float)
     pieces : sequence of MotionPiece
     x : array (n,)
         Abscissae.
-    begin, end : float
+    end : float
         Of the motion, in units of its abscissa.
 
     Returns
@@ -169,7 +155,7 @@ def evaluated(pieces: Sequence[MotionPiece], x: Array, begin: float, end: float)
     MotionValues
         y, y', y'' and y''', each of shape (n,), in units of the motion.
     """
-    place, table = located(pieces, x, begin, end), np.empty((4, x.size))
+    place, table = located(pieces, x, end), np.empty((4, x.size))
     for k in np.unique(place.piece):
         here = place.piece == k
         table[:, here] = pieces[k].at(place.u[here])

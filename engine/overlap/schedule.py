@@ -14,7 +14,7 @@ from engine.laws import Dwell, Law
 from engine.laws.base import BREAK_TOLERANCE, Array, require_finite
 from engine.laws.inverse import inverse
 from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, ScaledLaw, pieces_of
+from engine.motion.pieces import MotionPiece, ScaledLaw
 from engine.timing import FULL_TURN, shaft_speed
 
 Limit = Literal["clearance", "cycle"]
@@ -169,7 +169,7 @@ def movement_time(angle: float, rate: float) -> float:
 
 def pieces_of_parts(parts: Sequence[ScaledLaw], whole: bool = False) -> list[MotionPiece]:
     """Return the pieces of the parts of any duration; ``whole`` ones are not cut at peaks of the acceleration."""
-    return [piece for k, part in enumerate(parts) if part.duration for piece in pieces_of(part, k, whole)]
+    return [piece for k, part in enumerate(parts) if part.duration for piece in part.pieces(k, whole)]
 
 
 def size_of_parts(parts: Sequence[ScaledLaw]) -> Callable[[int], float]:

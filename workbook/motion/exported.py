@@ -70,7 +70,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     rows, later = axis.rows, axis.later
     at = np.linspace(0.0, rows.end, n + 1)
     told = later.unshifted(at) if later else Unshifted(np.zeros(n + 1), at)
-    found = evaluated(rows.pieces, told.x, 0.0, rows.end)
+    found = evaluated(rows.pieces, told.x, rows.end)
     x, y, v, a, _ = (at, *found)
     shown = in_units(MotionValues(y + told.cycles * (later.lifts if later else 0.0), v, a, found.y3), *axis.unit)
     sizes = in_units(MotionValues(*(axis.size(order) for order in range(4))), *axis.unit)

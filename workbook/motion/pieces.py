@@ -89,7 +89,7 @@ def pieces_table(
     opened = [begins("origin", "u counts from", origin, lambda piece: piece.origin)] if at.opens else []
     begin = f"MAX({at.of_phase('opens')},{origin})" if at.opens else origin
     share = calc("share", "begins at this share of the whole", "", "", f"=[begin]/{at.end}",
-                 filled(shares(rows.pieces, 0.0, rows.end), room, 1.0), source="spare rows: 1")  # fmt: skip
+                 filled(shares(rows.pieces, rows.end), room, 1.0), source="spare rows: 1")  # fmt: skip
     block = sheet.table(
         at.pieces, title, room,
         constant("r", "piece", "k", "", list(range(1, room + 1))),
@@ -181,7 +181,7 @@ def sine(at: Cells, mark: str, k: int, of: Column, sizes: Sizes) -> tuple[Quanti
 
 def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
     """Return the workings of samples at a column ``x``, with its ``values``: the piece, u in it, arguments of sines."""
-    at, place = rows.at, located(rows.pieces, values, 0.0, rows.end)
+    at, place = rows.at, located(rows.pieces, values, rows.end)
     q = f"q{suffix}"
     local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},[{q}])"
     return [

@@ -242,6 +242,6 @@ def test_one_tool_that_works_for_an_instant():
 def test_pieces_give_the_same_motion(law, length, way, tool):
     cut = Cut(tool, length + tool.tool_length, 1.2, law, way)
     time = np.linspace(0.0, cut.cycle_time, 1501)
-    found = evaluated(cut_pieces(cut), time, 0.0, cut.cycle_time)
+    found = evaluated(cut_pieces(cut), time, cut.cycle_time)
     for order, (one, other) in enumerate(zip(found, cut.at(time), strict=True)):
         assert np.abs(one - other).max() <= 1e-11 * max(cut.size(order), np.abs(other).max())
