@@ -30,14 +30,14 @@ def of_law(column: str) -> str:
 
 @dataclass(frozen=True)
 class Cells:
-    """Where a motion stands in a book; in units of its own, a sample finds its piece by the share of the whole."""
+    """Where a motion stands in a book; over time, a sample finds its piece by the share of the whole."""
 
     phases: str  # the table of its phases: ``k``, ``no``, ``h``, ``span``, ``begin``, ``y0``, in units of the motion
     pieces: str  # the table of its pieces
     count: str  # what says how many pieces there are
     end: str  # what says where the abscissa ends; it begins at 0
-    y: str = ""
-    x: str = ""
+    y: str  # units of position and abscissa
+    x: str
     degrees: bool = False  # whether begins and samples are in degrees, and the motion per radian
     near: str = ""  # what says how near to a begin counts as on it, in degrees
     drifts: bool = False  # whether phases have a column ``drift``, a velocity that is added
@@ -79,7 +79,7 @@ class Cells:
 
     def unit(self, order: int) -> str:
         """Return the unit of a derivative of the motion."""
-        return f"{self.y}/{self.x}{RAISED[order]}" if order and self.x else self.y
+        return f"{self.y}/{self.x}{RAISED[order]}" if order else self.y
 
 
 @dataclass(frozen=True)
@@ -129,10 +129,9 @@ def rows_of_parts(at: Cells, parts: Sequence[ScaledLaw], pieces: Sequence[Motion
     return PieceRows(at, stack, pieces, rows, numbers, firsts, lifts, rates, end)
 
 
-def rows_of(at: Cells, motion: Motion, stack: Pieces, room: int, places: Sequence[int] | None = None) -> PieceRows:
-    """Return the pieces of a motion whose phases stand at ``places`` of ``room`` rows, by default the first of them."""
-    taken = range(len(motion.phases)) if places is None else places
-    pieces = [replace(piece, phase=taken[piece.phase]) for piece in motion_pieces(motion)]
+def rows_of(at: Cells, motion: Motion, stack: Pieces, places: Sequence[int], room: int) -> PieceRows:
+    """Return the pieces of a motion whose phases stand at ``places`` of ``room`` rows."""
+    pieces = [replace(piece, phase=places[piece.phase]) for piece in motion_pieces(motion)]
     parts = (ScaledLaw(phase.named, phase.lift, phase.duration) for phase in motion.phases)
-    placed = spread(parts, taken, room, ScaledLaw(Dwell(), 0.0, 0.0))
+    placed = spread(parts, places, room, ScaledLaw(Dwell(), 0.0, 0.0))
     return rows_of_parts(at, placed, pieces, stack, float(motion.edges[-1]))

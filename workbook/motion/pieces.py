@@ -45,8 +45,8 @@ def phase_table_columns(rows: PieceRows, first: str | Sequence[str], pieces: str
     """Return these columns by formulas for the first piece's row on Laws and for the number of pieces."""
     at = rows.at
     return [
-        calc("rate", "per duration", "1/δ", f"1/{at.x}" if at.x else "",
-             "=IF([span]>0,1/[span],0)", list(rows.rates), source="0 if spare"),
+        calc("rate", "per duration", "1/δ", f"1/{at.x}", "=IF([span]>0,1/[span],0)", list(rows.rates),
+             source="0 if spare"),
         calc("first", "row of its law's first piece", "", "", first, list(rows.firsts), format="0", source="on Laws"),
         calc("pieces", "pieces", "", "", pieces, rows.counts, format="0"),
         calc("before", "pieces before", "", "", "=IF([k]=1,0,[before-1]+[pieces-1])",
@@ -60,11 +60,10 @@ def pieces_in_all(rows: PieceRows) -> Quantity:
     return calc(at.count, "Pieces in all", "", "", f"=SUM([{at.phases}.pieces])", len(rows.pieces), format="0")
 
 
-def room_check(name: str, at: Cells, number: int = 1, of: str = "", cuts: str = "") -> Quantity:
+def room_check(name: str, at: Cells, number: int, of: str, cuts: str) -> Quantity:
     """Return the check that the table of pieces has room for all ``of`` the axis of a number, with ``cuts`` in them."""
-    label = f"{of}: the table of pieces has room for all" if of else "The table of pieces has room for all"
     rows, count = f"[{at.pieces}.r.last]", f"{at.count}+{cuts}" if cuts else at.count
-    says = spelled(CROWDED, count, rows)
+    says, label = spelled(CROWDED, count, rows), f"{of}: the table of pieces has room for all"
     return check(name, label, f"{count}<={rows}", True, ROOM, f":{ROOM_RULE.format(number)}", says)
 
 
@@ -120,7 +119,7 @@ def scaled(rows: PieceRows, of: Column) -> list[Quantity]:
     """Return the columns of what a piece of the law is scaled by: lift and 1/δ of its phase."""
     at = rows.at
     lift = calc("hp", "lift of its phase", "h", at.y, f"={at.of_phase('h')}", of(lambda piece: rows.lifts[piece.phase]))
-    rate = calc("per", "per duration", "1/δ", f"1/{at.x}" if at.x else "", f"={at.of_phase('rate')}",
+    rate = calc("per", "per duration", "1/δ", f"1/{at.x}", f"={at.of_phase('rate')}",
                 of(lambda piece: rows.rates[piece.phase]))  # fmt: skip
     return [rate] if at.ends else [lift, rate]
 
@@ -168,7 +167,7 @@ def sine(at: Cells, mark: str, k: int, of: Column, sizes: Sizes) -> tuple[Quanti
     return (
         calc(f"A{mark}", f"amplitude{words}", f"A{mark}", at.y,
              f"=0-{h}*{of_law(f'ps{mark}')}", of(lambda piece: piece.sines[k][0]), scale=sizes(0), source="−h P/ω²"),
-        calc(f"om{mark}", f"frequency{words}", f"ω{mark}", f"rad/{at.x}" if at.x else "",
+        calc(f"om{mark}", f"frequency{words}", f"ω{mark}", f"rad/{at.x}",
              of_a_sine(f"{of_law(f'omega{mark}')}*{per}"), of(lambda piece: piece.sines[k][1]), source="ω/δ"),
         calc(f"ph{mark}", f"phase{words}", f"φ{mark}", "rad",
              of_a_sine(of_law(f"phi{mark}")), of(lambda piece: piece.sines[k][2])),

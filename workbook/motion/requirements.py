@@ -35,8 +35,7 @@ class RequiredSmoothness:
     of: tuple[str, str] = ("", "")  # the motion's name
     wraps: str = ""  # the condition under which the motion repeats
     periodic: bool = True  # whether it does
-    rows: bool = True  # whether its phases stand in the rows in which they are entered, so that sentences give these
-    names: tuple[str, ...] = ()  # of its phases, in the column ``what`` of their table, in place of numbers
+    names: tuple[str, ...] = ()  # of its phases, in the column ``what`` of their table, where sentences give them
     speed: tuple[str, float] | None = None  # of a motion in degrees told over time: the cell of its speed, and rad/s
     lift: tuple[str, float] = ("", 1.0)  # the end of a formula of a lift in another unit, and what that is in it
     units: tuple[str, ...] = ()  # of the derivatives, where sentences have others than the motion's own

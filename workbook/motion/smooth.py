@@ -222,12 +222,10 @@ class Joints:
         ]  # fmt: skip
 
     def _who(self) -> str:
-        """Return the formula of the rows, or phases, between which the first jump is."""
-        required, name = self.required, self.required.order
-        if required.names:
-            one, two = (f"INDEX([{self.rows.at.phases}.what],{name}_{end})" for end in ("before", "after"))
-            return f'{one}&IF({name}_other=1," to "&{two},"")&" "'
-        return f'"row "&{name}_before&IF({name}_other=1," to "&{name}_after,"")&" "' if required.rows else ""
+        """Return the formula of the phases between which the first jump is; nothing where they have no names."""
+        name = self.required.order
+        one, two = (f"INDEX([{self.rows.at.phases}.what],{name}_{end})" for end in ("before", "after"))
+        return f'{one}&IF({name}_other=1," to "&{two},"")&" "' if self.required.names else ""
 
     def _straight_lines(self) -> list[tuple[str, str, str]]:
         """Return the rows of the slopes on both sides of the first jump, where both are straight."""
@@ -263,9 +261,8 @@ class Joints:
             return NOTHING
         piece, joint = self._worst
         within = joint.before == piece.phase and joint.piece_count > 1
-        who = f"row {joint.before + 1}{'' if within else f' to {piece.phase + 1}'} " if required.rows else ""
-        if required.names:
-            who = f"{required.names[joint.before]}{'' if within else f' to {required.names[piece.phase]}'} "
+        names = required.names
+        who = f"{names[joint.before]}{'' if within else f' to {names[piece.phase]}'} " if names else ""
         degrees = self.rows.at.degrees and required.speed is None
         at, size = jump_values(required, piece.begin, abs(joint.size), joint.order)
         x, jump, slopes = shown(at, DEGREE) if degrees else at, figure(size), self._slopes(piece, joint)

@@ -31,7 +31,7 @@ class AxisTables:
         self.axis, self.machine, self.name = axis, machine, f"axis{axis.number}"
         self.rows = machine.given.sizes.phases
         self.steps = self.rows + self.rows + 1
-        made = partial(rows_of, self.at, axis.motion, stack, self.steps, axis.places)
+        made = partial(rows_of, self.at, axis.motion, stack, axis.places, self.steps)
         self.pieces: PieceRows = memoized("pieces", (axis.motion, self.steps, self.at), made)
         required = self.required
         self.joints = memoized(
@@ -56,7 +56,7 @@ class AxisTables:
         return RequiredSmoothness(
             self.axis.given.smoothness, f"[axes.smooth.{i}]", f"{t}_order",
             (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), over.after, (f"[axes.name.{i}]", self.axis.given.name),
-            wraps=f'[axes.closes.{i}]<>"open"', periodic=self.axis.given.repeats, rows=False,
+            wraps=f'[axes.closes.{i}]<>"open"', periodic=self.axis.given.repeats,
             units=over.rates(self.axis.given.unit) if over.measured else (),
             speed=("omega", self.axis.speed) if over.measured else None, lift=(lift.shown, lift.size),
         )  # fmt: skip
