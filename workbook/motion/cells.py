@@ -1,15 +1,14 @@
 """Where a motion stands in a book, and what the engine has for it there."""
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 from engine.laws import Dwell
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, ScaledLaw, motion_pieces
-from workbook.book.rows import filled, spread
+from workbook.book.rows import spread
 from workbook.laws.sampling import Pieces
 
 RAISED = ("", "", "²", "³", "⁴", "⁵", "⁶", "⁷")
@@ -112,10 +111,6 @@ class PieceRows:
         """How many pieces each row of phases has."""
         found = Counter(piece.phase for piece in self.pieces)
         return [found[k] for k in range(len(self.firsts))]
-
-    def column(self, figure: Callable[[MotionPiece], Any], room: int) -> list[Any]:
-        """Return a figure of each piece; spare rows have that of the last."""
-        return filled((figure(piece) for piece in self.pieces), room, figure(self.pieces[-1]))
 
 
 def rows_of_parts(at: Cells, parts: Sequence[ScaledLaw], pieces: Sequence[MotionPiece], stack: Pieces, end: float,

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array
+from engine.laws.piece import Sine
 from engine.motion.pieces import MotionPiece, located, shares
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
@@ -29,7 +30,6 @@ POSITION = "c0 + c1 u + … + A sin ζ"
 SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"  # the same by the amplitude of each derivative
 FROM_START = "from its start; never 0, so that u⁰ is 1"
 
-Column = Callable[[Callable[[MotionPiece], float]], list[float]]
 Sizes = Callable[[int], float]  # of the n-th derivative of the motion: what deviations are measured by at least
 
 
@@ -75,9 +75,7 @@ def pieces_table(
     place, span = f"MAX(0,MIN([r],{at.count})-1)", at.of_phase("span")
     length, unit, called = (f"DEGREES({span})", DEGREE, "°") if at.degrees else (span, 1.0, at.x)
     lasting = f"IF({at.of_end('mode')}>1,1,{of_law('d')})" if at.ends else of_law("d")
-
-    def of(figure: Callable[[MotionPiece], float]) -> list[float]:
-        return rows.column(figure, room)
+    pieces = filled(rows.pieces, room, rows.pieces[-1])
 
     def begins(name: str, label: str, formula: str, figure: Callable[[MotionPiece], float]) -> Quantity:
         values = filled([shown(figure(piece), unit) for piece in rows.pieces], room, shown(rows.end, unit))
@@ -92,7 +90,7 @@ def pieces_table(
     block = sheet.table(
         at.pieces, title, room,
         constant("r", "piece", "k", "", list(range(1, room + 1))),
-        calc("p", "phase", "", "", f'=COUNTIF([{at.phases}.before],"<="&{place})', of(lambda piece: piece.phase + 1),
+        calc("p", "phase", "", "", f'=COUNTIF([{at.phases}.before],"<="&{place})', [one.phase + 1 for one in pieces],
              format="0", source="the last with no more before it"),
         calc("m", "row on Laws", "", "", f"={at.of_phase('first')}+{place}-{at.of_phase('before')}",
              filled(rows.rows, room, rows.rows[-1]), format="0"),
@@ -100,10 +98,11 @@ def pieces_table(
         *opened, *([] if at.degrees else [share]),
         calc("d", "duration", "d", at.x, f"=IF([r]>{at.count},0,{span}*{lasting})",
              filled([piece.duration for piece in rows.pieces], room), scale=rows.end),
-        *scaled(rows, of),
+        *scaled(rows, pieces),
         *taken,
-        *(power(rows, i, of, sizes) for i in range(rows.powers)),
-        *(column for k, mark in enumerate(rows.marks) for column in sine(at, mark, k, of, sizes)),
+        *(power(rows, i, pieces, sizes) for i in range(rows.powers)),
+        *(column for k, mark in enumerate(rows.marks)
+          for column in sine(at, mark, [piece.sines[k] for piece in pieces], sizes)),
         *more,
         blank=f"[r]>{at.count}",
     )  # fmt: skip
@@ -115,12 +114,11 @@ def pieces_table(
     sheet.book.name(block.name, **{in_scope(at.named(name), sheet.scope): of for name, of in columns.items()})
 
 
-def scaled(rows: PieceRows, of: Column) -> list[Quantity]:
+def scaled(rows: PieceRows, pieces: Sequence[MotionPiece]) -> list[Quantity]:
     """Return the columns of what a piece of the law is scaled by: lift and 1/δ of its phase."""
-    at = rows.at
-    lift = calc("hp", "lift of its phase", "h", at.y, f"={at.of_phase('h')}", of(lambda piece: rows.lifts[piece.phase]))
-    rate = calc("per", "per duration", "1/δ", f"1/{at.x}", f"={at.of_phase('rate')}",
-                of(lambda piece: rows.rates[piece.phase]))  # fmt: skip
+    at, phases = rows.at, [piece.phase for piece in pieces]
+    lift = calc("hp", "lift of its phase", "h", at.y, f"={at.of_phase('h')}", [rows.lifts[k] for k in phases])
+    rate = calc("per", "per duration", "1/δ", f"1/{at.x}", f"={at.of_phase('rate')}", [rows.rates[k] for k in phases])
     return [rate] if at.ends else [lift, rate]
 
 
@@ -129,7 +127,7 @@ def from_power(order: int) -> str:
     return f"c{order}" if order else "c"
 
 
-def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
+def power(rows: PieceRows, i: int, pieces: Sequence[MotionPiece], sizes: Sizes) -> Quantity:
     """Return a coefficient of the polynomial."""
     at = rows.at
     h, per, velocity = "[hp]", "[per]", at.drift
@@ -145,7 +143,7 @@ def power(rows: PieceRows, i: int, of: Column, sizes: Sizes) -> Quantity:
         share = perm(i, 2)
         own, source = f"{h}*{of_law(f'c{i - 2}')}/{share}", f"h c{i - 2}/({share} δ^{i})"
         formula = f"=({own}+{at.of_end(f'e{i}')})*{per}^{i}" if at.ends else f"={own}*{per}^{i}"
-    values = of(lambda piece: piece.c[i])
+    values = [piece.c[i] for piece in pieces]
     return calc(f"c{i}", NAMES[i], f"c{i}", at.unit(i), formula, values, scale=sizes(i), source=source)
 
 
@@ -154,26 +152,23 @@ def amplitude(order: int, mark: str) -> str:
     return f"{'d' * order}A{mark}"
 
 
-def sine(at: Cells, mark: str, k: int, of: Column, sizes: Sizes) -> tuple[Quantity, ...]:
-    """Return amplitude, frequency and phase of a sine, and its amplitude in each derivative."""
+def sine(at: Cells, mark: str, found: Sequence[Sine], sizes: Sizes) -> tuple[Quantity, ...]:
+    """Return amplitude, frequency and phase of a sine ``found`` in pieces, and its amplitude in each derivative."""
     h, per, words = "[hp]", "[per]", " of the second sine" if mark else ""
 
     def of_a_sine(formula: str) -> str:
         return f"=IF({at.of_end('mode')}>1,0,{formula})" if at.ends else f"={formula}"
 
-    def amplified(order: int) -> list[float]:
-        return of(lambda piece: piece.sines[k][0] * piece.sines[k][1] ** order)
-
     return (
         calc(f"A{mark}", f"amplitude{words}", f"A{mark}", at.y,
-             f"=0-{h}*{of_law(f'ps{mark}')}", of(lambda piece: piece.sines[k][0]), scale=sizes(0), source="−h P/ω²"),
+             f"=0-{h}*{of_law(f'ps{mark}')}", [a for a, _, _ in found], scale=sizes(0), source="−h P/ω²"),
         calc(f"om{mark}", f"frequency{words}", f"ω{mark}", f"rad/{at.x}",
-             of_a_sine(f"{of_law(f'omega{mark}')}*{per}"), of(lambda piece: piece.sines[k][1]), source="ω/δ"),
+             of_a_sine(f"{of_law(f'omega{mark}')}*{per}"), [omega for _, omega, _ in found], source="ω/δ"),
         calc(f"ph{mark}", f"phase{words}", f"φ{mark}", "rad",
-             of_a_sine(of_law(f"phi{mark}")), of(lambda piece: piece.sines[k][2])),
+             of_a_sine(of_law(f"phi{mark}")), [phi for *_, phi in found]),
         *(calc(amplitude(order, mark), f"amplitude of {symbol}{words}", "", at.unit(order),
                f"=[{amplitude(order - 1, mark)}]*[om{mark}]",
-               amplified(order), scale=sizes(order), source=f"A{mark} ω{RAISED[order]}")
+               [a * omega**order for a, omega, _ in found], scale=sizes(order), source=f"A{mark} ω{RAISED[order]}")
           for order, symbol in enumerate(DERIVATIVES, 1)),
     )  # fmt: skip
 

@@ -1,7 +1,7 @@
 """How smooth a motion must be: what jumps at the begin of each of its pieces, and the check of what is asked for."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
@@ -25,6 +25,11 @@ NOTHING: dict[str, Any] = {  # the values of the cells on a jump, by name, where
 }
 EMPTY = '""'
 WORDS = ",".join(f'"{word}"' for word in ORDERS)
+
+
+def opening(piece: MotionPiece) -> float:
+    """Return u where a piece begins; 0 of one without duration."""
+    return piece.begin - piece.origin if piece.duration else 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,70 +77,54 @@ class Joints:
 
     def table(self, sheet: Sheet, title: str, room: int) -> None:
         """Declare the table of what jumps at the begin of each piece, and rows on the first jump that is too much."""
+        pieces = filled(self.rows.pieces, room, replace(self.rows.pieces[-1], duration=0.0))
+        found = filled(self.found, room, self.found[-1]._replace(before=-1, jump=Rates(), order=0))
         sheet.table(
             self.name, title, room,
             constant("r", "piece", "k", "", list(range(1, room + 1))),
-            *self._lasting(room), *self._ends(room), *self._rates(room), *self._jumps(room),
-            blank=f"[r]>{self.rows.at.count}",
+            *self._lasting(pieces, found), *self._ends(pieces), *self._rates(pieces, found),
+            *self._jumps(pieces, found), blank=f"[r]>{self.rows.at.count}",
         )  # fmt: skip
         sheet.rows(*self._first())
 
-    def _of(self, figure: Callable[[Joint], Any], spare: Any, room: int) -> list[Any]:
-        return filled((figure(joint) for joint in self.found), room, spare)
-
-    def _each(self, name: str, n: int, spare: float, room: int) -> list[float]:
-        """Return the ends or jumps of the n-th derivative at the joints."""
-        return filled((getattr(joint, name)[n - 1] for joint in self.found), room, spare)
-
-    def _lasting(self, room: int) -> list[Quantity]:
+    def _lasting(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
         """Return which pieces last, and which phases meet where they begin."""
-        at, last = self.rows.at, self.found[-1]
-        durations = [piece.duration for piece in self.rows.pieces]
-        phases = self.rows.column(lambda piece: piece.phase + 1, room)
+        at = self.rows.at
         return [
-            calc("d", "duration", "d", at.x, f"=[{at.pieces}.d.same]", filled(durations, room), scale=self.rows.end),
-            calc("p", "phase", "", "", f"=[{at.pieces}.p.same]", phases, format="0"),
+            calc("d", "duration", "d", at.x, f"=[{at.pieces}.d.same]", [piece.duration for piece in pieces],
+                 scale=self.rows.end),
+            calc("p", "phase", "", "", f"=[{at.pieces}.p.same]", [piece.phase + 1 for piece in pieces], format="0"),
             calc("n", "pieces that last, so far", "", "", "=IF([r]=1,0,[n-1])+IF([d]>0,1,0)",
-                 self._of(lambda joint: joint.piece_count, last.piece_count, room), format="0"),
+                 [joint.piece_count for joint in found], format="0"),
             calc("of", "phase of the last of them", "", "", "=IF([d]>0,[p],IF([r]=1,0,[of-1]))",
-                 self._of(lambda joint: joint.phase + 1, last.phase + 1, room), format="0"),
+                 [joint.phase + 1 for joint in found], format="0"),
             calc("from", "phase before", "", "",
                  f"=IF([d]>0,IF([n]=1,[{self.name}.of.last],INDEX([{self.name}.of],[r]-1)),0)",
-                 self._of(lambda joint: joint.before + 1, 0, room), format="0"),
+                 [joint.before + 1 for joint in found], format="0"),
         ]  # fmt: skip
 
-    def _ends(self, room: int) -> list[Quantity]:
+    def _ends(self, pieces: list[MotionPiece]) -> list[Quantity]:
         """Return where each piece ends, with the powers of that; of a motion that opens within one, its begin too."""
-        at, pieces = self.rows.at, self.rows.pieces
-
-        def places(suffix: str, of: str, formula: str, u: list[float]) -> list[Quantity]:
-            return place_columns(self.rows, suffix, of, formula, np.array(filled(u, room)), self._taken(room))
-
+        at, room = self.rows.at, len(pieces)
         if not at.opens:
-            return places("1", "end", "=[d]", [piece.duration for piece in pieces])
-        nexts = [*(piece.begin for piece in pieces[1:]), self.rows.end]
+            return place_columns(self.rows, "1", "end", "=[d]", np.array([piece.duration for piece in pieces]), pieces)
+        nexts = filled((piece.begin for piece in self.rows.pieces[1:]), room, self.rows.end)
         ends = [after - piece.origin if piece.duration else 0.0 for piece, after in zip(pieces, nexts, strict=True)]
-        begins = [piece.begin - piece.origin if piece.duration else 0.0 for piece in pieces]
+        begins, begin = [opening(piece) for piece in pieces], f"[{at.pieces}.begin.same]"
         after = f"IF([r]<{room},INDEX([{at.pieces}.begin],MIN([r]+1,{room})),{at.end})"
         from_origin = f"=IF([d]>0,{{}}-[{at.pieces}.origin.same],0)"
-        return [*places("0", "begin", from_origin.format(f"[{at.pieces}.begin.same]"), begins),
-                *places("1", "end", from_origin.format(after), ends)]  # fmt: skip
+        return [*place_columns(self.rows, "0", "begin", from_origin.format(begin), np.array(begins), pieces),
+                *place_columns(self.rows, "1", "end", from_origin.format(after), np.array(ends), pieces)]  # fmt: skip
 
-    def _taken(self, room: int) -> list[MotionPiece]:
-        """Return the piece of each row; spare rows have the last."""
-        return filled(self.rows.pieces, room, self.rows.pieces[-1])
-
-    def _rates(self, room: int) -> list[Quantity]:
+    def _rates(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
         """Return y', y'' and y''' at both ends of each piece."""
-        rows, last, opens = self.rows, self.found[-1], self.rows.at.opens
-        begins = [piece.begin - piece.origin if piece.duration else 0.0 for piece in self._taken(room)]
+        rows = self.rows
 
         def begun(n: int) -> list[float]:
-            pairs = zip(self._taken(room), begins, strict=True)
-            return [float(piece.curves[n].at(np.array(u))) for piece, u in pairs]
+            return [float(piece.curves[n].at(np.array(opening(piece)))) for piece in pieces]
 
         def begin(n: int) -> str:
-            return at_place(rows, n, "0") if opens else at_begin(rows, n)
+            return at_place(rows, n, "0") if rows.at.opens else at_begin(rows, n)
 
         names = list(zip(RATES, ORDERS, strict=True))
         return [
@@ -143,34 +132,33 @@ class Joints:
                    source="at its begin") for n, (name, word) in enumerate(names, 1)),
             *(calc(f"{name}1", f"{word} reached", "", "",
                    f"=IF([d]>0,{at_place(rows, n, '1')},IF([r]=1,0,[{name}1-1]))",
-                   self._each("end", n, last.end[n - 1], room), scale=self.scales[n - 1], source="at its end")
+                   [joint.end[n - 1] for joint in found], scale=self.scales[n - 1], source="at its end")
               for n, (name, word) in enumerate(names, 1)),
         ]  # fmt: skip
 
-    def _jumps(self, room: int) -> list[Quantity]:
+    def _jumps(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
         """Return the columns of the jumps at the begin of each piece."""
         wraps, marks = self.required.wraps, ("'", "''", "'''")
-        last, wrapped = f"[{self.name}.r.last]", room * self.required.periodic
+        last, wrapped = f"[{self.name}.r.last]", len(pieces) * self.required.periodic
         last = f"IF({wraps},{last},0)" if wraps else last
-        joined = zip(self.found, self.rows.pieces, strict=True)
         met = [
             (k if joint.piece_count > 1 else wrapped) * (piece.duration > 0.0)
-            for k, (joint, piece) in enumerate(joined)
+            for k, (joint, piece) in enumerate(zip(found, pieces, strict=True))
         ]
         cell = self.required.order
         jerk = f"IF(({cell}>2)*(ABS([dj])>{cell}_j),3,0)"
         order = f"=IF(ABS([dv])>{cell}_v,1,IF(({cell}>1)*(ABS([da])>{cell}_a),2,{jerk}))"
         return [
             calc("met", "row of the piece before", "", "", f"=IF([d]>0,IF([n]=1,{last},[r]-1),0)",
-                 filled(met, room, 0), format="0", source="0: none"),
+                 met, format="0", source="0: none"),
             *(calc(f"d{name}", f"jump of {word}", f"Δy{mark}", "",
                    f"=IF([met]>0,[{name}0]-INDEX([{self.name}.{name}1],[met]),0)",
-                   self._each("jump", n, 0.0, room), scale=self.scales[n - 1], source="at its begin")
+                   [joint.jump[n - 1] for joint in found], scale=self.scales[n - 1], source="at its begin")
               for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, marks, strict=True), 1)),
-            calc("order", "what jumps", "", "", order, self._of(lambda joint: joint.order, 0, room),
+            calc("order", "what jumps", "", "", order, [joint.order for joint in found],
                  format="0", source="1 y', 2 y'', 3 y" "'''"),
             calc("size", "by how much", "", "", "=CHOOSE([order]+1,0,[dv],[da],[dj])",
-                 self._of(lambda joint: joint.size, 0.0, room), scale=max(self.scales)),
+                 [joint.size for joint in found], scale=max(self.scales)),
         ]  # fmt: skip
 
     @property
