@@ -12,7 +12,7 @@ from engine.cams.cam_points import AT_SPEED, LONGER, CamPoints, FoundPhase, spli
 from engine.cams.moving_phases import RATES, gauss_newton, phases_at_speed, rates_agree, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
-from engine.motion.profile import CamProfile, shifted_profile
+from engine.motion.profile import CamProfile
 
 ROUNDED = 1e-9  # share of the range: least error that a fit may have
 MOST_WAYS = 24  # strokes between reversals of one movement; with more of them no law is tried
@@ -53,7 +53,7 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     home = np.flatnonzero(_dwelling(of) & (np.abs(of.y[:-1]) <= _near(of)))
     if turns and begins and ends and home.size:
         k = int(home[0])
-        found = _phases(_rolled(of, k), shifted_profile(rebuilt, float(of.x[-1] - of.x[k])))
+        found = _phases(_rolled(of, k), rebuilt.shifted(float(of.x[-1] - of.x[k])))
         if all(phase.fits and phase.rests for phase in found):
             return IdentifiedMotion(found, float(of.x[k] - of.x[0]))
     across = of.rates_across() if begins and ends else None

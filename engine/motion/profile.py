@@ -3,11 +3,12 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.laws.base import Array, Real
+from engine.laws.base import Array
 from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
@@ -73,6 +74,24 @@ class CamProfile:
                 size = size * w / (power + 1)
         return found
 
+    def shifted(self, by: float, travel: float | None = None) -> Self:
+        """Return y(x − by), the cycle later by an abscissa, over the same range.
+
+        A piece that runs over the end of the cycle is cut there, and begins the range lower by the travel of a cycle:
+        by default the profile's own, from which the sum of lifts differs if the last law does not end at 1.
+        """
+        begin, end, total = float(self.edges[0]), float(self.edges[-1]), self.total
+        travel = self.travel if travel is None else travel
+        whole = math.floor(by / total + SAME)
+        by -= whole * total
+        c = np.concatenate([self.c, self.c])  # of the cycle before, and of this one
+        c[:, 0] -= np.repeat([whole + 1, whole], len(self.c)) * travel
+        edges, origins = (np.concatenate([x + by - total, x + by]) for x in (self.edges[:-1], self.origins))
+        ends = np.append(edges[1:], end + by)
+        kept = (ends > begin + SAME * total) & (edges < end - SAME * total)
+        edges = np.concatenate([[begin], edges[kept][1:], [end]])
+        return type(self)(edges, origins[kept], c[kept], np.concatenate([self.sines, self.sines])[kept])
+
 
 def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
     """Return the pieces of any duration as a profile in other units.
@@ -117,49 +136,3 @@ def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProf
     CamProfile
     """
     return profile_of(motion_pieces(motion, whole=True), float(motion.edges[-1]), x, y)
-
-
-def in_units(values: MotionValues[Real], x: float, y: float) -> MotionValues[Real]:
-    """Return a motion's values in other units.
-
-    Parameters
-    ----------
-    values : MotionValues
-    x, y : float
-        What the motion's units of abscissa and position are in the others.
-
-    Returns
-    -------
-    MotionValues
-    """
-    return MotionValues(*(value * (y / x**order) for order, value in enumerate(values)))
-
-
-def shifted_profile(of: CamProfile, by: float, travel: float | None = None) -> CamProfile:
-    """Return y(x − by), the cycle later by an abscissa, over the same range.
-
-    A piece that runs over the end of the cycle is cut there, and begins the range lower by the travel of a cycle.
-
-    Parameters
-    ----------
-    of : CamProfile
-    by : float
-        In units of the profile's abscissa.
-    travel : float, optional
-        Of a cycle; the profile's own by default, from which the sum of lifts differs if the last law does not end at 1.
-
-    Returns
-    -------
-    CamProfile
-    """
-    begin, end, total = float(of.edges[0]), float(of.edges[-1]), of.total
-    travel = of.travel if travel is None else travel
-    whole = math.floor(by / total + SAME)
-    by -= whole * total
-    c = np.concatenate([of.c, of.c])  # of the cycle before, and of this one
-    c[:, 0] -= np.repeat([whole + 1, whole], len(of.c)) * travel
-    edges, origins = (np.concatenate([x + by - total, x + by]) for x in (of.edges[:-1], of.origins))
-    ends = np.append(edges[1:], end + by)
-    kept = (ends > begin + SAME * total) & (edges < end - SAME * total)
-    edges = np.concatenate([[begin], edges[kept][1:], [end]])
-    return CamProfile(edges, origins[kept], c[kept], np.concatenate([of.sines, of.sines])[kept])

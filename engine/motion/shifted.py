@@ -137,13 +137,13 @@ def gap_size(axes: Sequence[tuple[float, Shifted]], offset: float) -> float:
     return abs(offset) + math.fsum(abs(factor) * max(map(abs, axis.motion.reach)) for factor, axis in axes)
 
 
-def place_in_cycle(angle: float, late: float, cycle: float, near: float = 0.0) -> float:
-    """Return the place of a delayed angle in the cycle, from 0.
+def place_in_cycle(angle: float, cycle: float, near: float) -> float:
+    """Return the place of an angle in the cycle, from 0.
 
     Parameters
     ----------
-    angle, late, cycle : float
-        The angle, its delay and the length of the cycle, in one unit.
+    angle, cycle : float
+        In one unit.
     near : float
         So near the end of the cycle it counts as 0.
 
@@ -151,5 +151,4 @@ def place_in_cycle(angle: float, late: float, cycle: float, near: float = 0.0) -
     -------
     float
     """
-    place = angle + late
-    return place - cycle * math.floor((place + near) / cycle)
+    return angle - cycle * math.floor((angle + near) / cycle)

@@ -6,9 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.motion.phase import MotionValues
 from engine.motion.pieces import evaluated
-from engine.motion.profile import in_units
 from engine.motion.shifted import Unshifted
 from workbook.book.declare import Book, Quantity, calc, constant, result
 from workbook.entries.abscissa import ANGLE, Abscissa
@@ -71,9 +69,8 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     at = np.linspace(0.0, rows.end, n + 1)
     told = later.unshifted(at) if later else Unshifted(np.zeros(n + 1), at)
     found = evaluated(rows.pieces, told.x, rows.end)
-    x, y, v, a, _ = (at, *found)
-    shown = in_units(MotionValues(y + told.cycles * (later.lifts if later else 0.0), v, a, found.y3), *axis.unit)
-    sizes = in_units(MotionValues(*(axis.size(order) for order in range(4))), *axis.unit)
+    values = found.y + told.cycles * (later.lifts if later else 0.0), found.y1, found.y2
+    unit, factors = axis.unit[0], [axis.unit[1] / axis.unit[0] ** order for order in range(len(values))]
     per = [axis.over.from_rad(order) if rows.at.degrees else "" for order in range(3)]
     end = axis.over.shown_formula(axis.rows.at.end)
     told_as = (
@@ -88,13 +85,14 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
         at_phases = [
             calc("n", "cycles", "n", "", turns, told.cycles, format="0"),
             calc("p", "angle of its phases", "", "°", f"={here}-{later.by}-360*[n]",
-                 axis.over.degrees(told.x * axis.unit[0]), scale=360.0, format="0.0##"),
+                 axis.over.degrees(told.x * unit), scale=360.0, format="0.0##"),
         ]  # fmt: skip
     return [
-        calc("at", "abscissa", "x", axis.units[0], f"=[k]*{end}/[export.k.last]", x * axis.unit[0],
-             scale=rows.end * axis.unit[0], format="0.0##"),
-        *(result(name, label, symbol, axis.units[order + 1], f"={found_by[order]}", shown[order], scale=sizes[order],
-                 source=source) for order, (name, label, symbol, source) in enumerate(told_as)),
+        calc("at", "abscissa", "x", axis.units[0], f"=[k]*{end}/[export.k.last]", at * unit,
+             scale=rows.end * unit, format="0.0##"),
+        *(result(name, label, symbol, axis.units[order + 1], f"={found_by[order]}", values[order] * factors[order],
+                 scale=axis.size(order) * factors[order], source=source)
+          for order, (name, label, symbol, source) in enumerate(told_as)),
         constant("k", "sample", "k", "", list(range(n + 1))),
         *at_phases,
         *finding(rows, "p" if later else "at", told.x),

@@ -10,7 +10,7 @@ from engine.cams.certificate import Certificate, certify, equal_steps, spread
 from engine.cams.interpolation import hermite, lines, parabolas, parted_spline, quintics, spline
 from engine.laws import CATALOGUE, Dwell
 from engine.motion import Motion, Phase
-from engine.motion.profile import CamProfile, profile_of_motion, shifted_profile
+from engine.motion.profile import CamProfile, profile_of_motion
 
 RISE = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))
 TURN = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0), Phase(law("dwell"), 0.0, 280.0)]))
@@ -149,7 +149,7 @@ def test_jumps_and_closure_are_told() -> None:
 
 @given(by=st.floats(0.001, 359.999))
 def test_a_turned_course_is_the_same_motion_later(by: float) -> None:
-    later = shifted_profile(TURN, by)
+    later = TURN.shifted(by)
     assert later.edges[[0, -1]] == pytest.approx(TURN.edges[[0, -1]])
     assert np.all(np.diff(later.edges) > 0.0)
     x = np.random.default_rng(1).uniform(0.0, 360.0, 60)

@@ -13,7 +13,7 @@ from engine.laws import CATALOGUE, Dwell, PieceLaw
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates
 from engine.motion.joining import join_phases as join
-from engine.motion.profile import profile_of_motion, shifted_profile
+from engine.motion.profile import profile_of_motion
 
 MOVING = [entry for entry in CATALOGUE if entry not in (Dwell, PieceLaw)]
 
@@ -148,7 +148,7 @@ def test_phases_that_meet_at_speed_are_told_as_they_were(name: str, equidistant:
 
 
 def test_a_cycle_that_begins_on_the_way_is_told_from_its_dwell_on() -> None:
-    of = shifted_profile(profile_of_motion(motion(MOVING[4])), 200.0)
+    of = profile_of_motion(motion(MOVING[4])).shifted(200.0)
     x = np.linspace(0.0, 360.0, 721)
     y = of.at(x).y
     points = CamPoints(x, y, None, None, precision(y))

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.motion.profile import shifted_profile
 from workbook.controllers import as_description
 from workbook.controllers.claims import TARGETS
 from workbook.controllers.registry import target
@@ -202,7 +201,7 @@ def test_a_motion_that_hands_over_at_speed_comes_back_as_it_was(run, tmp_path, n
 
 
 def test_a_cycle_that_begins_on_the_way_is_a_machine_with_a_shift(run, axes, tmp_path) -> None:
-    one, later = target("csv"), shifted_profile(axes[1].profile, 250.0)
+    one, later = target("csv"), axes[1].profile.shifted(250.0)
     text = one.write(
         CamExport(tabulate(one, replace(axes[1], profile=later), 40), "late", ("x in °, y in mm;",), UNITS)
     )

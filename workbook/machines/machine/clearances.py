@@ -79,8 +79,8 @@ class ClearanceView:
         room, near, pieces = one.machine.room, one.machine.near, one.pieces.pieces
         begins = filled([shown(piece.begin, DEGREE) for piece in pieces], room, TURN)
         halves = filled([shown(piece.duration, DEGREE) / 2.0 for piece in pieces], room)
-        found = [place_in_cycle(begin, one.axis.given.shift, TURN, near) for begin in begins]
-        return found, [place_in_cycle(at + half, 0.0, TURN, near) for at, half in zip(found, halves, strict=True)]
+        found = [place_in_cycle(begin + one.axis.given.shift, TURN, near) for begin in begins]
+        return found, [place_in_cycle(at + half, TURN, near) for at, half in zip(found, halves, strict=True)]
 
     @cached_property
     def angles(self) -> Array:

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 
 from engine.cams.interpolation import FunctionValues, composed
-from engine.motion.profile import CamProfile, profile_of_motion, shifted_profile
+from engine.motion.profile import CamProfile, profile_of_motion
 from engine.timing import Switch, turn_time
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import group_verdict_column, summary_sheet
@@ -174,7 +174,7 @@ def axes(machine: AnyMachine) -> list[CamAxis]:
 def profile(one: MovingAxis, y: float) -> CamProfile:
     """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
     unshifted = profile_of_motion(one.motion, one.over.shown(shown(1.0, DEGREE)), y)
-    return shifted_profile(unshifted, one.typed.shift, one.motion.lifts_sum * y)
+    return unshifted.shifted(one.typed.shift, one.motion.lifts_sum * y)
 
 
 def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from engine.motion.profile import profile_of, shifted_profile
+from engine.motion.profile import profile_of
 from engine.motion.shifted import Shifted
 from engine.overlap.schedule import pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
@@ -76,7 +76,7 @@ def axes(machine: IndexingOverlap) -> list[CamAxis]:
     made = [CamAxis("transfer", profile_of(pieces_of_parts(found.transfer.parts, True), FULL_TURN, *units), "°", "mm")]
     for one in found.stations:
         profile = profile_of(pieces_of_parts(one.as_set.parts, True), FULL_TURN, *units)
-        made.append(CamAxis(one.given.name, shifted_profile(profile, shown(one.as_set.arrival, DEGREE)), "°", "mm"))
+        made.append(CamAxis(one.given.name, profile.shifted(shown(one.as_set.arrival, DEGREE)), "°", "mm"))
     return made
 
 
