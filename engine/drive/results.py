@@ -120,7 +120,7 @@ class DriveResults:
             if over is None:
                 inner = [extreme.x for extreme in extremes(partial(of, part), part.samples)]
             else:
-                inner = [u for u in zeros(over.derivative(), part.piece.duration) if part.low < u < part.high]
+                inner = [u for u in zeros(over.slope, part.piece.duration) if part.low < u < part.high]
             u = np.array([part.low, *inner, part.high])
             values = of(part, u)
             for k in (int(values.argmin()), int(values.argmax())):

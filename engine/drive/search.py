@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.laws.extremes import Curve, narrowed, root, zeros
+from engine.laws.extremes import Curve, narrowed, zeros
 
 PARTS = 16  # of a bracket, in one round
 ROUNDS = 9  # of narrowing a bracket, to an eighth each
@@ -102,15 +102,14 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
     """Return every u at which a curve changes its sign beyond rounding, one at most between two zeros of its slope."""
-    slope = curve.derivative()
-    turns = [u for u in zeros(slope, high) if low < u < high]
+    turns = [u for u in zeros(curve.slope, high) if low < u < high]
     points = [low, *turns, high]
     values = [curve(u) for u in points]
     noise = NOISE * max(map(abs, values))
     kept = [(u, value) for u, value in zip(points, values, strict=True) if abs(value) > noise]
-    return [root(curve, slope, a, b) for (a, at_a), (b, at_b) in pairwise(kept) if (at_a > 0.0) != (at_b > 0.0)]
+    return [curve.root(a, b) for (a, at_a), (b, at_b) in pairwise(kept) if (at_a > 0.0) != (at_b > 0.0)]
 
 
 def largest_size(curve: Curve, d: float) -> float:
     """Return the largest absolute value of a curve from 0 to d."""
-    return max(abs(curve(u)) for u in (0.0, *zeros(curve.derivative(), d), d))
+    return max(abs(curve(u)) for u in (0.0, *zeros(curve.slope, d), d))

@@ -11,7 +11,6 @@ from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.extremes import reach_of
 from engine.laws.inverse import is_monotone, velocity_peak
-from engine.laws.piece import scaled_piece
 
 Beyond = Literal["standstill", "reversal"]
 SAME_LENGTH = 1e-12  # share of the design length, or line speed, by which equal figures may differ
@@ -161,7 +160,7 @@ class Cut:
     def stroke(self) -> float:
         """Range of the tool's positions over a cycle (m), the travel of a flying saw's slide."""
         places = self.at(np.array([0.0, self.repositioning_time, self.cycle_time])).position
-        moved = tuple(scaled_piece(piece, self.superimposed, 1.0) for piece in self.law.as_pieces())
+        moved = tuple(piece.scaled(self.superimposed) for piece in self.law.as_pieces())
         turned = reach_of(moved, self.line_speed * self.moving_time) if self.reverses else ()
         return float(np.ptp([*places, *turned]))
 

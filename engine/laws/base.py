@@ -76,11 +76,11 @@ def unwrap(given: object, arrays: list[NDArray[Any]]) -> Any:
     return [array.item() for array in arrays] if scalar else arrays
 
 
-def require_within(name: str, x: Array, low: float, high: float, tolerance: float) -> None:
-    """Raise ValueError if x holds NaN, or a value outside [low, high] by more than the tolerance."""
-    if not x.size:
-        return
-    least, greatest = float(x.min()), float(x.max())  # NaN, if there is one
-    if not (least >= low - tolerance and greatest <= high + tolerance):
-        found = "holds NaN" if math.isnan(least) else f"reaches from {least:.15g} to {greatest:.15g}"
-        raise ValueError(f"{name} {found}; expected numbers from {low:.15g} to {high:.15g}")
+def require_within(low: float, high: float, **abscissae: Array) -> None:
+    """Raise ValueError for the first array that holds NaN, or a value outside [low, high] but for rounding."""
+    tolerance = ROUNDING * (high - low)
+    for name, x in abscissae.items():
+        least, greatest = float(x.min(initial=high)), float(x.max(initial=low))  # NaN, if there is one
+        if not (least >= low - tolerance and greatest <= high + tolerance):
+            found = "holds NaN" if math.isnan(least) else f"reaches from {least:.15g} to {greatest:.15g}"
+            raise ValueError(f"{name} {found}; expected numbers from {low:.15g} to {high:.15g}")

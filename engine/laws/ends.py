@@ -50,6 +50,13 @@ class BoundaryValues:
         """Return the values of a quantity ("v", "a" or "j") at begin and end."""
         return getattr(self, f"{quantity}0"), getattr(self, f"{quantity}1")
 
+    def require_taken(self, law: Law, takes: str) -> None:
+        """Raise EndError for the first value other than 0 of a quantity that is not in ``takes``, of "vaj"."""
+        for quantity, name in NAMES.items():
+            for verb, value in zip(("begin", "end"), self.both(quantity), strict=True):
+                if value and quantity not in takes:
+                    raise EndError(f"{law.name} cannot {verb} with a prescribed {name}: {_reason(takes)}")
+
 
 REST = BoundaryValues()
 
@@ -78,7 +85,7 @@ class BoundaryLaw(Law):
 
     def between(self, ends: BoundaryValues) -> "BoundaryLaw":
         """Return the law with these boundary values; raise EndError, with the reason, if it cannot meet them."""
-        require_ends(self, ends, self.takes)
+        ends.require_taken(self, self.takes)
         return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
 
     def with_open_ends(self, begin: bool, end: bool) -> "BoundaryLaw":
@@ -96,16 +103,8 @@ def law_with_ends(law: Law, ends: BoundaryValues) -> tuple[Law, float]:
         return law, ends.stroke
     if isinstance(law, BoundaryLaw):
         return law.between(ends), 1.0
-    require_ends(law, ends, "")
+    ends.require_taken(law, "")
     raise AssertionError("ends that are not at rest ask for something")
-
-
-def require_ends(law: Law, ends: BoundaryValues, takes: str) -> None:
-    """Raise EndError for the first boundary value other than 0 of a quantity that is not in ``takes``, of "vaj"."""
-    for quantity, name in NAMES.items():
-        for verb, value in zip(("begin", "end"), ends.both(quantity), strict=True):
-            if value and quantity not in takes:
-                raise EndError(f"{law.name} cannot {verb} with a prescribed {name}: {_reason(takes)}")
 
 
 def _reason(takes: str) -> str:

@@ -4,7 +4,7 @@ import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -41,10 +41,27 @@ class Curve:
             value = value + p * np.sin(w * u + phi)
         return value
 
-    def derivative(self) -> "Curve":
-        """Return f'."""
+    @cached_property
+    def slope(self) -> "Curve":
+        """F'."""
         c = tuple(i * c for i, c in enumerate(self.c))[1:]
         return Curve(c, tuple((p * w, w, phi + math.pi / 2.0) for p, w, phi in self.sines))
+
+    def root(self, low: float, high: float) -> float:
+        """Return the zero between two points of different sign, by Newton's method kept within them."""
+        rises = self(high) > 0.0
+        u = 0.5 * (low + high)
+        for _ in range(STEPS):
+            value, rate = self(u), self.slope(u)
+            if value == 0.0:
+                break
+            low, high = (low, u) if (value > 0.0) == rises else (u, high)
+            newton = u - value / rate if rate else low
+            following = newton if low < newton < high else 0.5 * (low + high)
+            if following in (u, low, high):
+                break
+            u = following
+        return u
 
 
 def trimmed(f: Curve) -> Curve:
@@ -63,15 +80,14 @@ def zeros(f: Curve, d: float) -> list[float]:
     f = trimmed(f)
     if not f.c and len(f.sines) < 2:
         return _of_sine(f.sines[0], d) if f.sines else []
-    slope = f.derivative()
     if f.c:
-        points = [0.0, *zeros(slope, d), d]
+        points = [0.0, *zeros(f.slope, d), d]
     else:
         cells = CELLS * (1 + int(max(abs(w) for _, w, _ in f.sines) * d / math.pi))
         points = [d * k / cells for k in range(cells + 1)]
     values = map(f, points)
     between = zip(itertools.pairwise(points), itertools.pairwise(values), strict=True)
-    return [root(f, slope, *cell) for cell, ends in between if min(ends) < 0.0 < max(ends)]
+    return [f.root(*cell) for cell, ends in between if min(ends) < 0.0 < max(ends)]
 
 
 def _of_sine(sine: Sine, d: float) -> list[float]:
@@ -81,23 +97,6 @@ def _of_sine(sine: Sine, d: float) -> list[float]:
     low, high = sorted((phi / math.pi, (phi + w * d) / math.pi))
     found = ((k * math.pi - phi) / w for k in range(math.ceil(low), math.floor(high) + 1))
     return sorted(min(max(u, 0.0), d) for u in found)
-
-
-def root(f: Curve, slope: Curve, low: float, high: float) -> float:
-    """Return the zero between two points of different sign, by Newton's method kept within them."""
-    rises = f(high) > 0.0
-    u = 0.5 * (low + high)
-    for _ in range(STEPS):
-        value, rate = f(u), slope(u)
-        if value == 0.0:
-            break
-        low, high = (low, u) if (value > 0.0) == rises else (u, high)
-        newton = u - value / rate if rate else low
-        following = newton if low < newton < high else 0.5 * (low + high)
-        if following in (u, low, high):
-            break
-        u = following
-    return u
 
 
 PARTS = 256  # of a bracket, in one round
@@ -173,14 +172,13 @@ def stationary_power_points(piece: Piece, v0: float) -> list[float]:
 def stationary_points(piece: Piece) -> list[float]:
     """Return every u at which v, a or j of a piece is stationary, in no order."""
     a = acceleration(piece)
-    j = a.derivative()
-    return [u for f in (a, j, j.derivative()) for u in zeros(f, piece.duration)]
+    return [u for f in (a, a.slope, a.slope.slope) for u in zeros(f, piece.duration)]
 
 
 def at_peaks(piece: Piece) -> list[Piece]:
     """Return the parts of a piece, cut where its acceleration is largest or lowest."""
     d = piece.duration
-    peaks = [u / d for u in zeros(acceleration(piece).derivative(), d)] if d else []
+    peaks = [u / d for u in zeros(acceleration(piece).slope, d)] if d else []
     return cut(piece, [share for share in peaks if EDGE < share < 1.0 - EDGE])
 
 

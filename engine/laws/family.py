@@ -8,7 +8,7 @@ from typing import ClassVar, NamedTuple
 
 import numpy as np
 
-from engine.laws.base import ROUNDING, Array, Coefficients, Kinematics, Real, require_within, stage_of, unwrap
+from engine.laws.base import Array, Coefficients, Kinematics, Real, require_within, stage_of, unwrap
 from engine.laws.extremes import coefficients_of
 from engine.laws.piece import POWERS, Piece, PlacedPiece, placed_pieces
 
@@ -67,7 +67,7 @@ class Law(ABC):
     def evaluate(self, xi: Real) -> Kinematics[Real]:
         """Return s, v, a, j at ξ: floats for a number, else arrays of ξ's shape. Raises ValueError outside 0 to 1."""
         x = np.asarray(xi, dtype=np.float64)
-        require_within("xi", x, 0.0, 1.0, ROUNDING)
+        require_within(0.0, 1.0, xi=x)
         flat = x.reshape(-1)
         table = np.empty((4, flat.size))
         for begin in range(0, flat.size, BLOCK):

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_within, unwrap
+from engine.laws.base import BREAK_TOLERANCE, Array, Real, require_within, unwrap
 from engine.laws.extremes import acceleration, zeros
 from engine.laws.family import Law
 from engine.laws.piece import Piece, begins, gains, placed_pieces
@@ -76,7 +76,7 @@ def inverse(law: Law, s: Real) -> Real:
     end = law.end.s
     if end <= 0.0 or not is_monotone(law):
         raise ValueError(f"{law.name} does not rise throughout; expected a law that never moves backwards")
-    require_within("s", flat, 0.0, end, ROUNDING)
+    require_within(0.0, end, s=flat)
     xi = np.where(flat <= 0.0, 0.0, 1.0)
     inside = (flat > 0.0) & (flat < end)
     if inside.any():

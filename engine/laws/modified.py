@@ -12,10 +12,10 @@ from engine.laws.pulse_law import (
     SUM_TOLERANCE,
     PulseLaw,
     TwoPulses,
+    edged,
     pulses_of,
-    require_share,
+    require_shares,
     seven_durations,
-    sine_edged,
 )
 
 CLASSIC = (1 / 8, 1 / 4, 1 / 8, 0.0, 1 / 8, 1 / 4, 1 / 8)
@@ -43,10 +43,10 @@ class ModifiedTrapezoidal(PulseLaw):
         object.__setattr__(self, "durations", seven_durations(self.durations))
 
     def _pulses(self) -> TwoPulses:
-        return pulses_of(self.durations, sine_edged)
+        return pulses_of(self.durations, sine=True)
 
 
-CLASSIC_PULSE = sine_edged(0.25, 0.5, 0.25)
+CLASSIC_PULSE = edged(0.25, 0.5, 0.25)
 
 
 @dataclass(frozen=True)
@@ -71,13 +71,13 @@ class TrapezoidByShare(PulseLaw):
     ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
-        require_share("share", self.share)
-        require_share("edge", self.edge, ends=True)
+        require_shares(share=self.share)
+        require_shares(ends=True, edge=self.edge)
         if self.reversal not in ("none", "start", "end"):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'none', 'start' or 'end'")
 
     def _pulses(self) -> TwoPulses:
-        cut = sine_edged(0.0, 1.0 - self.edge, self.edge)
+        cut = edged(0.0, 1.0 - self.edge, self.edge)
         rise, fall = (cut if self.reversal == end else CLASSIC_PULSE for end in ("start", "end"))
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
@@ -109,13 +109,12 @@ class ModifiedSine(PulseLaw):
     ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
-        require_share("share", self.share)
-        require_share("rise_edge", self.rise_edge, ends=True)
-        require_share("fall_edge", self.fall_edge, ends=True)
+        require_shares(share=self.share)
+        require_shares(ends=True, rise_edge=self.rise_edge, fall_edge=self.fall_edge)
 
     def _pulses(self) -> TwoPulses:
-        rise = sine_edged(self.rise_edge, 0.0, 1.0 - self.rise_edge)
-        fall = sine_edged(self.fall_edge, 0.0, 1.0 - self.fall_edge)
+        rise = edged(self.rise_edge, 0.0, 1.0 - self.rise_edge)
+        fall = edged(self.fall_edge, 0.0, 1.0 - self.fall_edge)
         return TwoPulses(rise, self.share, 0.0, fall, 1.0 - self.share)
 
     @classmethod
@@ -156,13 +155,12 @@ class SineConstantCosine(PulseLaw):
 
     def __post_init__(self) -> None:
         parts = {"sine": self.sine, "constant": self.constant, "cosine": self.cosine, "straight": self.straight}
-        for name, value in parts.items():
-            require_share(name, value, ends=True)
+        require_shares(ends=True, **parts)
         if abs(sum(parts.values()) - 1.0) > SUM_TOLERANCE:
             raise ValueError(f"the shares {', '.join(parts)} sum to {sum(parts.values()):.12g}; expected 1")
         if not self._bent > 0.0:
             raise ValueError("straight is 1; expected time to speed up and slow down")
-        require_share("share", self.share)
+        require_shares(share=self.share)
 
     @property
     def _bent(self) -> float:
@@ -170,11 +168,11 @@ class SineConstantCosine(PulseLaw):
 
     def _pulses(self) -> TwoPulses:
         bent = self._bent
-        pulse = sine_edged(self.sine / bent, self.constant / bent, self.cosine / bent)
+        pulse = edged(self.sine / bent, self.constant / bent, self.cosine / bent)
         return TwoPulses(pulse, self.share * bent, self.straight, pulse, (1.0 - self.share) * bent)
 
 
-REST_SIDE = sine_edged(0.25, 0.0, 0.75)
+REST_SIDE = edged(0.25, 0.0, 0.75)
 
 
 @dataclass(frozen=True)
@@ -196,7 +194,7 @@ class HarmonicCombination(PulseLaw):
     ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
-        require_share("share", self.share)
+        require_shares(share=self.share)
         if self.reversal not in ("start", "end"):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'start' or 'end'")
 
@@ -227,7 +225,7 @@ class SineStraightSine(PulseLaw):
         require_finite(curved=self.curved)
         if not 0.0 < self.curved <= 1.0:
             raise ValueError(f"curved is {self.curved:g}; expected a share of more than 0 and at most 1")
-        require_share("share", self.share)
+        require_shares(share=self.share)
 
     def _pulses(self) -> TwoPulses:
         late = self.curved * (1.0 - self.share)

@@ -56,6 +56,23 @@ class Piece:
         c = self.c + (0.0,) * (POWERS - len(self.c))
         return (*c, *(x for p, w, phi in self.both for x in (p, w, math.sin(phi), math.cos(phi))))
 
+    def scaled(self, height: float, time: float = 1.0) -> "Piece":
+        """Return the piece with its accelerations times ``height`` and its duration times ``time``.
+
+        c_i becomes height c_i/timeⁱ, P becomes height P, ω becomes ω/time; φ stays. Raises ValueError unless time > 0.
+        """
+        if not time > 0.0:
+            raise ValueError(f"the time is {time:g}; expected more than 0")
+        return replace(
+            self,
+            duration=self.duration * time,
+            c=tuple(height * c / time**i for i, c in enumerate(self.c)),
+            amplitude=height * self.amplitude,
+            omega=self.omega / time,
+            amplitude2=height * self.amplitude2,
+            omega2=self.omega2 / time,
+        )
+
 
 def gains(u: Array, row: Array) -> tuple[Array, Array, Array, Array]:
     """Return ∬a, ∫a, a and da/du of pieces from their begin to u; ``row`` is :attr:`Piece.row`, in columns."""
@@ -188,24 +205,6 @@ def _lag(h: Array, sin: Array, cos: Array) -> Array:
     return np.where(y < 1.0, series * term, direct)
 
 
-def scaled_piece(piece: Piece, height: float, time: float) -> Piece:
-    """Return a piece with its accelerations times ``height`` and its duration times ``time``.
-
-    c_i becomes height c_i/timeⁱ, P becomes height P, ω becomes ω/time; φ stays. Raises ValueError unless time > 0.
-    """
-    if not time > 0.0:
-        raise ValueError(f"the time is {time:g}; expected more than 0")
-    return replace(
-        piece,
-        duration=piece.duration * time,
-        c=tuple(height * c / time**i for i, c in enumerate(piece.c)),
-        amplitude=height * piece.amplitude,
-        omega=piece.omega / time,
-        amplitude2=height * piece.amplitude2,
-        omega2=piece.omega2 / time,
-    )
-
-
 def cut(piece: Piece, shares: Sequence[float]) -> list[Piece]:
     """Return the parts of a piece between these shares of its duration, each with u from its own begin.
 
@@ -216,7 +215,7 @@ def cut(piece: Piece, shares: Sequence[float]) -> list[Piece]:
         replace(
             piece,
             duration=end - begin,
-            c=tuple(shifted(piece.c, i, begin) for i in range(len(piece.c))),
+            c=shifted(piece.c, begin),
             phase=piece.phase + piece.omega * begin,
             phase2=piece.phase2 + piece.omega2 * begin,
         )
@@ -232,15 +231,15 @@ def backwards(piece: Piece) -> Piece:
     d = piece.duration
     return replace(
         piece,
-        c=tuple(-((-1.0) ** i) * shifted(piece.c, i, d) for i in range(len(piece.c))),
+        c=tuple(-((-1.0) ** i) * c for i, c in enumerate(shifted(piece.c, d))),
         phase=-(piece.omega * d + piece.phase),
         phase2=-(piece.omega2 * d + piece.phase2),
     )
 
 
-def shifted(c: Sequence[float], i: int, d: float) -> float:
-    """Return the i-th coefficient of the polynomial Σ c_k xᵏ in powers of x − d: Σ_{k ≥ i} c_k C(k, i) dᵏ⁻ⁱ."""
-    return sum(c[k] * math.comb(k, i) * d ** (k - i) for k in range(i, len(c)))
+def shifted(c: Sequence[float], d: float) -> tuple[float, ...]:
+    """Return the coefficients Σ_{k ≥ i} c_k C(k, i) dᵏ⁻ⁱ of the polynomial Σ c_k xᵏ in powers of x − d."""
+    return tuple(sum(c[k] * math.comb(k, i) * d ** (k - i) for k in range(i, len(c))) for i in range(len(c)))
 
 
 def reversed_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -127,10 +127,7 @@ def normalized(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
         raise ValueError("no factors bring the own law to rest at its rise; expected it to speed up, then slow down")
     up, down = found.factors
     factors = [down if slow else up for slow in found.slows]
-    return tuple(
-        replace(p, c=tuple(f * c for c in p.c), amplitude=f * p.amplitude, amplitude2=f * p.amplitude2)
-        for p, f in zip(pieces, factors, strict=True)
-    )
+    return tuple(piece.scaled(factor) for piece, factor in zip(pieces, factors, strict=True))
 
 
 def _size(piece: Piece) -> float:

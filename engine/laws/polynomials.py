@@ -5,7 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from engine.laws.ends import REST, BoundaryLaw, BoundaryValues, EndError, require_ends
+from engine.laws.ends import REST, BoundaryLaw, BoundaryValues, EndError
 from engine.laws.family import Vendors
 from engine.laws.piece import Piece
 from engine.laws.pulse_law import HALF_345, HALF_4567, LINE_DOWN
@@ -101,7 +101,7 @@ class HalvedPolynomial(HalvedLaw):
 
     def between(self, ends: BoundaryValues) -> BoundaryPolynomial:
         """Return the polynomial of this degree with these boundary values; raise EndError if λ is not ½."""
-        require_ends(self, ends, self.ENDED.TAKES)
+        ends.require_taken(self, self.ENDED.TAKES)
         if self.share != 0.5:
             raise EndError(
                 f"{self.name} with the share {self.share:g} is made of two halves that begin and end at rest; "

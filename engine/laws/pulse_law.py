@@ -10,7 +10,7 @@ from typing import ClassVar, NamedTuple
 from engine.laws.base import require_finite
 from engine.laws.ends import BoundaryLaw
 from engine.laws.extremes import at_peaks
-from engine.laws.piece import Piece, PlacedPiece, backwards, placed_pieces, scaled_piece
+from engine.laws.piece import Piece, PlacedPiece, backwards, placed_pieces
 
 K = 2.0 / math.pi  # mean of a quarter sine
 QUARTER = math.pi / 2.0
@@ -37,38 +37,16 @@ class Pulse:
         return (last.s + last.ds) / self.gain
 
 
-def sine_edged(rise: float, flat: float, fall: float) -> Pulse:
-    """Return the pulse sin(πx/2d1), 1, cos(πx/2d3), x from the begin of each stage.
+def edged(*shares: float, sine: bool = True) -> Pulse:
+    """Return the pulse sin(πx/2d1), 1, cos(πx/2d3), x from the begin of each stage; without ``sine`` x/d1, 1, 1 − x/d3.
 
-    Source: S1, 'Modified trapezoidal … curve'.
-
-    Parameters
-    ----------
-    rise, flat, fall : float
-        Shares d1, d2, d3 of the pulse's duration.
-
-    Returns
-    -------
-    Pulse
-
-    Raises
-    ------
-    ValueError
-        Unless the shares are 0 or more and sum to 1.
+    d1, d2 and d3 are the ``shares`` of its duration; raises ValueError unless they are 0 or more and sum to 1. Straight
+    edges are a ramp of velocity with limited jerk. Source: S1, 'Modified trapezoidal … curve'.
     """
-    return _edged((rise, flat, fall), sine=True)
-
-
-def linear_edged(rise: float, flat: float, fall: float) -> Pulse:
-    """Return the pulse x/d1, 1, 1 − x/d3, a ramp of velocity with limited jerk; else as :func:`sine_edged`."""
-    return _edged((rise, flat, fall), sine=False)
-
-
-def _edged(shares: tuple[float, float, float], sine: bool) -> Pulse:
-    """Return a pulse of a rising edge, a constant and a falling edge."""
+    rise, flat, fall = shares
     if not (min(shares) >= 0.0 and abs(sum(shares) - 1.0) <= SUM_TOLERANCE):
         raise ValueError(f"the shares of a pulse are {shares}; expected three, none negative, of sum 1")
-    return Pulse(_stages(*shares, sine), _stages(*shares[::-1], sine))
+    return Pulse(_stages(rise, flat, fall, sine), _stages(fall, flat, rise, sine))
 
 
 def _stages(rise: float, flat: float, fall: float, sine: bool) -> tuple[Piece, ...]:
@@ -87,7 +65,7 @@ def polynomial_pulse(*c: float) -> Pulse:
 
 _HALF_SINE = (Piece(1.0, amplitude=1.0, omega=math.pi),)
 HALF_SINE = Pulse(_HALF_SINE, _HALF_SINE)  # sin πx in one piece. Source: S3, 'CIC'
-FALLING_SINE = sine_edged(0.0, 0.0, 1.0)
+FALLING_SINE = edged(0.0, 0.0, 1.0)
 CONSTANT = polynomial_pulse(1.0)
 LINE_DOWN = polynomial_pulse(1.0, -1.0)  # the half of a cubic
 HALF_345 = polynomial_pulse(*(c / (5.0 / math.sqrt(3.0)) for c in (0.0, 15.0, -22.5, 7.5)))
@@ -96,11 +74,12 @@ HALF_4567 = polynomial_pulse(*(c / (42.0 / (5.0 * math.sqrt(5.0))) for c in (0.0
 """the half of the polynomial 4-5-6-7, s = 35ξ⁴ − 84ξ⁵ + 70ξ⁶ − 20ξ⁷"""
 
 
-def require_share(name: str, value: float, ends: bool = False) -> None:
-    """Raise ValueError unless a share is between 0 and 1; with ``ends`` it may be 0 or 1."""
-    require_finite(**{name: value})
-    if not (0.0 < value < 1.0 or (ends and 0.0 <= value <= 1.0)):
-        raise ValueError(f"{name} is {value:g}; expected a share {'from 0 to 1' if ends else 'between 0 and 1'}")
+def require_shares(ends: bool = False, **shares: float) -> None:
+    """Raise ValueError for the first share that is not between 0 and 1; with ``ends`` it may be 0 or 1."""
+    require_finite(**shares)
+    for name, value in shares.items():
+        if not (0.0 < value < 1.0 or (ends and 0.0 <= value <= 1.0)):
+            raise ValueError(f"{name} is {value:g}; expected a share {'from 0 to 1' if ends else 'between 0 and 1'}")
 
 
 def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
@@ -221,8 +200,8 @@ class PulseLaw(BoundaryLaw):
     def _placed(self) -> tuple[list[PlacedPiece], list[PlacedPiece], float]:
         """The first pulse and the cruise, at exactly V, from the begin; the second pulse from the end; the stroke."""
         c, e = self.pulses, self.ends
-        rise = [scaled_piece(piece, self.acceleration, c.rise_time) for piece in c.rise.pieces]
-        fall = [scaled_piece(piece, self.deceleration, c.fall_time) for piece in c.fall.pieces]
+        rise = [piece.scaled(self.acceleration, c.rise_time) for piece in c.rise.pieces]
+        fall = [piece.scaled(self.deceleration, c.fall_time) for piece in c.fall.pieces]
         *early, cruise = placed_pieces([*rise, Piece(c.cruise)], e.v0)
         travel = c.rise_time * (e.v0 + c.rise.lead * (self.top - e.v0))
         return [*early, cruise._replace(s=travel, v=self.top)], placed_pieces(fall, e.v1), e.stroke
@@ -232,15 +211,16 @@ class PulseLaw(BoundaryLaw):
         c = self.pulses
         sides = (c.rise.pieces, self.acceleration, c.rise_time), (c.fall.mirrored, -self.deceleration, c.fall_time)
         rise, fall = (
-            [[scaled_piece(part, height, time) for part in parted(piece)] for piece in pieces]
+            [[part.scaled(height, time) for part in parted(piece)] for piece in pieces]
             for pieces, height, time in sides
         )
         stages = [*rise, [Piece(c.cruise)], *fall]
         return [(k, stages[k]) for k in self.STAGES or range(len(stages))]
 
 
-def pulses_of(durations: tuple[float, ...], edged: Callable[[float, float, float], Pulse]) -> TwoPulses:
-    """Return two pulses with edges and the cruise between them, of the durations of seven stages."""
+def pulses_of(durations: tuple[float, ...], sine: bool) -> TwoPulses:
+    """Return two pulses of :func:`edged` and the cruise between them, of the durations of seven stages."""
     d1, d2, d3, d4, d5, d6, d7 = durations
     up, down = d1 + d2 + d3, d5 + d6 + d7
-    return TwoPulses(edged(d1 / up, d2 / up, d3 / up), up, d4, edged(d7 / down, d6 / down, d5 / down), down)
+    rise = edged(d1 / up, d2 / up, d3 / up, sine=sine)
+    return TwoPulses(rise, up, d4, edged(d7 / down, d6 / down, d5 / down, sine=sine), down)

@@ -13,7 +13,6 @@ from engine.laws.pulse_law import (
     Pulse,
     PulseLaw,
     TwoPulses,
-    linear_edged,
     pulses_of,
     seven_durations,
 )
@@ -111,7 +110,7 @@ class SCurve(PulseLaw):
         object.__setattr__(self, "durations", seven_durations(self.durations))
 
     def _pulses(self) -> TwoPulses:
-        return pulses_of(self.durations, linear_edged)
+        return pulses_of(self.durations, sine=False)
 
     @classmethod
     def of_shares(cls, ramp: float, jerk: float) -> Self:

@@ -8,7 +8,7 @@ from engine.laws.ends import REST, BoundaryValues
 from engine.laws.extremes import at_peaks
 from engine.laws.family import Law, Vendors
 from engine.laws.piece import Piece, reversed_pieces
-from engine.laws.pulse_law import CONSTANT, FALLING_SINE, HALF_SINE, Pulse, PulseLaw, TwoPulses, require_share
+from engine.laws.pulse_law import CONSTANT, FALLING_SINE, HALF_SINE, Pulse, PulseLaw, TwoPulses, require_shares
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class HalvedLaw(PulseLaw):
     share: float = 0.5  # λ, between 0 and 1, else ValueError
 
     def __post_init__(self) -> None:
-        require_share("share", self.share)
+        require_shares(share=self.share)
 
     def _pulses(self) -> TwoPulses:
         return TwoPulses(self.HALF, self.share, 0.0, self.HALF, 1.0 - self.share)

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from engine.laws import Dwell, Law
-from engine.laws.ends import STILL, BoundaryLaw, BoundaryValues, EndError, kind, law_with_ends, require_ends
+from engine.laws.ends import STILL, BoundaryLaw, BoundaryValues, EndError, kind, law_with_ends
 from engine.laws.polynomials import BoundaryLine
 from engine.laws.simple import StraightLine
 from engine.motion.motion import Motion
@@ -137,7 +137,7 @@ def _between(phase: Phase, begin: EndCondition, end: EndCondition) -> Phase:
     d, law = phase.duration, phase.law
     first, last = begin.required, end.required
     if isinstance(law, BoundaryLaw) and law.fixes_ends:
-        require_ends(law, BoundaryValues(a0=first.a, a1=last.a, j0=first.j, j1=last.j), "")  # it keeps its velocities
+        BoundaryValues(a0=first.a, a1=last.a, j0=first.j, j1=last.j).require_taken(law, "")  # it keeps its velocities
         return Phase(law, phase.lift, d)
     if isinstance(law, BoundaryLaw):
         law = law.with_open_ends(begin.open, end.open)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from engine.laws import Law, law
-from engine.laws.base import BREAK_TOLERANCE, ROUNDING, Array, Real, require_finite, require_within, unwrap
+from engine.laws.base import BREAK_TOLERANCE, Array, Real, require_finite, require_within, unwrap
 from engine.laws.points import reach
 from engine.motion.phase import MotionValues, Phase, PhaseEnds, TimeValues, phases_of
 
@@ -157,7 +157,7 @@ class Motion:
         """Return y, y', y'', y''' at x: floats for a number, else arrays. Raises ValueError outside the abscissa."""
         at = np.asarray(x, dtype=np.float64)
         flat = at.reshape(-1)
-        require_within("x", flat, float(self.edges[0]), float(self.edges[-1]), ROUNDING * self.total)
+        require_within(float(self.edges[0]), float(self.edges[-1]), x=flat)
         found = np.searchsorted(self.edges, flat + self.tolerance, side="right") - 1
         index = np.clip(found, 0, len(self.phases) - 1)
         durations = np.array([p.duration for p in self.phases])

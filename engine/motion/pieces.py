@@ -40,8 +40,7 @@ class MotionPiece:
         """y, y', y'' and y''' over u."""
         used = max((k for k, c in enumerate(self.c, 1) if c), default=0)
         y = Curve(self.c[: max(used, 3)], tuple(sine for sine in self.sines if sine[0]))
-        v = y.derivative()
-        return y, v, v.derivative(), v.derivative().derivative()
+        return y, y.slope, y.slope.slope, y.slope.slope.slope
 
 
 class ScaledLaw(NamedTuple):

@@ -65,7 +65,7 @@ class Shifted:
         cycles, middle = self._unshifted(np.array([0.5 * (low + high)]))
         before = [piece for piece in self._pieces if piece.begin <= middle[0]]
         y, u = before[-1].curves[0], float(middle[0]) - 0.5 * (high - low) - before[-1].begin
-        c = [shifted(y.c, i, u) for i in range(len(y.c))]
+        c = list(shifted(y.c, u))
         c[0] += float(cycles[0]) * self.motion.lifts_sum
         return Curve(tuple(c), tuple((a, w, phi + w * u) for a, w, phi in y.sines))
 
@@ -112,7 +112,7 @@ def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, hig
         columns[: len(curve.c)] += factor * np.array(curve.c)
     columns[0] += offset
     gap = Curve(tuple(columns.tolist()), tuple((f * a, w, phi) for f, curve in curves for a, w, phi in curve.sines))
-    return min(Gap(gap(u), low + u) for u in (0.0, *zeros(gap.derivative(), high - low), high - low))
+    return min(Gap(gap(u), low + u) for u in (0.0, *zeros(gap.slope, high - low), high - low))
 
 
 def meets_least(gap: float, least: float, size: float) -> bool:

@@ -31,7 +31,7 @@ def test_the_monotone_pieces_are_the_law(law):
 def test_the_acceleration_turns_at_no_place_within_a_piece(law):
     for piece in law.monotone_pieces():
         d = piece.duration
-        turns = zeros(acceleration(piece).derivative(), d) if d > 0.0 else []
+        turns = zeros(acceleration(piece).slope, d) if d > 0.0 else []
         assert not [u for u in turns if EDGE * d < u < (1.0 - EDGE) * d]
 
 

@@ -8,16 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws.extremes import coefficients_of, square_integral
-from engine.laws.piece import Piece, backwards, gains, reversed_pieces, scaled_piece
+from engine.laws.piece import Piece, backwards, gains, reversed_pieces
 from engine.laws.pulse_law import (
     CONSTANT,
     HALF_345,
     HALF_4567,
     HALF_SINE,
     LINE_DOWN,
-    linear_edged,
+    edged,
     polynomial_pulse,
-    sine_edged,
 )
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
@@ -34,8 +33,8 @@ def shares(draw):
 
 pulses = st.one_of(
     st.sampled_from(WHOLE),
-    st.builds(lambda d: sine_edged(*d), shares()),
-    st.builds(lambda d: linear_edged(*d), shares()),
+    st.builds(lambda d: edged(*d), shares()),
+    st.builds(lambda d: edged(*d, sine=False), shares()),
 )
 
 
@@ -76,12 +75,12 @@ def test_the_pieces_last_one(pulse):
     [
         (CONSTANT, 1, 1 / 2, 1, 1),
         (HALF_SINE, 2 / math.pi, 1 / 2, 1 / 2, 3 * math.sqrt(3) / (4 * math.pi)),
-        (sine_edged(1, 0, 0), 2 / math.pi, 1 - 2 / math.pi, 1 / 2, 2 / math.pi),
-        (sine_edged(0, 0, 1), 2 / math.pi, 2 / math.pi, 1 / 2, 1 / math.pi),
-        (sine_edged(1 / 4, 0, 3 / 4), 2 / math.pi, (math.pi + 4) / (4 * math.pi), 1 / 2, 2.244369709691 / math.tau),
-        (sine_edged(1 / 4, 1 / 2, 1 / 4), 1 / 2 + 1 / math.pi, 1 / 2, 3 / 4, None),
-        (linear_edged(0.2, 0.6, 0.2), 0.8, 1 / 2, 1 - 0.8 / 3, 0.7),
-        (linear_edged(0.5, 0.0, 0.5), 0.5, 1 / 2, 1 / 3, 0.5 * (2 / 3) ** 1.5),
+        (edged(1, 0, 0), 2 / math.pi, 1 - 2 / math.pi, 1 / 2, 2 / math.pi),
+        (edged(0, 0, 1), 2 / math.pi, 2 / math.pi, 1 / 2, 1 / math.pi),
+        (edged(1 / 4, 0, 3 / 4), 2 / math.pi, (math.pi + 4) / (4 * math.pi), 1 / 2, 2.244369709691 / math.tau),
+        (edged(1 / 4, 1 / 2, 1 / 4), 1 / 2 + 1 / math.pi, 1 / 2, 3 / 4, None),
+        (edged(0.2, 0.6, 0.2, sine=False), 0.8, 1 / 2, 1 - 0.8 / 3, 0.7),
+        (edged(0.5, 0.0, 0.5, sine=False), 0.5, 1 / 2, 1 / 3, 0.5 * (2 / 3) ** 1.5),
         (LINE_DOWN, 1 / 2, 2 / 3, 1 / 3, math.sqrt(3) / 9),
         (HALF_345, 3 * math.sqrt(3) / 8, 8 / 15, 18 / 35, 2 * 6075 / (343 * math.sqrt(7)) * 3 / 100),
         (HALF_4567, 25 * math.sqrt(5) / 96, 16 / 35, 625 / 1386, None),
@@ -96,10 +95,10 @@ def test_known_pulses(pulse, gain, lead, square, power):
 
 
 @pytest.mark.parametrize("given_", [(0.5, 0.6, -0.1), (0.5, 0.4, 0.0), (0.0, math.nan, 1.0)])
-@pytest.mark.parametrize("edged", [sine_edged, linear_edged])
-def test_shares_of_a_pulse_that_cannot_be(edged, given_):
+@pytest.mark.parametrize("sine", [True, False])
+def test_shares_of_a_pulse_that_cannot_be(sine, given_):
     with pytest.raises(ValueError, match="expected three, none negative, of sum 1"):
-        edged(*given_)
+        edged(*given_, sine=sine)
 
 
 SINES = Piece(0.7, (1.0, -2.0, 3.0, 0.5, -1.0, 2.0), 1.5, 4.0, 0.3, -0.5, 9.0, 1.0)
@@ -114,12 +113,12 @@ def test_a_piece_backwards_is_its_negative_from_the_end_and_itself_twice():
 
 def test_a_stretched_piece():
     u = np.linspace(0, 0.7, 41)
-    wide = scaled_piece(SINES, -2.0, 3.0)
+    wide = SINES.scaled(-2.0, 3.0)
     row, other = (np.array(piece.row)[:, None] for piece in (SINES, wide))
     assert wide.duration == pytest.approx(2.1)
     assert gains(3 * u, other)[2] == pytest.approx(-2 * gains(u, row)[2], abs=1e-12)
     with pytest.raises(ValueError, match="expected more than 0"):
-        scaled_piece(SINES, 1.0, 0.0)
+        SINES.scaled(1.0, 0.0)
 
 
 @given(pulses)
