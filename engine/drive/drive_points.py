@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.motor import TorqueFall
+from engine.drive.motor import Motor
 from engine.drive.quadrature import LoadPoints
 from engine.laws.base import Array
 
@@ -116,19 +116,18 @@ class DrivePoints:
         """Return the largest absolute value of a quantity over the cycle."""
         return max(self.top(values), self.top(-values))
 
-    def reserve(self, peak: float, falling: TorqueFall) -> Array:
-        """Return what of a peak torque (Nm) that falls is left at each point (Nm): T − f max(0, |ω| − ω_1) − |T|."""
-        curve = peak - falling.fall * np.maximum(0.0, np.abs(self.speed) - falling.knee)
-        return np.asarray(curve - np.abs(self.torque))
+    def reserve(self, motor: Motor) -> Array:
+        """Return what is left of a motor's peak torque at each point (Nm)."""
+        return motor.peak_at(self.speed) - np.abs(self.torque)
 
-    def falling_use(self, peak: float, falling: TorqueFall) -> Array:
-        """Return at each point the use 1/r² of a peak torque T (Nm) that falls: |S + r² I| + f r |ω| = T + f ω_1.
+    def falling_use(self, motor: Motor) -> Array:
+        """Return at each point the use 1/r² of a motor's peak torque T that falls: |S + r² I| + f r |ω| = T + f ω_1.
 
         It has two rows, for positive and negative torque, of the first r that reaches the line; 0 if none does. See
         :func:`limit_uses` for S and I.
         """
         way = np.array([1.0, -1.0])[:, None, None]
-        left = falling.corner(peak) - way * self.standing
-        sink = falling.fall * np.abs(self.speed)
+        left = motor.falling.corner(motor.peak_torque) - way * self.standing
+        sink = motor.falling.fall * np.abs(self.speed)
         square = sink**2 + 4.0 * way * (self.torque - self.standing) * left
         return np.where(square < 0.0, 0.0, ((sink + np.sqrt(np.maximum(square, 0.0))) / (2.0 * left)) ** 2)

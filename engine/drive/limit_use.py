@@ -8,7 +8,6 @@ import numpy as np
 from engine.drive import Motor
 from engine.drive.drive_points import DrivePoints
 from engine.drive.limits import ReducerLimits
-from engine.drive.motor import TorqueFall
 from engine.laws.base import Array
 
 LEAST_USE = 1e-9  # a smaller use is rounding: the limit is reached beyond 30,000 times the present rate
@@ -119,7 +118,7 @@ def by_speed(speed: float, limit: float) -> LimitUse:
 
 
 def limit_uses(
-    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, falling: TorqueFall, rate: float
+    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, rate: float
 ) -> dict[str, LimitUse]:
     """Return the use of each limit by its name.
 
@@ -134,8 +133,6 @@ def limit_uses(
         Largest speed of the motor.
     motor : Motor
     reducer : ReducerLimits
-    falling : TorqueFall
-        By which the motor's peak torque falls above a speed.
     rate : float, 1/s
         The present rate.
 
@@ -154,7 +151,7 @@ def limit_uses(
         "reducer peak torque": whole._replace(use=max(whole.use, by_cycles(points, reducer, rate)[2])),
         "reducer mean torque": by_mean(points, reducer.mean_torque),
     }
-    if falling.fall:
-        use = float(points.falling_use(peak, falling).max())
-        found["torque below the curve"] = found["peak torque"]._replace(limit=falling.corner(peak), use=use)
+    if motor.falling.fall:
+        use = float(points.falling_use(motor).max())
+        found["torque below the curve"] = found["peak torque"]._replace(limit=motor.falling.corner(peak), use=use)
     return found

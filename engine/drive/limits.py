@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from engine.drive.cycle import DriveCycle, TorqueInterval
-from engine.drive.motor import LimitCheck, Motor, TorqueCurve
+from engine.drive.motor import LimitCheck, Motor
 from engine.drive.results import DriveResults
 from engine.drive.search import extremes
 from engine.laws.base import Array
@@ -41,6 +41,9 @@ class ReducerLimits:
         return self.peak_torque / float(cycle_factor_at(rate, self.full_rate, self.cycle_factor))
 
 
+NO_LIMITS = ReducerLimits()
+
+
 def cycle_factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) -> Array:
     """Return the divisor of reducers' peak torques: the cycle factor beyond their full rate, else 1.
 
@@ -60,27 +63,12 @@ def cycle_factor_at(rate: ArrayLike, full_rate: ArrayLike, factor: ArrayLike) ->
 
 
 @dataclass(frozen=True)
-class Limits:
-    """The limits of a drive."""
-
-    motor: Motor
-    curve: TorqueCurve | None = None  # of the motor's peak torque; None: constant up to its largest speed
-    reducer: ReducerLimits = field(default_factory=ReducerLimits)
-
-    @property
-    def peak_curve(self) -> TorqueCurve:
-        """The given curve, or the motor's peak torque up to its largest speed."""
-        if self.curve is not None:
-            return self.curve
-        return TorqueCurve(np.array([0.0, self.motor.max_speed]), np.array([self.motor.peak_torque] * 2))
-
-
-@dataclass(frozen=True)
 class LimitChecks:
-    """A cycle checked against limits."""
+    """A cycle checked against the limits of a motor and a reducer."""
 
     drive_cycle: DriveCycle
-    limits: Limits
+    motor: Motor
+    reducer: ReducerLimits = NO_LIMITS
 
     @cached_property
     def results(self) -> DriveResults:
@@ -90,11 +78,11 @@ class LimitChecks:
     @cached_property
     def checks(self) -> tuple[LimitCheck, ...]:
         """A check for each finite limit: RMS torque and torque below the curve (Nm), speed (rad/s), the reducer's."""
-        motor, reducer, curve, found = self.limits.motor, self.limits.reducer, self.limits.peak_curve, self.results
+        motor, reducer, found = self.motor, self.reducer, self.results
         asked: dict[str, tuple[float, Callable[[], float]]] = {
             "RMS torque": (self.continuous, lambda: found.rms_torque),
-            BELOW: (float(curve.torque.max()), lambda: found.torque.peak),
-            "motor speed": (min(motor.max_speed, float(curve.speed[-1])), lambda: found.speed.peak),
+            BELOW: (motor.peak_torque, lambda: found.torque.peak),
+            "motor speed": (motor.max_speed, lambda: found.speed.peak),
             "reducer input speed": (reducer.input_speed, lambda: found.speed.peak),
             "reducer peak torque": (reducer.peak_at(1.0 / self.drive_cycle.time), lambda: found.shaft_torque(1).peak),
             "reducer mean torque": (reducer.mean_torque, lambda: found.mean_shaft_torque(1)),
@@ -118,20 +106,19 @@ class LimitChecks:
     @cached_property
     def continuous(self) -> float:
         """The motor's continuous torque at the mean speed of the cycle (Nm)."""
-        motor = self.limits.motor
+        motor = self.motor
         level = motor.stall_torque <= motor.rated_torque
         return motor.rated_torque if level else float(motor.continuous(self.results.mean_speed))
 
     @cached_property
     def _below_curve(self) -> LimitCheck:
-        """|T| and the curve, constant beyond its last corner, at the least reserve (Nm)."""
-        curve = self.limits.peak_curve
-        last = float(curve.speed[-1])
+        """|T| and the curve, constant beyond the motor's largest speed, at the least reserve (Nm)."""
+        motor = self.motor
 
         def worst(interval: TorqueInterval, least: float) -> tuple[float, float]:
             def excess(u: Array) -> Array:
-                speed = np.clip(interval.motor_speed(u), -last, last)
-                return np.asarray(np.abs(interval.torque(u)) - curve.at(speed))
+                speed = np.minimum(np.abs(interval.motor_speed(u)), motor.max_speed)
+                return np.abs(interval.torque(u)) - motor.peak_at(speed)
 
             ((found, u),) = extremes(excess, interval.samples, (1.0,), least)
             return found, float(np.abs(interval.torque(np.array([u])))[0])
@@ -183,4 +170,4 @@ def highest_rate_of_axis(checks: LimitChecks) -> tuple[float, str]:
 
 def at_speed(checks: LimitChecks, speed: float) -> LimitChecks:
     """Return the checks of the same cycle at another speed of the abscissa (units per s)."""
-    return LimitChecks(replace(checks.drive_cycle, speed=speed), checks.limits)
+    return replace(checks, drive_cycle=replace(checks.drive_cycle, speed=speed))

@@ -1,7 +1,7 @@
 """The motor: its limits, the reserves of a cycle against them, derating by temperature. SI units."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -33,17 +33,6 @@ class TorqueFall(NamedTuple):
 LEVEL = TorqueFall()  # of a peak torque that does not fall
 
 
-class TorqueCurve(NamedTuple):
-    """The peak torque of a servo-motor against its speed, as corners of straight lines."""
-
-    speed: Array  # rad/s, rising from 0
-    torque: Array  # Nm
-
-    def at(self, speed: ArrayLike) -> Array:
-        """Return T_M,max (Nm) at a speed (rad/s) of either direction; 0 beyond the last corner."""
-        return np.asarray(np.interp(np.abs(speed), self.speed, self.torque, right=0.0))
-
-
 RATED_AT = 25.0  # °C of the surroundings, to which a motor's rated torque applies in S4
 WINDING_LIMIT = 175.0  # °C; inferred from S4, problem 2, where 35 °C lowers the torque from 0.147 to 0.142 Nm
 UPPER = ((-1, 3), (-1, 2), (-1, 1), (0, 0), (1, 1), (1, 2), (1, 3))
@@ -62,6 +51,7 @@ class Motor:
     max_speed: float = math.inf  # rad/s
     stall_torque: float = 0.0  # continuous, at standstill (Nm); ignored unless it is above the rated torque
     rated_speed: float = math.inf  # rad/s
+    falling: TorqueFall = field(default=LEVEL, kw_only=True)  # of the peak torque
 
     def __post_init__(self) -> None:
         require_not_negative("motor", inertia=self.inertia)
@@ -73,18 +63,21 @@ class Motor:
         """Return the continuous torque (Nm) at a mean speed (rad/s): see :func:`continuous`."""
         return continuous(self.rated_torque, self.stall_torque, self.rated_speed, speed)
 
-    def corners(self, lowest_speed: float, falling: TorqueFall = LEVEL) -> "LimitCorners":
+    def peak_at(self, speed: ArrayLike) -> Array:
+        """Return the peak torque (Nm) at speeds (rad/s) of either direction."""
+        return np.asarray(self.peak_torque - self.falling.fall * np.maximum(0.0, np.abs(speed) - self.falling.knee))
+
+    def corners(self, lowest_speed: float) -> "LimitCorners":
         """Return the limits as a closed line in the plane of speed and torque, from its upper left corner.
 
-        It extends to negative speeds only if ``lowest_speed`` (rad/s) is negative. The peak torque is ``falling``.
+        It extends to negative speeds only if ``lowest_speed`` (rad/s) is negative.
         """
         side, which, up = np.array(CORNERS).T
-        begins = falling.knee if falling.fall else self.max_speed
+        begins = self.falling.knee if self.falling.fall else self.max_speed
         bends = sorted((min(self.rated_speed, self.max_speed), begins))
         speed = side * np.array([0.0, *bends, self.max_speed])[which]
         speed = speed if lowest_speed < -STANDSTILL else np.maximum(speed, 0.0)
-        peak = self.peak_torque - falling.fall * np.maximum(0.0, np.abs(speed) - begins)
-        return LimitCorners(side > 0, speed, up * peak, up * self.continuous(speed))
+        return LimitCorners(side > 0, speed, up * self.peak_at(speed), up * self.continuous(speed))
 
 
 class LimitCorners(NamedTuple):

@@ -265,7 +265,8 @@ def test_limits_are_a_closed_line_on_the_sides_that_the_motor_turns_to(lowest, l
     assert peak.tolist() == [*[160.0] * 7, *[-160.0] * 7, 160.0]
     assert (rated / peak).tolist() == [60 / 160] * 15
     assert right.tolist() == [False] * 4 + [True] * 6 + [False] * 5
-    falling = replace(MOTOR, stall_torque=90.0, rated_speed=200.0).corners(lowest, TorqueFall(100.0, 0.2))
+    motor = replace(MOTOR, stall_torque=90.0, rated_speed=200.0, falling=TorqueFall(100.0, 0.2))
+    falling = motor.corners(lowest)
     assert falling.speed[3:7].tolist() == [0.0, 100.0, 200.0, 300.0]
     assert falling.peak[3:7].tolist() == [160.0, 160.0, 140.0, 120.0]
     assert falling.continuous[3:7].tolist() == [90.0, 75.0, 60.0, 60.0]

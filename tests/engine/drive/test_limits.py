@@ -11,8 +11,8 @@ import pytest
 from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
-from engine.drive.limits import BELOW, LimitChecks, Limits, ReducerLimits, at_speed, highest_rate
-from engine.drive.motor import TorqueCurve
+from engine.drive.limits import BELOW, NO_LIMITS, LimitChecks, ReducerLimits, at_speed, highest_rate
+from engine.drive.motor import LEVEL, TorqueFall
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
 from engine.motion import Motion
@@ -25,10 +25,10 @@ TURN = 2 * pi
 MASS = Load(2.0)
 
 
-def judged(limits, load=MASS, inertia=1e-3, speed=20.0, gears=()):
+def judged(motor, reducer=NO_LIMITS, load=MASS, inertia=1e-3, speed=20.0, gears=()):
     motion = Motion.from_edges([0, 1, 2, TURN], [0.1, -0.1, 0], [law("CIC"), law("CIC"), Dwell()])
     drive = Drive(KINDS["belt"].of(load, 0.05, gears=gears), inertia)
-    return LimitChecks(DriveCycle(Drivetrain(drive), motion, speed), limits)
+    return LimitChecks(DriveCycle(Drivetrain(drive), motion, speed), motor, reducer)
 
 
 def checked(one):
@@ -37,8 +37,7 @@ def checked(one):
 
 def test_every_limit_is_checked_in_its_unit():
     gears = [Stage("gear", 4.0, 0.9)]
-    limits = Limits(Motor(1e-3, 3.0, 9.0, 900.0), reducer=ReducerLimits(40.0, 20.0, 400.0))
-    one = judged(limits, gears=gears)
+    one = judged(Motor(1e-3, 3.0, 9.0, 900.0), ReducerLimits(40.0, 20.0, 400.0), gears=gears)
     found, results = checked(one), DriveResults(one.drive_cycle)
     assert found["RMS torque"].value == results.rms_torque
     assert found["motor speed"].value == found["reducer input speed"].value == results.speed.peak
@@ -49,25 +48,25 @@ def test_every_limit_is_checked_in_its_unit():
 
 
 def test_a_mean_torque_lies_between_the_mean_and_the_peak():
-    one = judged(Limits(Motor(1e-3)), gears=[Stage("gear", 4.0)])
+    one = judged(Motor(1e-3), gears=[Stage("gear", 4.0)])
     results = DriveResults(one.drive_cycle)
     assert 0.3 * results.shaft_torque(1).peak < results.mean_shaft_torque(1) < results.shaft_torque(1).peak
 
 
 def test_the_least_reserve_under_a_curve_against_samples():
-    curve = TorqueCurve(np.array([0.0, 60.0, 120.0, 200.0]), np.array([9.0, 9.0, 5.0, 1.0]))
-    one = judged(Limits(Motor(1e-3, 100.0, 9.0, 200.0), curve), speed=30.0)
+    motor = Motor(1e-3, 100.0, 9.0, 200.0, falling=TorqueFall.between((60.0, 9.0), (200.0, 1.0)))
+    one = judged(motor, speed=30.0)
     rows = sampled(one.drive_cycle, 40001)
-    reserve = min(float((curve.at(speed) - np.abs(torque)).min()) for _, speed, torque in rows)
+    curve = [np.interp(np.abs(speed), [60.0, 200.0], [9.0, 1.0]) for _, speed, _ in rows]
+    reserve = min(float((one - np.abs(row[2])).min()) for one, row in zip(curve, rows, strict=True))
     found = checked(one)[BELOW]
     assert found.limit - found.value == pytest.approx(reserve, abs=1e-6)
     assert found.limit - found.value <= reserve + 1e-9
     assert found.ok == (reserve >= 0)
 
 
-def test_beyond_the_last_corner_of_a_curve_the_speed_fails():
-    curve = TorqueCurve(np.array([0.0, 50.0]), np.array([900.0, 900.0]))
-    one = judged(Limits(Motor(1e-3, 100.0, 900.0, 500.0), curve))
+def test_beyond_the_largest_speed_the_speed_fails_and_not_the_curve():
+    one = judged(Motor(1e-3, 100.0, 900.0, 50.0, falling=TorqueFall.between((40.0, 900.0), (50.0, 800.0))))
     assert checked(one)[BELOW].ok
     assert checked(one)["motor speed"].limit == 50.0
     assert not one.ok
@@ -78,19 +77,19 @@ def test_beyond_the_last_corner_of_a_curve_the_speed_fails():
 
 
 def test_the_highest_rate_of_a_speed_and_of_an_inertia_in_closed_form():
-    one = judged(Limits(Motor(1e-3, math.inf, math.inf, 500.0)))
+    one = judged(Motor(1e-3, math.inf, math.inf, 500.0))
     found = highest_rate({"A": one})
     assert found.speed == pytest.approx(20.0 * 500.0 / DriveResults(one.drive_cycle).speed.peak, rel=1e-9)
     assert found[1:] == ("A", "motor speed")
-    other = judged(Limits(Motor(1e-3, 3.0)))
+    other = judged(Motor(1e-3, 3.0))
     expected = 20.0 * math.sqrt(3.0 / DriveResults(other.drive_cycle).rms_torque)
     assert highest_rate({"B": other}).speed == pytest.approx(expected, rel=1e-9)
     assert highest_rate({"A": one, "B": other}) == min(found, highest_rate({"B": other}))
 
 
 def test_where_nothing_binds_and_where_nothing_helps():
-    assert highest_rate({"A": judged(Limits(Motor(1e-3)))}) == (math.inf, "", "")
-    held = judged(Limits(Motor(1e-3, 1.0)), load=Load(2.0, 500.0))
+    assert highest_rate({"A": judged(Motor(1e-3))}) == (math.inf, "", "")
+    held = judged(Motor(1e-3, 1.0), load=Load(2.0, 500.0))
     assert highest_rate({"A": held}) == (0.0, "A", "RMS torque")
     assert highest_rate({}) == (math.inf, "", "")
 
@@ -107,10 +106,11 @@ def limits_of(rng, drive_cycle):
         max(results.speed.peak, 1e-3) * rng.uniform(0.8, 3),
     )
     rated, stall = near(results.rms_torque), results.rms_torque * rng.uniform(0.5, 4.0)
-    motor = Motor(1e-3, rated, peak, fastest, stall, rng.uniform(0.3, 1.0) * fastest)
-    curve = TorqueCurve(np.array([0.0, 0.4 * fastest, fastest]), np.array([peak, peak, rng.uniform(0.2, 1) * peak]))
+    falling = TorqueFall.between((0.4 * fastest, peak), (fastest, rng.uniform(0.2, 1) * peak))
+    speed = rng.uniform(0.3, 1.0) * fastest
+    motor = Motor(1e-3, rated, peak, fastest, stall, speed, falling=rng.choice([falling, LEVEL]))
     reducer = ReducerLimits(near(results.shaft_torque(1).peak), near(results.mean_shaft_torque(1)), near(fastest))
-    return Limits(motor, rng.choice([curve, None]), reducer)
+    return motor, reducer
 
 
 @pytest.mark.parametrize("number", [*range(3), *nights(100)])
@@ -118,7 +118,7 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, 
     told = f"rate {number}"
     told = seed(told) if request.node.get_closest_marker("nightly") else told
     drive_cycle = drive_cycle_of(told, kinds=list(SIZES) if number < 2 else [*SIZES, *LINKAGES])
-    one = LimitChecks(drive_cycle, limits_of(random.Random(told), drive_cycle))
+    one = LimitChecks(drive_cycle, *limits_of(random.Random(told), drive_cycle))
     found = highest_rate({"X": one})
     if found.speed == 0.0:
         assert not at_speed(one, drive_cycle.speed * 1e-5).ok
@@ -133,13 +133,13 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, 
 @pytest.mark.parametrize("full", [0.5, 1.2, 9.0])
 def test_beyond_its_cycles_a_reducer_s_torque_counts_over_the_factor(full):
     """S grows with the square of the rate, and meets T at N: T/4 at N/2. Up to ``full`` N no factor counts."""
-    free = judged(Limits(Motor(1e-3), reducer=ReducerLimits(40.0)))
+    free = judged(Motor(1e-3), reducer=ReducerLimits(40.0))
     meets = highest_rate({"A": free}).speed
     factored = ReducerLimits(40.0, full_rate=full * meets / TURN, cycle_factor=4.0)
-    found = highest_rate({"A": judged(Limits(Motor(1e-3), reducer=factored))})
+    found = highest_rate({"A": judged(Motor(1e-3), reducer=factored)})
     assert (found.speed, found.limit) == (pytest.approx(min(1.0, full) * meets, rel=1e-8), "reducer peak torque")
     early = replace(factored, full_rate=0.3 * meets / TURN)
-    assert highest_rate({"A": judged(Limits(Motor(1e-3), reducer=early))}).speed == pytest.approx(meets / 2, rel=1e-8)
+    assert highest_rate({"A": judged(Motor(1e-3), reducer=early)}).speed == pytest.approx(meets / 2, rel=1e-8)
     assert (factored.peak_at(factored.full_rate), factored.peak_at(1.001 * factored.full_rate)) == (40.0, 10.0)
 
 
@@ -150,6 +150,6 @@ def test_limits_that_cannot_be_are_refused():
 
 
 def test_a_cycle_at_another_rate_is_the_same_motion():
-    one = judged(Limits(Motor(1e-3)))
+    one = judged(Motor(1e-3))
     assert at_speed(one, 40.0).results.speed.peak == pytest.approx(2 * one.results.speed.peak, rel=1e-12)
     assert replace(one.drive_cycle, speed=40.0) == at_speed(one, 40.0).drive_cycle

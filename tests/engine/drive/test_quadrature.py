@@ -20,9 +20,8 @@ from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.limit_use import by_rms, limit_uses
-from engine.drive.limits import LimitChecks, Limits, ReducerLimits, highest_rate
+from engine.drive.limits import LimitChecks, ReducerLimits, highest_rate
 from engine.drive.mechanisms.variable_ratio import OutOfReachError
-from engine.drive.motor import TorqueFall
 from engine.drive.quadrature import SHARES, WEIGHTS, QuadratureCycle
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
@@ -209,7 +208,7 @@ def named(drive_cycle, motor, reducer):
         if drive_cycle.train.linkage
         else drive_cycle.unshifted.fastest * points_ratio(drive_cycle)
     )
-    each = limit_uses(points, speed, motor, reducer, TorqueFall(), 1.0 / drive_cycle.time)
+    each = limit_uses(points, speed, motor, reducer, 1.0 / drive_cycle.time)
     return min(one.highest(drive_cycle.speed) for one in each.values())
 
 
@@ -229,7 +228,7 @@ def test_the_rate_that_is_entered_and_read_again_is_the_exact_one(request, numbe
     drive_cycle, drawn = random_course(f"rate {told}", linked=number % 10 == 3), random.Random(f"limits {told}")
     motor, reducer = limits_near(points_of(drive_cycle), drawn)
     motor = falling(motor, drawn) if number % 2 else motor
-    exact = highest_rate({"A": LimitChecks(drive_cycle, Limits(motor, None, reducer))}).speed
+    exact = highest_rate({"A": LimitChecks(drive_cycle, motor, reducer)}).speed
     rate = settled(drive_cycle, motor, reducer)
     if exact == 0.0:
         assert rate <= 1e-3 * drive_cycle.speed
@@ -279,7 +278,7 @@ def test_the_rate_by_a_falling_continuous_torque_is_on_the_safe_side_and_exact_w
     rated, stall = (points.rms_torque * drawn.uniform(*ends) for ends in ((0.4, 1.2), (1.0, 3.0)))
     motor = Motor(1e-3, rated, stall_torque=stall, rated_speed=points.size(points.speed))
     rate = by_rms(points, motor).highest(drive_cycle.speed)
-    exact = highest_rate({"A": LimitChecks(drive_cycle, Limits(motor))}).speed
+    exact = highest_rate({"A": LimitChecks(drive_cycle, motor)}).speed
     assert 0.0 < rate <= exact * (1.0 + 2e-3)
     for _ in range(8):
         drive_cycle = replace(drive_cycle, speed=rate)

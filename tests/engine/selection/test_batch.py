@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from engine.drive.drive_points import DrivePoints, peak
-from engine.drive.motor import TorqueFall
+from engine.drive.motor import Motor, TorqueFall
 from engine.drive.quadrature import QuadratureCycle
 from engine.motion.pieces import motion_pieces
 from engine.selection.point_load import DriveBatch, MotorLimits, PairArrays, PointLoad, tops
@@ -21,7 +21,7 @@ LIMITS = MotorLimits(np.array([5.0, 80.0, 9.0, 300.0]), np.full(4, 30.0), np.arr
 def alone(points, limits, time):
     """What the points of one drive say."""
     power, (top, knee, fall, _) = points.power, limits
-    reserve = points.reserve(top, TorqueFall(knee, fall)).min()
+    reserve = points.reserve(Motor(1.0, peak_torque=top, falling=TorqueFall(knee, fall))).min()
     works = [points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0)]
     ends = [-points.top(-points.torque), points.top(points.torque), -points.top(-power), points.top(power)]
     return [*ends, reserve, *works]

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.drive import Load, Motor
-from engine.drive.motor import TorqueCurve
+from engine.drive.motor import TorqueFall
 from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
 from engine.motion import Motion, Phase
 from engine.selection.catalogue import Motors, Reducers
@@ -126,9 +126,9 @@ def test_knee_and_fall_are_those_of_the_curve():
     assert between == pytest.approx(8.0 - m.fall[1] * np.array([0.0, 100.0, 200.0]))
 
 
-def test_torque_curve_between_and_beyond_its_corners():
-    curve = TorqueCurve(np.array([0.0, 300.0, 600.0]), np.array([10.0, 10.0, 4.0]))
-    assert curve.at([0.0, -450.0, 600.0, 601.0]) == pytest.approx([10.0, 7.0, 4.0, 0.0])
+def test_a_peak_torque_falls_beyond_its_knee_in_both_directions():
+    motor = Motor(1.0, peak_torque=10.0, falling=TorqueFall.between((300.0, 10.0), (600.0, 4.0)))
+    assert motor.peak_at([0.0, -450.0, 600.0]) == pytest.approx([10.0, 7.0, 4.0])
 
 
 def test_accelerating_factor_is_rated_torque_squared_over_inertia():

@@ -42,7 +42,7 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         in_use(sheet, view)
         sheet.not_printed_below()
         sheet.heading("Workings: the motor's limits in the chart")
-        corners = view.motor.corners(min(0.0, float(view.load.direction.min())), view.falling)
+        corners = view.motor.corners(min(0.0, float(view.load.direction.min())))
         limits_table(sheet, corners, "MIN([@pt.dir])<0", falls=True)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         sheet.heading("Workings: the cycle at points", "Nine points of each piece of the tool's motion, ends included.")
@@ -95,7 +95,7 @@ def checks(view: ToolDrive) -> list[Quantity]:
         check("@ok_told", "Drive: motor and reducer are in the catalogue", "@motor_row*@reducer_row>0", True,
               says=f'"{UNLISTED}"'),
         *limit_checks(view.reserve, "Drive"),
-        below_curve("Drive", view.falling.fall, float(view.left.min())),
+        below_curve("Drive", view.motor.falling.fall, float(view.left.min())),
         *within_reducer(
             "Drive", ("speed", "@speed", "@reducer_nmax", not fastest or speed <= fastest, shown(speed, RPM),
                       shown(fastest, RPM)),
@@ -138,8 +138,8 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         of("@motor_nn", "Speed of its rated torque", "n_N", "rpm", "motor.nn", shown(motor.rated_speed, RPM)),
         of("@motor_peak", "Peak torque of the motor", "T_max", "Nm", "motor.peak", motor.peak_torque),
         of("@motor_nmax", "Largest speed of the motor", "n_max", "rpm", "motor.nmax", shown(motor.max_speed, RPM)),
-        of("@knee", "… up to which the peak torque holds", "n_1", "rpm", "motor.knee", shown(view.falling.knee, RPM)),
-        of("@fall", "Fall of the peak torque beyond", "f", "Nm/rpm", "motor.fall", shown(view.falling.fall, PER_RPM)),
+        of("@knee", "… up to which the peak torque holds", "n_1", "rpm", "motor.knee", shown(motor.falling.knee, RPM)),
+        of("@fall", "Fall of the peak torque beyond", "f", "Nm/rpm", "motor.fall", shown(motor.falling.fall, PER_RPM)),
         of("@reducer_nmax", "Largest input speed of the reducer", "", "rpm", "reducer.nmax",
            shown(view.limits[0], RPM), "0: no limit"),
         of("@reducer_peak", "Largest output torque of the reducer", "", "Nm", "reducer.held", view.limits[1],

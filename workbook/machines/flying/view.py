@@ -111,8 +111,8 @@ class ToolDrive:
         self.pair = m, place_of(chosen.reducer, reducers.names) if chosen.reducer else r  # in use, by places from 0
         self.gears = self.proposal.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
-        self.motor = Motor(*(float(one[self.pair[0]]) for one in of))
-        self.falling = TorqueFall(*(float(one[self.pair[0]]) for one in (motors.knee, motors.fall)))
+        falling = TorqueFall(*(float(one[self.pair[0]]) for one in (motors.knee, motors.fall)))
+        self.motor = Motor(*(float(one[self.pair[0]]) for one in of), falling=falling)
         limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
         found = [float(one[self.pair[1]]) for one in limits]
         self.limits = [0.0 if np.isinf(one) else one for one in found]  # of the reducer; 0: none
@@ -123,7 +123,7 @@ class ToolDrive:
         self.speed = self.gears.ratio * cut.max_angular_speed  # the largest of the motor
         self.peak = float(np.abs(self.points.torque).max())  # of the motor: no torque is larger between the points
         self.motor_torque = max(self.peak, self.torque / self.gears.ratio, LEAST)  # the scale of its torques
-        self.left = self.points.reserve(self.motor.peak_torque, self.falling)
+        self.left = self.points.reserve(self.motor)
         self.reserve = reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
         task, (inertia, ratio, efficiency, _) = self.proposal.grid.task, self.gears
         best = ratio * float(task.best_ratio(inertia, efficiency))

@@ -5,17 +5,15 @@ from functools import cached_property, partial
 from math import radians
 from typing import TypeVar
 
-import numpy as np
-
 from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drivetrain import Brake, Drivetrain, Window
-from engine.drive.limits import LimitChecks, Limits
+from engine.drive.limits import LimitChecks
 from engine.drive.mechanisms import by_angle
 from engine.drive.mechanisms.by_angle import Arm, ByAngle
 from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
-from engine.drive.motor import TorqueCurve, TorqueFall
+from engine.drive.motor import LEVEL
 from engine.drive.results import DriveResults
 from workbook.fields.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.machines.machine.drive.in_use import falling_of, left_of, motor_in_use, reducer_in_use
@@ -95,9 +93,9 @@ class Driven:
         self.called = f"Drive {entered.called}"
         self.given, self.holding, load = entered.mechanism, entered.motor.holding, entered.load
         self.catalogued_falling = falling_of(entered.motor.name, products)
-        self.falling = self.catalogued_falling if products.knows_falling else TorqueFall()
         self.motor_used, self.reducer = motor_in_use(entered, products), reducer_in_use(entered, products)
-        self.motor, self.left = self.motor_used.motor, left_of(entered.motor)
+        falling = self.catalogued_falling if products.knows_falling else LEVEL
+        self.motor, self.left = replace(self.motor_used.motor, falling=falling), left_of(entered.motor)
 
         self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
         self.by_angle: ByAngle | None = None
@@ -157,12 +155,8 @@ class Driven:
 
     @property
     def limit_checks(self) -> LimitChecks:
-        """The drive and its limits, exact: the motor's peak torque is level, or falls beyond its knee."""
-        knee, fall = self.falling
-        peak, fastest = self.motor.peak_torque, self.motor.max_speed
-        torques = np.array([peak, peak, peak - fall * (fastest - knee)])
-        curve = TorqueCurve(np.array([0.0, knee, fastest]), torques) if fall else None
-        return LimitChecks(self.drive_cycle, Limits(self.motor, curve, self.reducer.limits))
+        """The drive and its limits, exact."""
+        return LimitChecks(self.drive_cycle, self.motor, self.reducer.limits)
 
     @property
     def max_geometric_velocity(self) -> float:

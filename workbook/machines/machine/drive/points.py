@@ -112,8 +112,8 @@ def standing(view: DriveView, behind: str) -> list[Quantity]:
     ]  # fmt: skip
     if not view.knows_falling:
         return columns
-    peak, level = driven.motor.peak_torque, np.stack([0.0 * points.torque] * 2)
-    forward, backward = points.falling_use(peak, driven.falling) if driven.falling.fall > 0.0 else level
+    level = np.stack([0.0 * points.torque] * 2)
+    forward, backward = points.falling_use(driven.motor) if driven.motor.falling.fall > 0.0 else level
 
     def use(grows: str, left: str) -> str:
         square = f"(@fall*[n])^2+4*({grows})*({left})"
@@ -122,7 +122,7 @@ def standing(view: DriveView, behind: str) -> list[Quantity]:
     return [
         *columns,
         calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
-             of(points.reserve(peak, driven.falling)), "T_max − f (n − n_1) − |T|",
+             of(points.reserve(driven.motor)), "T_max − f (n − n_1) − |T|",
              scale=size.torque),
         calc("uc", "share of the curve", "", "", use("[T]-[T0]", "@corner-[T0]"), of(forward), "of torques forward",
              scale=1.0),

@@ -61,7 +61,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
             reducer_load.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
         backward = min(0.0, float(view.cycle.direction.min()))
-        corners = driven.motor.corners(backward, driven.falling)
+        corners = driven.motor.corners(backward)
         limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         sheet.heading("Workings: the cycle in intervals and points")
@@ -203,7 +203,7 @@ def checks(view: DriveView) -> list[Quantity]:
             ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
         ),
         *(brake.checks(view) if view.brakes else ()), *in_use.checks(driven.number, called),
-        below_curve(called, driven.falling.fall, view.spare, mends) if view.knows_falling else level,
+        below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.tables.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),
     ]  # fmt: skip

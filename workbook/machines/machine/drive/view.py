@@ -72,7 +72,7 @@ class DriveView:
         self.points = DrivePoints(self.load)
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
         self.speed = self.points.size(self.points.speed) if self.varies else turns  # the largest of the motor (rad/s)
-        limits = driven.motor, driven.reducer.limits, driven.falling, 1.0 / self.time
+        limits = driven.motor, driven.reducer.limits, 1.0 / self.time
         self.shares = limit_uses(self.points, self.speed, *limits)  # of each limit, by its name
 
     @cached_property
@@ -149,8 +149,7 @@ class DriveView:
     @property
     def spare(self) -> float:
         """The least that is left below the motor's curve (Nm)."""
-        peak, points = self.driven.motor.peak_torque, self.points
-        return float(points.reserve(peak, self.driven.falling).min())
+        return float(self.points.reserve(self.driven.motor).min())
 
     @cached_property
     def scales(self) -> Scales:
