@@ -2,10 +2,12 @@
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 from math import degrees, pi, radians
 
 import numpy as np
 import pytest
+from numpy.polynomial.chebyshev import chebinterpolate
 
 from engine.drive import KINDS, Drive, Load, Part, Slide, Stage, cylinder, resisting
 from engine.drive.cycle import DriveCycle, MotionPieces
