@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
-from openpyxl.utils import column_index_from_string
+from openpyxl.utils.cell import coordinate_to_tuple
 
 from workbook.book.address import Address, Place
 
@@ -190,9 +190,7 @@ def reference(text: str, sheet: str, area: Resolve) -> Area:
 
 def corner(cell: str) -> tuple[int, int]:
     """Return row and column of ``$B$7``; raise FormulaError where no sheet has such a cell."""
-    plain = cell.replace("$", "").upper()
-    letters = plain.rstrip("0123456789")
-    row, number = int(plain[len(letters) :]), column_index_from_string(letters)
+    row, number = coordinate_to_tuple(cell.replace("$", "").upper())
     if not (1 <= row <= LAST_ROW and number <= LAST_COLUMN):
         raise FormulaError("#NAME?", f"there is no cell {cell}")
     return row, number

@@ -12,7 +12,7 @@ from engine.motion import Motion, MotionValues, Phase
 from engine.motion.joining import JoinedMotion, Rates, join_phases
 from engine.motion.shifted import Shifted, Unshifted
 from engine.timing import shaft_speed, turn_time
-from workbook.entries.abscissa import ANGLE, Abscissa
+from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.machines.machine import entries as entered
@@ -31,12 +31,10 @@ class MovingAxis:
 
     twin: Self | None = None  # an axis of the same motion at another speed: that is worked out once
 
-    def __init__(
-        self, given: entered.Axis, number: int, library: dict[str, Law], speed: float,
-        typed: entered.Axis | None = None, over: Abscissa = ANGLE,
-    ) -> None:  # fmt: skip
-        self.given, self.number, self.speed = given, number, speed
-        self.typed, self.over, self.library = typed or given, over, library
+    def __init__(self, given: entered.Axis, number: int, library: dict[str, Law], speed: float,
+                 typed: entered.Axis, over: Abscissa) -> None:  # fmt: skip
+        self.given, self.number, self.library, self.speed, self.typed, self.over = (
+            given, number, library, speed, typed, over)  # fmt: skip
         self.unit, self.base = UNITS[given.unit], BASES[given.unit]
 
     @property

@@ -1,7 +1,7 @@
 """Motor and reducer of a drive: by name from the sheet Catalogue, or as entered; one entry decides, the name."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
 from typing import NamedTuple, TypeVar
 
 from engine.drive import Motor, derating
@@ -44,10 +44,10 @@ IN_SI = {"kg cm²": ("kg m²", "({})/10000")}
 """of the units of what is entered in others, for the formulas behind: the unit, and what a formula stands in"""
 
 
-def named(rows: Iterable[P], name: str) -> P | None:
-    """Return the product of a name; None where nothing is named."""
-    known = list(rows)
-    return known[place_of(name, [row.name for row in known])] if name else None
+def named(rows: Sequence[P], name: str) -> tuple[int, P | None]:
+    """Return the row, from 1, of the product of a name, and the product; 0 and None where nothing is named."""
+    place = place_of(name, [row.name for row in rows])
+    return place + 1, rows[place] if place >= 0 else None
 
 
 class MotorInUse(NamedTuple):
@@ -100,8 +100,7 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
     """Return the motor of an axis. Raises ValueError where it has none."""
     if axis.motor is None:
         raise ValueError(f"{axis.name} has no motor")
-    found = named(products.motors, axis.motor.name)
-    row = place_of(axis.motor.name, [row.name for row in products.motors]) + 1
+    row, found = named(products.motors, axis.motor.name)
     given, left = found or axis.motor, left_of(axis.motor)
     inertia, rated, peak, fastest = (float(getattr(given, name)) for name in NEEDED)
     stall = max(rated, given.stall_torque or 0.0) * left
@@ -114,7 +113,7 @@ def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
 
 def falling_of(name: str, products: Products) -> TorqueFall:
     """Return how the peak torque of a motor of the catalogue falls; of one that is entered, not at all."""
-    found = named(products.motors, name)
+    _, found = named(products.motors, name)
     if found is None or found.full_torque_to is None or found.end_torque is None:
         return TorqueFall()
     knee, fastest = si(found.full_torque_to, RPM), si(found.max_speed, RPM)
@@ -128,8 +127,8 @@ def left_of(motor: AxisMotor) -> float:
 
 def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
     """Return the reducer of an axis, one of ratio 1 where nothing is entered."""
-    found = named(products.reducers, axis.reducer.name)
-    row, used = place_of(axis.reducer.name, [one.name for one in products.reducers]) + 1, found or axis.reducer
+    row, found = named(products.reducers, axis.reducer.name)
+    used = found or axis.reducer
     ratio, peak = (found.reduction, found.max_torque) if found else (axis.reducer.ratio, axis.reducer.peak_torque)
     return ReducerInUse(row, ratio, used.efficiency, si(used.inertia or 0.0, KG_CM2), used.no_load_torque or 0.0,
                         peak or 0.0, used.full_cycles or 0.0, used.cycle_factor or 1.0, used.mean_torque or 0.0,

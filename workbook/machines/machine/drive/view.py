@@ -65,9 +65,8 @@ class DriveView:
         self.rate = machine.per_minute if own is None else own
         self.time = driven.drive_cycle.time  # of a cycle (s)
         self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour
-        pieces = like.cycle.pieces if like else list(tables.pieces.pieces)
-        near = like.cycle.near if like else tables.axis.motion.tolerance
-        self.cycle: QuadratureCycle = QuadratureCycle(driven.drive_cycle, pieces, near)
+        pieces, near = list(tables.pieces.pieces), tables.axis.motion.tolerance
+        self.cycle = QuadratureCycle(driven.drive_cycle, pieces, near)
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
         self.points = DrivePoints(self.load)
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
