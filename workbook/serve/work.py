@@ -14,13 +14,11 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from workbook.errors import MotionbookError
-from workbook.memo import enable_memo
 
 POSIX = os.name == "posix"
 MEMORY = 6 * 2**30  # bytes of address space of a command, where the system can limit it
 LONGEST = 600.0  # seconds of a command
 PATIENCE = 60.0  # seconds of what is worked out beside the server
-REMEMBERED = 48  # things of each kind that the process for what is edited remembers: those of two of the largest books
 T = TypeVar("T")
 
 
@@ -143,9 +141,8 @@ def limit_memory() -> None:
 
 
 def prepare_worker() -> None:
-    """Prepare the process for what is edited: it remembers what an edit leaves as it is."""
+    """Prepare the process for what is edited."""
     if POSIX:
         limit_memory()
-    enable_memo(REMEMBERED)
     gc.freeze()
     gc.set_threshold(500_000, 10, 10)

@@ -8,8 +8,7 @@ from workbook.book.sentence import rounded
 from workbook.fields.units import PER_MINUTE, RPM, shown
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.clearances import ClearanceView
-from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.view import DriveView, settled_highest
+from workbook.machines.machine.drive.view import DriveView, drive_of, settled_highest
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView, MovingAxis
@@ -28,9 +27,7 @@ def axes_of(machine: AnyMachine) -> list[AxisTables]:
 
 def drives_of(machine: AnyMachine) -> Iterator[DriveView]:
     """Yield the drives of a machine."""
-    for rows in axes_of(machine):
-        if rows.axis.given.mechanism and rows.axis.given.motor:
-            yield DriveView(rows, Driven(rows.axis, machine))
+    yield from filter(None, map(drive_of, axes_of(machine)))
 
 
 def rates(machine: AnyMachine) -> list[str]:

@@ -1,7 +1,6 @@
 """Where the motions of a machine's axes stand in its book, and the tables of their steps and pieces."""
 
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import Any
 
 from engine.motion import Phase
@@ -11,8 +10,7 @@ from workbook.laws.sampling import HIGH, LOW, Pieces
 from workbook.machines.machine.boundary import curves
 from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.memo import memoized
-from workbook.motion.cells import Cells, PieceRows, rows_of
+from workbook.motion.cells import Cells, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.requirements import RequiredSmoothness
 from workbook.motion.smooth import Joints
@@ -31,12 +29,8 @@ class AxisTables:
         self.axis, self.machine, self.name = axis, machine, f"axis{axis.number}"
         self.rows = machine.given.sizes.phases
         self.steps = self.rows + self.rows + 1
-        made = partial(rows_of, self.at, axis.motion, stack, axis.places, self.steps)
-        self.pieces: PieceRows = memoized("pieces", (axis.motion, self.steps, self.at), made)
-        required = self.required
-        self.joints = memoized(
-            "joints", (self.pieces, required), partial(Joints.of, self.pieces, axis.motion, required)
-        )
+        self.pieces = rows_of(self.at, axis.motion, stack, axis.places, self.steps)
+        self.joints = Joints.of(self.pieces, axis.motion, self.required)
         self.ends = AxisHandover(self.pieces, axis, machine.over) if machine.hands_over else None
 
     @property

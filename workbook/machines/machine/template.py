@@ -15,14 +15,13 @@ from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, PER_MINUTE, shown, si
 from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
 from workbook.law_sheets.library import laws
-from workbook.laws.sampling import Pieces
 from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
 from workbook.machines.machine.clearances import ClearanceView, clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reach import require_mechanisms
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.sheet import drive_sheet
-from workbook.machines.machine.drive.view import NONE_BINDS, DriveView
+from workbook.machines.machine.drive.view import NONE_BINDS, DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import deviations, rates
 from workbook.machines.machine.file_layout import fixed, laid_out
@@ -35,7 +34,6 @@ from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
 from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.memo import memoized
 from workbook.motion.exported import export_sheet
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.pair_selection import PairSelection
@@ -45,12 +43,11 @@ from workbook.template_outputs import CamAxis, CamSwitch
 
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
-    of_laws = given.laws, given.sizes, bool(given.laws.of("LIN"))
-    book_laws = memoized("laws", of_laws, partial(BookLaws, *of_laws))
+    book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))
     machine = MachineView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
-    both = [driven(machine, axis, book_laws.stack) for axis in machine.axes]
-    rows, drives = [one for one, _ in both], {one.axis.number: view for one, view in both if view}
+    rows = [AxisTables(machine, axis, book_laws.stack) for axis in machine.axes]
+    drives = {one.axis.number: view for one in rows if (view := drive_of(one))}
     bus = Mains(list(drives.values()), given.power) if drives else None
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
     told = [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *(supply(bus) if bus else [])]
@@ -80,21 +77,6 @@ def declare(given: AnyMachine) -> Book:
     export_sheet(book, given, [exportable(one) for one in rows])
     judge_axes(book, machine.axes, given.laws.names)
     return finish(book, ("S1", "S3", "S4"))
-
-
-def driven(machine: MachineView, axis: MovingAxis, stack: Pieces) -> tuple[AxisTables, DriveView | None]:
-    """Return an axis at its place in the book, and its drive; those of the latest book where they are the same."""
-    given = machine.given
-    others = type(given), *(getattr(given, name) for name in type(given).model_fields if name != "axes")
-    rest = memoized("machines", others, lambda: others)
-
-    def made() -> tuple[AxisTables, DriveView | None]:
-        one = AxisTables(machine, axis, stack)
-        return one, DriveView(one, Driven(axis, given)) if axis.given.mechanism and axis.given.motor else None
-
-    one, view = memoized("drives", (axis, rest), made)
-    one.machine = machine
-    return one, view
 
 
 def pace(machine: MachineView) -> list[Quantity]:

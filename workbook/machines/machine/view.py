@@ -1,7 +1,7 @@
 """The engine's view of a machine of any axes, in SI units."""
 
 from copy import copy
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Self
 
 import numpy as np
@@ -17,7 +17,6 @@ from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.extremes import measured
-from workbook.memo import memoized
 
 UNITS = {"mm": MM, "°": DEGREE}
 BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entries
@@ -155,12 +154,9 @@ class MachineView:
         self.angles = np.linspace(0.0, TURN, machine.sizes.cycle + 1)
         self.samples: Array = si(self.angles, DEGREE)
         both = zip(machine.axes_turned, machine.axes, strict=True)
-        speed, over = self.speed, self.over
-        moving = [
-            memoized("axes", (i, id(library), over, a, typed), partial(MovingAxis, a, i, library, speed, typed, over))
-            for i, (a, typed) in enumerate(both, 1)
-        ]  # of these very laws: cells find them by what they are, not by what they equal
-        self.axes = [memoized("axes at speed", (one, speed), partial(one.at_speed, speed)) for one in moving]
+        self.axes = [
+            MovingAxis(one, i, library, self.speed, typed, self.over) for i, (one, typed) in enumerate(both, 1)
+        ]
 
     @property
     def near(self) -> float:

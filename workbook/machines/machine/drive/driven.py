@@ -1,7 +1,7 @@
 """The engine's view of the drive of one axis."""
 
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import cached_property
 from math import radians
 from typing import TypeVar
 
@@ -30,7 +30,6 @@ from workbook.machines.machine.mechanism import (
     Table,
 )
 from workbook.machines.machine.view import MovingAxis
-from workbook.memo import memoized
 
 T = TypeVar("T")
 SHAFTS = ("motor", "mechanism")
@@ -144,9 +143,8 @@ class Driven:
     @cached_property
     def drive_cycle(self) -> DriveCycle:
         """The drive over the motion of its axis, at the rate that it is sized at."""
-        motion = self.axis.motion
-        told = memoized("told", motion, partial(MotionPieces.of, motion))
-        return DriveCycle(self.train, told, self.axis.speed, self.axis.shifted.shift)
+        motion = MotionPieces.of(self.axis.motion)
+        return DriveCycle(self.train, motion, self.axis.speed, self.axis.shifted.shift)
 
     @cached_property
     def results(self) -> DriveResults:

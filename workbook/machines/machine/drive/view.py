@@ -170,6 +170,12 @@ class DriveView:
         return driving, returned
 
 
+def drive_of(tables: AxisTables) -> DriveView | None:
+    """Return the drive of an axis, if it has one."""
+    given = tables.axis.given
+    return DriveView(tables, Driven(tables.axis, tables.machine.given)) if given.mechanism and given.motor else None
+
+
 def settled_highest(view: DriveView) -> Highest:
     """Return the highest rate of a drive where it is entered and read again, until it stays."""
     one, axis, found = view, view.driven.axis, view.highest
