@@ -1,7 +1,7 @@
 """Limits of a motor and a reducer, a cycle checked against them, and the highest rate within all. SI units."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
@@ -137,35 +137,27 @@ class HighestRate(NamedTuple):
     """The highest speed of the abscissa at which every check holds, and the limiting factor."""
 
     speed: float  # units of the abscissa per s; 0 below a millionth of the present one, infinite above a million times
-    axis: str  # name of the limiting axis
     limit: str  # name of the limiting factor; empty if there is none
 
 
-def highest_rate(axes: Mapping[str, LimitChecks]) -> HighestRate:
-    """Return the highest rate of axes on one master shaft, by their names.
+def highest_rate(checks: LimitChecks) -> HighestRate:
+    """Return the highest rate of an axis.
 
-    The search goes from the speed of each cycle upwards if all checks hold, else downwards, to the first change. At the
+    The search goes from the speed of the cycle upwards if all checks hold, else downwards, to the first change. At the
     speed found all checks hold; at 1 + 2e-10 times it the named one does not.
     """
-    found = ((name, *highest_rate_of_axis(checks)) for name, checks in axes.items())
-    each = [HighestRate(speed, name, limit) for name, speed, limit in found if limit]
-    return min(each, default=HighestRate(math.inf, "", ""))
-
-
-def highest_rate_of_axis(checks: LimitChecks) -> tuple[float, str]:
-    """Return the highest speed of one axis, and the limiting factor."""
     speed, way = checks.drive_cycle.speed, 2.0 if checks.ok else 0.5
     known = speed
     while at_speed(checks, way * known).ok == checks.ok:
         known *= way
         if not 1.0 / FAR < known / speed < FAR:
-            return (math.inf, "") if checks.ok else (0.0, at_speed(checks, known).worst.name)
+            return HighestRate(math.inf, "") if checks.ok else HighestRate(0.0, at_speed(checks, known).worst.name)
     from scipy.optimize import brentq  # slow to import, and most commands need no highest rate
 
     met = brentq(
         lambda rate: min(at_speed(checks, rate).worst.use, 2.0) - 1.0, *sorted((known, way * known)), rtol=CLOSE
     )
-    return met * (1.0 - 2.0 * CLOSE), at_speed(checks, met * (1.0 + 2.0 * CLOSE)).worst.name
+    return HighestRate(met * (1.0 - 2.0 * CLOSE), at_speed(checks, met * (1.0 + 2.0 * CLOSE)).worst.name)
 
 
 def at_speed(checks: LimitChecks, speed: float) -> LimitChecks:

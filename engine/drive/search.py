@@ -33,11 +33,25 @@ class Extremum(NamedTuple):
 def extremes(
     function: Function, samples: Array, signs: Sequence[float] = (-1.0, 1.0), least: float = -np.inf
 ) -> tuple[Extremum, ...]:
-    """Return the lowest and the largest value of a function from the first to the last sample, by ``signs``.
+    """Return the lowest and the largest value of a function from the first to the last sample.
 
-    The best of the ``samples``, abscissae in order, are narrowed. The result is right if the function has at most one
-    maximum within three of them, which exceeds a sample by no more than the sample does the lower of its neighbours.
-    Extremes below ``least`` are not narrowed.
+    The best samples are narrowed. The result is right if the function has at most one maximum within three of them,
+    which exceeds a sample by no more than the sample does the lower of its neighbours.
+
+    Parameters
+    ----------
+    function : callable
+        From array (n,), in the unit of the samples, to array (n,), in any unit.
+    samples : array (n,)
+        Abscissae in order.
+    signs : sequence of {-1.0, 1.0}
+        −1 asks for the lowest value, 1 for the largest.
+    least : float, in the unit of the values
+        A value that an extreme, times its sign, must reach to be narrowed.
+
+    Returns
+    -------
+    tuple of Extremum, one for each sign
     """
     values = function(samples)
     return tuple(_top(function, sign, samples, sign * values, least) for sign in signs)
@@ -84,8 +98,22 @@ gauss_legendre = cache(np.polynomial.legendre.leggauss)  # the nodes of the rule
 def integral(function: Function, low: float, high: float, scale: float = 0.0, halvings: int = HALVINGS) -> float:
     """Return the integral of a function between two points, to :data:`TOLERANCE` of that of its absolute value.
 
-    ``scale`` is the largest absolute value outside this range, whose rounding this integral need not undercut. The rule
-    of Gauss and Legendre is used with 16 to 128 nodes, then on halves of the range.
+    The rule of Gauss and Legendre is used with 16 to 128 nodes, then on halves of the range.
+
+    Parameters
+    ----------
+    function : callable
+        From array (n,), in the unit of the two points, to array (n,), in any unit.
+    low, high : float
+        The two points.
+    scale : float, in the unit of the values
+        The largest absolute value outside this range, whose rounding this integral need not undercut.
+    halvings : int
+        How often the range may be halved.
+
+    Returns
+    -------
+    float, in the unit of the values times that of the points
     """
     middle, half, last = 0.5 * (low + high), 0.5 * (high - low), np.nan
     for n in ORDERS:
@@ -101,7 +129,18 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
 
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
-    """Return every u at which a curve changes its sign beyond rounding, one at most between two zeros of its slope."""
+    """Return every u at which a curve changes its sign beyond rounding, one at most between two zeros of its slope.
+
+    Parameters
+    ----------
+    curve : Curve
+    low, high : float
+        Ends of the range, in the unit of the curve's abscissa.
+
+    Returns
+    -------
+    list of float, rising, in that unit
+    """
     turns = [u for u in zeros(curve.slope, high) if low < u < high]
     points = [low, *turns, high]
     values = [curve(u) for u in points]

@@ -5,21 +5,75 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from engine.drive.chain import require_positive
 from engine.drive.mechanisms.variable_ratio import Linkage, Reach, ShaftAngles
 from engine.laws.base import Array, require_finite
 
+DEAD = "dead centre of lever and link"
+SQUARE = "link square to the slide"
+SAME = 1e-9  # share of the link's length by which a link that is square to the slide may deviate
+FAR = 4.0  # times lever, link and offset together: beyond the reach of any slide
+
+
+class LockPlace(NamedTuple):
+    """A candidate for an end of the slide's reach."""
+
+    rest: float  # square of the place (m²); below 0 if it does not exist
+    at: float  # x of the place (m), or ``zero`` if it does not exist
+    d: float  # its distance from the shaft (m)
+    along: float  # x of the lever's end (m)
+    x: float  # x of the place if the linkage locks there, else ``zero`` (m)
+    below: float  # x if it is below ``zero``, else far below (m)
+    above: float  # x if it is above ``zero``, else far above (m)
+    name: str
+
 
 @dataclass(frozen=True)
-class SlideLinkage(Linkage):
+class SlideLever:
     """A lever on a shaft at the origin, a link, and a slide on a line, at x = r cos ψ ± √(l² − (r sin ψ − e)²)."""
 
-    name: str
     lever: float  # r (m), at the angle ψ from the direction of the line
     link: float  # l (m)
     offset: float  # e, distance of the line from the shaft (m)
     side: int  # 1 if ψ of the lever is ahead of the line from shaft to slide, else −1
+
+    @property
+    def far_off(self) -> float:
+        """A distance beyond the reach of any slide (m)."""
+        return FAR * (self.lever + self.link + abs(self.offset))
+
+    def angle(self, x: ArrayLike) -> Array:
+        """Return ψ (rad) at positions of the slide (m): the angle of the line from shaft to slide, plus or minus A.
+
+        With d, the distance of slide and shaft, tan² A/2 = (l − d + r)(l + d − r)/((d + r − l)(d + r + l)).
+        """
+        d = np.hypot(x, self.offset)
+        over = (self.link - d + self.lever) * (self.link + d - self.lever)
+        under = (d + self.lever - self.link) * (d + self.lever + self.link)
+        half = np.arctan2(np.sqrt(np.maximum(over, 0.0)), np.sqrt(np.maximum(under, 0.0)))
+        return np.asarray(np.arctan2(self.offset, x) + self.side * 2.0 * half)
+
+    def lock_places(self, zero: float) -> list[LockPlace]:
+        """Return where a slide that begins at ``zero`` (m) locks: lever and link in line, or link square to slide."""
+        lever, link, both, found = self.lever, self.link, (1.0, -1.0), []
+        in_line = [((link + way * lever) ** 2 - self.offset**2, DEAD) for way in both]
+        square = [(lever**2 - (self.offset + way * link) ** 2, SQUARE) for way in both]
+        for (rest, name), sign in ((candidate, sign) for candidate in (*in_line, *square) for sign in both):
+            at = sign * math.sqrt(rest) if rest >= 0.0 else zero
+            along = at if name == DEAD else lever * math.cos(self.angle(at))
+            x = at if rest >= 0.0 and (name == DEAD or abs(at - along) <= SAME * link) else zero
+            below, above = x if x < zero else -self.far_off, x if x > zero else self.far_off
+            found.append(LockPlace(rest, at, math.hypot(at, self.offset), along, x, below, above, name))
+        return found
+
+
+@dataclass(frozen=True)
+class SlideLinkage(SlideLever, Linkage):
+    """A slide that a lever drives: the load's position y is its distance from ``zero``."""
+
+    name: str
     direction: int  # 1 or −1, in y = direction · (x − zero)
     zero: float  # x at y = 0 (m)
     start: float  # ψ at y = 0 (rad), where φ = 0; φ rises with y
@@ -33,35 +87,10 @@ class SlideLinkage(Linkage):
     def _shaft(self, y: Array, within: Array) -> ShaftAngles:
         """Return φ = ±(ψ − ψ0), φ' = 1/|dx/dψ|, φ'' from dx/dψ and d²x/dψ² in closed form."""
         x = self.zero + self.direction * y
-        psi = lever_angle(self.lever, self.link, self.offset, self.side, x)
+        psi = self.angle(x)
         first, second = slopes(self.lever, self.offset, psi, x)
         sense = self.direction * np.sign(first)
         return ShaftAngles(sense * (psi - self.start), 1.0 / np.abs(first), -sense * second / first**3)
-
-
-def lever_angle(lever: float, link: float, offset: float, side: int, x: Array) -> Array:
-    """Return ψ for a slide: the angle of the line from shaft to slide, plus or minus the angle A.
-
-    With d, the distance of slide and shaft, tan² A/2 = (l − d + r)(l + d − r)/((d + r − l)(d + r + l)).
-
-    Parameters
-    ----------
-    lever, link, offset : float, m
-        r, l, and the distance of the slide's line from the shaft.
-    side : {1, -1}
-        The sign of A.
-    x : array (n,), m
-        Position of the slide along its line, from the foot of the shaft.
-
-    Returns
-    -------
-    array (n,), rad
-    """
-    d = np.hypot(x, offset)
-    over = (link - d + lever) * (link + d - lever)
-    under = (d + lever - link) * (d + lever + link)
-    half = np.arctan2(np.sqrt(np.maximum(over, 0.0)), np.sqrt(np.maximum(under, 0.0)))
-    return np.asarray(np.arctan2(offset, x) + side * 2.0 * half)
 
 
 def slopes(lever: float, offset: float, psi: Array, x: Array) -> tuple[Array, Array]:
@@ -130,15 +159,9 @@ def crank_slider(
     start = math.atan2(offset, begin) + (side * math.pi if zero == "inner" else 0.0)
     begin += direction * position
     if position:
-        start = float(lever_angle(crank, rod, offset, side, np.array(begin)))
+        start = float(SlideLever(crank, rod, offset, side).angle(begin))
     reach = Reach(-position, outer - inner - position, *ends)
-    return SlideLinkage("crank-slider", crank, rod, offset, side, direction, begin, start, reach)
-
-
-SAME = 1e-9  # share of the link's length by which a link that is square to the slide may deviate
-FAR = 4.0  # times lever, link and offset together: beyond the reach of any slide
-DEAD = "dead centre of lever and link"
-SQUARE = "link square to the slide"
+    return SlideLinkage(crank, rod, offset, side, "crank-slider", direction, begin, start, reach)
 
 
 def rocker(
@@ -175,8 +198,8 @@ def rocker(
         raise ValueError(f"rocker: link is {link:g} m; expected one that reaches from the lever to the slide")
     zero = lever * math.cos(angle) + (1.0 if ahead else -1.0) * math.sqrt(rest)
     across = math.sin(angle - math.atan2(offset, zero))
-    side = 1 if across > 0.0 else -1
-    places = lock_places(lever, link, offset, side, zero)
+    driving = SlideLever(lever, link, offset, 1 if across > 0.0 else -1)
+    places = driving.lock_places(zero)
     low = max(((place.below, place.name) for place in places if place.x < zero), default=None)
     high = min(((place.above, place.name) for place in places if place.x > zero), default=None)
     if low is None or high is None or abs(across) < SAME:
@@ -184,61 +207,5 @@ def rocker(
     if direction < 0:
         low, high = (2.0 * zero - high[0], high[1]), (2.0 * zero - low[0], low[1])
     reach = Reach(low[0] - zero, high[0] - zero, low[1], high[1])
-    start = float(lever_angle(lever, link, offset, side, np.array(zero)))
-    return SlideLinkage("rocker", lever, link, offset, side, 1 if direction > 0 else -1, zero, start, reach)
-
-
-class LockPlace(NamedTuple):
-    """A candidate for an end of the slide's reach."""
-
-    rest: float  # square of the place (m²); below 0 if it does not exist
-    at: float  # x of the place (m), or ``zero`` if it does not exist
-    d: float  # its distance from the shaft (m)
-    along: float  # x of the lever's end (m)
-    x: float  # x of the place if the linkage locks there, else ``zero`` (m)
-    below: float  # x if it is below ``zero``, else far below (m)
-    above: float  # x if it is above ``zero``, else far above (m)
-    name: str
-
-
-def lock_places(lever: float, link: float, offset: float, side: int, zero: float) -> list[LockPlace]:
-    """Return the places at which a linkage may lock: lever and link in line, or the link square to the slide.
-
-    Parameters
-    ----------
-    lever, link, offset : float, m
-        r, l and e.
-    side : {1, -1}
-        As :func:`lever_angle` takes it.
-    zero : float, m
-        Position of the slide at y = 0.
-
-    Returns
-    -------
-    list of LockPlace
-    """
-    both, far, found = (1.0, -1.0), far_off(lever, link, offset), []
-    in_line = [((link + way * lever) ** 2 - offset**2, DEAD) for way in both]
-    square = [(lever**2 - (offset + way * link) ** 2, SQUARE) for way in both]
-    for (rest, name), sign in ((candidate, sign) for candidate in (*in_line, *square) for sign in both):
-        at = sign * math.sqrt(rest) if rest >= 0.0 else zero
-        lever_end = lever * math.cos(float(lever_angle(lever, link, offset, side, np.array(at))))
-        along = at if name == DEAD else lever_end
-        x = at if rest >= 0.0 and (name == DEAD or abs(at - along) <= SAME * link) else zero
-        below, above = x if x < zero else -far, x if x > zero else far
-        found.append(LockPlace(rest, at, math.hypot(at, offset), along, x, below, above, name))
-    return found
-
-
-def far_off(lever: float, link: float, offset: float) -> float:
-    """Return a distance beyond the reach of any slide of these lengths.
-
-    Parameters
-    ----------
-    lever, link, offset : float, m
-
-    Returns
-    -------
-    float, m
-    """
-    return FAR * (lever + link + abs(offset))
+    sense, start = 1 if direction > 0 else -1, float(driving.angle(zero))
+    return SlideLinkage(lever, link, offset, driving.side, "rocker", sense, zero, start, reach)

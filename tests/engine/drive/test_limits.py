@@ -78,20 +78,18 @@ def test_beyond_the_largest_speed_the_speed_fails_and_not_the_curve():
 
 def test_the_highest_rate_of_a_speed_and_of_an_inertia_in_closed_form():
     one = judged(Motor(1e-3, math.inf, math.inf, 500.0))
-    found = highest_rate({"A": one})
+    found = highest_rate(one)
     assert found.speed == pytest.approx(20.0 * 500.0 / DriveResults(one.drive_cycle).speed.peak, rel=1e-9)
-    assert found[1:] == ("A", "motor speed")
+    assert found.limit == "motor speed"
     other = judged(Motor(1e-3, 3.0))
     expected = 20.0 * math.sqrt(3.0 / DriveResults(other.drive_cycle).rms_torque)
-    assert highest_rate({"B": other}).speed == pytest.approx(expected, rel=1e-9)
-    assert highest_rate({"A": one, "B": other}) == min(found, highest_rate({"B": other}))
+    assert highest_rate(other).speed == pytest.approx(expected, rel=1e-9)
 
 
 def test_where_nothing_binds_and_where_nothing_helps():
-    assert highest_rate({"A": judged(Motor(1e-3))}) == (math.inf, "", "")
+    assert highest_rate(judged(Motor(1e-3))) == (math.inf, "")
     held = judged(Motor(1e-3, 1.0), load=Load(2.0, 500.0))
-    assert highest_rate({"A": held}) == (0.0, "A", "RMS torque")
-    assert highest_rate({}) == (math.inf, "", "")
+    assert highest_rate(held) == (0.0, "RMS torque")
 
 
 def limits_of(rng, drive_cycle):
@@ -119,7 +117,7 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, 
     told = seed(told) if request.node.get_closest_marker("nightly") else told
     drive_cycle = drive_cycle_of(told, kinds=list(SIZES) if number < 2 else [*SIZES, *LINKAGES])
     one = LimitChecks(drive_cycle, *limits_of(random.Random(told), drive_cycle))
-    found = highest_rate({"X": one})
+    found = highest_rate(one)
     if found.speed == 0.0:
         assert not at_speed(one, drive_cycle.speed * 1e-5).ok
         return
@@ -134,12 +132,12 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, 
 def test_beyond_its_cycles_a_reducer_s_torque_counts_over_the_factor(full):
     """S grows with the square of the rate, and meets T at N: T/4 at N/2. Up to ``full`` N no factor counts."""
     free = judged(Motor(1e-3), reducer=ReducerLimits(40.0))
-    meets = highest_rate({"A": free}).speed
+    meets = highest_rate(free).speed
     factored = ReducerLimits(40.0, full_rate=full * meets / TURN, cycle_factor=4.0)
-    found = highest_rate({"A": judged(Motor(1e-3), reducer=factored)})
+    found = highest_rate(judged(Motor(1e-3), reducer=factored))
     assert (found.speed, found.limit) == (pytest.approx(min(1.0, full) * meets, rel=1e-8), "reducer peak torque")
     early = replace(factored, full_rate=0.3 * meets / TURN)
-    assert highest_rate({"A": judged(Motor(1e-3), reducer=early)}).speed == pytest.approx(meets / 2, rel=1e-8)
+    assert highest_rate(judged(Motor(1e-3), reducer=early)).speed == pytest.approx(meets / 2, rel=1e-8)
     assert (factored.peak_at(factored.full_rate), factored.peak_at(1.001 * factored.full_rate)) == (40.0, 10.0)
 
 

@@ -228,7 +228,7 @@ def test_the_rate_that_is_entered_and_read_again_is_the_exact_one(request, numbe
     drive_cycle, drawn = random_course(f"rate {told}", linked=number % 10 == 3), random.Random(f"limits {told}")
     motor, reducer = limits_near(points_of(drive_cycle), drawn)
     motor = falling(motor, drawn) if number % 2 else motor
-    exact = highest_rate({"A": LimitChecks(drive_cycle, motor, reducer)}).speed
+    exact = highest_rate(LimitChecks(drive_cycle, motor, reducer)).speed
     rate = settled(drive_cycle, motor, reducer)
     if exact == 0.0:
         assert rate <= 1e-3 * drive_cycle.speed
@@ -278,7 +278,7 @@ def test_the_rate_by_a_falling_continuous_torque_is_on_the_safe_side_and_exact_w
     rated, stall = (points.rms_torque * drawn.uniform(*ends) for ends in ((0.4, 1.2), (1.0, 3.0)))
     motor = Motor(1e-3, rated, stall_torque=stall, rated_speed=points.size(points.speed))
     rate = by_rms(points, motor).highest(drive_cycle.speed)
-    exact = highest_rate({"A": LimitChecks(drive_cycle, motor)}).speed
+    exact = highest_rate(LimitChecks(drive_cycle, motor)).speed
     assert 0.0 < rate <= exact * (1.0 + 2e-3)
     for _ in range(8):
         drive_cycle = replace(drive_cycle, speed=rate)

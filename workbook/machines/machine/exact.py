@@ -50,7 +50,7 @@ def rate_of(view: DriveView) -> Iterator[str]:
 
 def exact_highest(view: DriveView) -> tuple[float, str]:
     """Return the exact highest rate of a drive (cycles/min) and the limiting factor."""
-    found = highest_rate({view.driven.called: view.driven.limit_checks})
+    found = highest_rate(view.driven.limit_checks)
     return shown(found.speed / math.tau, PER_MINUTE), found.limit
 
 

@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 
-from engine.drive.results import Energy, MeanBusPower, peak_bus_power, total_bus_power
+from engine.drive.results import MeanBusPower, peak_bus_power, total_bus_power
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.rows import total
@@ -34,7 +34,7 @@ class Mains:
 
     def __init__(self, drives: Sequence[DriveView], entered: PowerEntry) -> None:
         self.drives, self.entered, self.over, eta = drives, entered, drives[0].tables.machine.over, entered.efficiency
-        self.each = [Energy(*one.energy).mean_bus_power(one.driven.drive_cycle.time, eta) for one in drives]
+        self.each = [one.energy.mean_bus_power(one.driven.drive_cycle.time, eta) for one in drives]
         self.alone = total_bus_power(self.each)
         most = [(one.points.top(one.points.power), -one.points.top(-one.points.power)) for one in drives]
         tops = [peak_bus_power(powers, eta) for powers in most]
@@ -174,9 +174,9 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
         calc("time", "cycle", "t_c", "s", [f"=60/{scope}rate" for scope in scopes],
              [one.drive_cycle.time for one in driven]),
         calc("driving", "its motor, driving", "E", "J", [f"={scope}energy+0" for scope in scopes],
-             [one.energy[0] for one in drives]),
+             [one.energy.driving for one in drives]),
         calc("returned", "regenerated", "", "J", [f"={scope}returned+0" for scope in scopes],
-             [one.energy[1] for one in drives]),
+             [one.energy.regenerated for one in drives]),
         result("mains", "mean power from the mains", "P", "kW", "=[driving]/power_eta/[time]/1000",
                [kw(one.mains) for one in each]),
         result("peak", "peak", "P_max", "kW", [f"={scope}pmax/power_eta" for scope in scopes], kw(bus.mains).tolist()),

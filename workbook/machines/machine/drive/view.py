@@ -11,6 +11,7 @@ from engine.drive.drive_points import DrivePoints
 from engine.drive.limit_use import limit_uses
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Interpolation, LoadPoints, QuadratureCycle
+from engine.drive.results import Energy
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
@@ -163,11 +164,11 @@ class DriveView:
         return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.time, LEAST), turning)
 
     @property
-    def energy(self) -> tuple[float, float]:
+    def energy(self) -> Energy:
         """What the motor drives with over a cycle, and what comes back to it (J)."""
         power, time = self.points.power, self.time
         driving, returned = (self.points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0))
-        return driving, returned
+        return Energy(driving, returned)
 
 
 def drive_of(tables: AxisTables) -> DriveView | None:

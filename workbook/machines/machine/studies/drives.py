@@ -241,7 +241,7 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "smean": lambda one: one.behind(1),
     "energy": lambda one: one.works.driving,
     "returned": lambda one: one.works.regenerated,
-    "power": lambda one: shown((one.works.driving - one.works.regenerated) / one.time, KW),
+    "power": lambda one: shown(one.works.net / one.time, KW),
     "pmax": lambda one: shown(np.maximum(0.0, one.extremes.power), KW),
     "pmin": lambda one: shown(np.minimum(0.0, one.extremes.power_low), KW),
     "highest": lambda one: one.highest[0],

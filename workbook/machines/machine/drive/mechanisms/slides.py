@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from engine.drive.mechanisms.slides import SAME, SlideLinkage, far_off, lever_angle, lock_places, slopes
+from engine.drive.mechanisms.slides import SAME, SlideLinkage, slopes
 from engine.drive.mechanisms.variable_ratio import near_end
 from engine.laws.base import Array
 from workbook.book.declare import Quantity, Sheet, calc, constant, entries_of
@@ -61,7 +61,7 @@ def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
     one = of_kind(SlideLinkage, driven.linkage)
     x = one.zero + one.direction * position
-    psi = lever_angle(one.lever, one.link, one.offset, one.side, x)
+    psi = one.angle(x)
     turned, ratio, change = one.shaft(position)
     d = np.hypot(x, one.offset)
     return [
@@ -190,8 +190,7 @@ def rocker_sizes(driven: Driven) -> list[Quantity]:
              scale=1.0),
         calc("@side", "Lever ahead of the line to the slide (1)", "σ", "", "=IF(@ahead>0,1,0-1)", one.side, format="0"),
         constant("@same", "Places that count as one, of the link", "", "", SAME, format="0E+00"),
-        calc("@none", "Farther than any slide", "", "m", "=4*(@r+@l+ABS(@e))",
-             far_off(one.lever, one.link, one.offset)),
+        calc("@none", "Farther than any slide", "", "m", "=4*(@r+@l+ABS(@e))", one.far_off),
         calc("@low", "Lowest position that is reached", "", "m",
              f"=IF({back},@x0-MIN([@ends.above]),MAX([@ends.below])-@x0)", low, scale=one.link),
         calc("@high", "Highest position", "", "m",
@@ -203,14 +202,14 @@ def rocker_sizes(driven: Driven) -> list[Quantity]:
 def rocker_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the places at which a rocker may lock."""
     one = of_kind(SlideLinkage, driven.linkage)
-    places = lock_places(one.lever, one.link, one.offset, one.side, one.zero)
+    places = one.lock_places(one.zero)
     ways = [1, 1, -1, -1, 1, 1, -1, -1]
     rests = [f"=(@l+{way}*@r)^2-@e^2" for way in ways[:4]] + [f"=@r^2-(@e+{way}*@l)^2" for way in ways[4:]]
     locks = "OR([k]<=4,ABS([at]-[along])<=@same*@l)"
     at, square = np.array([place.at for place in places]), np.arange(len(places)) >= 4
     distances = np.hypot(at, one.offset)
     areas = np.where(square, area(one, distances), 0.0)
-    angles = np.where(square, lever_angle(one.lever, one.link, one.offset, one.side, at), 0.0)
+    angles = np.where(square, one.angle(at), 0.0)
 
     def of(name: str) -> list[float]:
         return [getattr(place, name) for place in places]
@@ -220,7 +219,7 @@ def rocker_table(sheet: Sheet, driven: Driven, rows: int) -> None:
         constant("k", "place", "", "", list(range(1, len(places) + 1))),
         constant("name", "what is there", "", "", [place.name for place in places], align="left"),
         constant("sign", "sign", "", "", [1, -1] * 4),
-        calc("rest", "under the root", "", "m²", rests, of("rest"), scale=far_off(one.lever, one.link, one.offset)),
+        calc("rest", "under the root", "", "m²", rests, of("rest"), scale=one.far_off),
         calc("at", "slide at", "x", "m", "=IF([rest]<0,@x0,[sign]*SQRT(MAX(0,[rest])))", of("at"), scale=one.link),
         calc("d", "to the shaft", "r_B", "m", "=SQRT([at]^2+@e^2)", distances, scale=one.link),
         calc("K", "four areas of the triangle", "K", "m²", f"=IF([k]<=4,0,{AREA.format(d='[d]')})", areas, "0 in line",
