@@ -1,5 +1,6 @@
 """Points of a cam table: their precision, the rates at its ends; phases found in it, and splines through few points."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
@@ -17,6 +18,8 @@ from engine.motion.profile import CamProfile
 
 FEW = 6  # points, from which the velocity at an end of a table is computed
 ROUND = 24  # numbers: up to so many may be round by chance
+ROUNDED = 1e-9  # share of the range: least error that a fit may have
+RATES = 1e-5  # share of the peak by which a law's velocity and acceleration may deviate from a table's
 QUINTIC = "PO5"
 LONGER = 2.0  # length over the neighbours' from which one interval alone counts as a dwell, or as a straight line
 AT_SPEED = 1e-3  # share of the largest velocity: a slower end is at rest
@@ -47,6 +50,11 @@ class CamPoints(NamedTuple):
     def fastest(self) -> float:
         """The largest |y'| of the chords from point to point."""
         return float(np.abs(np.diff(self.y) / np.diff(self.x)).max())
+
+    @property
+    def near(self) -> float:
+        """The allowed error of a fit."""
+        return max(2.0 * self.precision, ROUNDED * float(np.ptp(self.y)))
 
     def identifies(self, law: Law) -> bool:
         """Return whether the points suffice for a law: two with y' and y'' do for a polynomial of degree 5 only."""
@@ -135,12 +143,38 @@ class FoundPhase:
         ends = (self.law.start.v, self.law.end.v) if isinstance(self.law, BoundaryLaw) else (0.0, 0.0)
         return np.asarray(self.y + self.scale * (self.law.s(inside) + np.where(xi < 0.0, *ends) * (xi - inside)) - of.y)
 
+    def agrees(self, of: CamPoints, typical: Callable[[Array], float] = np.max) -> bool:
+        """Return whether y' and y'' of a table, if it has them, are the phase's; at its end those of the next count."""
+        d = self.end - self.begin
+        at = self.law.evaluate(np.clip((of.x - self.begin) / d, 0.0, 1.0))
+        per, peaks = self.scale / d, self.law.coefficients
+        for given, meant, most in ((of.v, per * at.v, per * peaks.cv), (of.a, per / d * at.a, per / d * peaks.ca)):
+            if given is not None:
+                near = max(RATES * abs(most), 2.0 * precision(given))
+                if typical(np.abs(given - meant)[:-1]) > near:
+                    return False
+        return True
+
 
 def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
-    """Return consecutive splines within ``most`` of the points; none if too many are needed.
+    """Return consecutive splines through few points, one after the other, that keep to the others.
 
-    ``slopes`` are y' at both ends; ``rebuilt`` gives y' elsewhere, and y between points if the table has y'. A movement
-    that returns is divided farthest from its begin, one that needs more than a hundred points in its middle.
+    A movement that returns is divided farthest from its begin, one that needs more than a hundred points in its middle.
+
+    Parameters
+    ----------
+    of : CamPoints
+    rebuilt : CamProfile
+        The same by the controller's rule: it gives y' where splines meet, and y between points if the table has y'.
+    slopes : (float, float), unit of y over that of x
+        y' at both ends.
+    most : float, unit of y
+        Deviation from the other points at most.
+
+    Returns
+    -------
+    list of FoundPhase
+        Empty if more than 20 are needed, or no point is left at which to divide.
     """
     if of.v is not None:
         x = subdivided(of.x, BETWEEN)

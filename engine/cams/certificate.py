@@ -37,8 +37,9 @@ def product(rows: Array, by: Array) -> Array:
     return np.asarray(np.einsum("nk,ki->ni", rows, by))
 
 
-def bernstein_rows(powers: Array) -> Array:
-    """Return Bernstein's coefficients, a row each, of polynomials in t from −1 to 1, given by columns of powers."""
+def _derivative_rows(powers: Array, half: Array, order: int) -> Array:
+    """Return Bernstein's coefficients, in rows, of derivatives by x of polynomials in t, given by columns of powers."""
+    powers = np.polynomial.polynomial.polyder(powers, order) / half**order
     used = int(np.flatnonzero(powers.any(axis=1)).max(initial=0)) + 1
     return product(powers[:used].T, BASIS[:used])
 
@@ -102,10 +103,10 @@ def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
     polynomial of their difference bound the deviation; intervals are halved until the bound is close.
     """
     middle, half = intervals(meant, rebuilt)
-    difference = local_powers(rebuilt, middle, half) - local_powers(meant, middle, half)
+    difference = _local_powers(rebuilt, middle, half) - _local_powers(meant, middle, half)
     deviations, jumps, closure = [], [], []
     for order, peak in enumerate(peaks(meant)):
-        off = bernstein_rows(derivative_powers(difference, half, order))
+        off = _derivative_rows(difference, half, order)
         worst = largest(off)
         deviations.append(Deviation(worst.value, float(middle[worst.row] + worst.t * half[worst.row]), peak))
         jumps.append(float(np.abs(off[1:, 0] - off[:-1, -1]).max(initial=0.0)))
@@ -117,8 +118,8 @@ def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
 def peaks(of: CamProfile) -> tuple[float, ...]:
     """Return the range of y, and the largest absolute values of y', y'' and y'''."""
     middle, half = intervals(of, of)
-    powers = local_powers(of, middle, half)
-    y, *rates = (bernstein_rows(derivative_powers(powers, half, order)) for order in range(ORDERS))
+    powers = _local_powers(of, middle, half)
+    y, *rates = (_derivative_rows(powers, half, order) for order in range(ORDERS))
     low, high = float(y.min()), float(y.max())  # the motion is within the span of its coefficients
     reach = max(0.0, largest(y - low).value + largest(high - y).value - (high - low))
     return reach, *(largest(rows).value for rows in rates)
@@ -144,15 +145,10 @@ def intervals(meant: CamProfile, rebuilt: CamProfile) -> tuple[Array, Array]:
     return 0.5 * (low + high), 0.5 * (high - low)
 
 
-def local_powers(of: CamProfile, middle: Array, half: Array) -> Array:
+def _local_powers(of: CamProfile, middle: Array, half: Array) -> Array:
     """Return a profile within ``half`` of each ``middle`` as powers of t from −1 to 1, a column each."""
     powers = of.taylor(middle, of.index(middle), DEGREE + 1)
     return np.asarray(powers * half ** np.arange(DEGREE + 1)[:, None])
-
-
-def derivative_powers(powers: Array, half: Array, order: int) -> Array:
-    """Return the powers of t of the derivative of an order by x, from those of the polynomials."""
-    return np.asarray(np.polynomial.polynomial.polyder(powers, order) / half**order)
 
 
 STEPS = 60  # of halving
@@ -224,7 +220,7 @@ def _taken(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.in
 def weights(of: CamProfile, order: int) -> Array:
     """Return for each piece its length times the root of its largest derivative of an order, over the largest."""
     middle, half = intervals(of, of)
-    value = np.abs(bernstein_rows(derivative_powers(local_powers(of, middle, half), half, order))).max(axis=1)
+    value = np.abs(_derivative_rows(_local_powers(of, middle, half), half, order)).max(axis=1)
     found = np.zeros(len(of.origins))
     np.maximum.at(found, of.index(middle), value)
     found[found < found.max(initial=0.0) * 1e-9] = 0.0

@@ -8,13 +8,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.cam_points import AT_SPEED, LONGER, CamPoints, FoundPhase, splined
-from engine.cams.moving_phases import RATES, gauss_newton, phases_at_speed, rates_agree, true_runs
+from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, splined
+from engine.cams.moving_phases import gauss_newton, phases_at_speed, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 
-ROUNDED = 1e-9  # share of the range: least error that a fit may have
 MOST_WAYS = 24  # strokes between reversals of one movement; with more of them no law is tried
 FEWEST = 6  # points of positions alone, from which four figures of a phase can be fitted
 DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # decimals to which a begin or an end is rounded, if it still fits
@@ -50,7 +49,7 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     """
     of = of._replace(thinned=share * float(np.ptp(of.y)))
     begins, ends = (of.moves_at(side) for side in (0, -1))
-    home = np.flatnonzero(_dwelling(of) & (np.abs(of.y[:-1]) <= _near(of)))
+    home = np.flatnonzero(_dwelling(of) & (np.abs(of.y[:-1]) <= of.near))
     if turns and begins and ends and home.size:
         k = int(home[0])
         found = _phases(_rolled(of, k), rebuilt.shifted(float(of.x[-1] - of.x[k])))
@@ -104,7 +103,7 @@ def _laid(
 ) -> list[FoundPhase]:
     """Return the phases of a movement of which some strokes from rest to rest follow no law."""
     whole = of.part(edges[0][0], edges[-1][1])
-    meeting, known = phases_at_speed(whole, rebuilt, _near(whole))
+    meeting, known = phases_at_speed(whole, rebuilt)
     if not known and any(resting):
         strokes = zip(resting, edges, strict=True)
         told = [[phase] if phase else _thinned(of.part(*edge), rebuilt) for phase, edge in strokes]
@@ -120,7 +119,7 @@ def _thinned(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     """Return splines from rest to rest through few points; none if the ends are not at rest, or too many are needed."""
     if np.abs(rebuilt.at(of.x[[0, -1]]).y1).max() > AT_SPEED * of.fastest:
         return []
-    return splined(of, rebuilt, (0.0, 0.0), max(of.thinned, _near(of)))
+    return splined(of, rebuilt, (0.0, 0.0), max(of.thinned, of.near))
 
 
 def _identify(of: CamPoints, laws: Sequence[Law], span: tuple[int, int], turns: tuple[bool, bool]) -> FoundPhase | None:
@@ -129,18 +128,13 @@ def _identify(of: CamPoints, laws: Sequence[Law], span: tuple[int, int], turns: 
         inner = of.part(span[0] + late, span[1] - early)
         if len(inner.x) >= FEWEST or (inner.a is not None and len(inner.x) > 1):
             for law in laws:
-                found = _fitted(law, inner, _near(inner)) if inner.identifies(law) else None
+                found = _fitted(law, inner) if inner.identifies(law) else None
                 if found is not None:
                     return found
     return None
 
 
-def _near(of: CamPoints) -> float:
-    """Return the allowed error of a fit."""
-    return max(2.0 * of.precision, ROUNDED * float(np.ptp(of.y)))
-
-
-def _fitted(law: Law, of: CamPoints, near: float) -> FoundPhase | None:
+def _fitted(law: Law, of: CamPoints) -> FoundPhase | None:
     """Return a law with begin, end, y and lift by least squares, in round numbers if they fit; None if none fits."""
     step = float(np.diff(of.x).max())
 
@@ -148,15 +142,15 @@ def _fitted(law: Law, of: CamPoints, near: float) -> FoundPhase | None:
         return FoundPhase(law, *fit.tolist()).off(of) if fit[1] - fit[0] >= step else np.full(len(of.x), np.inf)
 
     start = np.array([*of.x[[0, -1]], of.y[0], of.y[-1] - of.y[0]])
-    fit = gauss_newton(off, start, np.array([step, step, np.inf, np.inf]), near)
+    fit = gauss_newton(off, start, np.array([step, step, np.inf, np.inf]), of.near)
     if fit is None:
         return None
     beyond = ROUNDED * (fit[1] - fit[0])
     outside = (of.begins and fit[0] < of.x[0] - beyond) or (of.ends and fit[1] > of.x[-1] + beyond)
-    if outside or not rates_agree(_found(law, of, fit), of, np.median):
+    if outside or not _found(law, of, fit).agrees(of, np.median):
         return None
     tidied = (np.array([round(value, digits) + 0.0 for value in fit.tolist()]) for digits in DIGITS)
-    fits = (figures for figures in tidied if figures[1] > figures[0] and _found(law, of, figures).residual <= near)
+    fits = (figures for figures in tidied if figures[1] > figures[0] and _found(law, of, figures).residual <= of.near)
     return _found(law, of, next(fits, fit))
 
 

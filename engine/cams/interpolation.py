@@ -24,7 +24,17 @@ def lines(x: Array, y: Array) -> CamProfile:
 
 
 def hermite(x: Array, y: Array, v: Array) -> CamProfile:
-    """Return the cubic of each interval with y and y' at both its ends."""
+    """Return the cubic of each interval with y and y' at both its ends.
+
+    Parameters
+    ----------
+    x, y, v : array (n,)
+        Points, and y' at each.
+
+    Returns
+    -------
+    CamProfile
+    """
     h = np.diff(x)
     m = np.diff(y) / h
     return _profile(x, y[:-1], v[:-1], (3.0 * m - 2.0 * v[:-1] - v[1:]) / h, (v[:-1] + v[1:] - 2.0 * m) / h**2)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.cam_points import LONGER, QUINTIC, SEAM, CamPoints, FoundPhase, precision, splined
+from engine.cams.cam_points import LONGER, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, splined
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
@@ -17,7 +17,6 @@ from engine.motion.profile import CamProfile
 SHORTEST = 3  # intervals of a straight line, if the table has no y'
 TURNS = 12  # iterations of Gauss and Newton
 SETTLED, SLOW = 3, 0.5  # in so many iterations the residual must fall to this share, else the law is another
-RATES = 1e-5  # share of the peak by which a law's velocity and acceleration may deviate from a table's
 STEP = 1e-4  # share of the interval between points, for derivatives of the deviations by the place of a break
 MOST = 8  # quintics in place of one law
 
@@ -32,7 +31,7 @@ class EndLine(NamedTuple):
     fixed: bool = False  # whether the phase has to end at this x, as no phase is beyond
 
 
-def phases_at_speed(of: CamPoints, rebuilt: CamProfile, near: float) -> tuple[list[FoundPhase], bool]:
+def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase], bool]:
     """Return the phases, meeting at speed, of a movement between rests or ends of the table; and if all are known.
 
     They are known if each is a line or one law. A part between lines that follows no law is divided into quintics with
@@ -40,7 +39,7 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile, near: float) -> tuple[li
     """
     found: list[FoundPhase] = []
     known = True
-    runs = _straight_runs(of, near)
+    near, runs = of.near, _straight_runs(of)
     edges = [0, *(k for run in runs for k in run), len(of.x) - 1]
     laws = [family() for family in CATALOGUE if issubclass(family, BoundaryLaw)]
     quintic = next(family for family in laws if family.code == QUINTIC)
@@ -77,9 +76,9 @@ def _settled(found: Sequence[FoundPhase]) -> list[FoundPhase]:
     return kept
 
 
-def _straight_runs(of: CamPoints, near: float) -> list[tuple[int, int]]:
+def _straight_runs(of: CamPoints) -> list[tuple[int, int]]:
     """Return the first and the last point of each straight line in a table."""
-    x, y, h = of.x, of.y, np.diff(of.x)
+    x, y, h, near = of.x, of.y, np.diff(of.x), of.near
     slope = np.diff(y) / h
     size = float(np.abs(slope).max())
     if of.v is not None:
@@ -163,13 +162,28 @@ def _fitted(base: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], ne
 
     moved = gauss_newton(off, np.zeros(int(free.sum())), step[free], near)
     found = None if moved is None else made(moved)
-    if found is None or not rates_agree(found, of):
+    if found is None or not found.agrees(of):
         return None
     return replace(found, residual=float(np.abs(found.off(of)).max()))
 
 
 def gauss_newton(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
-    """Return parameters with deviations within ``near`` by Gauss and Newton, moved by ``steps`` at most; else None."""
+    """Return parameters with small deviations, by the method of Gauss and Newton.
+
+    Parameters
+    ----------
+    off : callable
+        The deviations, array (n,), by the parameters, array (k,).
+    fit, steps : array (k,)
+        Parameters to begin with, and by how much an iteration may move each; without a limit infinite.
+    near : float, unit of the deviations
+        Largest deviation allowed.
+
+    Returns
+    -------
+    array (k,) or None
+        None where the deviations do not become so small, or fall too slowly.
+    """
     missed: list[float] = []
     moves = np.diag(np.where(np.isfinite(steps), STEP * steps, 1.0))
     for _ in range(TURNS + 1):
@@ -186,19 +200,6 @@ def gauss_newton(off: Callable[[Array], Array], fit: Array, steps: Array, near: 
         by = np.linalg.lstsq(slopes, -here, rcond=1e-12)[0]
         fit = fit + np.clip(by, -steps, steps)
     return None
-
-
-def rates_agree(phase: FoundPhase, of: CamPoints, typical: Callable[[Array], float] = np.max) -> bool:
-    """Return whether y' and y'' of the table, if it has them, are the phase's; at its end those of the next count."""
-    d = phase.end - phase.begin
-    at = phase.law.evaluate(np.clip((of.x - phase.begin) / d, 0.0, 1.0))
-    per, peaks = phase.scale / d, phase.law.coefficients
-    for given, meant, most in ((of.v, per * at.v, per * peaks.cv), (of.a, per / d * at.a, per / d * peaks.ca)):
-        if given is not None:
-            near = max(RATES * abs(most), 2.0 * precision(given))
-            if typical(np.abs(given - meant)[:-1]) > near:
-                return False
-    return True
 
 
 def _quintics(

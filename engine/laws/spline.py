@@ -58,7 +58,8 @@ class Spline(BoundaryLaw):
     @cached_property
     def moments(self) -> Array:
         """Acceleration at each point."""
-        return tridiagonal(*self.system)
+        below, diagonal, above, right = self.system
+        return np.asarray(np.linalg.solve(np.diag(below, -1) + np.diag(diagonal) + np.diag(above, 1), right))
 
     @cached_property
     def system(self) -> tuple[Array, Array, Array, Array]:
@@ -134,16 +135,6 @@ def _eliminate_forward(below: Array, diagonal: Array, above: Array, right: Array
     return shares, d, x
 
 
-def tridiagonal(below: Array, diagonal: Array, above: Array, right: Array) -> Array:
-    """Return the solution of a diagonally dominant tridiagonal system by Gaussian elimination."""
-    _, d, x = _eliminate_forward(below, diagonal, above, right)
-    x[-1] /= d[-1]
-    for k in range(len(d) - 2, -1, -1):
-        x[k] = (x[k] - float(above[k]) * x[k + 1]) / d[k]
-    return np.array(x)
-
-
-WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
 STILL = 1e-9  # share of the largest velocity below which a velocity counts as 0
 EQUAL = 1e-12  # share of the largest velocity by which equal peaks may differ
 SAME = 1e-9  # difference of ξ below which two places are the same

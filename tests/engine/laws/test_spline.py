@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
 from engine.laws.ends import BoundaryValues, kinds
-from engine.laws.spline import Spline, tridiagonal
+from engine.laws.spline import Spline
 
 step = st.floats(0.05, 1.0)
 height = st.floats(-2.0, 2.0)
@@ -28,15 +28,6 @@ def many(n, seed=4):
     xi = np.cumsum(rng.uniform(0.1, 1.0, n))
     xi = (xi - xi[0]) / (xi[-1] - xi[0])
     return ((0.0, 0.0), *zip(xi[1:-1].tolist(), rng.normal(size=n - 2).tolist(), strict=True), (1.0, 1.0))
-
-
-@given(st.lists(st.tuples(st.floats(-1, 1), st.floats(2.5, 4), st.floats(-1, 1), height), min_size=2, max_size=30))
-def test_a_tridiagonal_system_against_a_dense_one(rows):
-    below, diagonal, above, right = np.array(rows).T
-    dense = np.diag(diagonal) + np.diag(below[1:], -1) + np.diag(above[:-1], 1)
-    assert tridiagonal(below[1:], diagonal, above[:-1], right) == pytest.approx(
-        np.linalg.solve(dense, right), abs=1e-12
-    )
 
 
 def dense_moments(law, v0, v1):
