@@ -69,9 +69,9 @@ class PairMatrix:
         self.at_motor: Array = self.beside_motor + self.load.inertia * r.ratio**2  # inertia that each drives (kg m²)
         self.inertia_ratio: Array = self.at_motor / self.motors.inertia[:, None]  # the same over each motor's
         self.output_torque = self.wanted.torque_factor * self.load.torque  # demand on a reducer (Nm)
-        held = r.max_output_torque / cycle_factor_at(self.rate, r.full_rate, r.cycle_factor)
-        self.most_output_torque: Array = held  # of each reducer at the rate (Nm)
-        strong = (self.output_torque <= held) & (self.load.mean_torque <= r.max_mean_torque)
+        self.cycle_factors = cycle_factor_at(self.rate, r.full_rate, r.cycle_factor)  # of each reducer at the rate
+        self.most_output_torque: Array = r.max_output_torque / self.cycle_factors  # of each reducer at the rate (Nm)
+        strong = (self.output_torque <= self.most_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
         self.fits: NDArray[np.bool_] = strong & (self.speed <= r.max_input_speed)  # whether a reducer holds the load
         self.smaller: NDArray[np.int_] = (rated < rated[:, None]).sum(axis=1)  # how many motors are rated less, of each
 

@@ -4,8 +4,6 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from numpy.typing import NDArray
-
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.chart import in_scope
@@ -126,19 +124,15 @@ def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:
     """Declare what each motor has to do behind the reducer of each drive, and what it fails first."""
     drives, each = view.every_drive, [one.behind_own for one in view.every_drive]
     loads(sheet, view)
-    tables: tuple[tuple[str, str, Callable[[int], str], str, Any, dict[str, Any]], ...] = (
-        ("share", "Their RMS torque over their continuous torque", share, "uses", 0.0,
-         {"format": DASH, "scale": max(1.0, *(float(one.uses.max()) for one in each))}),
-        ("peak", "Their peak torque [Nm]", lambda n: peak(n, drives[n - 1]), "peak", 0.0,
-         {"format": DASH, "scale": max(1e-3, *(float(one.peak.max()) for one in each))}),
-        ("wanted", "What is wanted of them", lambda n: margin_verdict("all_", n, "@behind.at"), "wanted_verdicts",
-         LARGE, {"align": "center"}),
-        ("word", "What they fail first; yes: they can do it",
-         lambda n: f'IF({of_motor("on")}=0,"–",{first_failure("all_", n, "@behind.fast")})', "verdicts", "–",
-         {"align": "center"}),
-    )  # fmt: skip
-    for name, title, formula, figure, spare, more in tables:
-        matrix(sheet, view, f"all_{name}", title, formula, [getattr(one, figure)[:, 0] for one in each], spare, **more)
+    matrix(sheet, view, "share", "Their RMS torque over their continuous torque", share, "uses", 0.0, format=DASH,
+           scale=max(1.0, *(float(one.uses.max()) for one in each)))  # fmt: skip
+    matrix(sheet, view, "peak", "Their peak torque [Nm]", lambda n: peak(n, drives[n - 1]), "peak", 0.0, format=DASH,
+           scale=max(1e-3, *(float(one.peak.max()) for one in each)))  # fmt: skip
+    matrix(sheet, view, "wanted", "What is wanted of them", lambda n: margin_verdict("all_", n, "@behind.at"),
+           "wanted_verdicts", LARGE, align="center")  # fmt: skip
+    matrix(sheet, view, "word", "What they fail first; yes: they can do it",
+           lambda n: f'IF({of_motor("on")}=0,"–",{first_failure("all_", n, "@behind.fast")})', "verdicts", "–",
+           align="center")  # fmt: skip
 
 
 def loads(sheet: Sheet, view: PairSelection) -> None:
@@ -187,23 +181,24 @@ def of_drive(formula: str) -> str:
 
 
 def matrix(
-    sheet: Sheet, view: PairSelection, name: str, title: str, formula: Callable[[int], str], values: list[NDArray[Any]],
-    spare: Any, **more: Any,
+    sheet: Sheet, view: PairSelection, name: str, title: str, formula: Callable[[int], str], figure: str, spare: Any,
+    **more: Any,
 ) -> None:  # fmt: skip
-    """Declare a table of motors down and drives across."""
+    """Declare a table of motors down and drives across, of a figure of the motors behind the drives' own reducers."""
     down, names = view.rooms[0], view.motors.names
     order = [place_of(view, k) if k < len(names) else k + 1 for k in range(down)]
     sheet.row += 1
     rows = sheet.table(
-        f"@{name}", title, down,
+        f"@all_{name}", title, down,
         calc("motor", "motor", "", "", '=INDEX([motors.name],[k])&""', filled(names, down, ""), align="left"),
         constant("k", "number", "", "", list(range(1, down + 1))),
         *([calc("order", "by rated torque", "", "", f"=[@motors.smaller.same]*{down}+[k]", order, format="0")]
-          if name == "all_word" else []),
+          if name == "word" else []),
     )  # fmt: skip
-    for n, (one, held) in enumerate(zip(view.shafts, values, strict=True), 1):
-        each = calc("v", f"axis {one.number}", "", "", f"={formula(n)}", filled(held.tolist(), down, spare), **more)
-        sheet.beside(rows, f"@{name}{n}", each)
+    for n, one in enumerate(view.every_drive, 1):
+        held = filled(getattr(one.behind_own, figure)[:, 0], down, spare)
+        each = calc("v", f"axis {one.shaft.number}", "", "", f"={formula(n)}", held, **more)
+        sheet.beside(rows, f"@all_{name}{n}", each)
 
 
 def share(n: int) -> str:

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.drive.limits import cycle_factor_at
 from engine.selection.pair_matrix import PARTS, RANKS
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
@@ -158,19 +157,10 @@ def weighed(view: PairSelection, table: str, room: int, mass: Any, cost: Any) ->
     ]  # fmt: skip
 
 
-MOTOR_COLUMNS = (
-    ("jm", "inertia", "kg m²", "inertia", "/10000"),
-    ("rated", "rated torque", "Nm", "rated", "*@left"),
-    ("peak", "peak torque", "Nm", "peak", ""),
-    ("nmax", "largest speed", "rpm", "nmax", ""),
-)  # figures of every motor: column here, words, unit, column of the catalogue, and what is made of that
-
-
 def motors(sheet: Sheet, view: PairSelection) -> None:
     """Declare the motors of the catalogue, 0 in spare rows."""
     m, n = view.motors, view.rooms[0]
-    figures = m.inertia, m.rated_torque, m.peak_torque, shown(m.max_speed, RPM)
-    given = "*".join(f"COUNT(INDEX([motors.{column}],[k]))" for *_, column, _ in MOTOR_COLUMNS)
+    given = "*".join(f"COUNT(INDEX([motors.{entry}],[k]))" for entry in ("inertia", "rated", "peak", "nmax"))
 
     def column(name: str, label: str, unit: str, formula: str, values: Any, **more: Any) -> Quantity:
         return calc(name, label, "", unit, f"={formula}", filled(values, n), **more)
@@ -182,8 +172,10 @@ def motors(sheet: Sheet, view: PairSelection) -> None:
         "@motors", "Motors of the catalogue", n,
         constant("k", "number", "k", "", list(range(1, n + 1))),
         calc("on", "in use", "", "", f"=IF({given}=1,1,0)", filled([1] * len(m.names), n, 0), format="0"),
-        *(column(name, label, unit, f"IF([on]=1,INDEX([motors.{entry}],[k]){made},0)", values)
-          for (name, label, unit, entry, made), values in zip(MOTOR_COLUMNS, figures, strict=True)),
+        column("jm", "inertia", "kg m²", "IF([on]=1,INDEX([motors.inertia],[k])/10000,0)", m.inertia),
+        column("rated", "rated torque", "Nm", "IF([on]=1,INDEX([motors.rated],[k])*@left,0)", m.rated_torque),
+        column("peak", "peak torque", "Nm", "IF([on]=1,INDEX([motors.peak],[k]),0)", m.peak_torque),
+        column("nmax", "largest speed", "rpm", "IF([on]=1,INDEX([motors.nmax],[k]),0)", shown(m.max_speed, RPM)),
         column("stall", "stall torque", "Nm", "IF([on]=1,MAX([rated],INDEX([motors.stall],[k])*@left),0)", m.stall),
         column("nn", "rated speed", "rpm", or_largest("nn"), shown(m.falls_to, RPM)),
         column("slope", "fall of the continuous torque", "Nm/rpm", "IF([on]=1,([stall]-[rated])/[nn],0)",
@@ -213,7 +205,6 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
     r, g, n = view.reducers, view.grid, view.rooms[1]
     given = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
     speeds, torques, means = (np.where(np.isfinite(one), one, 0.0) for one in given)
-    factors = cycle_factor_at(g.rate, r.full_rate, r.cycle_factor)
     own = {"eta": "[eta]", "i": "[i]", "own": "[own]"}
 
     def column(name: str, label: str, symbol: str, unit: str, formula: str, values: Any, **more: Any) -> Quantity:
@@ -241,8 +232,8 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
                shown(g.load.mean_speed / r.ratio, RPM)),
         column("nmax", "largest input speed", "", "rpm", "INDEX([reducers.nmax],[k])+0", speeds, source="0: no limit"),
         column("tmax", "largest torque", "", "Nm", "INDEX([reducers.tmax],[k])+0", torques),
-        calc("fs", "factor on it at these cycles", "f_s", "", f"={CYCLE_FACTOR}", filled(factors, n, 1.0)),
-        column("held", "largest torque at these cycles", "", "Nm", "[tmax]/[fs]", torques / factors),
+        calc("fs", "factor on it at these cycles", "f_s", "", f"={CYCLE_FACTOR}", filled(g.cycle_factors, n, 1.0)),
+        column("held", "largest torque at these cycles", "", "Nm", "[tmax]/[fs]", torques / g.cycle_factors),
         column("tmean", "largest mean torque", "", "Nm", "INDEX([reducers.t2n],[k])+0", means),
         calc("fits", "holds the axis", "", "",
              "=IF(AND([on]=1,OR([nmax]=0,[n]<=[nmax]),OR([held]=0,@tmax<=[held]),OR([tmean]=0,@smean<=[tmean])),1,0)",
