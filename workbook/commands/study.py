@@ -13,6 +13,7 @@ from workbook.errors import AGREES, DISAGREES, FAILS, InputError, ReadError, Wri
 from workbook.pool import cores
 from workbook.reports import study as page
 from workbook.reports.console import progress
+from workbook.reports.differences import figure
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.studies.evaluate import Evaluator, Labels, listed_results, require_names
 from workbook.studies.folder import ENDS, Parts, join, read, require_format
@@ -162,8 +163,8 @@ def show(plan: Plan, found: Summary, results: Path, seconds: float) -> None:
     if not found.feasible:
         say(OUT, "No design is feasible.", "red")
     for place, design in enumerate(found.best[:5], 1):
-        entries = ", ".join(f"{name} = {page.figure(value)}" for name, value in design.entries.items())
-        goals = ", ".join(f"{name} = {page.figure(design.results[name])}" for name in plan.study.goals)
+        entries = ", ".join(f"{name} = {figure(value)}" for name, value in design.entries.items())
+        goals = ", ".join(f"{name} = {figure(design.results[name])}" for name in plan.study.goals)
         say(OUT, f"{place}. design {design.number + 1}: {goals}; {entries}")
     if len(found.best) > 5:
         say(OUT, f"and {len(found.best) - 5} more, on the page")

@@ -28,7 +28,7 @@ class Form(NamedTuple):
     late: Mapping[str, str]  # and in the second, in the order of time
 
 
-QUARTER, TURNED = "IF(D>0,PI()/(2*D),0)", {"phi": "PI()/2"}
+QUARTER = "IF(D>0,PI()/(2*D),0)"
 SLOPE = "IF(D>0,H/D,0)"
 SINE = {"P": "H", "omega": QUARTER, "equation": "a = H sin(πu / 2D)"}
 COSINE = {"P": "H", "omega": QUARTER, "phi": "PI()/2", "equation": "a = H cos(πu / 2D)"}

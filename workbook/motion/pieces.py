@@ -18,7 +18,6 @@ from workbook.fields.units import DEGREE, shown
 from workbook.motion.cells import FIRST, RAISED, Cells, PieceRows, last_before, of_law
 from workbook.motion.requirements import CROWDED, ROOM_RULE
 
-TITLE = "The motion as pieces"
 ABOUT = (
     "On each piece y(u) = c0 + c1 u + c2 u² + … + A sin(ωu + φ), u from its start: "
     "a piece of the phase's law, scaled by lift and duration."

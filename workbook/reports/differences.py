@@ -32,8 +32,8 @@ def row(change: Change) -> list[str]:
 
 
 def figure(value: Any) -> str:
-    """Return a value as people write it."""
-    return "–" if value is None or value == "" else f"{value:.7g}" if isinstance(value, float) else str(value)
+    """Return a value as people write it; a dash for an empty one and for what is no number."""
+    return "–" if value in (None, "") or value != value else f"{value:.7g}" if isinstance(value, float) else str(value)
 
 
 def show(console: Console, found: Differences) -> None:

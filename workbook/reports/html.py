@@ -32,10 +32,7 @@ Box = tuple[float, float, float, float]  # left, top, right and bottom of what i
 
 def document(title: str, body: str) -> str:
     """Return a page of HTML."""
-    return f"""<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>{shown(title)}</title><style>{STYLE}</style>\
-<meta name="viewport" content="width=device-width, initial-scale=1"></head><body>{body}</body></html>
-"""
+    return rendered("reports/document.html", title=title, style=STYLE, body=body)
 
 
 def rendered(template: str, /, **values: Any) -> str:
@@ -94,10 +91,10 @@ class Scale:
 
     def at(self, values: ArrayLike) -> Array:
         """Return the places of numbers; what lies beyond the axis is put at its end."""
-        inside = np.clip(values, self.low, self.high)
-        share = (np.log(inside / self.low) / math.log(self.high / self.low) if self.powers
-                 else (inside - self.low) / (self.high - self.low))  # fmt: skip
-        return np.asarray(self.begin + share * (self.end - self.begin))
+        x, ends = np.asarray(values), np.array([self.low, self.high])
+        if self.powers:
+            x, ends = np.log(np.maximum(x, self.low)), np.log(ends)
+        return np.asarray(np.interp(x, ends, (self.begin, self.end)))
 
     @property
     def marks(self) -> list[tuple[str, float]]:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 import workbook
+from workbook.reports.differences import figure
 from workbook.reports.html import document, front_picture, rendered
 from workbook.reports.html import shown as escaped
 from workbook.studies.evaluate import Label, Labels
@@ -108,10 +109,3 @@ def judged_line(judged: BookCheck) -> str:
     cells = f"{judged.cells:,} formula cells {'agree' if judged.agrees else 'DISAGREE'}"
     said = f"The book of the design: {cells}; its results are the study's to {judged.deviation:.1e}."
     return said + (f" Its checks that FAIL: {', '.join(judged.failing)}." if judged.failing else "")
-
-
-def figure(value: Any) -> str:
-    """Return a value as it is shown."""
-    if isinstance(value, float):
-        return "–" if value != value else f"{value:.6g}"
-    return str(value)

@@ -19,6 +19,7 @@ from workbook.laws.entries import ENTRIES, references
 from workbook.pool import cores
 from workbook.reading.descriptions import parse_toml, template_named, write_machine
 from workbook.reports import study as reported
+from workbook.reports.differences import figure
 from workbook.reports.html import shown
 from workbook.serve import pages
 from workbook.serve.handler import Page
@@ -43,7 +44,6 @@ ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
 SHARE, STEPS = 0.1, 5  # of a number, to either side, and in so many values: what is proposed
 GOALS = ("minimise", "maximise", "results")
 BOUNDS = {"at least": "min", "at most": "max"}
-OFF = "off"
 
 
 async def vary(page: Page, name: str) -> str:
@@ -136,7 +136,7 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
                 over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
             rows = len(entry_at(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
             givers = [written([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
-            row = Field(written([*above, last]), reported.figure(value), over, known, givers)
+            row = Field(written([*above, last]), figure(value), over, known, givers)
             named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
             tables.setdefault(f"{written(above)} {named}".strip(), []).append(row)
     return tables, [one for _, names in listed_results(machine) for one in names]

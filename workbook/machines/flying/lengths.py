@@ -7,8 +7,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
 from workbook.fields.units import MM, shown
 from workbook.machines.flying.entries import DRUM
-from workbook.machines.flying.view import CutterView
-from workbook.machines.flying.view import does as what
+from workbook.machines.flying.view import CutterView, does
 
 IS_DRUM = f'fly_kind="{DRUM}"'
 
@@ -24,9 +23,9 @@ def lengths_columns(machine: CutterView, cuts: Sequence[Cut], length: str, way: 
     def of(name: str, unit: float = 1.0) -> list[float]:
         return [shown(getattr(cut, name), unit) for cut in cuts]
 
-    does = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps moving"))'
+    in_words = '=IF([waits]=1,"waits",IF([low]<0-fly_near*fly_v,"reverses","keeps moving"))'
     return [
-        result("does", "the tool", "", "", does, [what(cut) for cut in cuts]),
+        result("does", "the tool", "", "", in_words, [does(cut) for cut in cuts]),
         result("low", "lowest speed", "v_min", "m/s", "=MIN(fly_v,fly_v+[dv])", [cut.speed_range[0] for cut in cuts]),
         result("high", "highest speed", "v_max", "m/s", "=MAX(fly_v,fly_v+[dv])", [cut.speed_range[1] for cut in cuts]),
         result("a", "peak acceleration", "a_max", "m/s²",
