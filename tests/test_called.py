@@ -79,10 +79,13 @@ class Engine:
             return name
         return self.home(source.imported[name[1]])
 
+    def called(self, outside: Iterable[Source]) -> set[Name]:
+        """What is called from outside."""
+        return {self.home(name) for source in outside for name in source.mentions([source.tree], of_itself=False)}
+
     def unreached(self, outside: Iterable[Source]) -> list[str]:
         """What is called neither from outside, nor by what is, and so on."""
-        fresh = {self.home(name) for source in outside for name in source.mentions([source.tree], of_itself=False)}
-        fresh |= self.at_import
+        fresh = self.called(outside) | self.at_import
         reached: set[Name] = set()
         while fresh:
             reached |= fresh
@@ -104,6 +107,41 @@ def examples() -> Iterator[Source]:
 
 def test_the_product_or_an_example_calls_all_that_the_engine_offers() -> None:
     found = Engine(sources("engine")).unreached([*sources("workbook"), *examples()])
+    assert not found, "\n".join(found)
+
+
+MANY = 3  # parameters, from which on a sentence no longer tells them
+PARAMETERS = re.compile(r"^(\w+(?:, \w+)*)(?: : .*)?$", re.MULTILINE)
+
+
+def functions(source: Source) -> Iterator[tuple[Name, ast.FunctionDef]]:
+    """The public functions and methods of a module, as :data:`Name` has them."""
+    for scope in (source.tree, *(node for node in source.tree.body if isinstance(node, ast.ClassDef))):
+        for one in scope.body:
+            if isinstance(one, ast.FunctionDef) and not one.name.startswith("_"):
+                yield (source.module if scope is source.tree else "", one.name), one
+
+
+def untold(one: ast.FunctionDef) -> Iterator[str]:
+    """What a docstring leaves out that numpydoc's sections should tell."""
+    taken = {a.arg for a in ast.walk(one.args) if isinstance(a, ast.arg)} - {"self", "cls"}
+    _, _, told = (ast.get_docstring(one) or "").partition("\nParameters\n----------\n")
+    parameters, returns, _ = told.partition("\nReturns\n-------\n")
+    if len(taken) >= MANY:
+        yield from sorted(taken - set(re.findall(r"\w+", " ".join(PARAMETERS.findall(parameters)))))
+        if one.returns and ast.unparse(one.returns) != "None" and not returns:
+            yield "what it returns"
+
+
+def test_what_others_call_of_the_engine_tells_each_of_many_parameters() -> None:
+    engine = Engine(sources("engine"))
+    called = engine.called([*sources("workbook"), *examples()])
+    found = [
+        f"{source.module}.{one.name}: {', '.join(missing)}"
+        for source in engine.sources.values()
+        for name, one in functions(source)
+        if name in called and (missing := list(untold(one)))
+    ]
     assert not found, "\n".join(found)
 
 
