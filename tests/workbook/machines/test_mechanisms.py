@@ -4,6 +4,8 @@ A failing test has the mechanism's name in brackets; what it says names the plac
 """
 
 import contextlib
+import re
+from pathlib import Path
 
 import pytest
 from pydantic import ValidationError
@@ -23,6 +25,7 @@ from workbook.machines.machine.mechanism import LINKED, MECHANISMS, Belted, some
 EVERY = [*dict.fromkeys([*KINDS, *MECHANISMS, *LINKAGES])]
 FAR = 5.0  # m: no axis goes so far
 MOTOR = {"inertia": 1.0, "rated_torque": 1.0, "peak_torque": 1.0, "max_speed": 1.0}
+GUIDE = Path(__file__).parents[3] / "docs/workbooks.md"
 MODELS = "in workbook/machines/machine/mechanism.py"
 
 
@@ -43,6 +46,7 @@ def missing(kind):
             kind in LINKAGES or kind not in LINKED,
         "the engine's tests: SIZES or LINKAGES in tests/engine/drive/machines.py":
             kind in machines.SIZES or kind in machines.LINKAGES or model.SLIDES,
+        "its name in docs/workbooks.md": re.search(rf"\b{kind}s?\b", " ".join(GUIDE.read_text("utf-8").split())),
     }  # fmt: skip
     return [place for place, right in there.items() if not right]
 
