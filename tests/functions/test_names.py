@@ -10,6 +10,8 @@ from tests.functions import lambdas
 from tests.functions.case import Case
 from tests.functions.cases import POLYNOMIAL_345, engine_law, value_cases
 from tests.functions.edges import edge_cases
+from workbook.functions import names
+from workbook.functions.addin.motion_functions.library import LawForm
 from workbook.functions.declarations import CODES, FUNCTIONS
 
 
@@ -125,3 +127,9 @@ def test_a_range_of_abscissae_gives_a_range_of_values(folder, formula):
     book.save(folder / "several.xlsx")
     (found,) = lambdas.recomputed(folder / "several.xlsx", 1)
     assert Case("S", (text,), expected).agrees(found), f"{formula}: {found}"
+
+
+def test_a_law_whose_pieces_a_formula_cannot_say_is_named(monkeypatch):
+    monkeypatch.setitem(names.LAWS, "XYZ", LawForm((0.5,), pieces=lambda share: [{"duration": 1.0 / share}]))
+    with pytest.raises(TypeError, match="XYZ: of parameters LAWS may take differences, products and choices"):
+        names.tables()

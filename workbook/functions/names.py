@@ -1,20 +1,25 @@
 """The functions as names of Excel: LAMBDA formulas of ``formulas.txt``, as Excel shows them and as a file stores them.
 
-What differs from law to law stands in ``functions.toml``, its numbers in the add-in's table of laws. A file marks what
-Excel 2007 did not know: functions by ``_xlfn.``, parameters and variables by ``_xlpm.``, optional ones, shown as
-``[name]``, by ``_xlop.`` (Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
+What differs from law to law is made from the add-in's table of laws. A file marks what Excel 2007 did not know:
+functions by ``_xlfn.``, parameters and variables by ``_xlpm.``, optional ones, shown as ``[name]``, by ``_xlop.``
+(Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
 """
 
+from __future__ import annotations
+
+import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from inspect import Parameter, signature
 from math import lcm
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm
-from workbook.functions.declarations import FUNCTIONS, TEXTS
+from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm, mirrored
+from workbook.functions.declarations import FUNCTIONS
 
 SOURCE = Path(__file__).with_name("formulas.txt")
 LATER = ("DROP", "HSTACK", "ISOMITTED", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE",
@@ -34,7 +39,10 @@ TOKEN = re.compile(
 )
 PREFIX = re.compile(r"_xl(?:fn|ws|pm|op)\.")
 HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
+PIECE = ("duration", *(f"c{i}" for i in range(6)), "amplitude", "omega", "phase", "amplitude2", "omega2", "phase2")
+"""the columns of a piece; behind them stands the velocity with which the first begins"""
 LARGEST = 1000  # denominator of a number of a law
+PI = ("", "PI()", "PI() ^ 2")
 
 
 class Definition(NamedTuple):
@@ -96,13 +104,103 @@ def meaning(stored: str) -> list[tuple[str, object]] | str:
     return [(kind, float(part) if kind == "number" else part.upper()) for kind, part in parts if kind != "space"]
 
 
+@dataclass(frozen=True)
+class Term:
+    """A part of a formula; ``loose`` where a product needs brackets around it."""
+
+    text: str
+    loose: bool = False
+
+    def __sub__(self, other: Any) -> Term:
+        return Term(f"{self.text} - {term(other).within}", True)
+
+    def __rsub__(self, other: Any) -> Term:
+        return term(other) - self
+
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, float) and other in (0.0, 1.0):
+            return self if other else 0.0
+        return Term(f"{self.within} * {term(other).within}")
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: float) -> Term:
+        return Term(f"{self.within} / {other:g}")
+
+    @property
+    def within(self) -> str:
+        """The text as a part of a product, or behind a minus."""
+        return f"({self.text})" if self.loose else self.text
+
+    def chosen(self, value: float, then: Any, other: Any) -> Any:
+        """Return ``then`` where this is a value, else ``other``."""
+        return then if then == other else Term(f"IF({self.text} = {term(value).text}, {spelled(then, other)})")
+
+
+def term(value: Any) -> Term:
+    """Return a number as a term: a fraction, or one of π or π²; terms as they are."""
+    if isinstance(value, Term):
+        return value
+    for power, pi in enumerate(PI):
+        found = Fraction(value / math.pi**power).limit_denominator(LARGEST)
+        if abs(found * math.pi**power - value) <= 1e-15 * abs(value):
+            return fraction(found, pi)
+    raise ValueError(f"{value!r} is no fraction of 1, π or π²")
+
+
+def fraction(value: Fraction, pi: str = "") -> Term:
+    """Return a fraction, or one of a power of π, as a term."""
+    if value < 0:
+        return Term(f"0 - {fraction(-value, pi).text}", True) if pi else Term(f"-{fraction(-value).text}", True)
+    over = f" / {value.denominator}" if value.denominator > 1 else ""
+    whole = str(value.numerator) if value.numerator != 1 or not pi else ""
+    return Term(f"{' * '.join(part for part in (whole, pi) if part)}{over}", bool(over))
+
+
+def spelled(*values: Any) -> str:
+    """Return terms in a row, as the arguments of a function."""
+    return ", ".join(term(value).text for value in values)
+
+
 def array(values: Sequence[float]) -> str:
-    """Return a number, or several as an array, as whole ones over what they have in common."""
+    """Return a number, or several as an array of whole ones over what they have in common."""
+    if len(values) == 1:
+        return term(values[0]).text
     found = [Fraction(value).limit_denominator(LARGEST) for value in values]
     common = lcm(*(one.denominator for one in found))
-    whole = ",".join(str(one * common) for one in found)
-    text = f"{{{whole}}}" if len(found) > 1 else whole
+    text = f"{{{','.join(str(one * common) for one in found)}}}"
     return text if common == 1 else f"{text} / {common}"
+
+
+def of_parameters(function: Callable[..., Any], text: Callable[[Any], str]) -> str:
+    """Return what a function of a law's parameters gives, as a text, where the column ``p`` holds them."""
+    names = signature(function).parameters
+    if any(one.kind is Parameter.VAR_POSITIONAL for one in names.values()):
+        return "p"
+    found = text(function(*(Term(name) for name in names)))
+    let = ", ".join(f"{name}, INDEX(p, {k})" for k, name in enumerate(names, 1))
+    return f"LET({let}, {found})" if let else found
+
+
+def pieces_formula(law: LawForm) -> str:
+    """Return the pieces of a law that writes them out; all but the first have no use for its velocity."""
+
+    def rows(pieces: Sequence[Mapping[str, Any]]) -> str:
+        each = [f"HSTACK({spelled(*(one.get(name, 0.0) for name in PIECE), law.begin)})" for one in pieces]
+        return f"VSTACK({', '.join(each)})"
+
+    return of_parameters(law.pieces, rows) if law.pieces else ""
+
+
+def polynomial_formula(law: LawForm) -> str:
+    """Return the pieces of a symmetric polynomial: its half over the share, and the same backwards over the rest."""
+    first = [2 * Fraction(c) for c in law.half]
+
+    def half(share: str, c: Sequence[Fraction]) -> str:
+        powers = [f"{fraction(value).text} / {share} ^ {i}" if value else "0" for i, value in enumerate(c, 1)]
+        return f"HSTACK({', '.join([share, *powers, *'0' * (len(PIECE) - len(c))])})"
+
+    return f"LET(share, INDEX(p, 1), rest, 1 - share, VSTACK({half('share', first)}, {half('rest', mirrored(first))}))"
 
 
 def domain_condition(law: LawForm) -> str:
@@ -117,29 +215,34 @@ def domain_condition(law: LawForm) -> str:
     return f"AND({', '.join(conditions)})" if len(conditions) > 1 else "".join(conditions) or "TRUE"
 
 
-def by_law(texts: Mapping[str, str], otherwise: str) -> str:
-    """Return a formula that chooses by ``code`` among formulas of laws; laws of the same one together."""
+def by_law(text: Callable[[LawForm], str], otherwise: str, **more: str) -> str:
+    """Return a formula that chooses by ``code``; laws of the same text together, those of none left out."""
     found: dict[str, list[str]] = {}
-    for code, text in texts.items():
-        found.setdefault(text, []).append(f'code = "{code}"')
-    for text, codes in reversed(found.items()):
+    for code, one in more.items():
+        found.setdefault(one, []).append(f'code = "{code}"')
+    for code, law in LAWS.items():
+        try:
+            found.setdefault(text(law), []).append(f'code = "{code}"')
+        except TypeError as error:
+            raise TypeError(f"{code}: of parameters LAWS may take differences, products and choices") from error
+    found.pop("", None)
+    for one, codes in reversed(found.items()):
         among = codes[0] if len(codes) == 1 else f"OR({', '.join(codes)})"
-        otherwise = f"IF({among}, {text},\n    {otherwise})"
+        otherwise = f"IF({among}, {one},\n    {otherwise})"
     return otherwise
 
 
 def tables() -> dict[str, str]:
     """Return what ``formulas.txt`` names: of each law its parameters, pieces, stages, and derivatives its ends meet."""
-    delivered = {code: array(law.delivered) for code, law in LAWS.items() if law.delivered}
-    built = {code: TEXTS["pieces"].get(code) or f"_MOTION.STAGES(_MOTION.SEVEN(code, p), {str(law.straight).upper()})"
-             for code, law in LAWS.items()}  # fmt: skip
-    meets = {code: f"IF(INDEX(p, 1) = 1 / 2, {len(law.half) // 2}, 0)" if law.half else "1" if law.stages else "0"
-             for code, law in LAWS.items()}  # fmt: skip
+    stages = "_MOTION.STAGES(_MOTION.SEVEN(code, p), {})"
     return {
-        "delivered": by_law({"OWN": array(OWN[0]), **delivered}, "0"),
-        "count": by_law({code: str(len(law.delivered)) for code, law in LAWS.items()}, "#VALUE!"),
-        "fits": by_law({code: domain_condition(law) for code, law in LAWS.items()}, "FALSE"),
-        "built": by_law({"OWN": "_MOTION.FULL(p)", **built}, "#VALUE!"),
-        "seven": by_law(TEXTS["stages"], "#VALUE!"),
-        "meets": by_law(meets, "0"),
-    }
+        "delivered": by_law(lambda law: array(law.delivered) if law.delivered else "", "0", OWN=array(OWN[0])),
+        "count": by_law(lambda law: str(len(law.delivered)), "#VALUE!"),
+        "fits": by_law(domain_condition, "FALSE"),
+        "built": by_law(lambda law: stages.format(str(law.straight).upper()) if law.stages else
+                        polynomial_formula(law) if law.half else pieces_formula(law), "#VALUE!", OWN="_MOTION.FULL(p)"),
+        "seven": by_law(lambda law: of_parameters(law.stages, lambda d: f"VSTACK({spelled(*d)})") if law.stages else "",
+                        "#VALUE!"),
+        "meets": by_law(lambda law: f"IF(INDEX(p, 1) = 1 / 2, {len(law.half) // 2}, 0)" if law.half else
+                        "1" if law.stages else "0", "0"),
+    }  # fmt: skip

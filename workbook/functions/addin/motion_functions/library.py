@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from typing import Callable, Mapping, NamedTuple, Sequence, Tuple
+from typing import Any, Callable, Mapping, NamedTuple, Sequence, Tuple
 
 from .law import NUM, VALUE, Law, Piece, Refused, Stage
 
@@ -43,34 +43,41 @@ class LawForm(NamedTuple):
     """
 
     delivered: tuple[float, ...] = ()
-    stages: Callable[..., Sequence[float]] | None = None
+    stages: Callable[..., Sequence[Any]] | None = None
     straight: bool = False
     half: tuple[float, ...] = ()
-    pieces: Callable[..., Sequence[Mapping[str, float]]] | None = None
+    pieces: Callable[..., Sequence[Mapping[str, Any]]] | None = None
     begin: float = 0.0
     domains: Mapping[int, Domain] = {}  # of parameters by place, where the durations do not tell what is impossible
 
 
-def shared(share: float, rise: Sequence[float], fall: Sequence[float], cruise: float = 0.0) -> Sequence[float]:
+def turning(turn: Any, end: float, then: Any, other: Any) -> Any:
+    """Return ``then`` where a motion turns round at this end (−1 start, 1 end), else ``other``."""
+    if isinstance(turn, (int, float)):
+        return then if turn == end else other
+    return turn.chosen(end, then, other)
+
+
+def shared(share: Any, rise: Sequence[Any], fall: Sequence[Any], cruise: Any = 0.0) -> Sequence[Any]:
     """Return the durations of two pulses by the shares of their stages, those of the second from its end."""
     return (*(share * d for d in rise), cruise, *((1.0 - share) * d for d in fall[::-1]))
 
 
-def cut(share: float, turn: float, whole: Sequence[float], rest: Sequence[float]) -> Sequence[float]:
-    """Return the durations of two pulses; that where the motion turns round (−1 start, 1 end) has those of ``rest``."""
-    rise, fall = (rest if turn == end else whole for end in (-1.0, 1.0))
+def cut(share: Any, turn: Any, whole: Sequence[Any], rest: Sequence[Any]) -> Sequence[Any]:
+    """Return the durations of two pulses, of which the one where the motion turns round has the stages ``rest``."""
+    rise, fall = ([turning(turn, end, *both) for both in zip(rest, whole)] for end in (-1.0, 1.0))
     return shared(share, rise, fall)
 
 
-def mirrored(half: Sequence[float]) -> Sequence[float]:
+def mirrored(half: Sequence[Any]) -> Sequence[Any]:
     """Return the acceleration of a polynomial's second half, by powers of u: that of the first, seen from its end."""
     n = len(half)
     return [-sum(half[i] * math.comb(i, k) * (-1) ** k for i in range(k, n)) for k in range(n)]
 
 
-def two_sines(turn: float) -> Sequence[Mapping[str, float]]:
+def two_sines(turn: Any) -> Sequence[Mapping[str, Any]]:
     """Return the piece of the double harmonic, from rest to a reversal at its end, or the other way round."""
-    first, second = (math.pi / 2, math.pi / 2) if turn == 1.0 else (-1.5 * math.pi, -2.5 * math.pi)
+    first, second = (turning(turn, 1.0, 0.5 * math.pi, past * math.pi) for past in (-1.5, -2.5))
     p = math.pi**2 / 2
     return [{"duration": 1.0, "amplitude": p, "omega": math.pi, "phase": first,
              "amplitude2": -p, "omega2": 2.0 * math.pi, "phase2": second}]  # fmt: skip
