@@ -13,7 +13,7 @@ from openpyxl.utils import get_column_letter
 
 from workbook.book.chart import in_scope
 from workbook.book.formula import Area
-from workbook.book.rows import as_rows, filled
+from workbook.book.rows import as_rows, filled, is_number
 from workbook.book.sentence import CheckSentence, Sentence, quoted
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ def sample(q: Quantity) -> Any:
     if q.format or isinstance(q.value, str) or not hasattr(q.value, "__len__"):
         return q.value
     values = list(q.value)
-    numbers = [v for v in values if isinstance(v, int | float) and not isinstance(v, bool)]
+    numbers = [v for v in values if is_number(v)]
     return max(numbers, key=abs) if numbers else next(iter(values), None)
 
 
@@ -158,7 +158,7 @@ def number_format(q: Quantity, value: Any) -> str:
     """Return the format of a quantity: its own, or decimals that suit the size of its values."""
     if q.format:
         return q.format
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if not is_number(value):
         return "General"
     if isinstance(value, int):
         return "0"

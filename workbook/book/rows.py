@@ -30,6 +30,11 @@ def as_rows(value: Any, size: int, where: str) -> list[Any]:
     return list(value)
 
 
+def is_number(value: Any) -> bool:
+    """Whether a value is a number; TRUE and an empty cell are none."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
 def total(column: str) -> str:
     """Return the formula of a column's sum; SUM misses a cell where LibreOffice 7.4 works out columns in threads."""
     return f"SUMPRODUCT([{column}])"

@@ -1,6 +1,5 @@
 """A workbook or a description as a design: its figures, each by what it is, and the figures of two designs compared."""
 
-import math
 import re
 from collections import Counter
 from collections.abc import Mapping
@@ -11,10 +10,9 @@ from typing import Any, NamedTuple
 
 from workbook.book.declare import Block, Book
 from workbook.book.quantity import SAYS
-from workbook.book.rows import as_rows
+from workbook.book.rows import as_rows, is_number
 from workbook.entries.machine import Machine
 from workbook.judging.carry_over import left_behind
-from workbook.judging.comparison import is_number
 from workbook.judging.layout import layout_findings, match_layout
 from workbook.judging.repair import repair_book
 from workbook.judging.report import FAIL, OK, Report
@@ -23,7 +21,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.templates import TEMPLATES
-from workbook.witnesses.agreement import agreed_values
+from workbook.witnesses.agreement import agreed_values, same_value
 
 LONG = 40  # rows of a table of samples or points: those are compared by the results made of them
 NAMES = ("name", "axis", "sheet")  # the columns by which the rows of a table are called
@@ -126,8 +124,8 @@ def read_design(path: Path) -> Design:
     return Design(path, machine, TEMPLATES[machine.template].declare(machine), edited, own)
 
 
-CLOSE = 1e-9  # relative difference of two numbers that are the same: rounding in a file changes the last digits
 EMPTY = (None, "")
+SMALLEST = 1e-12  # difference of two numbers that are the same: rounding in a file changes the last digits
 
 
 class Change(NamedTuple):
@@ -198,8 +196,4 @@ def changes(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[C
 
 def same(one: Any, other: Any) -> bool:
     """Whether two values are the same; an empty text is an empty cell."""
-    if one in EMPTY or other in EMPTY:
-        return one in EMPTY and other in EMPTY
-    if is_number(one) and is_number(other):
-        return math.isclose(one, other, rel_tol=CLOSE, abs_tol=1e-12)
-    return bool(one == other)
+    return (one in EMPTY and other in EMPTY) or same_value(one, other, SMALLEST)

@@ -9,7 +9,7 @@ from pydantic import ValidationError
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
-from workbook.book.rows import as_rows
+from workbook.book.rows import as_rows, is_number
 from workbook.book.sentence import Sentence
 from workbook.entries.machine import Machine
 from workbook.errors import TooLargeError, WitnessError
@@ -31,11 +31,6 @@ def difference(computed: Any, expected: Any, peak: float) -> float:
         return 0.0 if type(computed) is type(expected) and computed == expected else math.inf
     gap = abs(computed - expected)
     return gap / peak if peak else (0.0 if gap == 0 else math.inf)
-
-
-def is_number(value: Any) -> bool:
-    """Whether a value is a number; TRUE and an empty cell are none."""
-    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def is_error(value: Any) -> bool:

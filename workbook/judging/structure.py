@@ -11,6 +11,7 @@ from pydantic import BaseModel
 
 from workbook.book.address import Address, Place
 from workbook.book.declare import FIRST, Block
+from workbook.book.rows import is_number
 from workbook.entries.rules import field_at, validation
 from workbook.functions.declarations import NAMESPACE
 from workbook.functions.names import definitions, meaning
@@ -59,9 +60,8 @@ def holds_declared(held: Any, content: Any) -> bool:
     """Whether a cell holds what is declared, of the same type: TRUE is not 1; an empty text is an empty cell."""
     if content == "":
         return held is None or held == ""
-    if isinstance(content, int | float) and not isinstance(content, bool):
-        number = isinstance(held, int | float) and not isinstance(held, bool)
-        return number and math.isclose(held, content, rel_tol=LAST_DIGITS)
+    if is_number(content):
+        return is_number(held) and math.isclose(held, content, rel_tol=LAST_DIGITS)
     return type(held) is type(content) and bool(held == content)
 
 

@@ -5,9 +5,9 @@ import re
 from collections import Counter
 
 from workbook.book.address import Address
+from workbook.book.rows import is_number
 from workbook.dimensions.units import dimension_of
 from workbook.errors import ReadError
-from workbook.oracle.declarations import is_number
 from workbook.reading.files import BookFile
 
 CELL = re.compile(r"(?:(?P<sheet>'(?:[^']|'')+'|[^'!]+)!)?\$?(?P<column>[A-Za-z]{1,3})\$?(?P<row>\d{1,7})")

@@ -10,9 +10,9 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from scipy.stats import qmc
 
+from workbook.book.rows import is_number
 from workbook.errors import ReadError
 
 
@@ -130,7 +130,7 @@ def load_oracle(path: Path) -> Oracle:
 
 # Values of the inputs at which a workbook is compared: as entered, at the ends of ranges, and between
 
-ROUNDING, SMALLEST = 1e-9, 1e-12  # of two values that are the same: a relative and an absolute deviation
+SMALLEST = 1e-12  # by which two numbers that are the same may deviate
 
 
 def close(found: Any, expected: Any, allowed: float) -> bool:
@@ -140,19 +140,9 @@ def close(found: Any, expected: Any, allowed: float) -> bool:
     return type(found) is type(expected) and bool(found == expected)
 
 
-def same(found: Any, expected: Any) -> bool:
-    """Whether two values are the same but for rounding."""
-    return close(found, expected, ROUNDING * magnitude(expected))
-
-
 def magnitude(value: Any) -> float:
     """Return the magnitude of a number, else 0."""
     return abs(float(value)) if is_number(value) else 0.0
-
-
-def is_number(value: Any) -> bool:
-    """Whether a value is a number, and not a truth value."""
-    return isinstance(value, int | float | np.number) and not isinstance(value, bool)
 
 
 Case = dict[Input, Any]

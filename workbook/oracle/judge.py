@@ -9,14 +9,15 @@ import numpy as np
 
 from workbook.book.address import Address
 from workbook.book.formula import Area
+from workbook.book.rows import is_number
 from workbook.dimensions.rules import Dimensions, UnitWalk
 from workbook.dimensions.units import POWERS
 from workbook.errors import ReadError, WitnessError
 from workbook.oracle.cells import cells_of, find_cell, label_of, unit_of
-from workbook.oracle.declarations import Case, Oracle, Output, Table, cases, close, is_number, magnitude, same
+from workbook.oracle.declarations import SMALLEST, Case, Oracle, Output, Table, cases, close, magnitude
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
-from workbook.witnesses.agreement import UNKNOWN
+from workbook.witnesses.agreement import UNKNOWN, same_value
 from workbook.witnesses.pycel.model import PycelModel
 from workbook.witnesses.registry import WITNESSES
 
@@ -97,7 +98,8 @@ class Judge:
         values = self.values(self.entered | macros)
         for cell, saved in self.file.saved.items():
             found = values.get(cell)
-            if cell in self.counted and saved is not None and found not in UNKNOWN and not same(saved, found):
+            known = cell in self.counted and saved is not None and found not in UNKNOWN
+            if known and not same_value(saved, found, SMALLEST):
                 yield Fault(cell, "saved", saved, found)
         read = self.file.contents.read(inputs)
         yield from (Fault(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
@@ -183,6 +185,7 @@ class Judge:
         """Yield each compared cell with what the oracle says of it, the deviation that is allowed, and who says it."""
         for cell, one in self.outputs:
             value = self.called(one, case)
+            value = value.item() if isinstance(value, np.generic) else value
             yield cell, value, one.tolerance * magnitude(value), one
         for rows, table in self.tables:
             first = np.array([values.get(row[0]) for row in rows], dtype=float)
@@ -230,7 +233,8 @@ class Judge:
         value: Any = values.get(cell)
         changes: list[Any] = [change(value) for change in CHANGES] if is_number(value) else [f"{value}?", 1.0]
         changed = (self.values(case, {cell: other}) for other in changes)
-        return any(not same(one.get(target), values.get(target)) for one in changed for target in self.targets)
+        pairs = ((one.get(target), values.get(target)) for one in changed for target in self.targets)
+        return not all(same_value(*pair, SMALLEST) for pair in pairs)
 
 
 def describe(file: BookFile, cell: Address) -> str:

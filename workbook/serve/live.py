@@ -11,11 +11,11 @@ import numpy as np
 
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book
+from workbook.book.rows import is_number
 from workbook.book.summary import TITLE
 from workbook.differences.design import Change, Design, Figure, Key
 from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError
-from workbook.judging.comparison import is_number
 from workbook.reading.descriptions import counted_from_1, parse_toml, template_named, validated
 from workbook.reports.differences import figure
 from workbook.reports.html import ACROSS, Handle, Line, document, paragraphs, plot, rendered

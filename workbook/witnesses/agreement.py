@@ -6,6 +6,7 @@ from typing import Any
 
 from workbook.book.address import Address
 from workbook.book.formula import words
+from workbook.book.rows import is_number
 from workbook.errors import DisputedError, WitnessError, quoted
 from workbook.reading.contents import Cells, Contents
 from workbook.reading.files import BookFile, require_little_work
@@ -130,10 +131,10 @@ def reads_elsewhere(contents: Contents, asked: Collection[Address]) -> bool:
     return not all(formula is None or formula.functions.isdisjoint(ELSEWHERE) for formula in read)
 
 
-def same_value(value: Any, other: Any) -> bool:
-    """Whether two values are one but for rounding."""
-    if all(isinstance(v, int | float) and not isinstance(v, bool) for v in (value, other)):
-        return math.isclose(value, other, rel_tol=DEVIATION, abs_tol=ZERO)
+def same_value(value: Any, other: Any, zero: float = ZERO) -> bool:
+    """Whether two values are one but for rounding; numbers also by a difference of ``zero``."""
+    if is_number(value) and is_number(other):
+        return math.isclose(value, other, rel_tol=DEVIATION, abs_tol=zero)
     return type(value) is type(other) and bool(value == other)
 
 
