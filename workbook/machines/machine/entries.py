@@ -21,15 +21,7 @@ from workbook.fields.types import (
     Positive,
 )
 from workbook.machines.machine import drive_entries
-from workbook.machines.machine.entries_beside import (
-    MOST_CLEARANCES,
-    MOST_SWITCHES,
-    ClearanceEntry,
-    Name,
-    SwitchEntry,
-    require_axes,
-    spelled,
-)
+from workbook.machines.machine import entries_beside as beside
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, piece_counts, settle_room
 from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
@@ -59,7 +51,7 @@ class Axis(Model):
 
     PLACED: ClassVar[bool] = True
     """whether its entries alone tell if its phases lie right: else the machine does, which knows the cycle's length"""
-    name: Name
+    name: beside.Name
     group: Text
     unit: Unit = "mm"
     closes: Closes = "position"
@@ -151,8 +143,8 @@ class AnyMachine(Exporting):
     template: Literal["machine"] = "machine"
     master: Master
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
-    switches: Annotated[list[SwitchEntry], Field(max_length=MOST_SWITCHES)] = []  # noqa: RUF012 - frozen
-    clearances: Annotated[list[ClearanceEntry], Field(max_length=MOST_CLEARANCES)] = []  # noqa: RUF012 - frozen
+    switches: list[beside.SwitchEntry] = Field(default=[], max_length=beside.MOST_SWITCHES)
+    clearances: list[beside.ClearanceEntry] = Field(default=[], max_length=beside.MOST_CLEARANCES)
     power: drive_entries.PowerEntry = drive_entries.PowerEntry()
     gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
     selection: drive_entries.Choice = drive_entries.Choice()
@@ -161,13 +153,13 @@ class AnyMachine(Exporting):
     @classmethod
     def spelled(cls, data: Any) -> Any:
         """Return a description whose switches tell the keys of their times, and whose clearances name their axes."""
-        return spelled(super().spelled(data))
+        return beside.spelled(super().spelled(data))
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
             require_distinct((one.name for one in getattr(self, key)), kind, f"{key}.{{}}.name")
-        require_axes(self.clearances, [axis.name for axis in self.axes])
+        beside.require_axes(self.clearances, [axis.name for axis in self.axes])
         if self.power != drive_entries.PowerEntry() and not any(axis.motor for axis in self.axes):
             raise EntryError("power", "no axis has a drive; expected none")
         if self.gravity != type(self).model_fields["gravity"].default and not self.weighs:
@@ -231,7 +223,7 @@ class AnyMachine(Exporting):
         return self.axes
 
     @property
-    def switches_turned(self) -> Sequence[SwitchEntry]:
+    def switches_turned(self) -> Sequence[beside.SwitchEntry]:
         """The switches, likewise."""
         return self.switches
 

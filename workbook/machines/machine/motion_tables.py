@@ -86,7 +86,7 @@ def steps_table(sheet: Sheet, tables: AxisTables) -> None:
             found += [phase.format(k), rest.format(before=k, behind=k + 1)]
         return found
 
-    def of(figure: Callable[[int, Phase], Any], spare: Any) -> list[Any]:
+    def of(figure: Figure, spare: Any) -> list[Any]:
         each = (figure(k, phase) for k, phase in enumerate(motion.phases))
         return spread(each, axis.places, tables.steps, spare)
 
@@ -98,10 +98,7 @@ def steps_table(sheet: Sheet, tables: AxisTables) -> None:
     def own(column: str, formula: str) -> str:
         return handed.own(column, formula) if handed else formula
 
-    fastest: tuple[tuple[str, str, Figure], ...] = (
-        ("y1", "velocity", lambda _, p: p.y1_max),
-        ("y2", "acceleration", lambda _, p: p.y2_max),
-    )
+    fastest: list[tuple[str, Figure]] = [("velocity", lambda _, p: p.y1_max), ("acceleration", lambda _, p: p.y2_max)]
     entered = [end for p in axis.given.phases for end in (p.start, p.stop)]
     sheet.table(
         f"{t}_steps", STEPS.format(axis.number), tables.steps,
@@ -120,8 +117,9 @@ def steps_table(sheet: Sheet, tables: AxisTables) -> None:
              of(lambda k, _: motion.reaches[k][1], motion.position), scale=motion.size(0)),
         *phase_columns(tables.pieces),
         *([] if not handed else [
-            calc(name, f"greatest {word}", "", tables.at.unit(order), each("=0*[k]", f"=[{t}.{name}.{{}}]"),
-                 of(figure, 0.0), scale=motion.size(order)) for order, (name, word, figure) in enumerate(fastest, 1)
+            calc(f"y{order}", f"greatest {word}", "", tables.at.unit(order), each("=0*[k]", f"=[{t}.y{order}.{{}}]"),
+                 of(figure, 0.0), scale=motion.size(order))
+            for order, (word, figure) in enumerate(fastest, 1)
         ]),
     )  # fmt: skip
 

@@ -16,19 +16,10 @@ from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
 from engine.drive.motor import LEVEL
 from engine.drive.results import DriveResults
 from workbook.fields.units import DEGREE, KG_CM2, MM, MS, shown, si
+from workbook.machines.machine import mechanism as kinds
 from workbook.machines.machine.drive.in_use import falling_of, left_of, motor_in_use, reducer_in_use
 from workbook.machines.machine.drive_entries import AxisPart
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.mechanism import (
-    LINKED,
-    SCREWS,
-    Belted,
-    CrankSlider,
-    MechanismEntry,
-    PressCrank,
-    Rocker,
-    Table,
-)
 from workbook.machines.machine.view import MovingAxis
 
 T = TypeVar("T")
@@ -36,28 +27,28 @@ SHAFTS = ("motor", "mechanism")
 FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
 
 
-def linkage_of(given: MechanismEntry, unit: float) -> Linkage:
+def linkage_of(given: kinds.MechanismEntry, unit: float) -> Linkage:
     """Return the mechanism that is entered, of an axis in a unit. Raises ValueError for sizes that cannot be."""
 
     def mm(*sizes: float | None) -> tuple[float, ...]:
         return tuple(si(one or 0.0, MM) for one in sizes)
 
     match given:
-        case Table():
+        case kinds.Table():
             return PositionTable([(si(one.angle, DEGREE), si(one.position, unit)) for one in given.points])
-        case Rocker():
+        case kinds.Rocker():
             angle, sense = si(given.start_angle or 0.0, DEGREE), -1 if given.direction == "backward" else 1
             lever, link, offset = mm(given.lever_length, given.link_length, given.offset)
             return rocker(lever, link, offset, angle, given.slide != "behind", sense)
-        case CrankSlider():
+        case kinds.CrankSlider():
             crank, rod, offset, start = mm(given.crank_radius, given.rod_length, given.offset, given.start)
             return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", start)
     raise TypeError(f"linkage_of makes no linkage of a {given.kind}")
 
 
-def by_angle_of(given: MechanismEntry) -> ByAngle:
+def by_angle_of(given: kinds.MechanismEntry) -> ByAngle:
     """Return what a slide does by the angle of its axis. Raises ValueError for sizes that cannot be."""
-    given = of_kind(PressCrank, given)
+    given = of_kind(kinds.PressCrank, given)
     crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
     return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
 
@@ -96,7 +87,7 @@ class Driven:
         falling = self.catalogued_falling if products.knows_falling else LEVEL
         self.motor, self.left = replace(self.motor_used.motor, falling=falling), left_of(entered.motor)
 
-        self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in LINKED else None
+        self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in kinds.LINKED else None
         self.by_angle: ByAngle | None = None
         if self.given.SLIDES:
             self.by_angle = by_angle_of(self.given)
@@ -127,15 +118,15 @@ class Driven:
         entered, forward = self.given.back_efficiency, self.given.efficiency
         if entered is not None:
             return entered
-        return 2.0 - 1.0 / forward if self.given.kind in SCREWS else forward
+        return 2.0 - 1.0 / forward if self.given.kind in kinds.SCREWS else forward
 
     def _mechanism(self) -> Mechanism:
         """Return reducer and mechanism, their parts and the load; a screw by its turns a metre, all else by a size."""
         reducer = [Stage("reducer", self.reducer.ratio, self.reducer.efficiency)]
         kind, size = self.given.kind, si(self.given.size, MM)
         turned = [Part("reducer", self.reducer.inertia, 0), *self.parts]
-        size = shown(1.0, size) if kind in SCREWS else size
-        belt = self.given.belt_mass or 0.0 if isinstance(self.given, Belted) else 0.0
+        size = shown(1.0, size) if kind in kinds.SCREWS else size
+        belt = self.given.belt_mass or 0.0 if isinstance(self.given, kinds.Belted) else 0.0
         made = KINDS[kind].of(self.load, size, self.given.efficiency, reducer, turned, belt)
         *gears, last = made.stages
         return replace(made, stages=(*gears, replace(last, back_efficiency=self.back_efficiency)))

@@ -66,11 +66,9 @@ def shaft_of(view: DriveView) -> Shaft:
     d, motor, reducer, rms = view.driven, view.driven.motor_used, view.driven.reducer, view.reserve.rms_torque
     top, torque = view.reserve.peak_torque.value, view.scales.torque
     spare = ("@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top)
-    means = ("own", "square", "square_back", "product", "product_back", "way", "way_turning", "way_behind", "way_back",
-             "speed", "inertia")  # fmt: skip
     load, turning, behind = load_of(view), view.scales.turning, view.scales.behind
     demand = load_figures(load, turning, behind)
-    rows = shaft_figures(f"drive{d.number}_", demand, {name: f"@ask_{name}" for name in means} | {
+    rows = shaft_figures(f"drive{d.number}_", demand, {name: f"@ask_{name}" for name in demand} | {
         "mean": "@mean*PI()/30/@i1", "smax": "@smax", "smean": "@smean", "cycles": ("@cycles", view.cycles),
         "beside": ("@ask_beside", d.beside_motor), "turns": ("@ask_turns", turns_of(view)),
         "brake": ("0", 0.0) if view.brakes else ('(@holding="brake")', float(d.holding == "brake")),
