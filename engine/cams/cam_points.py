@@ -164,6 +164,7 @@ def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], mos
     Parameters
     ----------
     of : CamPoints
+        A part of the table, in any units of x and y.
     rebuilt : CamProfile
         The same by the controller's rule: it gives y' where splines meet, and y between points if the table has y'.
     slopes : (float, float), unit of y over that of x

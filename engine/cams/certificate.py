@@ -178,6 +178,7 @@ def spread(
     Parameters
     ----------
     of : CamProfile
+        The motion, in any units of x and y.
     n, order : int
         Number of points at most, and order of the rule.
     least : array (pieces,) of int

@@ -36,11 +36,12 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     Parameters
     ----------
     of : CamPoints
+        The table, in any units of x and y.
     rebuilt : CamProfile
         The whole table by the controller's rule between points.
     turns : bool
         Whether a cycle that begins at speed is counted from its first dwell at 0.
-    share : float
+    share : float, dimensionless
         Deviation of the splines from the other points at most, as a share of the range of y.
 
     Returns

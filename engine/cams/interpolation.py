@@ -28,7 +28,7 @@ def hermite(x: Array, y: Array, v: Array) -> CamProfile:
 
     Parameters
     ----------
-    x, y, v : array (n,)
+    x, y, v : array (n,), any units of x and y
         Points, and y' at each.
 
     Returns
@@ -64,7 +64,7 @@ def quintics(x: Array, y: Array, v: Array, a: Array) -> CamProfile:
 
     Parameters
     ----------
-    x, y, v, a : array (n,)
+    x, y, v, a : array (n,), any units of x and y
         Points, and y' and y'' at each.
 
     Returns
@@ -79,9 +79,9 @@ def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> 
 
     Parameters
     ----------
-    x : array (n,)
+    x : array (n,), any unit
         Ends of the intervals.
-    begin, end : three arrays (n − 1,)
+    begin, end : three arrays (n − 1,), any units of x and y
         y, y' and y'' at the begin and at the end of each interval.
 
     Returns
@@ -104,9 +104,9 @@ def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamPro
 
     Parameters
     ----------
-    x, y : array (n,)
+    x, y : array (n,), any units
         A travel is added to a periodic spline as a line.
-    ends : (float, float) or {"natural", "not-a-knot", "periodic"}
+    ends : (float, float), unit of y over that of x; or "natural", "not-a-knot", "periodic"
         Slopes of a clamped spline, or: y'' = 0; y''' continuous at the second point from each end; y' and y'' equal at
         both ends.
 
@@ -131,8 +131,8 @@ def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArr
 
     Parameters
     ----------
-    x, y : array (n,)
-    ends : (float, float)
+    x, y : array (n,), any units
+    ends : (float, float), unit of y over that of x
         Slopes at the ends of the table.
     straight : array (n − 1,) of bool
         Which intervals are lines.

@@ -112,7 +112,7 @@ def narrowed(positive: Callable[[Array], NDArray[np.bool_]], low: Array, high: A
     ----------
     positive : callable
         The condition: it takes and returns arrays of shape (n,), and differs at the ends of each bracket.
-    low, high : array (n,)
+    low, high : array (n,), any unit
         The ends of the brackets.
     rounds : int
         Each narrows a bracket to a 256th.
@@ -210,9 +210,10 @@ def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0,
     Parameters
     ----------
     pieces : tuple of Piece
-    v0 : float
+        In order, from ξ = 0.
+    v0 : float, dimensionless
         Velocity at the begin of the first piece.
-    a0, a1 : float
+    a0, a1 : float, dimensionless
         Acceleration before the pieces and after them.
 
     Returns

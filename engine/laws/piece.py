@@ -97,12 +97,12 @@ def gains_of(u: Array, c: Columns, sines: Sequence[Columns]) -> tuple[Array, Arr
 
     Parameters
     ----------
-    u : array (n,)
+    u : array (n,), any unit of time
         Time since the begin of the piece.
-    c : sequence of float or array (n,)
+    c : sequence of float or array (n,), any unit of acceleration by powers of that time
         Coefficients of the polynomial, of 1, u, u², ….
     sines : sequence of such columns
-        Amplitude P, frequency ω, sin φ and cos φ of each sine.
+        Amplitude P (unit of acceleration), frequency ω (rad per unit of time), sin φ and cos φ of each sine.
 
     Returns
     -------

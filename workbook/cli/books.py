@@ -10,7 +10,7 @@ import typer
 from typer import Argument, Option
 
 from workbook import __version__
-from workbook.controllers.claims import TARGETS
+from workbook.controllers.registry import TARGETS
 from workbook.errors import AGREES
 from workbook.witnesses.registry import ALL, WITNESSES
 

@@ -8,7 +8,7 @@ import typer
 from typer import Argument, Option
 
 from workbook.cli.books import Book, CamFile, Force, Fresh, Jobs, Json, Of, Scheduler, Source, app, flag, option, to
-from workbook.controllers.claims import TARGETS
+from workbook.controllers.registry import TARGETS
 from workbook.reports.terminal import OUT, say, say_json
 
 BEYOND = (

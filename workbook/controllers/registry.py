@@ -1,16 +1,20 @@
-"""The register of targets by their names, which the command's help lists without loading them."""
+"""The register of targets: their names, which the command's help lists without loading them, and what each claims."""
 
 from __future__ import annotations
 
+import tomllib
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from workbook.controllers.claims import TARGETS
 from workbook.errors import TargetError
 
 if TYPE_CHECKING:
     from workbook.controllers.target import Target
 
+CLAIMS = tomllib.loads(Path(__file__).with_name("claims.toml").read_text(encoding="utf-8"))
+"""the claims about each target's format, with their documents"""
+TARGETS = tuple(name for name in CLAIMS if not name.endswith(" switches"))
 MODULES = ("br", "codesys", "columns", "mitsubishi", "rockwell", "siemens", "twincat")
 """the files in ``targets`` in which these are declared"""
 

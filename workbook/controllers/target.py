@@ -13,7 +13,7 @@ from tornado.template import Loader
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 from engine.timing import Switch, SwitchDifference, compare_switches
-from workbook.controllers.claims import CLAIMS
+from workbook.controllers.registry import CLAIMS
 from workbook.controllers.table import Table
 from workbook.controllers.texts import LREAL, Number, literal
 from workbook.errors import ReadError, TargetError, visible
@@ -25,6 +25,7 @@ MOST_OFF = 1e-2  # of an edge, in degrees: numbers of 32 bits hold it to 1e-5
 LAYOUTS = Loader(str(Path(__file__).with_name("targets")), autoescape=None, whitespace="all")
 Spacing = Literal["free", "equal", "breaks"]  # of points: anywhere, at equal steps alone, or on the breaks at least
 NEVER = " (never on)"
+CYCLE = 360.0  # degrees
 MOST_TRACKS, MOST_TIMES = 1000, 10_000
 MOST = 8_000_000  # bytes: a tag of 25,000 points
 LARGEST = 1e12  # of x, y and derivatives
@@ -96,7 +97,7 @@ class SwitchExport(NamedTuple):
     tracks: Sequence[Track]
     name: str
     header: tuple[str, ...]
-    cycle: float = 360.0
+    cycle: float = CYCLE
     separator: str = ";"
     decimal: str = "."
 
@@ -168,7 +169,7 @@ def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
     return found
 
 
-def tracks_of_rows(text: str, rows: Iterable[Sequence[float]], cycle: float = 360.0) -> list[Track]:
+def tracks_of_rows(text: str, rows: Iterable[Sequence[float]]) -> list[Track]:
     """Return the tracks of times, with the names that comments of the text tell; raise TargetError, by track."""
     names = {int(number): name.strip() for number, name in CALLED.findall(text)}
     found: dict[int, list[tuple[float, float]]] = {number: [] for number in names}
@@ -183,11 +184,11 @@ def tracks_of_rows(text: str, rows: Iterable[Sequence[float]], cycle: float = 36
     made = []
     for number, times in sorted(found.items()):
         on = sorted(times)
-        if len(on) > 1 and on[0][0] == 0.0 and on[-1][1] == cycle:  # one that goes on past the end of the cycle
+        if len(on) > 1 and on[0][0] == 0.0 and on[-1][1] == CYCLE:  # one that goes on past the end of the cycle
             on = [*on[1:-1], (on[-1][0], on[0][1])]
         name = names.get(number, f"Track {number}").removesuffix(NEVER)
         try:
-            made.append(Track(number, name, Switch(name, tuple(on), cycle).on))
+            made.append(Track(number, name, Switch(name, tuple(on), CYCLE).on))
         except ValueError as error:
             raise TargetError(f"track {number}: {error}") from None
     return made

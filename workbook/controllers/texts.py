@@ -119,11 +119,11 @@ def remarks(*lines: str) -> str:
     return "".join(f"# {line}\r\n" for line in lines)
 
 
-def numbers(text: str, widths: Sequence[int], comment: str = "#", counted: bool = False) -> list[list[float]]:
+def numbers(text: str, widths: Sequence[int], counted: bool = False) -> list[list[float]]:
     """Return the rows of numbers below what stands above, so many columns wide; raise TargetError, by line."""
     kept: list[tuple[int, str]] = []
     for n, whole in enumerate(text.splitlines(), 1):
-        line = whole.split(comment, 1)[0].translate(SIGNS).strip() if whole else ""
+        line = whole.split("#", 1)[0].translate(SIGNS).strip() if whole else ""
         if line and (kept or (STARTS.match(line) and not WORDS.match(line.lstrip("+-0123456789.,")))):
             kept.append((n, line))
         if len(kept) > MOST_POINTS + 1:

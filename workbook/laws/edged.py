@@ -155,7 +155,7 @@ class Stages:
         sides = (("@drive", "driving", RISE, "@ca_max"), ("@brake", "braking", FALL, "(0-@ca_min)"))
         for (name, side, stages, height), edge in zip(sides, law.inner_edges, strict=True):
             k, form = self.forms(stages)[-1]
-            if form.word in SEARCHES and edge is not None:
+            if form.word in SEARCHES:
                 words, where, formula, source = SEARCHES[form.word]
                 rows += [
                     calc(f"{name}_v", f"Velocity before {words}, {side}", "v₂", "",

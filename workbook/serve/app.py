@@ -16,7 +16,7 @@ from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError
 
 from workbook.build import read_inputs
-from workbook.controllers.claims import TARGETS
+from workbook.controllers.registry import TARGETS
 from workbook.errors import InputError, WriteError
 from workbook.serve import fields, live, pages, study
 from workbook.serve.handler import LARGEST, REPORT, Action, Folder, Page, state

@@ -15,8 +15,7 @@ from workbook import file_cache
 from workbook.build import build
 from workbook.commands import verify as verifying
 from workbook.commands.export import choose_axes, slugs
-from workbook.controllers.claims import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.tabulation import automatic, certify_table, tabulate
 from workbook.controllers.target import read_table
 from workbook.errors import TargetError

@@ -12,8 +12,7 @@ import pytest
 from tests import tiers
 from tests.workbook.controllers.examples import handed, random_axis
 from workbook.commands import cams
-from workbook.controllers.claims import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.errors import MotionbookError
 
 NUMBER = re.compile(r"(?<![\w.])-?[0-9]+\.?[0-9]*(?:[eE][+-]?[0-9]+)?(?![\w.])")

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from tests.workbook.controllers.examples import handed
-from workbook.controllers.claims import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.target import LARGEST, parse_table
 from workbook.errors import TargetError
 

@@ -8,8 +8,7 @@ import pytest
 from tests import tiers
 from tests.mutation.machines import machine as drawn_machine
 from tests.workbook.machines.test_machine import axis, described
-from workbook.controllers.claims import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.tabulation import certify_table, fewest_points, reread, rules_of, tabulate
 from workbook.controllers.target import CamExport
 from workbook.errors import TargetError

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from workbook.controllers import as_description
-from workbook.controllers.claims import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.tabulation import automatic, reread, tabulate
 from workbook.controllers.target import CamExport
 from workbook.reading.descriptions import read_machine

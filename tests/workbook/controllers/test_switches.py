@@ -14,8 +14,7 @@ from hypothesis import strategies as st
 from engine.timing import Switch, compare_switches
 from tests.workbook.controllers.examples import TEXT
 from workbook.build import build
-from workbook.controllers.claims import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.target import MOST_OFF, SwitchExport, differences, tracks
 from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine

@@ -18,8 +18,7 @@ from engine.cams.certificate import certify
 from engine.motion import Motion, Phase
 from engine.motion.profile import CamProfile, profile_of_motion
 from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
-from workbook.controllers.claims import TARGETS
-from workbook.controllers.registry import target
+from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.table import Table
 from workbook.controllers.tabulation import automatic, certify_table, reread, table_at, tabulate
 from workbook.controllers.target import COUNTED, CamExport, header, parse_table, read_table
