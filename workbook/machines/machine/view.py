@@ -28,8 +28,6 @@ class MovingAxis:
     ``given`` has its places in degrees of one turn, ``typed`` in the unit of the abscissa ``over``, as entered.
     """
 
-    twin: Self | None = None  # an axis of the same motion at another speed: that is worked out once
-
     def __init__(self, given: entered.Axis, number: int, library: dict[str, Law], speed: float,
                  typed: entered.Axis, over: Abscissa) -> None:  # fmt: skip
         self.given, self.number, self.library, self.speed, self.typed, self.over = (
@@ -43,8 +41,9 @@ class MovingAxis:
 
     def at_speed(self, speed: float, given: entered.Axis | None = None) -> Self:
         """Return the axis at a speed (rad/s), ``given`` with another drive: of the same motion over a turn."""
+        _ = self.motion  # worked out once for both
         other = copy(self)
-        other.given, other.speed, other.twin = given or self.given, speed, self
+        other.given, other.speed = given or self.given, speed
         return other
 
     @cached_property
@@ -61,7 +60,7 @@ class MovingAxis:
     @cached_property
     def motion(self) -> Motion:
         """The motion over a turn: m, or rad, over rad; extremes of phases that meet at speed are those at points."""
-        return self.twin.motion if self.twin else measured(self.joined.motion)
+        return measured(self.joined.motion)
 
     @cached_property
     def entered_rates(self) -> dict[int, Rates]:
