@@ -104,12 +104,6 @@ def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
     return found
 
 
-def shares(pieces: Sequence[MotionPiece], end: float) -> list[float]:
-    """Return the begin of each piece of a motion as a share of it; ``end`` is that of the motion (unit of x)."""
-    begin = pieces[0].begin
-    return [(piece.begin - begin) / (end - begin) for piece in pieces]
-
-
 class Located(NamedTuple):
     """Places of samples in a table of pieces, arrays of one shape."""
 
@@ -117,45 +111,34 @@ class Located(NamedTuple):
     u: Array  # abscissa from its origin
 
 
-def located(pieces: Sequence[MotionPiece], x: Array, end: float) -> Located:
-    """Return the piece at each abscissa: the last that begins at or before it.
+class PieceTable(NamedTuple):
+    """All pieces of a motion, in order of the abscissa."""
 
-    Parameters
-    ----------
-    pieces : sequence of MotionPiece
-    x : array (n,)
-        Abscissae. One less than :data:`BREAK_TOLERANCE` of the motion before a piece counts as in it.
-    end : float
-        Of the motion, in units of its abscissa; there the left limit counts.
+    pieces: Sequence[MotionPiece]
+    end: float  # abscissa at which the motion ends
 
-    Returns
-    -------
-    Located
-    """
-    begin = pieces[0].begin
-    reached = np.minimum((x - begin) / (end - begin) + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
-    k = np.maximum(np.searchsorted(shares(pieces, end), reached, side="right") - 1, 0)
-    return Located(k, x - np.array([piece.origin for piece in pieces])[k])
+    @property
+    def begins(self) -> Array:
+        """Begin of each piece as a share of the motion."""
+        return self._shares(np.array([piece.begin for piece in self.pieces]))
 
+    def _shares(self, x: Array) -> Array:
+        begin = self.pieces[0].begin
+        return np.asarray((x - begin) / (self.end - begin))
 
-def evaluated(pieces: Sequence[MotionPiece], x: Array, end: float) -> MotionValues[Array]:
-    """Return the motion values of a table of pieces.
+    def located(self, x: Array) -> Located:
+        """Return the piece at each abscissa (n,): the last that begins at or before it, or less than rounding after it.
 
-    Parameters
-    ----------
-    pieces : sequence of MotionPiece
-    x : array (n,)
-        Abscissae.
-    end : float
-        Of the motion, in units of its abscissa.
+        At the end of the motion the left limit counts.
+        """
+        reached = np.minimum(self._shares(x) + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
+        k = np.maximum(np.searchsorted(self.begins, reached, side="right") - 1, 0)
+        return Located(k, x - np.array([piece.origin for piece in self.pieces])[k])
 
-    Returns
-    -------
-    MotionValues
-        y, y', y'' and y''', each of shape (n,), in units of the motion.
-    """
-    place, table = located(pieces, x, end), np.empty((4, x.size))
-    for k in np.unique(place.piece):
-        here = place.piece == k
-        table[:, here] = pieces[k].at(place.u[here])
-    return MotionValues(*table)
+    def at(self, x: Array) -> MotionValues[Array]:
+        """Return y, y', y'', y''' at abscissae (n,)."""
+        place, table = self.located(x), np.empty((4, x.size))
+        for k in np.unique(place.piece):
+            here = place.piece == k
+            table[:, here] = self.pieces[k].at(place.u[here])
+        return MotionValues(*table)

@@ -1,4 +1,4 @@
-"""A motion as a cam profile: its pieces in one array, in units of choice."""
+"""A motion as a cam profile: its pieces in one array."""
 
 import math
 from collections.abc import Sequence
@@ -74,6 +74,11 @@ class CamProfile:
                 size = size * w / (power + 1)
         return found
 
+    def in_units(self, x: float, y: float) -> Self:
+        """Return it in other units: ``x`` and ``y`` are what its units of abscissa and position are in them."""
+        c = self.c * y / x ** np.arange(self.c.shape[1])
+        return type(self)(self.edges * x, self.origins * x, c, self.sines * [y, 1.0, 1.0] / [1.0, x, 1.0])
+
     def shifted(self, by: float, travel: float | None = None) -> Self:
         """Return y(x − by), the cycle later by an abscissa, over the same range.
 
@@ -93,46 +98,20 @@ class CamProfile:
         return type(self)(edges, origins[kept], c[kept], np.concatenate([self.sines, self.sines])[kept])
 
 
-def profile_of(pieces: Sequence[MotionPiece], end: float, x: float = 1.0, y: float = 1.0) -> CamProfile:
-    """Return the pieces of any duration as a profile in other units.
-
-    Parameters
-    ----------
-    pieces : sequence of MotionPiece
-    end : float
-        Abscissa at which the last one ends, in their unit.
-    x, y : float
-        What their units of abscissa and position are in those of the profile.
-
-    Returns
-    -------
-    CamProfile
-    """
+def profile_of(pieces: Sequence[MotionPiece], end: float) -> CamProfile:
+    """Return the pieces of any duration as a profile in their units; ``end`` is the abscissa where the last ends."""
     lasting = [piece for piece in pieces if piece.duration > 0.0]
     ends = [*(piece.begin for piece in lasting[1:]), np.inf]
     least = SAME * abs(end - lasting[0].begin)
     kept = [piece for piece, after in zip(lasting, ends, strict=True) if after - piece.begin > least]
-    c = np.array([piece.c for piece in kept])
-    c = c * y / x ** np.arange(c.shape[1])
-    sines = np.array([piece.sines for piece in kept])
+    c, sines = np.array([piece.c for piece in kept]), np.array([piece.sines for piece in kept])
     sines[sines[:, :, 0] == 0.0] = 0.0
-    sines = sines[:, sines.any(axis=(0, 2))] * [y, 1.0, 1.0] / [1.0, x, 1.0]
+    sines = sines[:, sines.any(axis=(0, 2))]
     edges = np.array([*(piece.begin for piece in kept), end])
     last = int(np.flatnonzero(c.any(axis=0)).max(initial=0))
-    return CamProfile(edges * x, np.array([piece.origin for piece in kept]) * x, c[:, : last + 1], sines)
+    return CamProfile(edges, np.array([piece.origin for piece in kept]), c[:, : last + 1], sines)
 
 
-def profile_of_motion(motion: Motion, x: float = 1.0, y: float = 1.0) -> CamProfile:
-    """Return a motion as a profile in other units.
-
-    Parameters
-    ----------
-    motion : Motion
-    x, y : float
-        What its units of abscissa and position are in those of the profile.
-
-    Returns
-    -------
-    CamProfile
-    """
-    return profile_of(motion_pieces(motion, whole=True), float(motion.edges[-1]), x, y)
+def profile_of_motion(motion: Motion) -> CamProfile:
+    """Return a motion as a profile, in its units."""
+    return profile_of(motion_pieces(motion, whole=True), float(motion.edges[-1]))

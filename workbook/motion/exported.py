@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.motion.pieces import evaluated
+from engine.motion.pieces import PieceTable
 from engine.motion.shifted import Unshifted
 from workbook.book.declare import Book, Quantity, calc, constant, result
 from workbook.entries.abscissa import ANGLE, Abscissa
@@ -68,7 +68,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     rows, later = axis.rows, axis.later
     at = np.linspace(0.0, rows.end, n + 1)
     told = later.unshifted(at) if later else Unshifted(np.zeros(n + 1), at)
-    found = evaluated(rows.pieces, told.x, rows.end)
+    found = PieceTable(rows.pieces, rows.end).at(told.x)
     values = found.y + told.cycles * (later.lifts if later else 0.0), found.y1, found.y2
     unit, factors = axis.unit[0], [axis.unit[1] / axis.unit[0] ** order for order in range(len(values))]
     per = [axis.over.from_rad(order) if rows.at.degrees else "" for order in range(3)]

@@ -9,7 +9,7 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.laws.piece import Sine
-from engine.motion.pieces import MotionPiece, located, shares
+from engine.motion.pieces import MotionPiece, PieceTable
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, calc, check, constant
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
@@ -85,7 +85,7 @@ def pieces_table(
     opened = [begins("origin", "u counts from", origin, lambda piece: piece.origin)] if at.opens else []
     begin = f"MAX({at.of_phase('opens')},{origin})" if at.opens else origin
     share = calc("share", "begins at this share of the whole", "", "", f"=[begin]/{at.end}",
-                 filled(shares(rows.pieces, rows.end), room, 1.0), source="spare rows: 1")  # fmt: skip
+                 filled(PieceTable(rows.pieces, rows.end).begins, room, 1.0), source="spare rows: 1")  # fmt: skip
     block = sheet.table(
         at.pieces, title, room,
         constant("r", "piece", "k", "", list(range(1, room + 1))),
@@ -174,7 +174,7 @@ def sine(at: Cells, mark: str, found: Sequence[Sine], sizes: Sizes) -> tuple[Qua
 
 def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
     """Return the workings of samples at a column ``x``, with its ``values``: the piece, u in it, arguments of sines."""
-    at, place = rows.at, located(rows.pieces, values, rows.end)
+    at, place = rows.at, PieceTable(rows.pieces, rows.end).located(values)
     q = f"q{suffix}"
     local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},[{q}])"
     return [

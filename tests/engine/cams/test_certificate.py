@@ -73,7 +73,7 @@ def test_a_dense_search_finds_no_more_and_nearly_as_much(entry) -> None:
 @pytest.mark.parametrize("entry", MOVING, ids=lambda entry: entry.code)
 def test_a_course_is_the_motion(entry) -> None:
     motion = Motion([Phase(entry(), 30.0, 90.0), Phase(law("dwell"), 0.0, 270.0)], start=5.0, position=3.0)
-    of = profile_of_motion(motion, x=2.0, y=1000.0)
+    of = profile_of_motion(motion).in_units(2.0, 1000.0)
     x = np.random.default_rng(3).uniform(5.0, 365.0, 400)
     for order, (one, other) in enumerate(zip(motion.at(x), of.at(2.0 * x), strict=True)):
         scaled = one * 1000.0 / 2.0**order

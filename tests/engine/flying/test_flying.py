@@ -11,7 +11,7 @@ from engine.flying.cut import Cut, Tool, flying_saw, rotary_drum
 from engine.flying.pieces import cut_joints, cut_pieces, rates_of
 from engine.laws import CATALOGUE, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
 from engine.laws.inverse import velocity_extremes
-from engine.motion.pieces import evaluated
+from engine.motion.pieces import PieceTable
 from tests.engine.integrals import crossings
 
 DRUM = rotary_drum(tools=3, radius=0.1, tool_angle=radians(30))
@@ -242,6 +242,6 @@ def test_one_tool_that_works_for_an_instant():
 def test_pieces_give_the_same_motion(law, length, way, tool):
     cut = Cut(tool, length + tool.tool_length, 1.2, law, way)
     time = np.linspace(0.0, cut.cycle_time, 1501)
-    found = evaluated(cut_pieces(cut), time, cut.cycle_time)
+    found = PieceTable(cut_pieces(cut), cut.cycle_time).at(time)
     for order, (one, other) in enumerate(zip(found, cut.at(time), strict=True)):
         assert np.abs(one - other).max() <= 1e-11 * max(cut.size(order), np.abs(other).max())

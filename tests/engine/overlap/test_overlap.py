@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
 from engine.laws.inverse import HEIGHT, inverse, inverse_by_points
-from engine.motion.pieces import evaluated, located
+from engine.motion.pieces import PieceTable
 from engine.overlap.plan import Station, colliding
 from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time, pieces_of_parts
 from tests.engine.motion.junctions import runs_smoothly
@@ -115,7 +115,7 @@ def test_pieces_give_the_same_motion(law_in, law_out, split):
     transfer, _ = mill_and_die()
     tool = Tool(law_in, 0.05, radians(100), law_out)
     schedule = Station(transfer, tool, Passage(0.01, 0.02, 0.001, split=split)).overlapping()
-    found = evaluated(pieces_of_parts(schedule.parts), schedule.since(TURN), 2 * pi)
+    found = PieceTable(pieces_of_parts(schedule.parts), 2 * pi).at(schedule.since(TURN))
     assert found.y == pytest.approx(schedule.travel(TURN), abs=1e-12)
     for order, values in enumerate(schedule.rates(TURN, 1.0), 1):
         assert found[order] * (2 * pi) ** order == pytest.approx(values, abs=1e-11 * np.abs(values).max())
@@ -127,7 +127,7 @@ def test_just_below_a_whole_turn_counts_as_on_it():
     schedule = station().one_after_the_other()
     found = schedule.since(np.array([schedule.arrival - 1e-9, schedule.arrival, schedule.arrival - 1e-7]))
     assert found == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
-    place = located(pieces_of_parts(schedule.parts), found, 2 * pi)
+    place = PieceTable(pieces_of_parts(schedule.parts), 2 * pi).located(found)
     assert [pieces_of_parts(schedule.parts)[k].phase for k in place.piece] == [0, 0, 3]
 
 

@@ -68,10 +68,10 @@ def declare(given: FlyingCutter) -> Book:
 def axes(machine: FlyingCutter) -> list[CamAxis]:
     """Return the tool along its path, and the shaft that drives it; both go on from where a cycle ends."""
     cut = CutterView(machine, laws(machine.laws)).cut
-    pieces, end, shaft = cut_pieces(cut, whole=True), cut.cycle_time, shown(cut.tool.angle(1.0), DEGREE)
+    profile, shaft = profile_of(cut_pieces(cut, whole=True), cut.cycle_time), shown(cut.tool.angle(1.0), DEGREE)
     return [
-        CamAxis("tool", profile_of(pieces, end, y=shown(1.0, MM)), "s", "mm"),
-        CamAxis("shaft", profile_of(pieces, end, y=shaft), "s", "°"),
+        CamAxis("tool", profile.in_units(1.0, shown(1.0, MM)), "s", "mm"),
+        CamAxis("shaft", profile.in_units(1.0, shaft), "s", "°"),
     ]
 
 

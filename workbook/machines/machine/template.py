@@ -155,7 +155,7 @@ def axes(machine: AnyMachine) -> list[CamAxis]:
 
 def profile(one: MovingAxis, y: float) -> CamProfile:
     """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
-    unshifted = profile_of_motion(one.motion, one.over.shown(shown(1.0, DEGREE)), y)
+    unshifted = profile_of_motion(one.motion).in_units(one.over.shown(shown(1.0, DEGREE)), y)
     return unshifted.shifted(one.typed.shift, one.motion.lifts_sum * y)
 
 

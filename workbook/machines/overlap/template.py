@@ -73,9 +73,10 @@ def exportables(view: OverlapView, pieces: Pieces) -> list[Exportable]:
 def axes(machine: IndexingOverlap) -> list[CamAxis]:
     """Return the transfer, which goes on every turn, and each tool as it is set."""
     found, units = OverlapView(machine, laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
-    made = [CamAxis("transfer", profile_of(pieces_of_parts(found.transfer.parts, True), FULL_TURN, *units), "°", "mm")]
+    transfer = profile_of(pieces_of_parts(found.transfer.parts, True), FULL_TURN).in_units(*units)
+    made = [CamAxis("transfer", transfer, "°", "mm")]
     for one in found.stations:
-        profile = profile_of(pieces_of_parts(one.as_set.parts, True), FULL_TURN, *units)
+        profile = profile_of(pieces_of_parts(one.as_set.parts, True), FULL_TURN).in_units(*units)
         made.append(CamAxis(one.given.name, profile.shifted(shown(one.as_set.arrival, DEGREE)), "°", "mm"))
     return made
 
