@@ -56,8 +56,8 @@ def exact_highest(view: DriveView) -> tuple[float, str]:
 
 def deviations(machine: AnyMachine) -> list[str]:
     """Return a line for each result that is farther from the exact engine's than its sheet states, and on rates."""
-    lines = [line for view in drives_of(machine) for line in (*results_of(view), *rate_of(view))]
     rows = axes_of(machine)
+    lines = [line for view in filter(None, map(drive_of, rows)) for line in (*results_of(view), *rate_of(view))]
     gaps = (gap_of(ClearanceView(one, k, rows)) for k, one in enumerate(machine.clearances, 1))
     return [*lines, *filter(None, gaps), *(line for one in rows for line in extremes_of(one.axis))]
 

@@ -1,13 +1,13 @@
 """Switches over the cycle: the sheet, with checks, and the corners of their lanes in the timing diagram."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from functools import cached_property
 from itertools import chain
-from typing import TypeVar
+from typing import Any
 
 from engine.timing import Switch
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
-from workbook.book.rows import filled
+from workbook.book.rows import filled, spread
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
@@ -17,7 +17,6 @@ from workbook.machines.machine.timing.phases import going_beyond, no_fault
 from workbook.machines.machine.timing.sheet import LANE_SHARE
 from workbook.machines.machine.view import MachineView
 
-T = TypeVar("T")
 NUMBERS = range(1, TIMES + 1)
 NEXT = (
     "SUMPRODUCT(MIN({0}.begin]-[begin]-360*({0}.begin]>=[begin]+360)+360*({0}.begin]<[begin])"
@@ -43,16 +42,16 @@ class Lane:
         on = tuple((si(start, DEGREE), si(stop, DEGREE)) for start, stop in self.entered.values())
         return Switch(self.given.name, on)
 
-    def each(self, values: Sequence[T], spare: T) -> list[T]:
+    def each(self, values: Iterable[Any], spare: Any = 0.0) -> list[Any]:
         """Return a value for each time: those of the ones that are entered, in their order."""
-        return [dict(zip(self.entered, values, strict=True)).get(k, spare) for k in range(TIMES)]
+        return spread(values, self.entered, TIMES, spare)
 
     @property
     def until_next(self) -> list[float]:
         """From the begin of each time to the next begin of the switch (degrees); a turn where there is no other."""
         begins = {k: start for k, (start, _) in self.entered.items()}
         return self.each(
-            [min(((b - a) % TURN for j, b in begins.items() if j != k), default=TURN) for k, a in begins.items()], 0.0
+            min(((b - a) % TURN for j, b in begins.items() if j != k), default=TURN) for k, a in begins.items()
         )
 
     def outline(self, floor: int, near: float) -> list[tuple[float, float]]:
@@ -140,7 +139,7 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
         angle("begin", "on from", f"={over.degrees_formula(start)}", [time.start or 0.0 for time in times]),
         angle("end", "to", f"={over.degrees_formula(stop)}", [time.stop or 0.0 for time in times]),
         angle("span", "lasts", "=IF([used]=0,0,[end]-[begin]+IF([end]<[begin],360,0))",
-              lane.each([shown(span, DEGREE) for span in lane.switch.spans], 0.0)),
+              lane.each(shown(span, DEGREE) for span in lane.switch.spans)),
         angle("next", "to the next begin", f"=IF([used]=0,0,{NEXT.format(f'[{name}')})", lane.until_next),
         calc("wrong", "what is wrong", "", "", f'=IF([used]=0,"",{wrong})', "", align="left"),
         *([late] if over.measured else []),

@@ -56,19 +56,15 @@ def of_points(view: DriveView) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def torque(view: DriveView) -> list[Quantity]:
+def torque(view: DriveView) -> Quantity:
     """Return the result of what the brake holds."""
-    return [
-        result("@brake_load", "Brake torque, highest", "T_B", "Nm",
-               "=SUMPRODUCT(MAX((1-[@pt.free])*ABS([@pt.S])))*@out1", view.points.brake_torque,
-               "in the dwells that it holds", scale=view.scales.torque)
-    ]  # fmt: skip
+    return result("@brake_load", "Brake torque, highest", "T_B", "Nm",
+                  "=SUMPRODUCT(MAX((1-[@pt.free])*ABS([@pt.S])))*@out1", view.points.brake_torque,
+                  "in the dwells that it holds", scale=view.scales.torque)  # fmt: skip
 
 
-def checks(view: DriveView) -> list[Quantity]:
+def holds(view: DriveView) -> Quantity:
     """Return the check of the brake's holding torque."""
     load, most = view.points.brake_torque, view.driven.brake.torque
-    return [
-        check("@ok_brake", f"{view.driven.called}: the brake holds the load at rest", "@brake_load<=@brake_torque",
-              load <= most, says=exceeding("@brake_load", "@brake_torque", "Nm", load, most))
-    ]  # fmt: skip
+    return check("@ok_brake", f"{view.driven.called}: the brake holds the load at rest", "@brake_load<=@brake_torque",
+                 load <= most, says=exceeding("@brake_load", "@brake_torque", "Nm", load, most))  # fmt: skip

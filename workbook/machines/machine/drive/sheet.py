@@ -154,7 +154,7 @@ def energies(view: DriveView) -> list[Quantity]:
                shown(max(0.0, points.top(points.power)), KW), scale=size.power),
         result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
                shown(min(0.0, -points.top(-points.power)), KW), "regenerated", scale=size.power),
-        *(brake.torque(view) if view.brakes else ()),
+        *([brake.torque(view)] if view.brakes else []),
     ]  # fmt: skip
 
 
@@ -202,7 +202,7 @@ def checks(view: DriveView) -> list[Quantity]:
             ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
             ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
         ),
-        *(brake.checks(view) if view.brakes else ()), *in_use.checks(driven.number, called),
+        *([brake.holds(view)] if view.brakes else []), *in_use.checks(driven.number, called),
         below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.tables.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),
