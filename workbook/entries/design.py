@@ -208,17 +208,13 @@ def differing(
     """Return by key the entries below the places that were replaced, where they differ."""
     found: dict[str, Replaced] = {}
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
-        old = dict(leaves(at(entered, path, exactly=True), path))
-        for key, value in leaves(at(made, path, exactly=True), path):
-            was = old.pop(key, NONE)
-            absent = was is NONE or was == {}
-            was = None if absent else was
-            if absent and at(entered, joined(parts(key)[:-1]), exactly=True):
+        old, new = (dict(leaves(at(data, path, exactly=True), path)) for data in (entered, made))
+        for key in new | old:
+            absent = old.get(key, {}) == {}
+            was = None if absent else old[key]
+            if absent and key in new and at(entered, joined(parts(key)[:-1]), exactly=True):
                 was = rules.default_at(model, ruled(key, entered))
-            if was != value:
-                found.setdefault(key, Replaced(plain(was), turn))
-        for key, was in old.items():
-            if was is not None and was != {}:
+            if was != new.get(key):
                 found.setdefault(key, Replaced(plain(was), turn))
     return found
 

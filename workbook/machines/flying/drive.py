@@ -48,9 +48,7 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         sheet.heading("Workings: the cycle at points", "Nine points of each piece of the tool's motion, ends included.")
         intervals(sheet, view)
         points(sheet, view, rows)
-    book.column_names |= {
-        f"tool_{name}": ("drive_pt", column) for name, column in (("dir", "dir"), ("al", "al"), ("S", "S"), ("n", "w"))
-    }
+    book.name("drive_pt", tool_dir="dir", tool_al="al", tool_S="S", tool_n="w")
     sheet.print_columns = 18
 
 
