@@ -167,9 +167,7 @@ def subdivided(x: Array, parts: int) -> Array:
     return np.append((x[:-1, None] + np.diff(x)[:, None] * steps).ravel(), x[-1])
 
 
-def spread(
-    of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_] | None = None
-) -> Array:
+def spread(of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_]) -> Array:
     """Return points of a profile: the breaks, and between them equal steps by the error of a rule of interpolation.
 
     A rule by polynomials of degree ``order`` − 1 between points h apart has an error of y'' in proportion to
@@ -183,7 +181,7 @@ def spread(
         Number of points at most, and order of the rule.
     least : array (pieces,) of int
         Least number of steps of each piece.
-    exact : array (pieces,) of bool, optional
+    exact : array (pieces,) of bool
         Pieces that need no more than these, as the rule meets them exactly.
 
     Returns
@@ -200,10 +198,8 @@ def spread(
     if n < needed:
         raise ValueError(f"{n} points are given; expected at least {needed}, for the breaks of the motion")
     low, high = 0.0, 1.0
-    sizes = weights(of, order)
-    if exact is not None:
-        sizes = np.where(exact, 0.0, sizes)
-        sizes = sizes / max(sizes.max(), 1e-300)
+    sizes = np.where(exact, 0.0, weights(of, order))
+    sizes /= max(sizes.max(), 1e-300)
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if _taken(sizes, middle, least).sum() + 1 <= n else (low, middle)

@@ -76,9 +76,8 @@ def tabulate(target: Target, axis: CamAxis, n: int) -> Table:
         return table_at(target, of, equal_steps(of, n), units)
     if n < (needed := fewest_points(target, of)):
         raise TargetError(f"{target.name}: {n} points; the breaks of the motion need at least {needed}")
-    exact = target.exact(of) if target.exact else None
     before = before_jumps(target, of)
-    x = spread(of, n - len(before), RULES[target.rules[0]].order, steps(target, of), exact)
+    x = spread(of, n - len(before), RULES[target.rules[0]].order, steps(target, of), target.exact(of))
     return table_at(target, of, np.union1d(x, before), units)
 
 
@@ -98,8 +97,7 @@ def before_jumps(target: Target, of: CamProfile) -> Array:
 
 def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
     """Return how many steps each stretch needs: one where it is exact, else those of the rule."""
-    least = np.full(len(of.origins), RULES[target.rules[0]].least)
-    return np.where(target.exact(of), 1, least) if target.exact else least
+    return np.where(target.exact(of), 1, RULES[target.rules[0]].least)
 
 
 def table_at(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> Table:

@@ -143,7 +143,8 @@ class Target(ClaimedFormat):
     spacing: Spacing = "free"
     plain: tuple[str, ...] = ()  # the rules for a table of x and y only, where a file may have no more
     tolerance: tuple[tuple[str, float], ...] = (("y", 1e-4), ("a", 0.01))  # of which order, unless told otherwise
-    exact: Callable[[CamProfile], NDArray[np.bool_]] | None = None  # which stretches of a motion need no points within
+    exact: Callable[[CamProfile], NDArray[np.bool_]] = lambda of: np.zeros(len(of.origins), dtype=np.bool_)
+    """which stretches of a motion need no points within"""
     built: Callable[[CamProfile, Array, tuple[float, float]], Table] | None = None
     """makes a table of polynomials of a motion, between places, in steps of x and y"""
     tappets: Tappets | None = None  # how it takes switches; None where its format has none, or no document tells how

@@ -10,6 +10,8 @@ from itertools import accumulate
 from math import perm
 from typing import Any
 
+import numpy as np
+
 from engine.laws import Law, Piece
 from engine.laws.base import Array
 from engine.laws.piece import located
@@ -119,15 +121,7 @@ def kind(ends: str = "") -> str:
     return f'=IF([stop]="","spare",IF(OR([law]="DWL",{still}),"dwell",IF([lift]>0,"rise",{other})))'
 
 
-def kind_of(phase: Phase) -> str:
-    """Return the kind of a phase; one that moves without a lift is a turn."""
-    if not phase.moves:
-        return "dwell"
-    if phase.lift == 0:
-        return "turn"
-    return "rise" if phase.lift > 0 else "return"
-
-
 def kinds(phases: Sequence[Phase], rows: int) -> list[str]:
-    """Return the kind of each phase; spare rows are spare."""
-    return filled([kind_of(phase) for phase in phases], rows, "spare")
+    """Return the kind of each phase, one that moves without a lift a turn; spare rows are spare."""
+    moving = {-1.0: "return", 0.0: "turn", 1.0: "rise"}
+    return filled([moving[np.sign(phase.lift)] if phase.moves else "dwell" for phase in phases], rows, "spare")

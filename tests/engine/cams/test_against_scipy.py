@@ -50,7 +50,7 @@ def test_a_cubic_spline_is_smooth_and_its_certificate_that_of_a_dense_search(end
 
 @pytest.mark.parametrize("n", [20, 60, 300])
 def test_quintics_are_scipys(n: int) -> None:
-    x = spread(OF, n, 6, np.ones(len(OF.origins), dtype=np.intp))
+    x = spread(OF, n, 6, np.ones(len(OF.origins), dtype=np.intp), np.zeros(len(OF.origins), dtype=bool))
     at = OF.at(x)
     theirs = BPoly.from_derivatives(x, np.column_stack([at.y, at.y1, at.y2]))
     compared(x, quintics(x, at.y, at.y1, at.y2), lambda where, order: theirs(where, nu=order))

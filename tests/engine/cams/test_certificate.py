@@ -46,7 +46,7 @@ def test_equal_steps_over_the_turn_miss_the_breaks(intervals: int, said: float) 
 
 
 def test_points_on_the_breaks_cost_far_less_than_as_many_at_equal_steps() -> None:
-    x = spread(TURN, 60, 4, np.full(len(TURN.origins), 2))
+    x = spread(TURN, 60, 4, np.full(len(TURN.origins), 2), np.zeros(len(TURN.origins), dtype=bool))
     assert len(x) <= 60
     assert set(TURN.edges) <= set(x)
     assert percent(through(TURN, x)) < percent(through(TURN, equal_steps(TURN, 60))) / 20.0

@@ -79,26 +79,19 @@ MODIFIED_SINE = edged(
 PARTS = ("sine", "constant", "cosine", "straight")
 
 
-class Parts(family.Shared):
+class Parts(family.Staged):
     """The shares of the time of sine edges, constants, cosine edges and a straight line; they sum to 1."""
-
-    sine: Share = engine.SineConstantCosine.sine
-    constant: Share = engine.SineConstantCosine.constant
-    cosine: Share = engine.SineConstantCosine.cosine
-    straight: Share = engine.SineConstantCosine.straight
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield shares that do not fill the rise, and a law that cannot start or stop."""
-        parts = {part: getattr(self, part) for part in PARTS}
-        total, moves = sum(parts.values()), self.sine + self.constant + self.cosine
-        fits = self.model_dump() | {part: getattr(engine.SineConstantCosine, part) for part in PARTS}
+        *curved, straight = (getattr(self, part) for part in PARTS)
+        total, fits = sum(curved) + straight, self.model_dump() | {part: self.usual[part] for part in PARTS}
         if abs(total - 1) > SUM_TOLERANCE:
             yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
-        if not moves:
+        if not sum(curved):
             yield DesignError("", "all of the time is straight", "lasts", fits)
-        if abs(total - 1) <= SUM_TOLERANCE and moves:
-            stages = [piece.duration for piece in engine.SineConstantCosine(**parts, share=self.share).as_pieces()]
-            yield from family.too_brief(stages, "", fits | {"share": family.EVEN})
+        if abs(total - 1) <= SUM_TOLERANCE and sum(curved):
+            yield from super().design_faults()
 
 
 SINE_CONSTANT_COSINE = edged(
@@ -112,8 +105,10 @@ SINE_CONSTANT_COSINE = edged(
         7: Stage(SINE_OUT, "=@sine*(1-@share)"),
     },
     titled="Sine-constant-cosine (SCCA)",
-    source="PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'", entries=Parts,
-    law=engine.SineConstantCosine,
+    source="PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'", law=engine.SineConstantCosine,
+    entries=family.parameters_of(
+        engine.SineConstantCosine, Parts, share=family.Between, **dict.fromkeys(PARTS, Share)
+    ),
     parameters=(
         Parameter("@sine", "Sine edges at the dwells", "b", "sine", "sine edges",
                   source="shares of the whole time; all four sum to 1"),
