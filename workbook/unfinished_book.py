@@ -36,6 +36,8 @@ class UnfinishedBook:
         self.book, self.design = book, machine.design
         self.laws = {one.key: f"laws.{key_of(one.name)}" for one in named_laws(machine.laws)}
         self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
+        inputs = [(at, cell) for at, cell in self.at.items() if cell.quantity.role == "input"]
+        self.inputs = {self._key(cell.quantity.key, cell.i): at for at, cell in inputs}
         self.dependence = Dependence(book)
         self.hanging = cache(self.dependence.on)
         self.values: dict[tuple[str, int], list[Any]] = {}
@@ -55,10 +57,8 @@ class UnfinishedBook:
 
     def _entered(self) -> Iterator[tuple[Address, int]]:
         """Put what was entered into the inputs; yield those cells, and the turn in which each was replaced."""
-        for at, cell in self.at.items():
-            q = cell.quantity
-            old = self.design.replaced.get(self._key(q.key, cell.i)) if q.role == "input" else None
-            if old is not None:
+        for key, at in self.inputs.items():
+            if old := self.design.replaced.get(key):
                 self._put(at, old.value)
                 yield at, old.turn
 
@@ -90,12 +90,11 @@ class UnfinishedBook:
     def _in_rows(self, guard: Guard) -> tuple[dict[Address, Any], str]:
         """Return the messages of a table, and the sentence on the first of them, if any."""
         block = self.book.blocks[f"{guard.table}{MESSAGES}"]
-        columns = {name: as_rows("", guard.rows, name) for name in (*guard.columns, MESSAGE)}
+        columns = {name: as_rows("", guard.rows, name) for name in guard.columns}
         for place, i, value in self._beyond(guard):
             column = columns[guard.column(place)]
             column[i] = column[i] or guard.message(place, value)
-        for i in range(guard.rows):
-            columns[MESSAGE][i] = next((columns[name][i] for name in guard.columns if columns[name][i]), "")
+        columns[MESSAGE] = [next(filter(None, row), "") for row in zip(*columns.values(), strict=True)]
         if USED in block.columns:
             table = self.book.blocks[guard.table]
             entered = [q._replace(value=self.values.get((guard.table, table.columns[q.name] - table.column), q.value))
@@ -151,8 +150,7 @@ class UnfinishedBook:
         """Return what was entered at a key of an input."""
         if key in self.design.replaced:
             return self.design.replaced[key].value
-        cells = (c for c in self.at.values() if c.quantity.role == "input")
-        return next((c.content for c in cells if self._key(c.quantity.key, c.i) == key), None)
+        return self.at[self.inputs[key]].content if key in self.inputs else None
 
     def _key(self, key: str, row: int = 0) -> str:
         """Return the key of an entry in a row, with the law's name where cells have its number."""
