@@ -16,7 +16,6 @@ from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
 
-LOST = 1e-9  # share of the size of a gap: a smaller difference is rounding
 SAME = 1e-12  # share of the cycle: breaks that are nearer to each other count as one
 
 
@@ -113,23 +112,6 @@ def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, hig
     columns[0] += offset
     gap = Curve(tuple(columns.tolist()), tuple((f * a, w, phi) for f, curve in curves for a, w, phi in curve.sines))
     return min(Gap(gap(u), low + u) for u in (0.0, *zeros(gap.slope, high - low), high - low))
-
-
-def meets_least(gap: float, least: float, size: float) -> bool:
-    """Return whether a gap is wide enough, but for rounding.
-
-    Parameters
-    ----------
-    gap, least : float
-        In the unit of the axes.
-    size : float
-        Of the positions from which the gap comes, as :func:`gap_size` gives it.
-
-    Returns
-    -------
-    bool
-    """
-    return gap >= least - LOST * size
 
 
 def gap_size(axes: Sequence[tuple[float, Shifted]], offset: float) -> float:

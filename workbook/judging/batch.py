@@ -189,10 +189,6 @@ def verify_many(
         outcomes[target] = outcome
         done(outcome)
 
-    if pool is THIS_PROCESS:
-        for target in collecting_between(targets):
-            keep(target, verify_one(target, witnesses))
-        return [outcomes[target] for target in targets]
     for target in verify_by_pool(targets, witnesses, pool, keep):
         with pool.alone() as fresh:
             again = verify_by_pool([target], witnesses, fresh, keep)
@@ -205,8 +201,8 @@ def verify_by_pool(
     targets: Sequence[Target], witnesses: Sequence[str], pool: Pool, keep: Callable[[Target, Outcome], object]
 ) -> list[Target]:
     """Verify by a pool, and keep what came of each; return those whose worker died."""
-    books = map(packed_book, targets)
-    each = pool.each(verify_sent, books, witnesses) if pool.distant else pool.each(verify_one, targets, witnesses)
+    books, here = map(packed_book, targets), collecting_between(targets) if pool is THIS_PROCESS else targets
+    each = pool.each(verify_sent, books, witnesses) if pool.distant else pool.each(verify_one, here, witnesses)
     died = []
     for book, outcome in each:
         target = book if isinstance(book, Target) else book.target

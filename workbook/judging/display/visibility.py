@@ -1,12 +1,10 @@
 """Whether cells can be seen: hidden sheets, rows and columns, drawings over them (EMU), windows, print areas."""
 
-from __future__ import annotations
-
 import re
 from bisect import bisect_left
 from collections.abc import Iterator, Mapping
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 from xml.etree.ElementTree import Element
 
 from openpyxl.utils import column_index_from_string
@@ -37,7 +35,7 @@ class Rectangle(NamedTuple):
     right: float
     bottom: float
 
-    def shared(self, other: Rectangle) -> float:
+    def shared(self, other: Self) -> float:
         """Return which share of this is behind another; 0 of one that has no size."""
         wide = max(min(self.right, other.right) - max(self.left, other.left), 0.0)
         high = max(min(self.bottom, other.bottom) - max(self.top, other.top), 0.0)

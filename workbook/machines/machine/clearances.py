@@ -6,10 +6,11 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.motion.shifted import LOST, gap_size, least_gap, meets_least, place_in_cycle
+from engine.motion.shifted import gap_size, least_gap, place_in_cycle
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, amount
+from workbook.book.summary import ZERO
 from workbook.entries.phase import TURN
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown, si
@@ -113,14 +114,14 @@ class ClearanceView:
         angles, gaps, slopes = self.angles, self.gaps(self.angles), self.slopes
         steps, rise = np.diff(angles, prepend=angles[0]), np.diff(gaps, prepend=gaps[0])
         fall = np.concatenate([[0.0], slopes[:-1] * si(steps[1:], DEGREE)])
-        inside = (fall < -LOST * self.size) & (fall < 2.0 * rise)
+        inside = (fall < -ZERO * self.size) & (fall < 2.0 * rise)
         share = np.where(inside, fall / np.where(inside, 2.0 * (fall - rise), 1.0), 1.0)
         low = np.where(inside, gaps - rise + 0.5 * fall * share, gaps)
         return Lowest(fall, rise, share, low, angles - (1.0 - share) * steps)
 
     def near(self, gaps: Array) -> list[int]:
         """Return whether each gap is as low as any, but for rounding."""
-        return [int(meets_least(float(gaps.min()), one, self.size)) for one in gaps.tolist()]
+        return [int(self.meets(float(gaps.min()), one)) for one in gaps.tolist()]
 
     @cached_property
     def lowest_at(self) -> Array:
@@ -141,7 +142,11 @@ class ClearanceView:
     @property
     def is_left(self) -> bool:
         """Whether the gap that is asked for is left."""
-        return meets_least(self.least, self.given.least, self.size)
+        return self.meets(self.least, self.given.least)
+
+    def meets(self, gap: float, least: float) -> bool:
+        """Return whether a gap is wide enough, but for rounding."""
+        return gap >= least - ZERO * self.size
 
 
 def clearances_sheet(book: Book, apart: list[ClearanceView]) -> None:

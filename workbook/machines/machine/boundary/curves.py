@@ -16,9 +16,9 @@ from engine.laws.extremes import NODES, WEIGHTS
 from engine.motion import Phase
 from engine.motion.handover import PULSES, Handover
 from engine.motion.pieces import MotionPiece
-from engine.motion.shifted import LOST
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
 from workbook.book.rows import filled
+from workbook.book.summary import ZERO
 from workbook.machines.machine.boundary.handover import CARRIED, AxisHandover
 from workbook.machines.machine.extremes import POINTS, at_points
 
@@ -233,7 +233,7 @@ def leaps(one: AxisHandover) -> tuple[list[float], list[int]]:
     for piece in one.rows.pieces:
         lasts, (first, last) = piece.duration > 0.0, at_ends(piece, 2)
         earlier.append(before[piece.phase] if lasts else 0.0)
-        found.append(int(lasts and abs(first - earlier[-1]) > LOST * one.step_of(piece).phase.y2_max))
+        found.append(int(lasts and abs(first - earlier[-1]) > ZERO * one.step_of(piece).phase.y2_max))
         if lasts:
             before[piece.phase] = last
     return earlier, found
@@ -245,7 +245,7 @@ def jumps(one: AxisHandover) -> list[int]:
     for piece, leap in zip(one.rows.pieces, leaps(one)[1], strict=True):
         found[piece.phase] += leap
     for place, step, at in zip(one.axis.places, one.handed, one.motion.ends, strict=True):
-        last = abs(at.end.y2) > LOST * step.phase.y2_max
+        last = abs(at.end.y2) > ZERO * step.phase.y2_max
         found[place] = found[place] + last if step.mode == PULSES else 0
     return found
 
