@@ -121,7 +121,7 @@ class ClearanceView:
 
     def near(self, gaps: Array) -> list[int]:
         """Return whether each gap is as low as any, but for rounding."""
-        return [int(self.meets(float(gaps.min()), one)) for one in gaps.tolist()]
+        return [int(gaps.min() >= one - ZERO * self.size) for one in gaps.tolist()]
 
     @cached_property
     def lowest_at(self) -> Array:
@@ -141,12 +141,8 @@ class ClearanceView:
 
     @property
     def is_left(self) -> bool:
-        """Whether the gap that is asked for is left."""
-        return self.meets(self.least, self.given.least)
-
-    def meets(self, gap: float, least: float) -> bool:
-        """Return whether a gap is wide enough, but for rounding."""
-        return gap >= least - ZERO * self.size
+        """Whether the gap that is asked for is left, but for rounding."""
+        return self.least >= self.given.least - ZERO * self.size
 
 
 def clearances_sheet(book: Book, apart: list[ClearanceView]) -> None:
