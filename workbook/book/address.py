@@ -1,6 +1,5 @@
 """Where a cell is: sheet, row, column; and where a block of cells is."""
 
-from collections.abc import Sequence
 from typing import NamedTuple, Self
 
 from openpyxl.utils import get_column_letter, quote_sheetname
@@ -34,14 +33,6 @@ class Address(NamedTuple):
         return cls(name, row, column)
 
 
-class Strip(NamedTuple):
-    """Cells of one column of a sheet."""
-
-    sheet: str
-    column: int
-    rows: Sequence[int]
-
-
 class Place(NamedTuple):
     """Where a block lies in a file."""
 
@@ -63,14 +54,8 @@ class Place(NamedTuple):
 
     def down(self, j: int) -> list[Address]:
         """Return the cells of a column; column 0 if it is gone."""
-        sheet, column, rows = self.strip(j, self.rows)
-        return [Address(sheet, row, column) for row in rows]
-
-    def strip(self, j: int, rows: int) -> Strip:
-        """Return so many cells of a column, from its first."""
-        sheet, first, column = self.cell(0, j)
-        below = [self.row + offset for offset in self.rows_at[:rows]]
-        return Strip(sheet, column, below or range(first, first + rows))
+        offsets, column = self.rows_at or range(self.rows), self.cell(0, j).column
+        return [Address(self.sheet, self.row + offset, column) for offset in offsets]
 
     def part(self, j: int) -> Self:
         """Return the place of one column; column 0 if it is gone."""

@@ -106,7 +106,7 @@ class Comparison:
         places = [pair.address for pair, _ in wrong]
         self._first_wrong = self._first_wrong if self.values else set(places)
         numbers = [self.match.numbers[a] for a in places]
-        alone = self.model.each(numbers, self.match.strips, self.right.values) if wrong else []
+        alone = self.model.each(numbers, self.right.values) if wrong else []
         # at fault are the cells that are wrong even when all that they refer to is right
         at_fault = {a for a, value in zip(places, alone, strict=True) if differs(self.right, a, value)}
         explained = bool(at_fault) or any(finding.kind in CAUSES for finding in self.report.findings)
@@ -158,7 +158,7 @@ class Comparison:
         for k, (turn, varied) in enumerate(zip(by_variation(pairs, suspects, len(machines)), machines, strict=True), 1):
             right = ExpectedValues(self.match, template.declare(varied))
             by = f"{self.single.name}, at variation {k} of the inputs"
-            values = self.model.each([self.match.numbers[a] for a in turn], self.match.strips, right.values)
+            values = self.model.each([self.match.numbers[a] for a in turn], right.values)
             for a, value in zip(turn, values, strict=True):
                 if differs(right, a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))

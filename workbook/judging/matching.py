@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from workbook.book.address import Address, Place, Strip
+from workbook.book.address import Address, Place
 from workbook.book.declare import Block, Book, Cell, Sheet
 from workbook.book.formula import Area, FormulaError, read
 from workbook.book.rows import as_rows
@@ -41,7 +41,6 @@ class Match:
     pairs: list[Pair] = field(default_factory=list)
     misfits: list[tuple[Block, Place | None]] = field(default_factory=list)  # blocks gone, or of another size there
     columns: list[tuple[str, int, int]] = field(default_factory=list)  # block, number there, rows that the file has
-    strips: list[Strip] = field(default_factory=list)  # where the cells of ``pairs`` are, by ``columns``
 
     def __post_init__(self) -> None:
         for block in self.declared.blocks.values():
@@ -56,7 +55,6 @@ class Match:
                     pairs = [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
                     self.pairs += pairs
                     self.columns.append((block.name, j, len(pairs)))
-                    self.strips.append(place.strip(j, len(pairs)))
 
     def placed(self, sheet: Sheet) -> list[tuple[Block, Place]]:
         """Return the blocks of a declared sheet that the file has, with their places."""

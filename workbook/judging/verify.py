@@ -90,7 +90,7 @@ def judge(
         asked.sort(key=lambda w: w.kept)
         every = (*asked, *(make() for make in WITNESSES.values()))
         single = next(w for w in every if isinstance(w, CellWitness))
-        comparison = Comparison(match, bare, single, single.model(bare), report)
+        comparison = Comparison(match, bare, single, single.model(bare, (pair.address for pair in match.pairs)), report)
         for witness in asked:
             comparison.ask(witness)
         comparison.require_answers(named)

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 from openpyxl import Workbook
 from openpyxl.workbook.defined_name import DefinedName, DefinedNameDict
 
-from workbook.book.address import Address, Strip
+from workbook.book.address import Address
 from workbook.errors import WitnessError
 from workbook.reading.cells import saved_values
 from workbook.reading.contents import Cells
@@ -57,8 +57,8 @@ class Model(Protocol):
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
 
-    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> Sequence[Any]:
-        """Return the value of each of the cells ``wanted``, computed by itself with ``values`` in ``strips``."""
+    def each(self, wanted: Sequence[int], values: Sequence[Any]) -> Sequence[Any]:
+        """Return the value of each of the cells ``wanted``, computed by itself with ``values`` in those given."""
 
 
 class CellWitness(Witness):
@@ -68,8 +68,8 @@ class CellWitness(Witness):
         """Return the value of every formula cell."""
         return self.model(file).evaluate()
 
-    def model(self, file: BookFile) -> Model:
-        """Return the formulas of a file."""
+    def model(self, file: BookFile, cells: Iterable[Address] = ()) -> Model:
+        """Return the formulas of a file; ``cells`` are those that will be given other values."""
         raise NotImplementedError
 
 

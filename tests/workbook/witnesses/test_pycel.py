@@ -20,7 +20,7 @@ from pycel import ExcelCompiler
 from pycel.excelutil import build_operator_operand_fixup
 from pycel.excelwrapper import ExcelOpxWrapperNoData
 
-from workbook.book.address import Address, Strip
+from workbook.book.address import Address
 from workbook.book.columns import Formulas
 from workbook.book.formula import FormulaError, read
 from workbook.reading.contents import Contents
@@ -59,12 +59,12 @@ def book(cells: dict[str, Any], names: dict[str, str] | None = None, other: dict
     return workbook
 
 
-def by_themselves(model: PycelModel, wanted: Iterable[Address], held: Mapping[Address, Any]) -> dict[Address, Any]:
+def by_themselves(workbook: Workbook, wanted: Iterable[Address], held: Mapping[Address, Any]) -> dict[Address, Any]:
     """The values of cells, each by itself, with what is held in the cells around it."""
     cells = list(dict.fromkeys([*held, *wanted]))
-    strips = [Strip(a.sheet, a.column, [a.row]) for a in cells]
+    model = PycelModel(workbook, given=cells)
     numbers = [cells.index(a) for a in wanted]
-    values = model.each(numbers, strips, [held.get(a, model.constants.get(a)) for a in cells])
+    values = model.each(numbers, [held.get(a, model.constants.get(a)) for a in cells])
     return dict(zip(wanted, values, strict=True))
 
 
@@ -241,10 +241,10 @@ def test_what_follows_a_cycle_is_no_number() -> None:
 
 
 def test_the_cells_of_a_cycle_have_values_each_by_itself() -> None:
-    model = PycelModel(book({"A1": "=B1+1", "B1": "=A1+1", "C1": "=B1"}))
+    cycle = book({"A1": "=B1+1", "B1": "=A1+1", "C1": "=B1"})
     values = {at("A1"): 1.0, at("B1"): 2.0, at("C1"): 2.0}
-    assert by_themselves(model, values, values) == {at("A1"): 3.0, at("B1"): 2.0, at("C1"): 2.0}
-    assert set(model.evaluate().values()) == {"#CYCLE!"}
+    assert by_themselves(cycle, values, values) == {at("A1"): 3.0, at("B1"): 2.0, at("C1"): 2.0}
+    assert set(evaluate(cycle).values()) == {"#CYCLE!"}
 
 
 def test_the_order_puts_needs_first() -> None:
@@ -478,19 +478,19 @@ def test_evaluating_again_equals_evaluating_afresh(rounds: list[dict[str, Any]])
 
 
 def test_with_right_values_around_it_a_fault_shows_in_its_own_cell_only() -> None:
-    model = PycelModel(book({"A1": 2, "A2": "=A1*3", "A3": "=A2+1", "A4": "=SUM(A2:A3)"}))
+    wrong = book({"A1": 2, "A2": "=A1*3", "A3": "=A2+1", "A4": "=SUM(A2:A3)"})
     right = {at("A2"): 4.0, at("A3"): 5.0, at("A4"): 9.0}  # where A2 should have been A1*2
-    assert by_themselves(model, right, right) == {at("A2"): 6, at("A3"): 5, at("A4"): 9}
-    assert by_themselves(model, [at("A4")], right) == {at("A4"): 9}
-    assert model.evaluate() == {at("A2"): 6, at("A3"): 7, at("A4"): 13}
+    assert by_themselves(wrong, right, right) == {at("A2"): 6, at("A3"): 5, at("A4"): 9}
+    assert by_themselves(wrong, [at("A4")], right) == {at("A4"): 9}
+    assert evaluate(wrong) == {at("A2"): 6, at("A3"): 7, at("A4"): 13}
 
 
 def test_a_cell_by_itself_finds_what_is_given_or_else_what_cells_hold() -> None:
-    model = PycelModel(book({"A1": 2, "A2": "=A1*3+B1", "A3": "=SUM(A1:B2)", "A4": "=foo("}))
+    workbook = book({"A1": 2, "A2": "=A1*3+B1", "A3": "=SUM(A1:B2)", "A4": "=foo("})
     cells = [at("A2"), at("A3"), at("A4")]
-    assert by_themselves(model, cells, {}) == {at("A2"): 6, at("A3"): 2, at("A4"): "#NAME?"}
+    assert by_themselves(workbook, cells, {}) == {at("A2"): 6, at("A3"): 2, at("A4"): "#NAME?"}
     given = {at("A1"): None, at("B1"): 5, at("A2"): 7}
-    assert by_themselves(model, cells, given) == {at("A2"): 5, at("A3"): 12, at("A4"): "#NAME?"}
+    assert by_themselves(workbook, cells, given) == {at("A2"): 5, at("A3"): 12, at("A4"): "#NAME?"}
 
 
 def test_a_range_that_grows_too_large_down_a_column_is_refused_in_its_own_row() -> None:

@@ -180,7 +180,6 @@ class Numbering:
 
     def __init__(self) -> None:
         self.values: list[Any] = [None]
-        self.cells: dict[int, Address] = {}
         self._columns: dict[tuple[str, int], dict[int, int]] = {}
         self._others: dict[Hashable, int] = {}
 
@@ -193,7 +192,6 @@ class Numbering:
         number = self.column(address.sheet, address.column).setdefault(address.row, len(self.values))
         if number == len(self.values):
             self.values.append(value)
-            self.cells[number] = address
         return number
 
     def other(self, key: Hashable, value: Any = None) -> int:

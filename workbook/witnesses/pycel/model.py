@@ -1,7 +1,7 @@
 """pycel as a witness: its functions and operators, each shape compiled once, cells in an order without recursion."""
 
 import sys
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from importlib.metadata import version
 from typing import Any
 
@@ -9,7 +9,7 @@ import numpy as np
 from openpyxl import Workbook
 from pycel.excelutil import AddressRange
 
-from workbook.book.address import Address, Strip
+from workbook.book.address import Address
 from workbook.book.columns import Moved
 from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.reading.contents import Cells, Contents, plain_value
@@ -32,15 +32,20 @@ class Pycel(CellWitness):
         """Return pycel's version and Python's, on which it rests."""
         return f"{version('pycel')} (Python {sys.version_info.major}.{sys.version_info.minor})"
 
-    def model(self, file: BookFile) -> Model:
+    def model(self, file: BookFile, cells: Iterable[Address] = ()) -> Model:
         """Return the formulas of a file, to be evaluated at other values, and cell by cell."""
-        return PycelModel(file.contents)
+        return PycelModel(file.contents, given=cells)
 
 
 class PycelModel:
-    """A workbook's formulas, or those of ``cells``, joined once; ``problems`` says why one is an error or #CYCLE!."""
+    """A workbook's formulas, or those of ``cells``, joined once; ``problems`` says why one is an error or #CYCLE!.
 
-    def __init__(self, held: Workbook | Contents, cells: Collection[Address] | None = None) -> None:
+    ``given`` are the cells whose values :meth:`each` is told.
+    """
+
+    def __init__(
+        self, held: Workbook | Contents, cells: Collection[Address] | None = None, given: Iterable[Address] = ()
+    ) -> None:
         contents = Contents(held) if isinstance(held, Workbook) else held
         self.problems: dict[Address, str] = dict(contents.problems)
         self.constants, self.formulas, self._failed = contents.constants, contents.formulas, contents.failed
@@ -51,12 +56,11 @@ class PycelModel:
         self._steps: dict[int, FormulaStep | RangeStep] = {}
         self._areas: dict[int, Area] = {}
         self._range_cells = 0
-        self._strips: Sequence[Strip] | None = None  # those asked for last, and the numbers of their cells
-        self._strip_cells: list[int] = []
         for address, value in self._entered.items():
             self._numbers.cell(address, value)
         self._cells = {self._numbers.cell(address): address for address in self.formulas}
-        self._occupied, self._held = len(self._numbers.values), set[int]()
+        self._given = [self._numbers.cell(address) for address in given]
+        self._filled = len(self._numbers.values)  # how many numbers there were when ranges were filled
         for number, address in self._cells.items():
             self._join(number, address, self.formulas[address])
         self._order, self._cyclic = evaluation_order({number: step.sources for number, step in self._steps.items()})
@@ -75,7 +79,10 @@ class PycelModel:
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> Cells:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
         given = {self._numbers.cell(address): plain_value(value) for address, value in (inputs or {}).items()}
-        self._hold(given)
+        if len(self._numbers.values) > self._filled and given:  # ranges may have passed over these as empty
+            self._filled = len(self._numbers.values)
+            for number, area in self._areas.items():
+                self._fill(number, area)
         values = list(self._numbers.values)
         ArrayCells.cells = 0
         for number, value in given.items():
@@ -86,18 +93,17 @@ class PycelModel:
         return self._failed | {address: values[number] for number, address in self._cells.items()}
 
     @np.errstate(all="ignore")
-    def each(self, wanted: Sequence[int], strips: Sequence[Strip], values: Sequence[Any]) -> list[Any]:
+    def each(self, wanted: Sequence[int], values: Sequence[Any]) -> list[Any]:
         """Return the values of formula cells, each by itself: with the right ones around it."""
-        cells = self._within(strips)
         known = list(self._numbers.values)  # without formulas: each is what its cell holds
         for number, address in self._cells.items():
             known[number] = self._entered.get(address)
         for number in self._areas:
             known[number] = UNKNOWN
-        for number, value in zip(cells, values, strict=True):
+        for number, value in zip(self._given, values, strict=True):
             known[number] = value if type(value) in PLAIN else plain_value(value)
         ArrayCells.cells = 0
-        return [self._by_itself(cells[n], known) for n in wanted]
+        return [self._by_itself(self._given[n], known) for n in wanted]
 
     def _by_itself(self, number: int, values: list[Any]) -> Any:
         """Return what a formula cell computes of the values known; ranges are entered among these."""
@@ -111,28 +117,6 @@ class PycelModel:
             return step.compute(values)
         except Exception as error:  # pycel's functions raise whatever Python raises
             return error_value(error)
-
-    def _within(self, strips: Sequence[Strip]) -> list[int]:
-        """Return the numbers of the cells of strips; ranges that passed over one as empty now hold it."""
-        if strips != self._strips:
-            columns = [(sheet, c, self._numbers.column(sheet, c), rows) for sheet, c, rows in strips]
-            cells = [known.get(row) or self._numbers.cell(Address(sheet, row, column))
-                     for sheet, column, known, rows in columns for row in rows]  # fmt: skip
-            self._hold(cells)
-            self._strips, self._strip_cells = strips, cells
-        return self._strip_cells
-
-    def _hold(self, numbers: Collection[int]) -> None:
-        """Let ranges that may have passed over cells as empty hold them."""
-        empty = {number for number in numbers if number >= self._occupied} - self._held
-        self._held |= empty
-        rows: dict[tuple[str, int], list[int]] = {}
-        for sheet, row, column in map(self._numbers.cells.__getitem__, empty):
-            rows.setdefault((sheet, column), []).append(row)
-        for number, area in self._areas.items() if rows else ():
-            columns = (rows.get((area.sheet, column), ()) for column in range(area.left, area.right + 1))
-            if any(area.top <= row <= area.bottom for column in columns for row in column):
-                self._fill(number, area)
 
     def _join(self, number: int, address: Address, formula: Formula | Moved) -> None:
         call = compiled(formula.shape)
