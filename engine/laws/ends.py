@@ -1,6 +1,6 @@
 """Boundary values of a movement (velocity, acceleration, jerk at its ends), and the laws that can meet them."""
 
-from dataclasses import astuple, dataclass, replace
+from dataclasses import astuple, dataclass, field, replace
 from typing import ClassVar
 
 from engine.laws.base import require_finite
@@ -61,12 +61,13 @@ class BoundaryValues:
 REST = BoundaryValues()
 
 
+@dataclass(frozen=True)
 class BoundaryLaw(Law):
     """A law with boundary values, its field ``ends``: s(1) is their stroke; by default it rises by 1 between rests."""
 
     TAKES: ClassVar[str] = "v"
 
-    ends: BoundaryValues
+    ends: BoundaryValues = field(default=REST, kw_only=True)
 
     @property
     def entry_velocity(self) -> float:
@@ -86,7 +87,7 @@ class BoundaryLaw(Law):
     def between(self, ends: BoundaryValues) -> "BoundaryLaw":
         """Return the law with these boundary values; raise EndError, with the reason, if it cannot meet them."""
         ends.require_taken(self, self.takes)
-        return replace(self, ends=ends)  # type: ignore[type-var]  # every law is a dataclass
+        return replace(self, ends=ends)
 
     def with_open_ends(self, begin: bool, end: bool) -> "BoundaryLaw":
         """Return the law for no phase before it (``begin``) or after it (``end``); most laws then rest at that end."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from engine.laws.base import require_finite
-from engine.laws.ends import REST, BoundaryValues, EndError
+from engine.laws.ends import BoundaryValues, EndError
 from engine.laws.family import Vendors
 from engine.laws.pulse_law import (
     FALLING_SINE,
@@ -37,7 +37,6 @@ class ModifiedTrapezoidal(PulseLaw):
     vendors = Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)")
 
     durations: tuple[float, ...] = CLASSIC  # d1 to d7, shares of the time
-    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "durations", seven_durations(self.durations))
@@ -68,7 +67,6 @@ class TrapezoidByShare(PulseLaw):
     share: float = 0.5  # λ, between 0 and 1
     reversal: Literal["none", "start", "end"] = "none"  # the end that turns round
     edge: float = 0.5  # share of the pulse at a reversal that is a quarter sine, 0 to 1
-    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         require_shares(share=self.share)
@@ -106,7 +104,6 @@ class ModifiedSine(PulseLaw):
     share: float = 0.5  # λ, between 0 and 1, else ValueError
     rise_edge: float = 0.25  # β₁, of its half, 0 to 1: ¼ modified sine, ½ cycloidal, 0 simple harmonic
     fall_edge: float = 0.25  # β₂, likewise
-    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         require_shares(share=self.share)
@@ -151,7 +148,6 @@ class SineConstantCosine(PulseLaw):
     cosine: float = 1 / 3  # d, likewise
     straight: float = 0.0  # e, likewise, below 1
     share: float = 0.5  # λ, the first pulse's share of what is not straight, between 0 and 1
-    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         parts = {"sine": self.sine, "constant": self.constant, "cosine": self.cosine, "straight": self.straight}
@@ -191,7 +187,6 @@ class HarmonicCombination(PulseLaw):
 
     share: float = 0.5  # λ, between 0 and 1, else ValueError
     reversal: Literal["start", "end"] = "end"  # which end turns round; the other is a rest or a velocity
-    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         require_shares(share=self.share)
@@ -219,7 +214,6 @@ class SineStraightSine(PulseLaw):
 
     curved: float = 0.5  # c, more than 0 and at most 1 (the simple harmonic law), else ValueError
     share: float = 0.5  # λ, between 0 and 1, else ValueError
-    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         require_finite(curved=self.curved)

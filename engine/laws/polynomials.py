@@ -20,8 +20,6 @@ class BoundaryPolynomial(BoundaryLaw):
 
     TABLE: ClassVar[Table]  # times the column stroke, v0, v1, a0, a1, j0, j1 it is c0, c1 … of a(ξ)
 
-    ends: BoundaryValues
-
     @property
     def polynomial(self) -> tuple[float, ...]:
         """c0, c1, … of a(ξ)."""
@@ -91,7 +89,7 @@ class HalvedPolynomial(HalvedLaw):
     then may it have boundary values, which the polynomial of the same degree meets.
     """
 
-    ends = REST
+    ends: ClassVar[BoundaryValues] = REST  # type: ignore[misc]  # with others it is another law
     ENDED: ClassVar[type[BoundaryPolynomial]]
 
     @property
@@ -107,7 +105,7 @@ class HalvedPolynomial(HalvedLaw):
                 f"{self.name} with the share {self.share:g} is made of two halves that begin and end at rest; "
                 "with the share 0.5 its ends can be prescribed"
             )
-        return self.ENDED(ends)
+        return self.ENDED(ends=ends)
 
 
 @dataclass(frozen=True)

@@ -87,9 +87,7 @@ def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
     durations = tuple(float(d) for d in given)
     if len(durations) != 7:
         raise ValueError(f"{len(durations)} durations are given; expected seven")
-    for i, d in enumerate(durations, 1):
-        if not 0.0 <= d <= 1.0 + SUM_TOLERANCE:
-            raise ValueError(f"the duration of stage {i} is {d:g}; expected a share from 0 to 1")
+    require_shares(ends=True, **{f"the duration of stage {i}": d for i, d in enumerate(durations, 1)})
     if abs(sum(durations) - 1.0) > SUM_TOLERANCE:
         raise ValueError(f"the seven durations sum to {sum(durations):.12g}; expected 1")
     for stages, part in (("1 to 3", durations[:3]), ("5 to 7", durations[4:])):

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from typing import ClassVar, NamedTuple, Self
 
 from engine.laws.base import require_finite
-from engine.laws.ends import REST, BoundaryValues
 from engine.laws.family import Vendors
 from engine.laws.pulse_law import (
     CONSTANT,
@@ -55,7 +54,6 @@ class TrapezoidalVelocity(RampedLaw):
 
     rise_end: float = 1 / 3  # α_v, above 0, at most α_w, else ValueError
     fall_start: float = 2 / 3  # α_w, below 1
-    ends: BoundaryValues = REST
 
 
 @dataclass(frozen=True)
@@ -74,7 +72,6 @@ class SineRamps(RampedLaw):
 
     rise_end: float = 0.25
     fall_start: float = 0.75
-    ends: BoundaryValues = REST
 
 
 HALVINGS = 200
@@ -104,7 +101,6 @@ class SCurve(PulseLaw):
     source = "TwinCAT NC, set-point generator with seven phases"
 
     durations: tuple[float, ...] = (1 / 12, 1 / 6, 1 / 12, 1 / 3, 1 / 12, 1 / 6, 1 / 12)
-    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "durations", seven_durations(self.durations))

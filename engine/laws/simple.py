@@ -4,7 +4,6 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-from engine.laws.ends import REST, BoundaryValues
 from engine.laws.extremes import at_peaks
 from engine.laws.family import Law, Vendors
 from engine.laws.piece import Piece, reversed_pieces
@@ -72,8 +71,6 @@ class ConstantAcceleration(HalvedLaw):
     vendors = Vendors(siemens="D_D_PARABOLA (7)")
     HALF = CONSTANT
 
-    ends: BoundaryValues = REST
-
 
 @dataclass(frozen=True)
 class Cycloidal(HalvedLaw):
@@ -91,8 +88,6 @@ class Cycloidal(HalvedLaw):
     )
     HALF = HALF_SINE
 
-    ends: BoundaryValues = REST
-
 
 @dataclass(frozen=True)
 class SimpleHarmonic(HalvedLaw):
@@ -105,8 +100,6 @@ class SimpleHarmonic(HalvedLaw):
     vendors = Vendors(siemens="D_D_BASIC_SINE (9)", twincat="SINUSLINIE (10)", sew="SINE")
     STAGES = (2, 4)
     HALF = FALLING_SINE
-
-    ends: BoundaryValues = REST
 
 
 PEAK, COSINE = math.pi**2 / 2.0, math.pi / 2.0

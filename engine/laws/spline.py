@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from engine.laws.base import Array, require_finite
-from engine.laws.ends import REST, BoundaryLaw, BoundaryValues
+from engine.laws.ends import BoundaryLaw
 from engine.laws.family import Vendors
 from engine.laws.inverse import velocity_peak
 from engine.laws.piece import Piece
@@ -35,7 +35,6 @@ class Spline(BoundaryLaw):
     points: tuple[Point, ...] = EXAMPLE  # 2 to 100 (ξ, s), of rising ξ, from (0, 0) to (1, 1), else ValueError
     slopes: Slopes = (None, None)  # entered velocities at the ends; None: the neighbouring phase's, 0 next to a dwell
     natural: tuple[bool, bool] = (False, False)  # whether each end is natural: a = 0, and v follows
-    ends: BoundaryValues = REST
 
     def __post_init__(self) -> None:
         points = tuple((float(xi), float(s)) for xi, s in self.points)

@@ -146,7 +146,7 @@ def _between(phase: Phase, begin: EndCondition, end: EndCondition) -> Phase:
     made, _ = law_with_ends(law, ends)
     if ends.at_rest:
         return Phase(made, phase.lift, d)
-    return BoundaryPhase(BoundaryLine(ends) if ends.straight else made, phase.lift, d, phase.law)
+    return BoundaryPhase(BoundaryLine(ends=ends) if ends.straight else made, phase.lift, d, phase.law)
 
 
 def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[str]:

@@ -16,9 +16,9 @@ from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.machine import Sizes
 from workbook.errors import TargetError
 from workbook.fields.units import shown, si
+from workbook.laws.registry import CODES
 
 UNITS = re.compile(r"x in (\S{1,12}), y in (\S{1,12});")
-BASIC = ("ACS", "TVP", "CIC", "CUB", "MTP")
 TURN = 360.0
 AXIS = "Read"
 RATES = ("velocity", "acceleration")
@@ -149,6 +149,6 @@ def law_entry(one: FoundPhase, k: int) -> tuple[str, dict[str, Any]]:
         first, last = one.law.slopes
         name = f"Read {k + 1}"
         return name, {name: {"family": Spline.code, "points": points, "first_slope": first, "last_slope": last}}
-    if one.law.code in (*BASIC, "LIN"):
+    if one.law.code in (*CODES, "LIN"):
         return one.law.code, {}
     return one.law.name, {one.law.name: {"family": one.law.code}}

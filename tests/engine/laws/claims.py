@@ -84,7 +84,7 @@ CLAIMS = (
         order_inside=1,
         coefficients=formulas("cv = 2; ca_max = 4; ca_min = -4; ca_rms = 4; cj = inf; va_max = 8; va_min = -8"),
         others=(ConstantAcceleration(0.3),),
-        beyond=(ConstantAcceleration(0.6, BoundaryValues(1.0, 0.4, -0.2)),),
+        beyond=(ConstantAcceleration(0.6, ends=BoundaryValues(1.0, 0.4, -0.2)),),
     ),
     Claims(
         Cycloidal,
@@ -95,7 +95,7 @@ CLAIMS = (
             "va_max = 3*sqrt(3)*pi/2; va_min = -3*sqrt(3)*pi/2"
         ),
         others=(Cycloidal(0.3),),
-        beyond=(Cycloidal(0.6, BoundaryValues(1.0, 0.8, -0.3)),),
+        beyond=(Cycloidal(0.6, ends=BoundaryValues(1.0, 0.8, -0.3)),),
     ),
     Claims(
         SimpleHarmonic,
@@ -106,7 +106,7 @@ CLAIMS = (
             "va_max = pi**3/8; va_min = -va_max"
         ),
         others=(SimpleHarmonic(0.3),),
-        beyond=(SimpleHarmonic(0.6, BoundaryValues(1.0, 0.3, 1.2)),),
+        beyond=(SimpleHarmonic(0.6, ends=BoundaryValues(1.0, 0.3, 1.2)),),
     ),
     Claims(
         TrapezoidalVelocity,
@@ -116,7 +116,7 @@ CLAIMS = (
             "cv = 3/2; ca_max = 9/2; ca_min = -9/2; ca_rms = 9/2*sqrt(2/3); cj = inf; va_max = 27/4; va_min = -27/4"
         ),
         others=(TrapezoidalVelocity(0.1, 0.7), TrapezoidalVelocity(0.45, 0.45), TrapezoidalVelocity(0.02, 0.98)),
-        beyond=(TrapezoidalVelocity(0.2, 0.7, BoundaryValues(0.5, 1.0, 0.3)),),
+        beyond=(TrapezoidalVelocity(0.2, 0.7, ends=BoundaryValues(0.5, 1.0, 0.3)),),
     ),
     Claims(
         SineRamps,
@@ -127,7 +127,7 @@ CLAIMS = (
             "va_max = 4*sqrt(3)*pi/3; va_min = -va_max"
         ),
         others=(SineRamps(0.2, 0.7), SineRamps(0.4, 0.4)),
-        beyond=(SineRamps(0.2, 0.7, BoundaryValues(1.0, 1.5, -0.3)),),
+        beyond=(SineRamps(0.2, 0.7, ends=BoundaryValues(1.0, 1.5, -0.3)),),
     ),
     Claims(
         SCurve,
@@ -139,7 +139,7 @@ CLAIMS = (
             SCurve((0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25)),
             SCurve((0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0)),
         ),
-        beyond=(SCurve((0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2), BoundaryValues(-1.0, 0.5, 1.5)),),
+        beyond=(SCurve((0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2), ends=BoundaryValues(-1.0, 0.5, 1.5)),),
     ),
     Claims(
         ModifiedTrapezoidal,
@@ -159,7 +159,7 @@ CLAIMS = (
                 (0.0, 0.0, 0.4, 0.1, 0.0, 0.5, 0.0),
             )
         ),
-        beyond=(ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1), BoundaryValues(2.0, 1.0, -0.5)),),
+        beyond=(ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1), ends=BoundaryValues(2.0, 1.0, -0.5)),),
     ),
     Claims(
         TrapezoidByShare,
@@ -196,7 +196,7 @@ CLAIMS = (
             "va_min = -va_max"
         ),
         others=(SineConstantCosine(0.1, 0.6, 0.3), SineConstantCosine(0.2, 0.0, 0.6, 0.2, 0.4)),
-        beyond=(SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6, BoundaryValues(1.0, -0.4, 0.9)),),
+        beyond=(SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6, ends=BoundaryValues(1.0, -0.4, 0.9)),),
     ),
     Claims(
         HarmonicCombination,
@@ -209,8 +209,8 @@ CLAIMS = (
         ),
         others=(HarmonicCombination(0.3), HarmonicCombination(0.6, "start")),
         beyond=(
-            HarmonicCombination(0.4, "end", BoundaryValues(1.0, 0.7)),
-            HarmonicCombination(0.4, "start", BoundaryValues(1.0, 0.1, 0.7)),
+            HarmonicCombination(0.4, "end", ends=BoundaryValues(1.0, 0.7)),
+            HarmonicCombination(0.4, "start", ends=BoundaryValues(1.0, 0.1, 0.7)),
         ),
     ),
     Claims(
@@ -222,7 +222,7 @@ CLAIMS = (
             "va_max = ca_max*cv/2; va_min = -va_max"
         ),
         others=(SineStraightSine(0.3, 0.4), SineStraightSine(1.0)),
-        beyond=(SineStraightSine(0.3, 0.4, BoundaryValues(1.0, 0.5, 0.2)),),
+        beyond=(SineStraightSine(0.3, 0.4, ends=BoundaryValues(1.0, 0.5, 0.2)),),
     ),
     Claims(
         Cubic,

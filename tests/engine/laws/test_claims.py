@@ -199,7 +199,7 @@ WRONG = {
 @pytest.mark.parametrize(("what", "wrong"), [(what, one) for what, all_of in WRONG.items() for one in all_of])
 def test_a_law_registered_with_wrong_figures_is_caught_by_name(what, wrong):
     entry = law_entry(wrong.code)
-    others = tuple(wrong(*(getattr(one, f.name) for f in fields(one))) for one in entry.others)
+    others = tuple(wrong(**{f.name: getattr(one, f.name) for f in fields(one)}) for one in entry.others)
     found = complaints(replace(entry, law=wrong, others=others, beyond=entry.beyond))
     assert any(f"{wrong.__name__}" in words and f": {what}: " in words for words in found), found
 
@@ -217,7 +217,7 @@ class Unsaid(Law):
         (lambda: replace(law_entry("TVP"), others=(), beyond=()), "TrapezoidalVelocity: lacks .* rise_end, fall_start"),
         (
             lambda: replace(law_entry("TVP"), others=(TrapezoidalVelocity(0.2),), beyond=()),
-            "TrapezoidalVelocity: lacks among its other examples one with another fall_start",
+            "TrapezoidalVelocity: lacks among its other examples one with another ends, fall_start",
         ),
         (
             lambda: Claims(Cubic, 1, 1, {"cv": "2"}),

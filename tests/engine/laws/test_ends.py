@@ -98,7 +98,7 @@ def test_of_all_motions_between_two_velocities_the_cubic_has_the_least_square(v0
 
 @pytest.mark.parametrize("family", [Cubic, Polynomial345, Polynomial4567])
 def test_polynomials_between_rests_are_those_of_the_catalogue(family):
-    whole, halved, xi = family.ENDED(BoundaryValues()), family(), np.linspace(0.0, 1.0, 101)
+    whole, halved, xi = family.ENDED(ends=BoundaryValues()), family(), np.linspace(0.0, 1.0, 101)
     assert len(whole.as_pieces()) == 1
     for one, other in zip(whole.evaluate(xi), halved.evaluate(xi), strict=True):
         assert one == pytest.approx(other, abs=1e-11)

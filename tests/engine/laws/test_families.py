@@ -1,7 +1,7 @@
 """Every law of the engine, with default and other parameters: pieces, quadrature, ends, reversal."""
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ from engine.laws.modified import (
 )
 from engine.laws.piece import reversed_pieces
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
-from engine.laws.pulse_law import PulseLaw
+from engine.laws.pulse_law import PulseLaw, TwoPulses
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from engine.laws.simple import ConstantAcceleration, Cycloidal, SimpleHarmonic
 from tests.engine.families import COEFFICIENTS, EXAMPLES, carried, integrals, largest, stages
@@ -108,29 +108,31 @@ class Told:
 @PULSED
 def test_a_law_backwards_has_its_pulses_exchanged(law):
     course, ends = law.pulses, law.ends
-    exchanged = Bare(course._replace(rise=course.fall, rise_time=course.fall_time, fall=course.rise,
-                                     fall_time=course.rise_time), replace(ends, v0=ends.v1, v1=ends.v0))  # fmt: skip
+    exchanged = Bare(
+        course._replace(rise=course.fall, rise_time=course.fall_time, fall=course.rise, fall_time=course.rise_time),
+        ends=replace(ends, v0=ends.v1, v1=ends.v0),
+    )
     k, other = law.coefficients, exchanged.coefficients
     assert (other.cv, other.ca_rms, other.cj) == pytest.approx((k.cv, k.ca_rms, k.cj), rel=1e-12)
     assert (other.ca_max, other.va_max) == pytest.approx((-k.ca_min, -k.va_min), rel=1e-12, abs=1e-13)
     assert (other.ca_min, other.va_min) == pytest.approx((-k.ca_max, -k.va_max), rel=1e-12, abs=1e-13)
 
 
+@dataclass(frozen=True)
 class Bare(PulseLaw):
     """Any two pulses."""
 
     code = name = "bare"
 
-    def __init__(self, course, ends):
-        self.ends, self._given = ends, course
+    given: TwoPulses
 
     def _pulses(self):
-        return self._given
+        return self.given
 
 
 @given(law=pulsed, stroke=number, v0=number, v1=number)
 def test_any_velocities_and_any_stroke_are_met(law, stroke, v0, v1):
-    made = Bare(law.pulses, BoundaryValues(stroke, v0, v1))
+    made = Bare(law.pulses, ends=BoundaryValues(stroke, v0, v1))
     size = 1e-12 * (1 + abs(stroke) + abs(v0) + abs(v1)) * largest(law)[1]
     assert (made.start.s, made.end.s) == pytest.approx((0.0, stroke), abs=size)
     assert (made.start.v, made.end.v) == pytest.approx((v0, v1), abs=size)
@@ -145,7 +147,7 @@ def test_any_velocities_and_any_stroke_are_met(law, stroke, v0, v1):
 @given(law=pulsed, v=number)
 def test_equal_velocities_at_both_ends_shear_the_law(law, v):
     """y = v ξ + (H − v) S(ξ)."""
-    plain, sheared = Bare(law.pulses, BoundaryValues()), Bare(law.pulses, BoundaryValues(1.0, v, v))
+    plain, sheared = Bare(law.pulses, ends=BoundaryValues()), Bare(law.pulses, ends=BoundaryValues(1.0, v, v))
     at, rest = sheared.evaluate(XI), plain.evaluate(XI)
     assert at.s == pytest.approx(v * XI + (1 - v) * rest.s, abs=1e-11)
     assert at.v == pytest.approx(v + (1 - v) * rest.v, abs=1e-11)

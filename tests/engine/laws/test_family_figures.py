@@ -1,10 +1,10 @@
 """Coefficients of the families to 13 digits, worked out with forty: quadrature and dense searches refined."""
 
 import math
+from dataclasses import dataclass
 
 import pytest
 
-from engine.laws.ends import REST
 from engine.laws.extremes import extremes_of
 from engine.laws.modified import (
     HarmonicCombination,
@@ -22,14 +22,13 @@ from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, 
 INF = math.inf
 
 
+@dataclass(frozen=True)
 class TwoQuartics(PulseLaw):
     """Two pulses 4x(1 − x): a law of the pulses' formula that no family is."""
 
     code = name = "two quartics"
-    ends = REST
 
-    def __init__(self, share):
-        self.share = share
+    share: float
 
     def _pulses(self):
         pulse = polynomial_pulse(0.0, 4.0, -4.0)
