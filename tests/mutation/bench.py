@@ -18,7 +18,7 @@ from workbook.book.declare import Book
 from workbook.book.formula import Area, Formula
 from workbook.entries.machine import Machine
 from workbook.judging.comparison import TOLERANCE, ExpectedValues, difference
-from workbook.judging.matching import Match, is_formula
+from workbook.judging.matching import Match, Pair, is_formula
 from workbook.judging.verify import Report, judge
 from workbook.machines.machine.mechanism import LINKED
 from workbook.reading.descriptions import read_machine
@@ -86,6 +86,15 @@ def remembered(declare: Callable[[Machine], Book]) -> Callable[[Machine], Book]:
     return found
 
 
+class OfValues(Report):
+    """A report that leaves the text of formulas aside, so that values alone must tell."""
+
+    def add(self, pair: Pair, kind: str, *said: Any, **more: Any) -> None:
+        """Enter a finding on a declared cell."""
+        if kind != "formula":
+            super().add(pair, kind, *said, **more)
+
+
 class Bench:
     """The book of one machine, and the inputs at which ``verify`` looks at it: those entered, then its variations."""
 
@@ -140,11 +149,11 @@ class Bench:
         """Whether a cell's value is the engine's, as ``verify`` measures it."""
         return difference(computed, at.expected[address], at.peaks[address]) <= TOLERANCE
 
-    def verified(self, mutant: Mutant, shapes: bool = True) -> Report:
-        """Return what ``verify`` reports of the book with the mutant in it."""
-        report = Report(self.file.path, self.template.name)
+    def verified(self, mutant: Mutant, kind: type[Report] = Report) -> Report:
+        """Return what ``verify`` reports, in a report of a kind, of the book with the mutant in it."""
+        report = kind(self.file.path, self.template.name)
         with self.holding(mutant):
-            judge(replace(self.file), self.template, self.machine, report, shapes=shapes)  # its formulas read anew
+            judge(replace(self.file), self.template, self.machine, report)  # its formulas read anew
         return report
 
     @contextmanager

@@ -4,7 +4,7 @@ from functools import cache
 
 import pytest
 
-from tests.mutation.bench import Bench, smaller
+from tests.mutation.bench import Bench, OfValues, smaller
 from tests.mutation.equivalence import Equivalence
 from tests.mutation.examine import Tally, examined, names_it_first
 from tests.mutation.machines import machines
@@ -77,7 +77,7 @@ def test_verify_names_the_cell_first(name: str, kind: str) -> None:
 @pytest.mark.sample(6)
 def test_one_cell_evaluated_alone_tells_what_verify_reports_of_it(name: str, kind: str) -> None:
     for mutant in of_kind(name, kind, 1):
-        report = bench(name).verified(mutant, shapes=False)
+        report = bench(name).verified(mutant, OfValues)
         own = [f for f in report.findings if (f.sheet, f.cell) == (mutant.address.sheet, mutant.address.a1)]
         assert bool(own) == (bench(name).differs_at(mutant) is not None), str(mutant)
 

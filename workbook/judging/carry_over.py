@@ -14,11 +14,9 @@ from workbook.judging.display.chart_reader import read_charts
 from workbook.judging.display.charts import pair_charts
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.structure import check_structure
+from workbook.judging.structure import check_structure, listed
 from workbook.reading.contents import Contents
 from workbook.writing.write import NO_ADDITIONS, Additions
-
-MOST = 3  # cells that a line names
 
 
 def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> list[str]:
@@ -68,12 +66,6 @@ def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> 
     counts = match.file.inspected.drawn if match.file.inspected else {}
     lines += [f"{what} are not carried over: {count} in all" for what, count in counts.items() if count]
     return lines
-
-
-def listed(cells: list[str]) -> str:
-    """Return the first cells, and how many more there are."""
-    rest = f" and {len(cells) - MOST} more" if len(cells) > MOST else ""
-    return ", ".join(cells[:MOST]) + rest
 
 
 def find_additions(match: Match, fresh: Book) -> Additions:

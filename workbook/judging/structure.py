@@ -23,7 +23,7 @@ COMPARED = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTit
 LAST_DIGITS = 1e-14  # LibreOffice keeps 15 digits of a number when it saves
 
 
-def check_structure(match: Match, report: Report, shapes: bool = True) -> set[Address]:
+def check_structure(match: Match, report: Report) -> set[Address]:
     """Enter missing blocks, and formulas and constants that are not the declared ones; return those formulas."""
     for block, place in match.misfits:
         if place is not None and block.is_table:  # told with what was inserted or is gone
@@ -51,8 +51,7 @@ def check_structure(match: Match, report: Report, shapes: bool = True) -> set[Ad
             report.add(pair, "replaced", pair.held, pair.cell.expected)
         elif not match.same_shape(pair):
             suspects.add(pair.address)
-            if shapes:
-                report.add(pair, "formula", pair.held, pair.cell.content)
+            report.add(pair, "formula", pair.held, pair.cell.content)
     return suspects
 
 
@@ -128,8 +127,13 @@ def stale_functions(workbook: Workbook) -> Iterator[str]:
         return
     other = sorted(d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.stored))
     if other:
-        said = ", ".join(other[:MOST]) + (f" and {len(other) - MOST} more" if len(other) > MOST else "")
-        yield f"names that are not today's definitions: {said}; take them from motion-functions.xlsx"
+        yield f"names that are not today's definitions: {listed(other, MOST)}; take them from motion-functions.xlsx"
+
+
+def listed(names: list[str], most: int = 3) -> str:
+    """Return the first names, and how many more there are."""
+    rest = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + rest
 
 
 def finding(place: Place, name: str, found: str, expected: str) -> Finding:

@@ -66,20 +66,18 @@ def available_witnesses(witnesses: Sequence[str]) -> tuple[list[str], list[str]]
 
 def judge(
     file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
-    shapes: bool = True, given: Mapping[Address, Any] = MappingProxyType({}),
-    named: Collection[str] = (),
+    given: Mapping[Address, Any] = MappingProxyType({}), named: Collection[str] = (),
 ) -> None:  # fmt: skip
     """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.
 
-    ``shapes`` false leaves the text of formulas aside, so that values alone must tell. ``given`` are the values of
-    inputs that hold a formula. Witnesses that are ``named`` must answer, of the others one.
+    ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others one.
     """
     match, machine = match_layout(file, template, machine)
     if any(pair.declared_formula and pair.held is None for pair in match.pairs):
         report.findings += put_back(file, match.declared)
         match = Match(file, match.declared)
     report.findings += layout_findings(match)
-    suspects = check_structure(match, report, shapes)
+    suspects = check_structure(match, report)
     report.notes += stale_functions(file.workbook)
     report.findings += audit(match, type(machine))
     own = count_own_cells(match, report, given)
