@@ -11,8 +11,17 @@ from tests.functions.case import Case
 from tests.functions.cases import POLYNOMIAL_345, engine_law, value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions import names
-from workbook.functions.addin.motion_functions.library import LawForm
-from workbook.functions.declarations import CODES, FUNCTIONS
+from workbook.functions.addin.motion_functions.library import LAWS, LawForm
+from workbook.functions.declarations import CODES, FUNCTIONS, SAID
+from workbook.laws.registry import FAMILY
+
+
+def test_the_functions_have_every_law_and_say_what_it_takes():
+    known = {*CODES} - {"OWN"}  # which takes rows of pieces
+    takes = {code for code in known if FAMILY[code].parameters}
+    assert known <= {*LAWS}, "LAWS of motion_functions/library.py has no entry"
+    assert takes <= {*SAID}, "functions.toml does not say what it takes"
+    assert not (known - takes) & {*SAID}, "functions.toml says what it takes, which is nothing"
 
 
 @pytest.fixture(scope="module")

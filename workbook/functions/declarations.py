@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from workbook.functions.addin.motion_functions.library import LAWS
-from workbook.laws.registry import FAMILY, IncompleteError
+from workbook.laws.registry import FAMILY
 
 
 class Text(NamedTuple):
@@ -21,20 +21,8 @@ NAMESPACE = "MOTION"
 TEXTS = tomllib.loads(Path(__file__).with_name("functions.toml").read_text(encoding="utf-8"))
 CODES: tuple[str, ...] = tuple(code for code, page in FAMILY.items() if page.functions)
 """codes of the laws that the functions know: of every family but points, which are a table of their own"""
-PARAMETERS = {code: len(FAMILY[code].parameters) for code in CODES if code != "OWN"}
-"""codes of the laws with the number of parameters each takes; OWN, beside them, takes rows of pieces"""
 SAID = {code: Text(*one["says"]) for one in TEXTS["takes"] for code in one["codes"]}
 TAKES = {code: SAID[code] for code in (*LAWS, "OWN") if code in SAID}  # what each law takes that takes anything
-for wrong, said in (
-    ({*PARAMETERS} - {*LAWS}, "LAWS of motion_functions/library.py has no entry"),
-    ({code for code, count in PARAMETERS.items() if count} - {*SAID}, "functions.toml does not say what it takes"),
-    (
-        {code for code, count in PARAMETERS.items() if not count} & {*SAID},
-        "functions.toml says what it takes, which is nothing",
-    ),
-):
-    if wrong:
-        raise IncompleteError(f"{', '.join(sorted(wrong))}: {said}")
 
 
 class Argument(NamedTuple):

@@ -5,7 +5,6 @@ LibreOffice's SDK made ``motion.rdb``: unoidl-write program/types.rdb program/ty
 
 import re
 import tempfile
-from collections.abc import Callable
 from filecmp import cmp
 from importlib import resources
 from operator import attrgetter
@@ -52,24 +51,20 @@ def write_text(path: Path) -> None:
     path.write_bytes("\n".join([HEAD, *entries]).encode())  # the same line ends on every system
 
 
-COMMITTED: dict[str, Callable[[Path], None]] = {"motion-functions.xlsx": write_book, "motion-functions.txt": write_text}
-"""the files that lie beside the templates, with what writes each"""
-
-
-def write_files() -> list[Path]:
-    """Generate the committed files."""
-    for name, write in COMMITTED.items():
-        write(FOLDER / name)
-    return [FOLDER / name for name in COMMITTED]
+def write_files(folder: Path | None = None) -> list[Path]:
+    """Generate the committed files, where they lie or in another folder."""
+    book, text = ((folder or FOLDER) / f"motion-functions.{kind}" for kind in ("xlsx", "txt"))
+    write_book(book)
+    write_text(text)
+    return [book, text]
 
 
 def stale_files() -> list[Path]:
     """Return the committed files that today's code would generate differently, and those that are not there."""
     found = []
     with tempfile.TemporaryDirectory() as folder:
-        for name, write in COMMITTED.items():
-            kept, fresh = FOLDER / name, Path(folder) / name
-            write(fresh)
+        for fresh in write_files(Path(folder)):
+            kept = FOLDER / fresh.name
             same = kept.exists() and (same_book(fresh, kept) if kept.suffix == ".xlsx" else cmp(fresh, kept, False))
             if not same:
                 found.append(kept)

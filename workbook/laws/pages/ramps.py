@@ -24,8 +24,7 @@ class BreakPoints(LawSheet):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield break points that do not follow each other."""
-        whole = TrapezoidalVelocity()
-        fits = self.model_dump() | {"rise_end": whole.rise_end, "fall_start": whole.fall_start}
+        fits = self.model_dump() | {name: getattr(TrapezoidalVelocity, name) for name in ("rise_end", "fall_start")}
         if self.fall_start < self.rise_end:
             said = f"brakes from {figure(self.fall_start)}, before {figure(self.rise_end)}"
             yield DesignError("", said, "order", fits)
