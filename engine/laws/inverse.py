@@ -9,7 +9,7 @@ import numpy as np
 from engine.laws.base import BREAK_TOLERANCE, Array, Real, require_within, unwrap
 from engine.laws.extremes import acceleration, zeros
 from engine.laws.family import Law
-from engine.laws.piece import Piece, begins, gains, placed_pieces
+from engine.laws.piece import Piece, PlacedPiece, begins, gains, placed_pieces
 
 KNOTS = 65  # points of each stage, between which a height is first located
 STEPS = 120  # of Newton's method, at most
@@ -104,18 +104,11 @@ def _solve(law: Law, s: Array) -> Array:
     return xi
 
 
-class LawPiece(NamedTuple):
-    """A piece of a law at its place."""
-
-    piece: Piece
-    begin: float  # ξ
-
-
-def law_pieces(law: Law, whole: bool = False) -> list[LawPiece]:
+def law_pieces(law: Law, whole: bool = False) -> list[PlacedPiece]:
     """Return the pieces of a law that begin before its end, cut at peaks of the acceleration unless ``whole``."""
     pieces = law.as_pieces() if whole else law.monotone_pieces()
-    placed = zip(pieces, begins(pieces), strict=True)
-    return [LawPiece(piece, begin) for piece, begin in placed if begin <= 1.0 - BREAK_TOLERANCE]
+    placed = placed_pieces(pieces, law.entry_velocity)
+    return [one for one in placed if one.begin <= 1.0 - BREAK_TOLERANCE]
 
 
 INTERVALS = 96  # between points, at most

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.extremes import Curve
-from engine.laws.inverse import LawPiece, law_pieces
-from engine.laws.piece import POWERS, Sine
+from engine.laws.inverse import law_pieces
+from engine.laws.piece import POWERS, PlacedPiece, Sine
 from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 
@@ -79,7 +79,7 @@ class ScaledLaw(NamedTuple):
         return [_piece(self, phase, number, placed) for number, placed in enumerate(law_pieces(self.law, whole))]
 
 
-def _piece(of: ScaledLaw, phase: int, number: int, placed: LawPiece) -> MotionPiece:
+def _piece(of: ScaledLaw, phase: int, number: int, placed: PlacedPiece) -> MotionPiece:
     at, begin, piece = of.law.evaluate(placed.begin), of.x + placed.begin * of.duration, placed.piece
     s, v, still, sines = at.s, at.v, 0.0, []
     for p, w, phi in ((piece.amplitude, piece.omega, piece.phase), (piece.amplitude2, piece.omega2, piece.phase2)):

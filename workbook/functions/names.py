@@ -163,12 +163,11 @@ def spelled(*values: Any) -> str:
 
 
 def array(values: Sequence[float]) -> str:
-    """Return a number, or several as an array of whole ones over what they have in common."""
-    if len(values) == 1:
-        return term(values[0]).text
+    """Return a number, or several as an array, as whole ones over what they have in common."""
     found = [Fraction(value).limit_denominator(LARGEST) for value in values]
     common = lcm(*(one.denominator for one in found))
-    text = f"{{{','.join(str(one * common) for one in found)}}}"
+    whole = ",".join(str(one * common) for one in found)
+    text = f"{{{whole}}}" if len(found) > 1 else whole
     return text if common == 1 else f"{text} / {common}"
 
 
