@@ -45,12 +45,13 @@ class ExpectedValues:
         self._match = match
         self.values: list[Any] = []  # the engine's, what was entered in inputs, what is declared in constants
         self.peaks: list[float] = []  # the greatest sizes of columns, or declared scales where these are greater
-        for name, number, rows in match.columns:
-            q = declared.blocks[name].quantities[number]
-            column = as_rows(q.value, declared.blocks[name].size, q.name)
-            self.values += column[:rows]
+        for pairs in match.columns:
+            block = declared.blocks[pairs[0].cell.block.name]
+            q = block.quantities[pairs[0].cell.column - pairs[0].cell.block.column]
+            column = as_rows(q.value, block.size, q.name)
+            self.values += column[: len(pairs)]
             sizes = (abs(v) for v in column if isinstance(v, int | float) and abs(v) < math.inf)
-            self.peaks += [max(q.floor, *sizes, 0.0)] * rows
+            self.peaks += [max(q.floor, *sizes, 0.0)] * len(pairs)
 
     def get(self, address: Address) -> Any:
         """Return what should stand in a cell; None for one that is not declared."""

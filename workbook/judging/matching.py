@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import chain
 from typing import Any, NamedTuple
 
 from workbook.book.address import Address, Place
@@ -40,7 +41,7 @@ class Match:
     declared: Book
     pairs: list[Pair] = field(default_factory=list)
     misfits: list[tuple[Block, Place | None]] = field(default_factory=list)  # blocks gone, or of another size there
-    columns: list[tuple[str, int, int]] = field(default_factory=list)  # block, number there, rows that the file has
+    columns: list[list[Pair]] = field(default_factory=list)  # the same by columns of blocks
 
     def __post_init__(self) -> None:
         for block in self.declared.blocks.values():
@@ -50,11 +51,12 @@ class Match:
             if place is None:
                 continue
             for j, cells in enumerate(block.by_column()):
-                if j < place.columns and place.cell(0, j).column:
+                if j < place.columns and place.rows and place.cell(0, j).column:
                     found = zip(cells, place.down(j), strict=False)  # either may have more rows
-                    pairs = [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
-                    self.pairs += pairs
-                    self.columns.append((block.name, j, len(pairs)))
+                    self.columns.append(
+                        [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
+                    )
+        self.pairs += chain.from_iterable(self.columns)
 
     def placed(self, sheet: Sheet) -> list[tuple[Block, Place]]:
         """Return the blocks of a declared sheet that the file has, with their places."""
@@ -69,14 +71,6 @@ class Match:
         """Return how many rows a block had in the file, those counted that are gone."""
         fit = self.file.fits.get(block.name)
         return fit.size if fit is not None else self.file.places[block.name].rows
-
-    def by_column(self) -> Iterator[list[Pair]]:
-        """Yield the pairs of each of ``columns`` that has any."""
-        begin = 0
-        for *_, rows in self.columns:
-            if rows:
-                yield self.pairs[begin : begin + rows]
-            begin += rows
 
     @cached_property
     def numbers(self) -> dict[Address, int]:

@@ -247,7 +247,7 @@ def check_validations(match: Match, model: type[BaseModel], report: Report) -> N
                           for cells in rule.sqref.ranges]
             for sheet in match.file.workbook.worksheets}  # fmt: skip
     told: dict[tuple[str, str], list[Address]] = defaultdict(list)
-    for pairs in match.by_column():
+    for pairs in match.columns:
         fresh = validation(model, pairs[0].cell.quantity) if pairs[0].cell.quantity.role == "input" else None
         for at in (pair.address for pair in pairs if fresh is not None):
             rule = next((rule for rule, (left, top, right, bottom) in held[at.sheet]

@@ -46,7 +46,7 @@ class CellGroup(NamedTuple):
 
 def cell_groups(match: Match, found: list[LocatedLabel]) -> Iterator[CellGroup]:
     """Yield all cells of a file that are declared, with the texts that say what they are."""
-    for pairs in match.by_column():
+    for pairs in match.columns:
         (block, q), at = (pairs[0].cell.block, pairs[0].cell.quantity), pairs[0].address
         verdict = q.role == "check" or (block.name, q.name) == ("checks", "verdict")
         what, folded = f"{q.label} ({block.name})" if block.is_table else q.label, block.sheet.folded
