@@ -4,7 +4,6 @@
 variations, tests) iterates over the catalogue.
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 from engine.laws.base import Coefficients, Kinematics
@@ -40,18 +39,7 @@ def _key(name: str) -> str:
     return " ".join(name.casefold().split())
 
 
-def by_name(laws: Sequence[type[Law]]) -> dict[str, type[Law]]:
-    """Return the laws by code, name and aliases; raise ValueError where one name means two laws."""
-    found: dict[str, type[Law]] = {}
-    for family in laws:
-        for key in {_key(name) for name in (family.code, family.name, *family.aliases)}:
-            if key in found:
-                raise ValueError(f"{key!r} names two laws: {found[key].__name__} and {family.__name__}")
-            found[key] = family
-    return found
-
-
-_KNOWN = by_name(CATALOGUE)
+_KNOWN = {_key(name): family for family in CATALOGUE for name in (family.code, family.name, *family.aliases)}
 
 
 def law(name: str, **parameters: Any) -> Law:

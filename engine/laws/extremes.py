@@ -5,7 +5,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -190,7 +189,7 @@ def turning_points(piece: Piece, v0: float) -> list[float]:
     return zeros(Curve((still, *(c / (i + 1) for i, c in enumerate(a.c))), turned), piece.duration)
 
 
-def _values_by_piece(
+def values_by_piece(
     pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
 ) -> list[tuple[Array, Array, Array, Array]]:
     """Return s, v, a, j of each piece of any duration at its begin, at the u of ``inside(piece, v)``, at its end."""
@@ -221,7 +220,7 @@ def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0,
     Coefficients
         C_j is infinite if a jumps between pieces of any duration, or at either end.
     """
-    found = _values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
+    found = values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
     _, v, a, j = np.concatenate(found, axis=1)
     before = np.array([a0, *(accelerations[-1] for _, _, accelerations, _ in found)])
     after = np.array([*(accelerations[0] for _, _, accelerations, _ in found), a1])
@@ -243,23 +242,8 @@ def square_integral(piece: Piece) -> float:
     return float(np.tile(WEIGHTS, parts) @ (a * a)) * width / 2.0
 
 
-class Extremes(NamedTuple):
-    """Lowest and largest v, a and j; jumps of a do not count in j."""
-
-    v: tuple[float, float]
-    a: tuple[float, float]
-    j: tuple[float, float]
-
-
 @lru_cache(maxsize=1_000)
 def reach_of(pieces: tuple[Piece, ...], v0: float) -> tuple[float, float]:
     """Return the lowest and the highest position of consecutive pieces, from s = 0 with the velocity ``v0``."""
-    s = np.concatenate([positions for positions, *_ in _values_by_piece(pieces, v0, turning_points)])
+    s = np.concatenate([positions for positions, *_ in values_by_piece(pieces, v0, turning_points)])
     return float(s.min()), float(s.max())
-
-
-@lru_cache(maxsize=1_000)
-def extremes_of(pieces: tuple[Piece, ...], v0: float) -> Extremes:
-    """Return the exact extremes of consecutive pieces that begin with the velocity ``v0``."""
-    _, *rates = np.concatenate(_values_by_piece(pieces, v0, lambda piece, _: stationary_points(piece)), axis=1)
-    return Extremes(*((float(x.min()), float(x.max())) for x in rates))

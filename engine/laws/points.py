@@ -14,9 +14,9 @@ from numpy.polynomial import Legendre
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients
-from engine.laws.extremes import extremes_of, reach_of
+from engine.laws.extremes import reach_of
 from engine.laws.family import Law
-from engine.laws.inverse import velocity_peak
+from engine.laws.inverse import velocity_extremes, velocity_peak
 from engine.laws.piece import Piece, begins, gains, placed_pieces, snap
 from engine.laws.pieces import PieceLaw
 
@@ -150,7 +150,7 @@ def slowest(law: Law) -> float:
     """Return the lowest velocity of a law: exact, of a :class:`PointedLaw` by its points."""
     if isinstance(law, PointedLaw):
         return law.points.extremes("v")[0]
-    return extremes_of(law.as_pieces(), law.start.v).v[0]
+    return float(law.v(velocity_extremes(law)).min())
 
 
 def fastest(law: Law) -> float:

@@ -50,7 +50,7 @@ class BookLaws:
             if one.page.has_sheet:
                 sheet = law_sheet(book, one, self.sizes, self.stack)
                 sheet.unprinted = printed is not None and one.name.casefold() not in printed
-        laws_sheet(book, self.named, self.sizes, self.rows, self.stack, self.hands_over)
+        laws_sheet(book, self)
 
 
 class Row(NamedTuple):
@@ -82,13 +82,11 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     return rows
 
 
-def laws_sheet(
-    book: Book, laws: Sequence[NamedLaw], sizes: Sizes, rows: list[Row], stacked: Pieces, hands_over: bool = False
-) -> None:
-    """Declare the sheet from which every axis evaluates its law; ``hands_over`` where phases hand over at speed."""
+def laws_sheet(book: Book, of: BookLaws) -> None:
+    """Declare the sheet from which every axis evaluates its law."""
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.heading("Results: the laws and their coefficients")
-    summary(sheet, laws, sizes, hands_over)
+    summary(sheet, of)
     sheet.heading(
         "Workings: the stacked pieces", "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k."
     )
@@ -101,7 +99,7 @@ def laws_sheet(
         constant("stage_least", "Least stage of a law", "", "", LEAST_STAGE, format="0E+00",
                  source="as a share of the rise; a stage is none, or lasts so long"),
     )  # fmt: skip
-    stack(sheet, rows, stacked)
+    stack(sheet, of.rows, of.stack)
 
 
 LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), "start", "v_low", "wrong", "low", "high",
@@ -110,8 +108,9 @@ LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), "start"
 ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
 
 
-def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bool) -> None:
-    """Declare the table of laws: name, coefficients, values at both ends."""
+def summary(sheet: Sheet, of: BookLaws) -> None:
+    """Declare the table of laws: name, coefficients, values at both ends; more where phases hand over at speed."""
+    laws = of.named
     reaches = [reach(one.law) for one in laws]
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
@@ -132,7 +131,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
                   source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial",
                   format="0")  # fmt: skip
     early = constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws])
-    ends = [ways, early] if hands_over else []
+    ends = [ways, early] if of.hands_over else []
     sheet.table(
         "laws", "The laws by number; a phase takes its law by this name", len(laws),
         calc("name", "law in words", "", "",
@@ -144,7 +143,7 @@ def summary(sheet: Sheet, laws: Sequence[NamedLaw], sizes: Sizes, hands_over: bo
         stated("start", "velocity it begins with", "", "start", [one.law.start.v for one in laws]),
         stated("v_low", "lowest velocity", "", "lowest", [slowest(one.law) for one in laws], scale=1.0),
         stated("wrong", "step of v the wrong way", "", "wrong_step",
-               [one.page.step_back(one.law, sizes) for one in laws]),
+               [one.page.step_back(one.law, of.sizes) for one in laws]),
         *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
         stated("low", "lowest position", "s_min", "low", [low for low, _ in reaches], scale=1.0),
         stated("high", "highest position", "s_max", "high", [high for _, high in reaches], scale=1.0),

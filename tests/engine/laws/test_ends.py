@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from engine.laws import PieceLaw
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, kind, kinds, law_with_ends
-from engine.laws.extremes import extremes_of
 from engine.laws.modified import HarmonicCombination, ModifiedSine
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import Limits, SCurve, TrapezoidalVelocity
 from engine.laws.simple import Cycloidal, SimpleHarmonic
+from tests.engine.extremes import extremes_of
 from tests.engine.families import EXAMPLES
 
 EVERY = pytest.mark.parametrize("law", [law for _, law in EXAMPLES], ids=[name for name, _ in EXAMPLES])

@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws.extremes import Curve, coefficients_of, extremes_of, zeros
+from engine.laws.extremes import Curve, coefficients_of, zeros
 from engine.laws.piece import Piece, gains
+from tests.engine.extremes import extremes_of
 
 number = st.floats(-5, 5)
 

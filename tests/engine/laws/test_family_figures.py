@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import pytest
 
-from engine.laws.extremes import extremes_of
 from engine.laws.modified import (
     HarmonicCombination,
     ModifiedSine,
@@ -18,6 +17,7 @@ from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.pulse_law import PulseLaw, TwoPulses, polynomial_pulse
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
+from tests.engine.extremes import extremes_of
 
 INF = math.inf
 

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from engine.laws import Piece, PieceLaw
-from engine.laws.extremes import extremes_of, reach_of
+from engine.laws.extremes import reach_of
 from engine.laws.inverse import velocity_peak
 from engine.laws.pieces import POLYNOMIAL_345
 from engine.laws.points import POINTS, SHARES, WEIGHTS, PointedLaw, Points, fastest, reach, slowest
+from tests.engine.extremes import extremes_of
 
 PEAKS, POWER, RMS = 1e-2, 4e-2, 1e-6
 """bounds of s, v, a and j, of v·a, and of the RMS acceleration; relative to the largest size"""

@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from engine.laws import Dwell, Piece, PieceLaw
-from engine.laws.extremes import extremes_of
 from engine.laws.modified import ModifiedSine, ModifiedTrapezoidal, SineConstantCosine
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
@@ -16,6 +15,7 @@ from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, 
 from engine.laws.spline import Spline
 from engine.motion import Phase
 from engine.motion.joining import ORDERS, Fault, Rates, join_phases, shortfalls
+from tests.engine.extremes import extremes_of
 from tests.engine.motion.junctions import junctions
 
 OWN = PieceLaw([Piece(1.0, (0.0, 60.0, -180.0, 120.0))])
