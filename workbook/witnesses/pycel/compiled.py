@@ -21,6 +21,7 @@ from scipy.sparse.csgraph import connected_components
 from workbook.book.address import Address
 from workbook.book.formula import FormulaError
 from workbook.witnesses.pycel import limits, shortcuts
+from workbook.witnesses.pycel.shortcuts import Range
 
 MODULES = (limits, *(importlib.import_module(name) for name in ExcelFormula.default_modules))
 UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's graph, or a number in the text
@@ -150,10 +151,10 @@ class RangeStep(NamedTuple):
     sources: Sequence[int]
     width: int
 
-    def compute(self, values: list[Any]) -> tuple[tuple[Any, ...], ...]:
+    def compute(self, values: list[Any]) -> Range:
         """Return the range as pycel's functions take it."""
         cells = map(values.__getitem__, self.sources)
-        return tuple(zip(*[cells] * self.width, strict=True))
+        return Range(zip(*[cells] * self.width, strict=True))
 
 
 def as_cell_value(result: Any) -> Any:

@@ -75,7 +75,7 @@ class PycelModel:
         """The formula cells, each after those that it needs."""
         return [self._cells[number] for number in self._order if number in self._cells]
 
-    @np.errstate(all="ignore")  # of what pycel computes by NumPy
+    @np.errstate(all="ignore")  # what is not finite is worked out again, by elements
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> Cells:
         """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
         given = {self._numbers.cell(address): plain_value(value) for address, value in (inputs or {}).items()}

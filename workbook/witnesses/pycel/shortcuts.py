@@ -1,18 +1,66 @@
-"""Shortcuts past pycel's checks for plain numbers, and ranges of them; pycel computes all else."""
+"""Shortcuts past pycel's checks for plain numbers, and arrays for ranges of numbers; pycel computes all else."""
 
 import functools
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from itertools import repeat
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
 from pycel.lib import lookup
 
-from workbook.witnesses.pycel.limits import NUMBERS, OPERATORS, build_operators, count_searches, cross, raised
+from workbook.witnesses.pycel.limits import NEAR, NUMBERS, OPERATORS, build_operators, count_searches, cross, raised
 
 Function = Callable[..., Any]
-SIMPLE = {name: OPERATORS[name] for name in ("Add", "Sub", "Mult", "Lt", "LtE", "Gt", "GtE", "Eq", "NotEq")}
+COMPARED = {"Lt": np.less, "LtE": np.less_equal, "Gt": np.greater, "GtE": np.greater_equal, "Eq": np.equal,
+            "NotEq": np.not_equal}  # fmt: skip
+SUMS = {"Add": np.add, "Sub": np.subtract, "Mult": np.multiply}
+SIMPLE = {name: OPERATORS[name] for name in (*SUMS, *COMPARED)}
+POWERS = frozenset((2, 3, 4))
+SMALLEST = 4  # cells of a range for which an array is worth its making
+
+
+class Range(tuple[tuple[Any, ...], ...]):
+    """A range of cells as pycel's functions take it, a tuple of rows; as an array where it holds numbers alone."""
+
+    @functools.cached_property
+    def cells(self) -> NDArray[Any] | None:
+        """The numbers, made an array once for all formulas that read the range."""
+        if len(self) * len(self[0]) < SMALLEST or not all(NUMBERS.issuperset(map(type, row)) for row in self):
+            return None
+        try:
+            return np.array(self, dtype=float)
+        except OverflowError:
+            return None
+
+
+class Array:
+    """What an operator made of ranges: numbers, or truth values."""
+
+    __slots__ = ("cells",)
+
+    def __init__(self, cells: NDArray[Any]) -> None:
+        self.cells = cells
+
+    def item(self) -> Any:
+        """Return its first element: what a cell holds of a range."""
+        return self.cells.flat[0].item()
+
+
+RANGES = frozenset((tuple, Range, Array))
+
+
+def plain(value: Any) -> Any:
+    """Return a value as pycel's functions take it."""
+    return tuple(map(tuple, value.cells.tolist())) if type(value) is Array else value
+
+
+def array_of(value: Any) -> NDArray[Any] | None:
+    """Return a range as an array; None where it does not hold numbers alone."""
+    cells: NDArray[Any] | None = (Range(value) if type(value) is tuple else value).cells
+    return cells
 
 
 def operators() -> Callable[[Any, str, Any], Any]:
@@ -28,7 +76,14 @@ def operators() -> Callable[[Any, str, Any], Any]:
                 return left / right
             if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
                 return raised(left, right)
-        elif kind is tuple or other is tuple:
+        elif kind in RANGES or other in RANGES:
+            one, two = (
+                x if k in NUMBERS else array_of(x) if k in RANGES else None for x, k in ((left, kind), (right, other))
+            )
+            made = None if one is None or two is None else array_operation(one, operator, two)
+            if made is not None:
+                return Array(made)
+            left, right = plain(left), plain(right)
             sizes = {(len(x), len(x[0])) for x in (left, right) if isinstance(x, tuple)}
             if len(sizes) == 1 and all(isinstance(x, tuple) or type(x) in NUMBERS for x in (left, right)):
                 rows = zip(*(x if isinstance(x, tuple) else repeat(repeat(x)) for x in (left, right)), strict=False)
@@ -37,6 +92,30 @@ def operators() -> Callable[[Any, str, Any], Any]:
         return checked(left, operator, right)
 
     return operate
+
+
+def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
+    """Return what an operator makes of arrays of one size, or of one and a number; None where that is not plain."""
+    kinds = [one.dtype for one in (a, b) if isinstance(one, np.ndarray)]
+    if len(kinds) == 2 and a.shape != b.shape:
+        return None
+    truths = bool in kinds
+    made: NDArray[Any] | None = None
+    if operator in SUMS:
+        if truths:
+            a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+        made = SUMS[operator](a, b)
+    elif truths:
+        return None
+    elif operator in COMPARED:
+        apart = np.abs(a - b)
+        doubtful = (apart > 0) & (apart <= 2.0 * NEAR * np.abs(b))  # the same to 15 digits, perhaps
+        return None if doubtful.any() else COMPARED[operator](a, b)
+    elif operator == "Div" and np.all(b):
+        made = a / b
+    elif operator == "Pow" and ((type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)):
+        made = a**b
+    return made if made is not None and np.isfinite(made).all() else None
 
 
 def index(array: Any, row: Any, column: Any = None) -> Any:
@@ -51,19 +130,34 @@ def index(array: Any, row: Any, column: Any = None) -> Any:
     return None
 
 
-def of_number(body: Callable[[float], float], *arguments: Any) -> Any:
-    """Return a function of one number in its domain."""
-    if len(arguments) == 1 and type(arguments[0]) in NUMBERS:
+def of_number(body: Callable[[float], float], over: Callable[[Any], Any], *arguments: Any) -> Any:
+    """Return a function of one number in its domain, or of an array of these."""
+    value: Any = arguments[0] if len(arguments) == 1 else None
+    if type(value) in NUMBERS:
         with suppress(ValueError, OverflowError):
-            return body(arguments[0])
+            return body(value)
+    elif type(value) is Array and value.cells.dtype != bool:
+        made = over(value.cells)
+        return Array(made) if np.isfinite(made).all() else None
     return None
 
 
 def of_numbers(body: Callable[[Sequence[float]], float], *arguments: Any) -> Any:
     """Return a function of any numbers, and of one range that holds nothing else."""
-    rows = arguments[0] if len(arguments) == 1 and isinstance(arguments[0], tuple) else (arguments,)
+    one_range = len(arguments) == 1 and type(arguments[0]) in RANGES
+    rows: Iterable[Any] = plain(arguments[0]) if one_range else (arguments,)
     values = [value for row in rows for value in row]
     return body(values) if values and NUMBERS.issuperset(map(type, values)) else None
+
+
+def product_sum(*arrays: Any) -> Any:
+    """Return SUMPRODUCT of ranges of numbers of one size."""
+    if arrays and RANGES.issuperset(map(type, arrays)):
+        found: list[Any] = list(map(array_of, arrays))
+        numbers = all(cells is not None and cells.dtype != bool for cells in found)
+        if numbers and len({cells.shape for cells in found}) == 1:
+            return functools.reduce(np.multiply, found).sum().item()
+    return None
 
 
 def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_value: Callable[[], Any]) -> Any:
@@ -75,10 +169,10 @@ def chosen(function: Function, test: Any, true_value: Callable[[], Any], false_v
 
 ELEMENTARY = ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "sqrt", "log10", "degrees", "radians")
 SHORTCUTS: dict[str, Function] = {
-    **{name: functools.partial(of_number, getattr(math, name)) for name in ELEMENTARY},
-    "ln": functools.partial(of_number, math.log), "abs_": functools.partial(of_number, abs),
+    **{name: functools.partial(of_number, getattr(math, name), getattr(np, name)) for name in ELEMENTARY},
+    "ln": functools.partial(of_number, math.log, np.log), "abs_": functools.partial(of_number, abs, np.abs),
     **{f"{body.__name__}_": functools.partial(of_numbers, body) for body in (min, max, sum)},
-    "index": index,
+    "sumproduct": product_sum, "index": index,
 }  # fmt: skip
 """shortcuts of pycel's functions, by their names there; each returns None for arguments that it does not take"""
 COUNTED: dict[str, Function] = {"if_": cross}
@@ -87,13 +181,15 @@ COUNTED |= dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), count_search
 
 
 def with_shortcut(name: str, function: Function) -> Function:
-    """Return a function of pycel as formulas call it: with its shortcut, if it has one, and counted."""
+    """Return a function of pycel as formulas call it: with its shortcut, if it has one, counted, and for arrays."""
     way, count = SHORTCUTS.get(name), COUNTED.get(name)
 
     def call(*arguments: Any) -> Any:
         found = way(*arguments) if way is not None else None
         if found is not None:
             return found
+        if Array in map(type, arguments):
+            arguments = tuple(map(plain, arguments))
         if count is not None:
             count(*arguments)
         return function(*arguments)
