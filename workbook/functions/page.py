@@ -93,13 +93,9 @@ class PageInputs(Model):
 
     @cached_property
     def one(self) -> Law:
-        """The law that is chosen."""
-        return FAMILY[self.law].law_of(self.parameters)
-
-    @property
-    def parameters(self) -> list[float]:
-        """The numbers that the chosen law takes, piece after piece those of the own law."""
-        return FAMILY[self.law].numbers(self.laws[self.law]) if self.law in TAKES else []
+        """The law that is chosen, of the numbers that it takes."""
+        page = FAMILY[self.law]
+        return page.law_of(page.numbers(self.laws[self.law]))
 
     @cached_property
     def motion(self) -> Motion:
