@@ -15,8 +15,6 @@ from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
 from pycel.excelutil import EMPTY, list_like
 from pycel.lib.function_helpers import load_functions
 from pycel.lib.function_info import all_excel_functions
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from workbook.book.address import Address
 from workbook.book.formula import FormulaError
@@ -208,6 +206,9 @@ def evaluation_order(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[i
     try:
         order = list(TopologicalSorter(needs).static_order())
     except CycleError:
+        from scipy.sparse import coo_array  # slow to import, and most books have no cycle
+        from scipy.sparse.csgraph import connected_components
+
         ends = np.array([(key, need) for key, found in needs.items() for need in found])
         size = 1 + ends.max()
         parts = connected_components(coo_array((ends[:, 0] + 1, ends.T), (size, size)), connection="strong")[1]
