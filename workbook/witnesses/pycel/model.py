@@ -10,7 +10,7 @@ from openpyxl import Workbook
 from pycel.excelutil import AddressRange
 
 from workbook.book.address import Address
-from workbook.book.columns import Moved
+from workbook.book.columns import Moved, Moving
 from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.reading.contents import Cells, Contents, plain_value
 from workbook.reading.files import BookFile
@@ -123,15 +123,23 @@ class PycelModel:
         try:
             if isinstance(call, FormulaError):
                 raise call
-            pairs = zip(call.dummies, formula.arguments, strict=True)
-            sources = [self._source(argument, dummy in call.addresses) for dummy, argument in pairs]
+            moved, row = (formula.pattern, formula.row) if isinstance(formula, Moved) else (formula, 0)
+            pairs = zip(call.dummies, moved.arguments, strict=True)
+            sources = [self._source(argument, row, dummy in call.addresses) for dummy, argument in pairs]
             self._steps[number] = FormulaStep(call, sources)
         except FormulaError as error:
             self._numbers.values[number] = error.value
             self.problems[address] = str(error)
 
-    def _source(self, argument: Area | str, address: bool = False) -> int:
-        """Return the number of an argument, or of its address, for functions that ask for it."""
+    def _source(self, argument: Area | str | Moving, row: int, address: bool) -> int:
+        """Return the number of an argument of a row's formula, or of its address, for functions that ask for it."""
+        if isinstance(argument, Moving):
+            area, top, _ = argument
+            if area.single and top is not None and not address:
+                found = self._numbers.column(area.sheet, area.left).get(row + top)
+                if found:
+                    return found
+            argument = argument.at(row)
         if isinstance(argument, str):
             if address:
                 raise FormulaError("#VALUE!", "a reference is expected, not a text")
