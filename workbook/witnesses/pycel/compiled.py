@@ -1,12 +1,11 @@
 """Shapes of formulas compiled by pycel, each once, and the steps of an evaluation: formulas called, ranges filled."""
 
-import ast
 import importlib
 import keyword
 import math
 import re
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -99,23 +98,17 @@ def last_of_operand(tokens: Sequence[Token], first: int) -> int:
     return len(tokens) - 1
 
 
-class LazyIf(ast.NodeTransformer):
-    """Compiles IF so that only the chosen branch is computed."""
-
-    def visit_Call(self, node: ast.Call) -> ast.Call:
-        """Put the branches of IF into lambdas; leave other calls as they are."""
-        self.generic_visit(node)
-        if not isinstance(node.func, ast.Name) or node.func.id != "if_" or len(node.args) != 3:
-            return node
-        test, *choices = node.args
-        late = [ast.Lambda(ast.arguments([], [], None, [], [], None, []), choice) for choice in choices]
-        return ast.Call(ast.Name("chosen", ast.Load()), [node.func, test, *late], [])
+def lazy_if(node: FunctionNode) -> str:
+    """Return Python for an IF of two values, of which only the one that counts is worked out."""
+    test, *values = (child.emit for child in node.children)
+    return f"chosen(if_, {test}, {', '.join(f'lambda: {value}' for value in values)})"
 
 
 def _compiled(shape: str) -> Compiled:
     formula = ExcelFormula(shape)
-    if "if_(" in formula.python_code:
-        formula._python_code = ast.unparse(LazyIf().visit(ast.parse(formula.python_code)))
+    for node in formula.ast.ast if formula.ast else ():
+        if node.value.upper() == "IF(" and len(node.children) == 3:
+            node.func_if = partial(lazy_if, node)  # by which pycel asks a node for its Python
     code, names = formula.compiled_python
     made: list[Callable[[], Any]] = []
     _space["lambdas"] = made
