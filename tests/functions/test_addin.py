@@ -21,7 +21,7 @@ from workbook.functions.addin.motion_functions import library
 from workbook.functions.addin.motion_functions.cells import parameters
 from workbook.functions.addin.motion_functions.law import Refused
 from workbook.functions.addin.motion_functions.library import LAWS, OWN_WIDTH
-from workbook.functions.declarations import CODES, FUNCTIONS, PARAMETERS
+from workbook.functions.declarations import CODES, FUNCTIONS
 from workbook.laws.own import OWN_ENTRIES
 from workbook.laws.registry import FAMILY
 from workbook.template import FOLDER
@@ -251,7 +251,9 @@ def test_the_types_were_made_from_what_is_declared():
 
 @pytest.mark.parametrize("code", CODES)
 def test_the_add_in_knows_the_law(code):
-    assert code == "OWN" or len(LAWS[code].delivered) == PARAMETERS[code], f"library.py delivers {code} otherwise"
+    assert code == "OWN" or len(LAWS[code].delivered) == len(FAMILY[code].parameters), (
+        f"library.py delivers {code} otherwise"
+    )
     for p in known(code):
         made, one = engine_law(code, p), library.law(code, parameters(code, p))
         for xi in (0.0, 0.07, 0.3, 0.5, 0.81, 1.0):
@@ -269,7 +271,7 @@ def refuses(make, error):
 
 
 @pytest.mark.parametrize("value", [-0.1, 0.0, 0.5, 1.0, 1.1])
-@pytest.mark.parametrize("code", [code for code, count in PARAMETERS.items() if count])
+@pytest.mark.parametrize("code", [code for code in CODES if code != "OWN" and FAMILY[code].parameters])
 def test_the_add_in_refuses_the_parameters_that_the_law_refuses(code, value):
     page, entered = FAMILY[code], FAMILY[code].entries()
     numbers = page.numbers(entered)
