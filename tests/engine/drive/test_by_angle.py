@@ -146,7 +146,8 @@ def sampled(drive_cycle, n=200001):
     dt, angle = h / drive_cycle.speed, here[0]
     w = (after[0] - before[0]) / (2 * dt)
     alpha, acc = ((q2 - 2 * q1 + q0) / dt**2 for q0, q1, q2 in zip(before, here, after, strict=True))
-    going = np.where(np.abs(w) > 1e-6 * np.abs(w).max(), np.sign(w), 0.0)
+    moves = np.array([phase.moves for phase in drive_cycle.motion.phases])
+    going = np.where(moves[np.searchsorted(drive_cycle.motion.edges[1:-1], x)], np.sign(w), 0.0)
     slope = by.slopes(angle)[0]
     level = m.load.torque + m.load.friction * np.sign(slope) * going
     for window in train.windows:
