@@ -85,7 +85,16 @@ def drive_cycle_of(number, lossless=False, from_rest=False, kinds=(*SIZES, *LINK
     rng = random.Random(str(number))
     train, low, high = train_of(rng, rng.choice(kinds), rng.choice(["physical", "physical", "document"]), lossless)
     make = motion_of if from_rest or rng.random() < 0.7 else handing_over
-    return DriveCycle(train, make(rng, low, high), rng.uniform(1, 20), rng.choice([0.0, rng.uniform(-7, 7)]))
+    motion = make(rng, low, high)
+    while train.linkage and not reaches(train.linkage, motion):  # some laws go beyond their ends, and motions at speed
+        motion = make(rng, low, high)
+    return DriveCycle(train, motion, rng.uniform(1, 20), rng.choice([0.0, rng.uniform(-7, 7)]))
+
+
+def reaches(linkage, motion):
+    """Whether a linkage reaches all positions of a motion."""
+    low, high, *_ = linkage.reach
+    return bool(np.all(np.clip(y := motion.at(np.linspace(0, TURN, 2000)).y, low, high) == y))
 
 
 def sampled(drive_cycle, n=4001):
