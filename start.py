@@ -28,6 +28,7 @@ USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook
 {0} start.py test --quick              tests in a minute: engine, printed figures, one book built and verified
 {0} start.py test [PYTEST ARGUMENTS]   the tests of every day, as CI runs them
 {0} start.py test --all [...]          and the long random and mutation runs, for a night
+{0} start.py test --share [...]        every fourth test of the night: another quarter by each commit's hash
 {0} start.py check                     format, lint, types, import rule, templates up to date
 The first run sets motionbook up in the folder .venv beside start.py."""
 
@@ -82,10 +83,19 @@ def set_up(kind: str) -> None:
     STAMP.write_text(f"{wanted} {kind}", encoding="utf-8")
 
 
+def commit() -> str:
+    """Return the hash of the commit that is checked out, or one of today's date where there is none."""
+    done = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    return done.stdout.decode().strip() or hashlib.sha1(time.strftime("%Y%m%d").encode()).hexdigest()
+
+
 def chosen(arguments: "list[str]") -> "list[str]":
-    """Return pytest's arguments: --quick and --all as it knows them, each night with a seed of its own."""
+    """Return pytest's arguments: --quick, --all and --share as it knows them, each night with a seed of its own."""
     night = ["-m", "", time.strftime("--hypothesis-seed=%Y%m%d")]
     tiers = {"--quick": ["-m", "quick and not nightly"], "--all": night}
+    if arguments[:1] == ["--share"]:
+        share = commit()
+        tiers["--share"] = ["-m", "nightly", f"--share={share}", f"--hypothesis-seed={int(share[:8], 16)}"]
     return tiers.get(arguments[0], arguments[:1]) + arguments[1:] if arguments else []
 
 

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import settings
 
 import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer it makes
-from tests import tiers
+from tests import known_red, tiers
 from tests.workbook.judging.hands import Known
 from tests.workbook.press import registered
 from workbook.build import build
@@ -27,7 +27,11 @@ QUICK = [
 
 # A test's verdict must not hang on the speed of the machine, nor, by day, on luck: the same examples each time.
 settings.register_profile("day", settings.default, deadline=None, derandomize=True)
-settings.register_profile("night", settings.default, deadline=None, max_examples=2000, print_blob=True)
+settings.register_profile("night", settings.default, deadline=None, max_examples=300, print_blob=True)
+
+
+def pytest_addoption(parser):
+    parser.addoption("--share", metavar="COMMIT", help="run one part of the night, chosen by the hash of a commit")
 
 
 def pytest_configure(config):
@@ -41,7 +45,11 @@ def pytest_configure(config):
 
 def pytest_report_header(config):
     given = config.getoption("--hypothesis-seed", None)
-    return "the examples of every day" if given is None else f"a night's examples; again: --hypothesis-seed={given}"
+    if given is None:
+        return "the examples of every day"
+    share = config.getoption("--share")
+    part = f"every {tiers.PARTS}th test of the night, chosen by --share={share}; " if share else ""
+    return f"{part}a night's examples; again: --hypothesis-seed={given}"
 
 
 def pytest_ignore_collect(collection_path, config):
@@ -53,11 +61,14 @@ def pytest_ignore_collect(collection_path, config):
 
 
 @pytest.hookimpl(tryfirst=True)  # before the cases of a night are left out
-def pytest_collection_modifyitems(items):
+def pytest_collection_modifyitems(config, items):
     tiers.sampled(items)
+    known_red.mark_listed(items)
     for item in items:
         if is_quick(item.path):
             item.add_marker("quick")
+    if share := config.getoption("--share"):
+        items[:] = tiers.shared(items, share)
 
 
 @cache
@@ -70,6 +81,26 @@ def pytest_collection_finish():
     """Search less often for garbage: the cells of a book live until its test ends."""
     gc.freeze()
     gc.set_threshold(100_000, 10, 10)
+
+
+def entries_mended(config):
+    """Return the entries of the list of known red of which no test failed."""
+    of = config.pluginmanager.get_plugin("terminalreporter").stats.get
+    return known_red.mended(*([report.nodeid for report in of(kind, ())] for kind in ("xfailed", "xpassed")))
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    terminalreporter.write_line(f"known red: {len(known_red.LISTED)} entries in tests/known_red.toml")
+    for pattern in entries_mended(config):
+        terminalreporter.write_line(f"no longer red: {pattern}; take it out of tests/known_red.toml", red=True)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_sessionfinish(session):
+    """Fail a whole night of which an entry of the list of known red is mended; a share may have missed what fails."""
+    whole = tiers.night and not session.config.getoption("--share")
+    if whole and not hasattr(session.config, "workerinput") and entries_mended(session.config):
+        session.exitstatus = session.exitstatus or pytest.ExitCode.TESTS_FAILED
 
 
 @pytest.fixture

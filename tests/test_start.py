@@ -83,7 +83,7 @@ def test_an_old_python_gets_one_line_and_exit_code_2(
 @pytest.mark.parametrize("arguments", [[], ["--help"]])
 def test_usage_needs_no_set_up(start: ModuleType, arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert start.main(arguments) == 0
-    assert {"build", "test", "check", "--quick", "--all"} <= set(capsys.readouterr().out.split())
+    assert {"build", "test", "check", "--quick", "--all", "--share"} <= set(capsys.readouterr().out.split())
     assert start.installed == []
 
 
@@ -105,6 +105,13 @@ def test_a_night_runs_all_with_a_seed_that_can_be_given_again(start: ModuleType)
     assert every == ["-m", ""]
     assert re.fullmatch(r"--hypothesis-seed=20\d{6}", seed)
     assert again == "--hypothesis-seed=7"  # pytest takes the last
+
+
+def test_a_share_of_a_night_hangs_on_the_commit_alone(start: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(start, "commit", lambda: "0000001fcafe")
+    assert start.chosen(["--share", "-x"]) == ["-m", "nightly", "--share=0000001fcafe", "--hypothesis-seed=31", "-x"]
+    monkeypatch.undo()
+    assert re.fullmatch("[0-9a-f]{40}", start.commit())  # without a repository too
 
 
 def test_a_missing_environment_is_made_and_a_finished_one_left_alone(start: ModuleType) -> None:

@@ -4,6 +4,9 @@ from collections import defaultdict
 
 import pytest
 
+PARTS = 4
+"""of a night, one of which runs with every change"""
+
 night = 0
 """The seed of this run, as ``--hypothesis-seed`` gives it (conftest.py); 0 where nobody gives one."""
 
@@ -35,3 +38,9 @@ def sampled(items):
         for k, item in enumerate(some):
             if k not in by_day:
                 item.add_marker("nightly")
+
+
+def shared(items, commit):
+    """Return the nightly tests of a share: every fourth, from one on that the hash of a commit chooses."""
+    nightly = [item for item in items if item.get_closest_marker("nightly")]
+    return nightly[int(commit[:8], 16) % PARTS :: PARTS]

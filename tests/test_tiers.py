@@ -1,0 +1,62 @@
+"""The tiers of the tests: a share of a night is the same for a commit, and a test that is known to be red is told."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests import known_red, tiers
+
+ROOT = Path(__file__).parents[1]
+
+
+class Item:
+    """A test as pytest collects it."""
+
+    def __init__(self, nodeid, *marks):
+        self.nodeid, self.marks = nodeid, [getattr(pytest.mark, mark) for mark in marks]
+
+    def get_closest_marker(self, name):
+        return next((mark for mark in self.marks if mark.name == name), None)
+
+    def add_marker(self, mark):
+        self.marks.append(mark)
+
+
+def test_four_commits_run_a_whole_night_and_nothing_of_the_day():
+    night = [Item(f"test_a.py::test[night {k}]", "nightly") for k in range(30)]
+    shares = [tiers.shared([Item("test_a.py::test[0]"), *night], f"{k:08x}cafe") for k in range(tiers.PARTS)]
+    assert sorted(item.nodeid for share in shares for item in share) == sorted(item.nodeid for item in night)
+    assert max(map(len, shares)) - min(map(len, shares)) <= 1
+    assert tiers.shared(night, "00000001ff") == tiers.shared(night, "00000001ff") == shares[1]
+
+
+def test_a_listed_test_may_fail_and_no_other(monkeypatch):
+    monkeypatch.setattr(known_red, "LISTED", {"test_a.py::test[night": "nine points", "test_b.py::": "a gap"})
+    listed, other = Item("test_a.py::test[night 7]"), Item("test_a.py::test[7]")
+    known_red.mark_listed([listed, other])
+    assert listed.get_closest_marker("xfail").kwargs == {"reason": "known red: nine points", "strict": False}
+    assert other.marks == []
+
+
+def test_an_entry_is_mended_where_none_of_its_tests_fails(monkeypatch):
+    monkeypatch.setattr(known_red, "LISTED", {"test_a.py::test[": "", "test_b.py::": "", "test_c.py::": ""})
+    failed, passed = ["test_a.py::test[1]"], ["test_a.py::test[2]", "test_b.py::test", "test_x.py::test"]
+    assert known_red.mended(failed, passed) == ["test_b.py::"]
+
+
+@pytest.mark.parametrize(("body", "code", "line"), [("pass", 1, "no longer red"), ("1 / 0", 0, "1 entries in")])
+def test_a_night_is_red_where_a_listed_test_passes(body, code, line, tmp_path):
+    """As pytest is run: with a list of its own and a test beside it."""
+    for name in ("conftest", "known_red", "tiers"):
+        source = (ROOT / f"tests/{name}.py").read_text(encoding="utf-8")
+        (tmp_path / f"{name}.py").write_text(source.replace("from tests import", "import"), encoding="utf-8")
+    (tmp_path / "known_red.toml").write_text('[[red]]\ntests = "test_it.py::"\nreason = "so"\n', encoding="utf-8")
+    (tmp_path / "test_it.py").write_text(f"def test_it():\n    {body}\n", encoding="utf-8")
+    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "--hypothesis-seed=7", "test_it.py"]
+    found = os.environ | {"PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, env=found)
+    assert (done.returncode, bool(re.search(line, done.stdout))) == (code, True), done.stdout + done.stderr
