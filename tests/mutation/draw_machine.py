@@ -34,7 +34,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         if axis["motor"] is not None:
             drive(axis, drawn, sizes["rotors"], sizes["positions"])
     if any(axis["motor"] is not None for axis in data["axes"]):
-        data["power"] = {"efficiency": drawn.uniform(0.5, 1), "hours": drawn.uniform(0, 8784)}
+        ranges = {"efficiency": (0.5, 1), "hours": (0, 8784), "price": (0, 9)}
+        data["power"] = {name: drawn.uniform(*ends) for name, ends in ranges.items()}
     if data["selection"]["axis"] is not None:
         data["selection"] |= {
             "axis": drawn.choice([axis["name"] for axis in data["axes"] if axis["motor"]]),

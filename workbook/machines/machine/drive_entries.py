@@ -24,10 +24,11 @@ UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
 class PowerEntry(Model):
-    """What all drives share: their efficiency between motor and mains, and the hours of running in a year."""
+    """What all drives share: their efficiency between motor and mains, the hours of running in a year, the price."""
 
     efficiency: Efficiency = noted(1.0, "Of a drive, between its motor's shaft and the mains")
     hours: Annotated[float, Field(ge=0, le=8784)] = noted(0.0, "Hours of running in a year")
+    price: NotNegative = noted(0.0, "Price of a kWh, in any currency")
 
 
 class ForceWindow(Model):

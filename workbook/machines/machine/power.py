@@ -7,21 +7,24 @@ import numpy as np
 
 from engine.drive.results import MeanBusPower, peak_bus_power, total_bus_power
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
-from workbook.book.rows import total
-from workbook.book.sentence import amount
-from workbook.fields.units import KW, shown
+from workbook.book.declare import Book, Quantity, Sheet, calc, constant, entries_of, result
+from workbook.book.rows import filled, total
+from workbook.entries.phase import TURN
+from workbook.fields.units import DEGREE, KW, shown
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive_entries import PowerEntry
 
 KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
-TOGETHER = "Drives use what others give back; what is left goes into one resistor."
+TOGETHER = "Drives use what others give back; what is left goes into one resistor. They take no more than each alone."
 APART = "A drive at a rate of its own has no place in the {}: it is alone."
+CUTS = (
+    "Between two cuts of any drive each takes at most what it takes in the interval it is in: the sums bound the bus, "
+    "whatever its samples miss."
+)
 CHART_COLUMN = 10
 YEAR = '0.0;-0.0;"–"'  # format of the energy of a year: a dash where no hours of running are entered
-FINE = 0.05  # of the peak: by more the samples must not miss the drives' peaks
-LEAST = 1.0  # W that count as nothing
+SMALL = 1e-9  # share of a drive's larger peak up to which the other is none; the cells' check_zero
 kw = partial(shown, unit=KW)
 
 
@@ -47,32 +50,76 @@ class Mains:
         self.sum, self.apart = self.drawn.sum(axis=0), np.maximum(self.drawn, 0.0).sum(axis=0)
         self.weights = np.full(self.sum.size, 1.0 / (self.sum.size - 1))  # in a mean, by the trapezoidal rule
         self.weights[[0, -1]] /= 2.0
+        self.cuts = BusCuts(self)
         mains, resistor = bus * self.mains, bus * self.resistor
         self.proves = bus * (mains - (resistor.sum() - resistor))  # what the bus takes at least, by a drive's peak
         self.burns = bus * (resistor - (mains.sum() - mains))  # what it burns at least
-        self.peak = max(0.0, float(self.sum.max()), float(self.proves.max()))
-        self.burnt_peak = max(0.0, -float(self.sum.min()), float(self.burns.max()))
-        self.net = float(bus @ [one.net for one in self.each])  # used up on the way, in the mean
-        taken = max(float(self.weights @ np.maximum(self.sum, 0.0)), self.net, 0.0)
-        several = bus.sum() != 1.0  # one drive by its points, more by the samples
-        self.common = MeanBusPower(taken, taken - self.net) if several else self.each[int(bus.argmax())]
+        self.peak = min(self.cuts.most, max(0.0, float(self.sum.max()), float(self.proves.max())))
+        self.burnt_peak = min(self.cuts.most_back, max(0.0, -float(self.sum.min()), float(self.burns.max())))
+        self.without = MeanBusPower(*(float(bus @ [one[k] for one in self.each]) for k in (0, 1)))
+        least = min(self.without)
+        self.saved = min(least, float(self.weights @ (self.apart - np.maximum(self.sum, 0.0))))
+        self.saved_most = min(least, self.cuts.saved) if bus.sum() > 1.0 else 0.0
+        self.common = MeanBusPower(*(one - self.saved for one in self.without))
 
-        self.off = bus * np.maximum(self.mains - self.drawn.max(axis=1), self.resistor + self.drawn.min(axis=1))
-        self.added = float(max(bus @ self.mains - self.peak, bus @ self.resistor - self.burnt_peak))
-        self.missed = max(0.0, min(float(self.off.sum()), self.added))  # by which the peaks may be higher
-        self.fine = self.missed <= FINE * max(self.peak, self.burnt_peak) + LEAST
+
+class BusCuts:
+    """Bounds of the power on the bus between the ``cuts`` of all its drives: ends of their intervals.
+
+    ``begin`` and ``end`` of the intervals of all drives in degrees of the master shaft, what a drive ``draws`` and
+    ``returns`` in them at most (W), and of each part between cuts what all of them draw and return ``together``.
+    """
+
+    def __init__(self, bus: Mains) -> None:
+        near = bus.drives[0].tables.machine.near
+        begin, length, powers, peaks = [], [], [], []
+        for one, on_bus, *both in zip(bus.drives, bus.on_bus, bus.mains, bus.resistor, strict=True):
+            low, high = shown(np.array([(each.begin, each.end) for each in one.cycle.intervals]), DEGREE).T
+            at = np.array(filled(low, one.rows, TURN)) + one.driven.axis.given.shift
+            begin.append(at - TURN * np.floor((at + near) / TURN))
+            length.append(filled(high - low, one.rows))
+            both_ways = (one.points.power, -one.points.power)
+            within = [np.array(filled(way.max(axis=1), one.rows, way[-1, -1])) for way in both_ways]
+            tops = [max(0.0, float(each.max())) for each in within]
+            shares = [on_bus * peak / top if peak > SMALL * max(both) else 0.0
+                      for peak, top in zip(both, tops, strict=True)]  # fmt: skip
+            peaks.append(shares)
+            powers.append([share * np.maximum(each, 0.0) for share, each in zip(shares, within, strict=True)])
+        self.shares = np.array(peaks).T  # of each drive, its peaks on the mains over the largest powers at its points
+        self.begin, (self.draws, self.returns) = np.concatenate(begin), np.concatenate(powers, axis=1)
+        self.end = self.begin + np.concatenate(length)
+        self.cuts = np.sort(self.begin)
+        at = self.cuts[:, None] + near / 2.0
+        acts = ((self.begin < at) & (at < self.end)) | (at + TURN < self.end)
+        self.drawn, self.returned = acts @ self.draws, acts @ self.returns
+        self.span = np.diff(self.cuts, append=self.cuts[0] + TURN)
+
+    @property
+    def most(self) -> float:
+        """The most that the bus takes from the mains (W)."""
+        return float(self.drawn.max())
+
+    @property
+    def most_back(self) -> float:
+        """The most that goes into its resistor (W)."""
+        return float(self.returned.max())
+
+    @property
+    def saved(self) -> float:
+        """The most that drives take of what others return, in the mean (W)."""
+        return float(self.span @ np.minimum(self.drawn, self.returned) / TURN)
 
 
 def supply(bus: Mains) -> list[Quantity]:
     """Return the results of all drives for the first sheet; those at a rate of their own are beside the bus."""
     hours, beside, size = bus.entered.hours, "SUMPRODUCT((1-[power.bus])*[power.{}])", kw(bus.size)
-    peak = bus.peak + float((1.0 - bus.on_bus) @ bus.mains)
+    alone = float((1.0 - bus.on_bus) @ bus.mains)
     others = [one for one, on_bus in zip(bus.each, bus.on_bus, strict=True) if not on_bus]
     return [
         result("about_peak", "Peak power from the mains", "P_max", "kW", f"=bus_mains_peak+{beside.format('peak')}",
-               kw(peak), "on a common DC bus", scale=size),
-        result("about_peak_off", "… may be higher by", "", "kW", "=bus_off+0", kw(bus.missed), "between samples",
-               scale=size),
+               kw(bus.peak + alone), "on a common DC bus", scale=size),
+        result("about_peak_most", "… at most", "", "kW", f"=bus_mains_most+{beside.format('peak')}",
+               kw(bus.cuts.most + alone), "whatever its samples miss", scale=size),
         result("about_bus_year", "Energy a year", "E", "kWh", f"=bus_year+{beside.format('mains')}*power_hours",
                shown(total_bus_power([bus.common, *others]).energy_a_year(hours), KWH), "on a common DC bus",
                scale=size, format=YEAR),
@@ -90,6 +137,7 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.rows(
         entry("power_eta", "Efficiency of a drive", "η", "", "efficiency", "between its motor's shaft and the mains"),
         entry("power_hours", "Hours of running a year", "", "h", "hours", format="0.##"),
+        entry("power_price", "Price of a kWh", "", "", "price", "in any currency", format="0.0###"),
     )
     sheet.heading("Results: each drive alone")
     whole = bus.alone
@@ -106,11 +154,6 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.heading("Results: on a common DC bus", TOGETHER)
     sheet.note(APART.format(bus.over.period))
     sheet.rows(*common(bus))
-    sheet.checks(check("bus_fine", "Power: peak power of the bus is known to 5 %",
-                       f"bus_off<={FINE}*MAX(bus_mains_peak,bus_resistor_peak)+{kw(LEAST)}",
-                       bus.fine, "it may be higher by less",
-                       says=amount("bus_off", kw(bus.missed), "it may be higher by ",
-                                   " kW: build the book with more samples, sizes.cycle")))  # fmt: skip
     over, x = bus.over, "[bus.time]" if bus.over.measured else "[bus.theta]"
     lines = (Series("on a common bus", x, "[bus.sum]"),
              Series("each drive alone, from the mains", x, "[bus.alone]", dashed=True))  # fmt: skip
@@ -122,40 +165,44 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.not_printed_below()
     sheet.print_columns = 18
     bus_table(sheet, bus)
+    cuts_table(sheet, bus)
 
 
 def common(bus: Mains) -> list[Quantity]:
-    """Return the results of drives on a common bus, and how far they may be off."""
-    found = bus.common
+    """Return the results of drives on a common bus, with their bounds, and what it saves in a year."""
+    found, whole, entered = bus.common, bus.without, bus.entered
     apart = max(float(bus.apart.max()), float((bus.on_bus * bus.mains).max()))
-    one = "SUMPRODUCT([power.bus]*[power.mains])"
-    added = "SUMPRODUCT([power.bus]*[power.{}])"
-    sampled = "SUMPRODUCT([bus.w],[bus.sum],([bus.sum]>0)*1)"
+    of_all, least = "SUMPRODUCT([power.bus]*[power.{}])", "bus_apart,bus_apart-bus_net"
+    sampled = "SUMPRODUCT([bus.w],[bus.alone]-[bus.sum]*([bus.sum]>0))"
+    lower = "SUMPRODUCT([bus_cuts.span],[bus_cuts.most]*([bus_cuts.most]<[bus_cuts.back])"
+    year = shown(MeanBusPower(bus.saved, 0.0).energy_a_year(entered.hours), KWH)
     return [
         result("bus_alone", "Peak power from the mains without the bus", "", "kW",
                "=MAX(MAX([bus.alone]),SUMPRODUCT(MAX([power.bus]*[power.peak])))", kw(apart)),
         result("bus_mains_peak", "Peak power from the mains", "P_max", "kW",
-               "=MAX(0,MAX([bus.sum]),MAX([power.proves]))", kw(bus.peak),
+               "=MIN(bus_mains_most,MAX(0,MAX([bus.sum]),MAX([power.proves])))", kw(bus.peak),
                "of the samples, and what one drive's peak proves"),
-        calc("bus_net", "Mean power lost and used", "", "kW",
-             "=SUMPRODUCT([power.bus]*([power.mains]-[power.resistor]))", kw(bus.net), "from the points"),
-        result("bus_mains", "Mean power from the mains", "P", "kW",
-               f"=IF(SUM([power.bus])=1,{one},MAX(0,bus_net,{sampled}))", kw(found.mains),
-               "of one drive from its points, of more from the samples"),
+        result("bus_mains_most", "… at most", "", "kW", "=MAX([bus_cuts.most])", kw(bus.cuts.most), "between all cuts"),
         result("bus_resistor_peak", "Peak power in the brake resistor", "", "kW",
-               "=MAX(0,0-MIN([bus.sum]),MAX([power.burns]))", kw(bus.burnt_peak)),
-        result("bus_resistor", "Mean power in the brake resistor", "", "kW", "=bus_mains-bus_net", kw(found.resistor),
-               "mains less losses and use"),
+               "=MIN(bus_resistor_most,MAX(0,0-MIN([bus.sum]),MAX([power.burns])))", kw(bus.burnt_peak)),
+        result("bus_resistor_most", "… at most", "", "kW", "=MAX([bus_cuts.back])", kw(bus.cuts.most_back)),
+        result("bus_apart", "Mean power from the mains without the bus", "", "kW", f"={of_all.format('mains')}",
+               kw(whole.mains), "from the points of these drives"),
+        calc("bus_net", "Mean power lost and used", "", "kW", f"=bus_apart-{of_all.format('resistor')}",
+             kw(whole.net), "what no bus can save"),
+        result("bus_saved", "Mean power that the bus saves", "", "kW", f"=MIN({least},{sampled})", kw(bus.saved),
+               "what drives take of what others return, at the samples"),
+        result("bus_saved_most", "… at most", "", "kW",
+               f"=IF(SUM([power.bus])>1,MIN({least},({lower}+[bus_cuts.back]*([bus_cuts.most]>=[bus_cuts.back])))/360),0)",
+               kw(bus.saved_most), "between all cuts the smaller of both sums"),
+        result("bus_mains", "Mean power from the mains", "P", "kW", "=bus_apart-bus_saved", kw(found.mains)),
+        result("bus_resistor", "Mean power in the brake resistor", "", "kW", "=bus_mains-bus_net", kw(found.resistor)),
         result("bus_year", "Energy a year", "E", "kWh", "=bus_mains*power_hours",
-               shown(found.energy_a_year(bus.entered.hours), KWH), "of these drives", format=YEAR),
-        calc("bus_most", "The peaks may be higher by, as the drives' peaks add up", "", "kW",
-             f"=MAX({added.format('peak')}-bus_mains_peak,{added.format('burnt')}-bus_resistor_peak)", kw(bus.added),
-             "0 of one drive"),
-        result("bus_off", "The peaks may be higher by", "", "kW", f"=MAX(0,MIN(bus_most,{total('power.off')}))",
-               kw(bus.missed), "what the samples miss of the drives' peaks, if less"),
-        calc("bus_net_off", "Error of the mean power of the samples", "", "kW",
-             "=ABS(SUMPRODUCT([bus.w],[bus.sum])-bus_net)", kw(abs(float(bus.weights @ bus.sum) - bus.net)),
-             "beside that of the points"),
+               shown(found.energy_a_year(entered.hours), KWH), "of these drives", format=YEAR),
+        result("bus_saved_year", "Energy that the bus saves a year", "", "kWh", "=bus_saved*power_hours", year,
+               format=YEAR),
+        result("bus_saved_price", "… its price", "", "", "=bus_saved_year*power_price", year * entered.price,
+               "in the currency of the price of a kWh", scale=max(1.0, kw(bus.size) * entered.price), format=YEAR),
     ]  # fmt: skip
 
 
@@ -188,9 +235,45 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
         calc("proves", "the bus takes at least", "", "kW", f"=[bus]*([peak]-{burnt})", kw(bus.proves).tolist(),
              "its peak less the others' largest regeneration"),
         calc("burns", "the bus burns at least", "", "kW", f"=[bus]*([burnt]-{taken})", kw(bus.burns).tolist()),
-        calc("off", "the samples miss", "", "kW",
-             [f"=[bus]*MAX([peak]-MAX([bus.d{one.number}]),[burnt]+MIN([bus.d{one.number}]))" for one in driven],
-             kw(bus.off).tolist(), "of its peaks"),
+        calc("up", "peak over the largest power at a point", "", "",
+             [f"=IF([peak]>check_zero*[burnt],[bus]*[peak]/MAX(drive{one.number}_P),0)" for one in driven],
+             bus.cuts.shares[0], "with 1/η; 0 beside the bus", scale=1.0),
+        calc("down", "likewise of what comes back", "", "",
+             [f"=IF([burnt]>check_zero*[peak],0-[bus]*[burnt]/MIN(drive{one.number}_P),0)" for one in driven],
+             bus.cuts.shares[1], scale=1.0),
+        result("year", "alone, a year", "E", "kWh", "=[mains]*power_hours",
+               [shown(one.energy_a_year(bus.entered.hours), KWH) for one in each], format=YEAR),
+    )  # fmt: skip
+
+
+def cuts_table(sheet: Sheet, bus: Mains) -> None:
+    """Declare what each drive takes and returns at most in each of its intervals, and all between two cuts."""
+    cuts, each = bus.cuts, [(row, one) for row, one in enumerate(bus.drives, 1) for _ in range(one.rows)]
+    numbers = [one.driven.number for _, one in each]
+    acts = "(([bus_cuts.from]<[at]+eps/2)*([at]+eps/2<[bus_cuts.to])+([at]+360+eps/2<[bus_cuts.to]))"
+    at = "INDEX(drive{0}_begin,[k])+[axes_taken.late.{0}]"
+    within = "SUMPRODUCT(MAX((drive{}_in=[k])*"
+    sheet.heading("Bounds of the power of the bus", CUTS)
+    sheet.table(
+        "bus_cuts", "Intervals of all drives, and what they add up to between all cuts", len(each),
+        constant("row", "number", "", "", list(range(1, len(each) + 1))),
+        constant("axis", "axis", "", "", numbers),
+        constant("k", "interval", "", "", [k for one in bus.drives for k in range(1, one.rows + 1)]),
+        calc("from", "from", "", "°", [f"={at.format(n)}-360*INT(({at.format(n)}+eps)/360)" for n in numbers],
+             cuts.begin, "of the master shaft", scale=TURN),
+        calc("to", "to", "", "°", [f"=[from]+INDEX(drive{n}_len,[k])" for n in numbers], cuts.end, scale=TURN),
+        calc("draws", "its drive takes at most", "", "kW",
+             [f"=[power.up.{row}]*{within.format(n)}drive{n}_P))" for (row, _), n in zip(each, numbers, strict=True)],
+             kw(cuts.draws)),
+        calc("returns", "returns at most", "", "kW",
+             [f"=[power.down.{row}]*{within.format(n)}(0-drive{n}_P)))"
+              for (row, _), n in zip(each, numbers, strict=True)], kw(cuts.returns)),
+        calc("at", "cut", "", "°", "=SMALL([bus_cuts.from],[row])", cuts.cuts, "of any drive", scale=TURN),
+        calc("span", "to the next", "", "°",
+             f"=IF([row]={len(each)},[bus_cuts.at.first]+360,SMALL([bus_cuts.from],MIN([row]+1,{len(each)})))-[at]",
+             cuts.span, scale=TURN),
+        calc("most", "all take at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.draws])", kw(cuts.drawn)),
+        calc("back", "all return at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.returns])", kw(cuts.returned)),
     )  # fmt: skip
 
 

@@ -61,7 +61,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             for n, phase in enumerate(axis["phases"]):
                 phase |= passing(k, n, laws, 0.01)
     driven = [axis for axis in data["axes"] if axis["motor"] is not None]
-    data |= {"power": {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k}} if driven else {}
+    data |= {"power": {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k, "price": 0.1 * k}} if driven else {}
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
     for i, one in enumerate(data["clearances"]):
         one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],

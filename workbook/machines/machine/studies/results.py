@@ -17,7 +17,7 @@ from workbook.machines.machine.clearances import ClearanceView
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
-from workbook.machines.machine.power import KWH, Mains
+from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studies import drives as each_drive
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles, ok_texts
 from workbook.machines.machine.view import MachineView, MovingAxis
@@ -93,27 +93,16 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
 
 
 def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
-    """Return the checks of all drives together: the bus, and the choice for the axis that is named for it."""
-
-    def bus_fine() -> Any:
-        """Return whether the samples tell the peak of the bus; a drive of which nothing differs has one design."""
-        count = max(len(one.designs) for one in drives)
-        each = (one.designs if len(one.designs) == count else one.designs * count for one in drives)
-
-        @cache
-        def fine(*design: each_drive.DesignPlaces) -> bool:
-            return Mains([one.views[own] for one, own in zip(drives, design, strict=True)], machine.power).fine
-
-        return ok_texts(np.array([fine(*design) for design in zip(*each, strict=True)]))
+    """Return the check of the choice for the axis that the sheet Selection looks at."""
 
     def chosen(one: DriveStudy) -> Any:
         """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
         each = (PairSelection(machine.selection, machine.sizes, [shaft_of(base)]) for base in one.bases)
         return ok_texts(np.array([choice.proposed is not None for choice in each])[one.rates.places])
 
-    axis, found = machine.selection.axis, {"bus_fine": bus_fine}
+    axis = machine.selection.axis
     named = [one for one in drives if axis and place_of(axis, [one.axis.given.name]) == 0]
-    return found | ({"sel_ok": partial(chosen, named[0])} if named else {})
+    return {"sel_ok": partial(chosen, named[0])} if named else {}
 
 
 def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
