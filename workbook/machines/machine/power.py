@@ -6,6 +6,7 @@ from functools import partial
 import numpy as np
 
 from engine.drive.results import MeanBusPower, peak_bus_power, total_bus_power
+from engine.laws.base import Array
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, entries_of, result
 from workbook.book.rows import filled, total
@@ -57,41 +58,47 @@ class Mains:
         self.peak = min(self.cuts.most, max(0.0, float(self.sum.max()), float(self.proves.max())))
         self.burnt_peak = min(self.cuts.most_back, max(0.0, -float(self.sum.min()), float(self.burns.max())))
         self.without = MeanBusPower(*(float(bus @ [one[k] for one in self.each]) for k in (0, 1)))
-        least = min(self.without)
-        self.saved = min(least, float(self.weights @ (self.apart - np.maximum(self.sum, 0.0))))
-        self.saved_most = min(least, self.cuts.saved) if bus.sum() > 1.0 else 0.0
+        self.saved_most = min(*self.without, self.cuts.saved) if bus.sum() > 1.0 else 0.0
+        self.saved = min(self.saved_most, float(self.weights @ (self.apart - np.maximum(self.sum, 0.0))))
         self.common = MeanBusPower(*(one - self.saved for one in self.without))
 
 
-class BusCuts:
-    """Bounds of the power on the bus between the ``cuts`` of all its drives: ends of their intervals.
+def interval_powers(view: DriveView) -> Array:
+    """Return begin and length (°) of the intervals of a drive, and its largest power each way in them (W): four rows.
 
-    ``begin`` and ``end`` of the intervals of all drives in degrees of the master shaft, what a drive ``draws`` and
-    ``returns`` in them at most (W), and of each part between cuts what all of them draw and return ``together``.
+    Spare rows are at the end of the cycle, without length.
+    """
+    begin, end = shown(np.array([(part.begin, part.end) for part in view.cycle.intervals]).T, DEGREE)
+    power = view.points.power
+    ways = [filled(np.maximum(way.max(axis=1), 0.0), view.rows, max(way[-1, -1], 0.0)) for way in (power, -power)]
+    return np.array([filled(begin, view.rows, TURN), filled(end - begin, view.rows), *ways])
+
+
+class BusCuts:
+    """Bounds of the power on the bus between the ``cuts`` of all its drives, the begins of their intervals.
+
+    ``begin`` and ``end`` of the intervals of all drives in degrees of the master shaft, what its drive ``draws`` and
+    ``returns`` in each at most (W); from each cut to the next what all have ``drawn`` and ``returned`` at most.
+    ``shares`` are the peaks on the mains of each drive over the largest powers at its points, 0 beside the bus.
     """
 
     def __init__(self, bus: Mains) -> None:
-        near = bus.drives[0].tables.machine.near
-        begin, length, powers, peaks = [], [], [], []
-        for one, on_bus, *both in zip(bus.drives, bus.on_bus, bus.mains, bus.resistor, strict=True):
-            low, high = shown(np.array([(each.begin, each.end) for each in one.cycle.intervals]), DEGREE).T
-            at = np.array(filled(low, one.rows, TURN)) + one.driven.axis.given.shift
-            begin.append(at - TURN * np.floor((at + near) / TURN))
-            length.append(filled(high - low, one.rows))
-            both_ways = (one.points.power, -one.points.power)
-            within = [np.array(filled(way.max(axis=1), one.rows, way[-1, -1])) for way in both_ways]
-            tops = [max(0.0, float(each.max())) for each in within]
-            shares = [on_bus * peak / top if peak > SMALL * max(both) else 0.0
-                      for peak, top in zip(both, tops, strict=True)]  # fmt: skip
-            peaks.append(shares)
-            powers.append([share * np.maximum(each, 0.0) for share, each in zip(shares, within, strict=True)])
-        self.shares = np.array(peaks).T  # of each drive, its peaks on the mains over the largest powers at its points
-        self.begin, (self.draws, self.returns) = np.concatenate(begin), np.concatenate(powers, axis=1)
-        self.end = self.begin + np.concatenate(length)
+        near, peaks = bus.drives[0].tables.machine.near, np.array([bus.mains, bus.resistor])
+        tables = [interval_powers(view) for view in bus.drives]
+        tops, counts = np.array([table[2:].max(axis=1) for table in tables]).T, [table.shape[1] for table in tables]
+        counted = peaks > SMALL * peaks[::-1]
+        self.shares = bus.on_bus * np.divide(peaks, tops, out=np.zeros(peaks.shape), where=counted)
+        begin, length, *powers = np.concatenate(tables, axis=1)
+        late = np.array([view.driven.axis.given.shift for view in bus.drives])
+        at = begin + np.repeat(late, counts)
+        self.begin = at - TURN * np.floor((at + near) / TURN)
+        self.end = self.begin + length
+        self.draws, self.returns = np.repeat(self.shares, counts, axis=1) * np.array(powers)
         self.cuts = np.sort(self.begin)
-        at = self.cuts[:, None] + near / 2.0
-        acts = ((self.begin < at) & (at < self.end)) | (at + TURN < self.end)
+        behind = self.cuts[:, None] + near / 2.0
+        acts = ((self.begin < behind) & (behind < self.end)) | (behind + TURN < self.end)
         self.drawn, self.returned = acts @ self.draws, acts @ self.returns
+        self.both = np.minimum(self.drawn, self.returned)
         self.span = np.diff(self.cuts, append=self.cuts[0] + TURN)
 
     @property
@@ -107,7 +114,7 @@ class BusCuts:
     @property
     def saved(self) -> float:
         """The most that drives take of what others return, in the mean (W)."""
-        return float(self.span @ np.minimum(self.drawn, self.returned) / TURN)
+        return float(self.span @ self.both / TURN)
 
 
 def supply(bus: Mains) -> list[Quantity]:
@@ -172,9 +179,8 @@ def common(bus: Mains) -> list[Quantity]:
     """Return the results of drives on a common bus, with their bounds, and what it saves in a year."""
     found, whole, entered = bus.common, bus.without, bus.entered
     apart = max(float(bus.apart.max()), float((bus.on_bus * bus.mains).max()))
-    of_all, least = "SUMPRODUCT([power.bus]*[power.{}])", "bus_apart,bus_apart-bus_net"
+    of_all = "SUMPRODUCT([power.bus]*[power.{}])"
     sampled = "SUMPRODUCT([bus.w],[bus.alone]-[bus.sum]*([bus.sum]>0))"
-    lower = "SUMPRODUCT([bus_cuts.span],[bus_cuts.most]*([bus_cuts.most]<[bus_cuts.back])"
     year = shown(MeanBusPower(bus.saved, 0.0).energy_a_year(entered.hours), KWH)
     return [
         result("bus_alone", "Peak power from the mains without the bus", "", "kW",
@@ -190,10 +196,10 @@ def common(bus: Mains) -> list[Quantity]:
                kw(whole.mains), "from the points of these drives"),
         calc("bus_net", "Mean power lost and used", "", "kW", f"=bus_apart-{of_all.format('resistor')}",
              kw(whole.net), "what no bus can save"),
-        result("bus_saved", "Mean power that the bus saves", "", "kW", f"=MIN({least},{sampled})", kw(bus.saved),
+        result("bus_saved", "Mean power that the bus saves", "", "kW", f"=MIN(bus_saved_most,{sampled})", kw(bus.saved),
                "what drives take of what others return, at the samples"),
         result("bus_saved_most", "… at most", "", "kW",
-               f"=IF(SUM([power.bus])>1,MIN({least},({lower}+[bus_cuts.back]*([bus_cuts.most]>=[bus_cuts.back])))/360),0)",
+               "=IF(SUM([power.bus])>1,MIN(bus_apart,bus_apart-bus_net,SUMPRODUCT([bus_cuts.span],[bus_cuts.both])/360),0)",
                kw(bus.saved_most), "between all cuts the smaller of both sums"),
         result("bus_mains", "Mean power from the mains", "P", "kW", "=bus_apart-bus_saved", kw(found.mains)),
         result("bus_resistor", "Mean power in the brake resistor", "", "kW", "=bus_mains-bus_net", kw(found.resistor)),
@@ -274,6 +280,7 @@ def cuts_table(sheet: Sheet, bus: Mains) -> None:
              cuts.span, scale=TURN),
         calc("most", "all take at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.draws])", kw(cuts.drawn)),
         calc("back", "all return at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.returns])", kw(cuts.returned)),
+        calc("both", "the smaller", "", "kW", "=MIN([most],[back])", kw(cuts.both), "what some can take of others"),
     )  # fmt: skip
 
 
