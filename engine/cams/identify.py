@@ -16,6 +16,8 @@ from engine.motion.profile import CamProfile
 
 MOST_WAYS = 24  # strokes between reversals of one movement; with more of them no law is tried
 FEWEST = 6  # points of positions alone, from which four figures of a phase can be fitted
+KEPT = 3.0  # times the allowed error of a fit: so far phases, each fitted by itself, are off one behind the other
+RESTS = 4.0  # length over the neighbours' from which equal points among such that creep are a dwell
 DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # decimals to which a begin or an end is rounded, if it still fits
 THINNED = 1e-4  # share of the range: allowed error of a spline through points that follow no law
 
@@ -24,6 +26,7 @@ class IdentifiedMotion(NamedTuple):
     """The phases of a table over a cycle, in its units."""
 
     found: list[FoundPhase]
+    allowed: float  # deviation from the points at most
     delay: float = 0.0  # x by which the cycle begins later than the table
 
 
@@ -53,21 +56,69 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     home = np.flatnonzero(_dwelling(of) & (np.abs(of.y[:-1]) <= of.near))
     if turns and begins and ends and home.size:
         k = int(home[0])
-        found = _phases(_rolled(of, k), rebuilt.shifted(float(of.x[-1] - of.x[k])))
-        if all(phase.fits and phase.rests for phase in found):
-            return IdentifiedMotion(found, float(of.x[k] - of.x[0]))
-    across = of.rates_across() if begins and ends else None
-    return IdentifiedMotion(_phases(of._replace(begins=begins, ends=ends, seam=across), rebuilt))
+        later = _rolled(of, k)
+        found = _phases(later, rebuilt.shifted(float(of.x[-1] - of.x[k])))
+        if all(phase.fits and phase.rests for phase in found) and _keeps_to(later, found):
+            return IdentifiedMotion(found, _allowed(of), float(of.x[k] - of.x[0]))
+    of = of._replace(begins=begins, ends=ends, seam=of.rates_across() if begins and ends else None)
+    found = _phases(of, rebuilt)
+    if _keeps_to(of, found):
+        return IdentifiedMotion(found, _allowed(of))
+    slopes = [of.rate_at(side)[0] if moves else 0.0 for side, moves in ((0, begins), (-1, ends))]
+    through = splined(of, rebuilt, (slopes[0], slopes[1]), max(of.thinned, of.near))
+    missed = [replace(phase, fits=False) for phase in found or [_line_of(of)]]
+    return IdentifiedMotion(through or missed, _allowed(of))
+
+
+def motion_at(found: Sequence[FoundPhase], x: Array, rest: float) -> Array:
+    """Return the position at places by phases one behind the other; without phases it is ``rest`` everywhere."""
+    y = np.full(len(x), found[0].y if found else rest)
+    for phase in found:
+        xi = np.clip((x - phase.begin) / (phase.end - phase.begin), 0.0, 1.0)
+        y += phase.scale * (phase.law.s(xi) - phase.law.start.s)
+    return y
+
+
+def _keeps_to(of: CamPoints, found: Sequence[FoundPhase]) -> bool:
+    """Return whether phases, one behind the other, go through every point of a table."""
+    off = np.abs(motion_at(found, of.x, float(of.y[0])) - of.y).max()
+    return bool(off <= _allowed(of))
+
+
+def _allowed(of: CamPoints) -> float:
+    """Return by how much a motion may be off a table's points."""
+    return max(of.thinned, KEPT * of.near)
+
+
+def _line_of(of: CamPoints) -> FoundPhase:
+    """Return the straight line from the first point of a table to the last."""
+    begin, end = of.x[[0, -1]].tolist()
+    return FoundPhase(law("LIN"), begin, end, float(of.y[0]), float(of.y[-1] - of.y[0]), known=False)
 
 
 def _dwelling(of: CamPoints) -> NDArray[np.bool_]:
     """Return whether each interval is a dwell: between equal points, and next to another such or long."""
-    still = np.abs(np.diff(of.y)) <= 2.0 * of.precision
+    step = 2.0 * of.precision * (1.0 + ROUNDED)
+    still = np.abs(np.diff(of.y)) <= step
     if of.v is not None:
-        return np.asarray(still & (np.maximum(np.abs(of.v[:-1]), np.abs(of.v[1:])) <= RATES * of.fastest))
-    h, beside = np.pad(np.diff(of.x), 1), np.pad(still, 1)
-    longer = h[1:-1] > LONGER * np.maximum(h[:-2], h[2:])
-    return np.asarray(still & (beside[:-2] | beside[2:] | longer))
+        found = still & (np.maximum(np.abs(of.v[:-1]), np.abs(of.v[1:])) <= RATES * of.fastest)
+    else:
+        h, beside = np.pad(np.diff(of.x), 1), np.pad(still, 1)
+        longer = h[1:-1] > LONGER * np.maximum(h[:-2], h[2:])
+        found = still & (beside[:-2] | beside[2:] | longer)
+    for begin, end in true_runs(found):
+        if np.ptp(of.y[begin : end + 1]) > step:
+            found[begin:end] = _resting(of.part(begin, end))
+    return np.asarray(found)
+
+
+def _resting(of: CamPoints) -> NDArray[np.bool_]:
+    """Return whether each interval is a dwell, of points that creep: if equal for much longer than beside."""
+    level = np.abs(np.diff(of.y)) <= of.precision
+    starts = np.concatenate([[0], np.flatnonzero(~level) + 1, [len(of.y) - 1]])
+    lengths = np.pad(np.diff(of.x[starts]), 1)
+    rests = lengths[1:-1] > RESTS * np.maximum(lengths[:-2], lengths[2:])
+    return np.asarray(level & np.repeat(rests, np.diff(starts)))
 
 
 def _rolled(of: CamPoints, k: int) -> CamPoints:
@@ -83,6 +134,7 @@ def _rolled(of: CamPoints, k: int) -> CamPoints:
 def _phases(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     """Return the phases of each movement of a table."""
     laws = [family() for family in CATALOGUE if family not in (Dwell, PieceLaw)]
+    laws = [one for one in laws if abs(one.start.v) <= AT_SPEED]  # of a stroke from rest to rest
     found: list[FoundPhase] = []
     for begin, end in true_runs(~_dwelling(of)):
         if not np.ptp(of.y[begin : end + 1]):

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.cam_points import LONGER, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, splined
+from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, splined
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
@@ -18,6 +18,7 @@ SHORTEST = 3  # intervals of a straight line, if the table has no y'
 TURNS = 12  # iterations of Gauss and Newton
 SETTLED, SLOW = 3, 0.5  # in so many iterations the residual must fall to this share, else the law is another
 STEP = 1e-4  # share of the interval between points, for derivatives of the deviations by the place of a break
+CORNER = 2e-5  # share of the cycle: a curve between lines that is shorter, in a table with y', is their corner
 MOST = 8  # quintics in place of one law
 
 
@@ -41,14 +42,14 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
     known = True
     near, runs = of.near, _straight_runs(of)
     edges = [0, *(k for run in runs for k in run), len(of.x) - 1]
+    places = _edge_places(of, rebuilt, runs, edges)
     laws = [family() for family in CATALOGUE if issubclass(family, BoundaryLaw)]
     quintic = next(family for family in laws if family.code == QUINTIC)
     for k, (begin, end) in enumerate(pairwise(edges)):
-        if begin == end:
+        if places[k] == places[k + 1]:
             continue
         if k % 2:
-            lift = float(of.y[end] - of.y[begin])
-            found.append(FoundPhase(law("LIN"), float(of.x[begin]), float(of.x[end]), float(of.y[begin]), lift, 0.0))
+            found.append(_line(of, (begin, end), (places[k], places[k + 1])))
             continue
         sides = _beside(of, rebuilt, runs, begin), _beside(of, rebuilt, runs, end)
         inner = of.part(begin, end)
@@ -61,6 +62,32 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
         known &= fitted is not None
         found += made
     return _settled(found), known
+
+
+def _edge_places(
+    of: CamPoints, rebuilt: CamProfile, runs: Sequence[tuple[int, int]], edges: Sequence[int]
+) -> list[float]:
+    """Return the x of each edge of lines and curves: where lines cross between neighbouring points, both end there."""
+    places = [float(of.x[edge]) for edge in edges]
+    widest = np.inf if of.v is None else CORNER * rebuilt.total
+    for k in range(0, len(edges), 2):
+        begin, end = edges[k : k + 2]
+        if end - begin == 1 and places[k + 1] - places[k] <= widest:
+            one, other = (_beside(of, rebuilt, runs, edge) for edge in (begin, end))
+            turn = one.v - other.v
+            across = one.x + (other.y - one.y - other.v * (other.x - one.x)) / turn if turn else np.nan
+            if not (one.fixed or other.fixed) and places[k] <= across <= places[k + 1]:
+                places[k] = places[k + 1] = across
+    return places
+
+
+def _line(of: CamPoints, run: tuple[int, int], places: tuple[float, float]) -> FoundPhase:
+    """Return the straight line through the first and the last point of a run, from one x to another."""
+    (begin, end), (first, last) = run, places
+    slope = float((of.y[end] - of.y[begin]) / (of.x[end] - of.x[begin]))
+    y = float(of.y[begin]) + slope * (first - float(of.x[begin]))
+    residual = float(_off_chord(of, run).max())
+    return FoundPhase(law("LIN"), first, last, y, slope * (last - first), residual)
 
 
 def _settled(found: Sequence[FoundPhase]) -> list[FoundPhase]:
@@ -85,16 +112,41 @@ def _straight_runs(of: CamPoints) -> list[tuple[int, int]]:
         off = np.maximum(np.abs(of.v[:-1] - slope), np.abs(of.v[1:] - slope))
         flat = off <= 1e-9 * size + np.minimum(4.0 * near / h, RATES * size)
         return [(k, k + 1) for k in np.flatnonzero(flat).tolist()] if flat.sum() < 2 else true_runs(flat)
-    bend = np.abs(y[1:-1] - (y[:-2] + (y[2:] - y[:-2]) * (x[1:-1] - x[:-2]) / (x[2:] - x[:-2]))) <= near
+    vertices = _polygon(of)
+    turns = np.diff(y[vertices])[1:] * np.diff(y[vertices])[:-1] < 0.0
+    if 2 < len(vertices) <= MOST_PHASES and (turns.all() or len(x) < FEW):
+        return list(pairwise(vertices))  # there and back, and straight on the way; few positions tell no more
+    bends = np.abs(y[1:-1] - (y[:-2] + (y[2:] - y[:-2]) * (x[1:-1] - x[:-2]) / (x[2:] - x[:-2]))) > near
+    lines = pairwise([0, *(np.flatnonzero(bends) + 1).tolist(), len(x) - 1])
     around = np.pad(h, 1)
 
     def sparse(begin: int, end: int) -> bool:
         """Return whether a line's points are much farther apart than the neighbours', as a controller writes lines."""
         beside = float(max(around[begin], around[end + 1]))
-        return 0.0 < LONGER * beside < float(h[begin:end].min())
+        return end - begin > 1 and 0.0 < LONGER * beside < float(h[begin:end].min())
 
-    runs = true_runs(np.append(bend, False) | np.append(False, bend))
-    return [run for run in runs if run[1] - run[0] >= SHORTEST or sparse(*run)]
+    return [run for run in lines if (run[1] - run[0] >= SHORTEST or sparse(*run)) and _off_chord(of, run).max() <= near]
+
+
+def _off_chord(of: CamPoints, run: tuple[int, int]) -> Array:
+    """Return the deviations of points from the straight line through the first and the last of them."""
+    x, y = (row[run[0] : run[1] + 1] for row in (of.x, of.y))
+    return np.abs(y - np.interp(x, x[[0, -1]], y[[0, -1]]))
+
+
+def _polygon(of: CamPoints) -> list[int]:
+    """Return the numbers of the points between which straight lines keep to all points, or more than it may have.
+
+    A line is divided at the point that is farthest off (D. H. Douglas, T. K. Peucker, 1973).
+    """
+    found, left = [0], [len(of.x) - 1]
+    while left and len(found) <= MOST_PHASES:
+        off = _off_chord(of, (found[-1], left[-1]))
+        if off.max() <= of.near:
+            found.append(left.pop())
+        else:
+            left.append(found[-1] + int(off.argmax()))
+    return found + left[::-1]
 
 
 def true_runs(flat: NDArray[np.bool_]) -> list[tuple[int, int]]:

@@ -50,6 +50,7 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
     for line in as_description.movement_lines(found, units):
         say(ERR, line)
+    say(ERR, as_description.require_points(found, table, TEMPLATES[machine.template].axes(machine)[0].profile, units))
     if found.delay:
         say(ERR, f"It begins on the way: written as an axis that is {found.delay:.9g} {units[0]} later")
     step, reach = float(table.x[1] - table.x[0]), float(table.x[-1] - table.x[0])

@@ -4,10 +4,13 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from engine.cams.cam_points import CamPoints, FoundPhase, precision
 from engine.cams.certificate import subdivided
 from engine.cams.identify import THINNED, IdentifiedMotion, identified
 from engine.laws.spline import Spline
+from engine.motion.profile import CamProfile
 from workbook.controllers.table import Table
 from workbook.controllers.tabulation import rules_of
 from workbook.controllers.target import Target
@@ -67,6 +70,18 @@ def movement_lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
         place = f"{one.begin + read.delay:.9g}–{one.end + read.delay:.9g} {x}"
         said.append(f"{place}: {name}, lift {one.lift:.9g} {y}, residual {one.residual:.2g} {y}{misses}")
     return said
+
+
+def require_points(read: IdentifiedMotion, table: Table, profile: CamProfile, units: tuple[str, str]) -> str:
+    """Return a line with the largest deviation of a described motion from a table's points; raise TargetError."""
+    x = table.x - table.x[0] + profile.edges[0]
+    off = np.abs(profile.at(x, left=bool(x[-1] >= profile.edges[-1])).y - table.y)
+    k = int(off.argmax())
+    told = f"{off[k]:.2g} {units[1]} at {table.x[k]:.9g} {units[0]}"
+    if off[k] > read.allowed:
+        raise TargetError(f"the motion that was found is off by {told}, {read.allowed:.2g} {units[1]} allowed; "
+                          "--tolerance y=1% allows more")  # fmt: skip
+    return f"It keeps to all {len(x):,} points: off by {told} at most"
 
 
 def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import pytest
 
 from engine import law
 from engine.cams.cam_points import CamPoints, precision
-from engine.cams.identify import identified
+from engine.cams.identify import identified, motion_at
 from engine.cams.interpolation import quintics, spline
 from engine.laws import CATALOGUE, Dwell, PieceLaw
 from engine.motion import Motion, Phase
@@ -173,3 +173,65 @@ def test_precision_is_that_of_the_numbers() -> None:
     assert precision(np.round(y, 3)) == 0.0005
     assert precision(y.astype(np.float32).astype(float)) == pytest.approx(100.0 * 2**-24, rel=0.1)
     assert precision(y) < 1e-12
+
+
+def zigzag(*corners):
+    """A motion of straight lines, by its corners."""
+    x, y = np.array(corners, dtype=float).T
+    return lambda at: np.interp(at, x, y)
+
+
+ZIGZAGS = {
+    "triangle": ((0, 0), (180, 20), (360, 0)),
+    "its apex between points": ((0, 0), (133.3, 20), (360, 0)),
+    "tenths a step": ((0, 0), (180, 18), (360, 0)),  # of numbers of one decimal: each step could be rounding
+    "saw": ((0, 0), (90, 7), (95, 0), (185, 7), (190, 0), (360, 0.0)),
+    "three slopes": ((0, 5), (100, 15), (200, 65), (360, 5)),
+    "between dwells": ((0, 0), (60, 0), (160, 10), (200, 10), (300, 0), (360, 0)),
+    "from the middle of a line": ((0, 11), (80, 20), (260, 0), (360, 11)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("step", [0.5, 1.0, 5.0])
+@pytest.mark.parametrize("name", ZIGZAGS)
+def test_lines_that_join_without_a_rest_are_told_each_by_itself(name: str, step: float) -> None:
+    corners = ZIGZAGS[name]
+    x = np.arange(0.0, 360.0 + step, step)
+    y = zigzag(*corners)(x)
+    found = identified(CamPoints(x, y, None, None, precision(y)), spline(x, y, "not-a-knot")).found
+    meant = [(a, b, z - w) for (a, w), (b, z) in pairwise(corners) if z != w]
+    assert [one.law.code for one in found] == ["LIN"] * len(meant)
+    near = [pytest.approx(one, abs=1e-6) for one in meant]
+    assert [(one.begin, one.end, one.lift) for one in found] == near
+
+
+@pytest.mark.parametrize("corners", [((0, 0), (90, 10), (180, 20), (270, 10), (360, 0)), ((0, 0), (180, 20), (360, 0)),
+                                     ((0, 0), (90, 10), (180, 10), (360, 0)), ((0, 0), (350, 20), (360, 0))])  # fmt: skip
+def test_few_points_at_speed_are_joined_by_lines(corners) -> None:
+    x, y = np.array(corners, dtype=float).T
+    found = found_in(x, y)
+    assert {one.law.code for one in found} == {"LIN"}
+    assert motion_at(found, x, 0.0) == pytest.approx(y, abs=1e-12)
+
+
+def test_points_that_creep_are_no_dwell() -> None:
+    """A slope of half of the last decimal a point: no two neighbours differ by more than their rounding."""
+    x = np.linspace(0.0, 360.0, 361)
+    y = np.round(0.0005 * x, 3)
+    found = found_in(x, y)
+    assert np.abs(motion_at(found, x, y[0]) - y).max() <= 0.001
+    assert sum(one.lift for one in found) == pytest.approx(0.18, abs=0.001)
+
+
+@pytest.mark.parametrize("number", range(12))
+def test_the_motion_that_is_told_goes_through_every_point(number: int) -> None:
+    """Tables of laws, lines and waves at random, of few digits and of many, at equal steps."""
+    drawn = np.random.default_rng(number)
+    corners = np.sort(np.append(drawn.uniform(10.0, 350.0, 3), [0.0, 360.0]))
+    levels = np.append(np.round(drawn.uniform(-20.0, 20.0, 4), 1), 0.0)
+    x = np.linspace(0.0, 360.0, int(drawn.choice([37, 181, 361])))
+    y = zigzag(*zip(corners, levels, strict=True))(x) + drawn.choice([0.0, 1.0]) * np.sin(np.radians(x)) ** 2
+    y = np.round(y, int(drawn.choice([2, 3, 12])))
+    read = identified(CamPoints(x, y, None, None, precision(y)), spline(x, y, "not-a-knot"))
+    assert not all(one.fits for one in read.found) or np.abs(motion_at(read.found, x, y[0]) - y).max() <= read.allowed
+    assert read.allowed <= max(1e-4 * np.ptp(y), 6.0 * precision(y))

@@ -9,6 +9,7 @@ from workbook.controllers import as_description
 from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.tabulation import automatic, reread, tabulate
 from workbook.controllers.target import CamExport
+from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -244,3 +245,24 @@ def test_a_motion_that_ends_on_the_way_is_told_and_not_described(run, tmp_path) 
     code, _, err = run("read", "fast.csv", "--from", "csv")
     assert code == 2
     assert "ends on the way" in " ".join(err.split())
+
+
+def test_a_triangle_stays_a_triangle(run, tmp_path) -> None:
+    (tmp_path / "triangle.csv").write_text("0;0\n90;10\n180;20\n270;10\n360;0\n", "utf-8")
+    code, out, err = run("read", "triangle.csv", "--from", "csv")
+    assert code == 0
+    assert "It keeps to all 5 points: off by 0 mm" in " ".join(err.split())
+    (tmp_path / "back.toml").write_text(out, "utf-8")
+    phases = read_machine(tmp_path / "back.toml").axes[0].phases
+    assert [(p.law, p.start, p.stop, p.lift) for p in phases] == [("LIN", 0, 180, 20.0), ("LIN", 180, 360, -20.0)]
+
+
+def test_a_motion_that_misses_a_point_is_refused(axes) -> None:
+    """By the profile of the machine that was described, not by the phases from which it was made."""
+    made = tabulate(target("csv"), axes[1], 40)
+    read = as_description.phases_of(target("csv"), made, UNITS)
+    assert "keeps to all 40 points" in as_description.require_points(read, made, axes[1].profile, UNITS)
+    wrong = made.y.copy()
+    wrong[17] += 0.1
+    with pytest.raises(TargetError, match=r"off by 0\.1 mm at"):
+        as_description.require_points(read, replace(made, y=wrong), axes[1].profile, UNITS)
