@@ -1,4 +1,4 @@
-"""Entries of a description by their paths: ``axes.MC01.phases[1].law``, rows counted from 1 or by their names."""
+"""Entries of a description by their paths: ``axes.MC01.phases[1].law``, rows by their names or counted from 1."""
 
 import re
 from collections.abc import Container, Iterable, Iterator, Sequence
@@ -36,7 +36,8 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> tupl
         part, known = whole or number or plain, children(entry)
         if isinstance(entry, list):
             names = [getattr(one, "name", None) for one in entry]
-            at = int(part) - 1 if number else names.index(part) if part in names else -1
+            counted = part not in names and part.isdecimal()  # axes.2.phases.1, as messages have it
+            at = int(part) - 1 if number or counted else names.index(part) if part in names else -1
             entry, part = (entry[at], str(at)) if 0 <= at < len(entry) else (MISSING, part)
         elif isinstance(entry, RootModel):
             entry = entry.root.get(part, MISSING)

@@ -21,6 +21,7 @@ from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import ENTRIES, references
 from workbook.reading.descriptions import counted_from_1, parse_toml, write_machine
+from workbook.studies.links import Link, followed, make_links
 from workbook.studies.paths import as_dict, children, entry_at, nearest, path_of, with_entry, written
 from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arrange
 from workbook.templates import TEMPLATES, AnyTemplate
@@ -44,6 +45,7 @@ class Plan:
     base: Machine
     space: Space
     roomy: bool  # whether the base says how many pieces of a motion there is room for
+    links: tuple[Link, ...] = ()
 
     @property
     def template(self) -> AnyTemplate:
@@ -84,7 +86,7 @@ class Plan:
             found |= dict.fromkeys(one.paths, value)
             if own[-1] == "law" and value in ENTRIES and value not in self.data["laws"]:  # of a new family
                 found["laws", value] = {"family": value}
-        return found
+        return followed(self.links, self.data, found)
 
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
@@ -162,16 +164,20 @@ def make_plan(study: Study, base: Path, where: str) -> Plan:
     for fault in machine.design.faults:
         raise InputError([f"{base}: {fault.key}: {fault.said}; a study expects a finished design"])
     roomy = "motion_pieces" in parse_toml(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
-    draft = Plan(study, machine, Space((), study.way), roomy)
+    links = make_links(machine, study.links, where)
+    draft = Plan(study, machine, Space((), study.way), roomy, links)
     dimensions = [make_dimension(draft, one, f"{where}: vary {i}") for i, one in enumerate(study.vary, 1)]
     space = arrange(dimensions, study.way)
     varied = [path for one in space.dimensions for path in one.paths]
     for twice in (path for path in varied if varied.count(path) > 1):
         raise InputError([f"{where}: {written(twice)} varies twice"])
+    varied += [(*one.takes, EDGES[one.paths[0][-1]][0]) for one in space.dimensions if one.takes]
+    for linked in (one.path for one in links if one.path in varied):
+        raise InputError([f"{where}: links: {written(linked)} varies already; expected one or the other"])
     if study.way.kind == "full" and space.size > MOST_IN_FULL:
         said = f"{where}: {space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
         raise InputError([f'{said}: take fewer steps, or way.kind = "sobol" with way.designs'])
-    return Plan(study, machine, space, roomy)
+    return Plan(study, machine, space, roomy, links)
 
 
 def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
@@ -196,7 +202,8 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
         if not values:
             raise InputError([f"{where}: {name!r} is none of a catalogue; expected the name of a motor or reducer"])
     scaling = plan.template.scaling
-    part = scaling.part(".".join(paths[0])) if scaling else ""
+    leads = any(one.source in paths for one in plan.links)  # what it changes besides does not scale with it
+    part = scaling.part(".".join(paths[0])) if scaling and not leads else ""
     made = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
     for value in made.values[:MOST_TRIED] or (made.low, made.high):
         said = plan.machine({made: value})

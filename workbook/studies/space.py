@@ -100,7 +100,7 @@ class Sampling(Model):
 
 
 class Study(Model):
-    """A study."""
+    """A study; ``links`` has by the path of an entry that of the one it follows, and how far it lies beyond that."""
 
     title: Text
     base: Name | None = None
@@ -109,6 +109,7 @@ class Study(Model):
     constraints: dict[str, Bound | Name] = {}  # noqa: RUF012
     minimise: list[Name] = []  # noqa: RUF012
     maximise: list[Name] = []  # noqa: RUF012
+    links: dict[Name, Name] = {}  # noqa: RUF012
     way: Sampling = Sampling()
 
     @model_validator(mode="after")

@@ -1,0 +1,78 @@
+"""Linked entries of a study: each follows another one, or lies a number beyond it, whatever that one is."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from workbook.entries.machine import Machine
+from workbook.errors import InputError
+from workbook.studies.paths import as_dict, entry_at, path_of, written
+
+TERM = re.compile(r"(?P<path>.+?)(?:\s*(?P<sign>[+-])\s*(?P<by>\d+(?:\.\d*)?|\.\d+))?")
+
+Path = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Link:
+    """An entry that follows the one at ``source``, larger by ``offset``; both are ways of names and numbers."""
+
+    path: Path
+    source: Path
+    offset: float = 0.0
+
+    def value(self, known: Any) -> Any:
+        """Return what the entry is, by what the other one is."""
+        return known + self.offset if self.offset else known
+
+
+def make_links(machine: Machine, given: Mapping[str, str], where: str) -> tuple[Link, ...]:
+    """Return the links of a study, each after those that it follows; raise InputError.
+
+    Parameters
+    ----------
+    machine : Machine
+        The base of the study.
+    given : mapping of str to str
+        By the path of the entry that follows: a path, or a path + or - a number in the unit of the entry.
+    where : str
+        Of a message.
+    """
+    left = {}
+    for key, said in given.items():
+        named = f"{where}: links: {key}"
+        found = TERM.fullmatch(said.strip())
+        if found is None:
+            raise InputError([f"{named} = {said!r}; expected a path, or a path + or - a number"])
+        path, source = path_of(machine, key, named), path_of(machine, found["path"], named)
+        offset = float((found["sign"] or "") + (found["by"] or "0"))
+        for one in (path, source) if offset else ():
+            require_number(machine, one, named)
+        if path in left:
+            raise InputError([f"{named}: {written(path)} is linked twice"])
+        left[path] = Link(path, source, offset)
+    ordered: list[Link] = []
+    while left:
+        free = [one for one in left.values() if one.source not in left]
+        if not free:
+            said = ", ".join(map(written, left))
+            raise InputError([f"{where}: links: {said} follow each other; expected one of them without a link"])
+        ordered += free
+        left = {path: one for path, one in left.items() if one not in free}
+    return tuple(ordered)
+
+
+def require_number(machine: Machine, path: Path, where: str) -> None:
+    """Raise InputError where an entry of the base is no number."""
+    value = entry_at(as_dict(machine), path)
+    if not isinstance(value, int | float) or isinstance(value, bool):
+        raise InputError([f"{where}: {written(path)} is {value!r}; expected a number, to which one is added"])
+
+
+def followed(links: tuple[Link, ...], data: Mapping[str, Any], changed: Mapping[Path, Any]) -> dict[Path, Any]:
+    """Return the changed entries with those that follow them, or others of the data."""
+    found = dict(changed)
+    for one in links:
+        found[one.path] = one.value(found.get(one.source, entry_at(data, one.source)))
+    return found
