@@ -205,8 +205,11 @@ def test_lines_that_join_without_a_rest_are_told_each_by_itself(name: str, step:
     assert [(one.begin, one.end, one.lift) for one in found] == near
 
 
-@pytest.mark.parametrize("corners", [((0, 0), (90, 10), (180, 20), (270, 10), (360, 0)), ((0, 0), (180, 20), (360, 0)),
-                                     ((0, 0), (90, 10), (180, 10), (360, 0)), ((0, 0), (350, 20), (360, 0))])  # fmt: skip
+TRIANGLE = ((0, 0), (90, 10), (180, 20), (270, 10), (360, 0))
+
+
+@pytest.mark.parametrize("corners", [TRIANGLE, ((0, 0), (180, 20), (360, 0)), ((0, 0), (350, 20), (360, 0)),
+                                     ((0, 0), (90, 10), (180, 10), (360, 0))])  # fmt: skip
 def test_few_points_at_speed_are_joined_by_lines(corners) -> None:
     x, y = np.array(corners, dtype=float).T
     found = found_in(x, y)
