@@ -4,9 +4,10 @@ import re
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
 from workbook.book.declare import Book
-from workbook.book.quantity import SAYS
+from workbook.book.quantity import OK, SAYS
 from workbook.book.rows import as_rows
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
@@ -14,7 +15,6 @@ from workbook.errors import InputError
 from workbook.judging.carry_over import find_additions, not_carried
 from workbook.judging.matching import Match
 from workbook.judging.repair import repair_book
-from workbook.judging.report import OK
 from workbook.pool import collecting_between, collector_paused
 from workbook.reading.descriptions import counted_from_1, read_machine, require_possible, template_named, validated
 from workbook.reading.entries import Entries
@@ -24,6 +24,7 @@ from workbook.reading.rows import Refusal
 from workbook.selection.catalogue_files import Product, read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Products
 from workbook.template import FOLDER
+from workbook.template_outputs import NOTHING_JUDGED, ExactJudgement
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreement import agreed_values
 from workbook.writing.archive import same_book
@@ -36,17 +37,35 @@ READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "r
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
-    """Write the workbook of a machine; return a line for each check that fails.
+    """Write the workbook of a machine; return a line for each check that fails, by its sheet or by the exact engine.
 
     Raises WriteError where ``path`` exists or cannot be written, InputError for a machine that the engine refuses.
     """
+    return judge_book(machine, write_book(machine, path, overwrite)).failing
+
+
+def write_book(machine: Machine, path: Path, overwrite: bool = False) -> Book:
+    """Write the workbook of a machine and return its declaration; raise as :func:`build` does."""
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
     require_possible(template, machine, counted_from_1)
     with collector_paused():
         book = template.declare(machine)
         save(book, type(machine), path, overwrite, require_readable)
-    return failing_checks(book)
+    return book
+
+
+class BookVerdict(NamedTuple):
+    """What is to be told of a book that is built: a line for each check that fails, and notes."""
+
+    failing: list[str]
+    notes: list[str]
+
+
+def judge_book(machine: Machine, book: Book) -> BookVerdict:
+    """Return what the book of a machine and the exact engine say of it; of an unfinished design only the book does."""
+    exact = TEMPLATES[machine.template].judge(machine)
+    return BookVerdict(failing_checks(book, exact), exact.notes)
 
 
 def require_readable(draft: Path) -> None:
@@ -59,17 +78,17 @@ def require_readable(draft: Path) -> None:
         raise InputError([f"sizes: too large a workbook to be verified: {refusal}; expected fewer samples"]) from None
 
 
-def failing_checks(book: Book) -> list[str]:
+def failing_checks(book: Book, exact: ExactJudgement = NOTHING_JUDGED) -> list[str]:
     """Return a line for each check of a book that fails, axes by their names; then one on all that depends on these."""
     named = [(q, block.size) for block in book.blocks.values() if block.name == "axes" for q in block.quantities]
     names = [str(name) for q, rows in named if q.name == "name" for name in as_rows(q.value, rows, q.name)]
     lines, open_ = [], []
     for _, check in book.checks:
-        said = book.blocks[f"{check.name}{SAYS}"].quantities[0].value
+        verdict, said = exact.judge(check.name, check.value, book.blocks[f"{check.name}{SAYS}"].quantities[0].value)
         label = NUMBERED.sub(lambda found: names[int(found[1]) - 1] if names else found[0], check.label)
-        if check.value != OK and said:
+        if verdict != OK and said:
             lines.append(f"{label}: {said}")
-        elif check.value != OK:
+        elif verdict != OK:
             open_.append(label)
     return [*lines, *([f"Without a result yet: {'; '.join(open_)}"] if open_ else [])]
 
@@ -120,8 +139,8 @@ def read_entered(path: Path) -> tuple[Match, Machine, list[str]]:
     return match, machine, notes + entries.beyond
 
 
-def regenerate(path: Path, output: Path, overwrite: bool = False) -> tuple[list[str], list[str]]:
-    """Build a workbook anew from what was entered into an old one; return what is left behind, and failing checks."""
+def regenerate(path: Path, output: Path, overwrite: bool = False) -> BookVerdict:
+    """Build a workbook anew from what was entered into an old one; the notes begin with what is left behind."""
     match, machine, notes = read_entered(path)
     template = TEMPLATES[machine.template]
     require_possible(template, machine, counted_from_1)
@@ -129,7 +148,8 @@ def regenerate(path: Path, output: Path, overwrite: bool = False) -> tuple[list[
         book = template.declare(machine)
         own = find_additions(match, book)
         save(book, type(machine), output, overwrite, require_readable, own)
-    return notes + not_carried(match, machine.template, own), failing_checks(book)
+    failing, told = judge_book(machine, book)
+    return BookVerdict(failing, [*notes, *not_carried(match, machine.template, own), *told])
 
 
 def committed_descriptions() -> list[Path]:
@@ -143,7 +163,7 @@ def write_templates() -> list[Path]:
 
     books = [description.with_suffix(".xlsx") for description in committed_descriptions()]
     for book in collecting_between(books):
-        build(read_machine(book.with_suffix(".toml")), book, overwrite=True)
+        write_book(read_machine(book.with_suffix(".toml")), book, overwrite=True)
     return [*books, *publish.write_files()]
 
 
@@ -155,7 +175,7 @@ def stale_templates() -> list[Path]:
     with tempfile.TemporaryDirectory() as folder:
         for description in collecting_between(committed_descriptions()):
             book = description.with_suffix(".xlsx")
-            build(read_machine(description), fresh := Path(folder) / book.name)
+            write_book(read_machine(description), fresh := Path(folder) / book.name)
             if not (book.exists() and same_book(fresh, book)):
                 found.append(book)
     return [*found, *publish.stale_files()]

@@ -9,7 +9,7 @@ import workbook
 from workbook.book.declare import FIRST, Book, Text
 from workbook.book.summary import TITLE, checks_sheet, close_summary, head, repeat_verdict
 from workbook.entries.machine import Machine
-from workbook.template_outputs import CamAxis, CamSwitch, Scaling
+from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
 from workbook.unfinished_book import with_entries
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
@@ -45,14 +45,17 @@ class Template(Generic[M]):
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []  # what it is to turn on and off meanwhile
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
     fixed: Callable[[M], dict[str, Any]] = lambda machine: {}  # by key the entries that a layout alone tells
-    deviations: Callable[[M], list[str]] = lambda machine: []  # a line for each result farther from the exact than told
-    rates: Callable[[M], list[str]] = lambda machine: []  # of these the lines on highest rates alone
+    judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED  # of its book, by the exact engine
     others: Mapping[str, Alternative[M]] = field(default_factory=dict)  # by the key that only such a description has
     folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template
 
     def model_for(self, data: Any) -> type[M]:
         """Return the model that checks a description."""
         return next((other.model for key, other in self.others.items() if has_key(data, key)), self.model)
+
+    def judge(self, machine: M) -> ExactJudgement:
+        """Return what the exact engine says of the book of a machine: nothing of an unfinished design."""
+        return NOTHING_JUDGED if machine.design.replaced else self.judgement(machine)
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with what was entered of an unfinished design."""

@@ -12,7 +12,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Book, Quantity
 from workbook.book.depends import Dependence
 from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_use, room_text
-from workbook.book.quantity import SAYS, number_format, sample
+from workbook.book.quantity import FAIL, OK, SAYS, number_format, sample
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
 from workbook.book.summary import check_cells
@@ -20,7 +20,6 @@ from workbook.entries.machine import Fault, Machine
 from workbook.law_sheets.library import named_laws
 from workbook.laws.entries import key_of
 
-OK = "OK"
 MOST_TURNS = 1000
 
 
@@ -141,7 +140,7 @@ class UnfinishedBook:
         """Return what stands in a check, and in the sentence beside it."""
         (at,), (beside,) = self._column(f"{check}.{check}"), self._column(f"{check}{SAYS}.{check}{SAYS}")
         source = next(q.source for _, q in self.book.checks if q.name == check)
-        return {at: "FAIL", beside: Sentence(said)} if said else {at: OK, beside: source}
+        return {at: FAIL, beside: Sentence(said)} if said else {at: OK, beside: source}
 
     def _faults(self, where: str, rule: str) -> Iterator[Fault]:
         return (fault for fault in self.design.faults if (fault.where, fault.rule) == (where, rule))

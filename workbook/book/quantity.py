@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from workbook.book.sheet import Sheet
 
 FAILS = "not met"  # what a check says where it fails that says nothing else
+OK, FAIL = "OK", "FAIL"  # the verdicts of checks
 SAYS, WHERE = "_says", ": where, and by how much"
 """behind the name of a check, and behind its label: the cell that says where it fails"""
 WANTED = ": what is expected"  # behind the label of an entry: the message beside it

@@ -126,11 +126,12 @@ def build(
 ) -> None:
     """Build a workbook from a machine description.
 
-    What of its numbers does not do, or is missing, is built too: its checks FAIL, and are named here.
+    What of its numbers does not do, or is missing, is built too: its checks FAIL, and are named here. Exit code 3 then,
+    0 where all hold.
     """
     from workbook.commands import make
 
-    make.build(machine, output, motors, reducers, force)
+    raise typer.Exit(make.build(machine, output, motors, reducers, force))
 
 
 PLACES = "Workbooks built by motionbook, or folders of them."
@@ -190,10 +191,13 @@ def inputs(
 def regenerate(
     book: Book, output: Path = to("NEW.xlsx", "Where to write the new workbook.", default=...), force: Force = False
 ) -> None:
-    """Build a workbook anew from what was entered into an old one: its inputs, today's formulas."""
+    """Build a workbook anew from what was entered into an old one: its inputs, today's formulas.
+
+    Exit code 3 where its checks FAIL, as of build.
+    """
     from workbook.commands import make
 
-    make.regenerate(book, output, force)
+    raise typer.Exit(make.regenerate(book, output, force))
 
 
 @app.command()

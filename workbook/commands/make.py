@@ -9,7 +9,7 @@ from workbook import build as making
 from workbook.commands.verify import digest_of
 from workbook.description import schema as schemas
 from workbook.description.commented import commented_description
-from workbook.errors import AGREES, DISAGREES, InputError, WriteError
+from workbook.errors import AGREES, DISAGREES, FAILS, InputError, WriteError
 from workbook.file_cache import load_cached, store_cached
 from workbook.reading.descriptions import template_named, write_machine
 from workbook.reports.terminal import ERR, OUT, print_or_write, say, shown
@@ -22,19 +22,24 @@ STARTER = Path(workbook.__file__).parent / "starter"
 NAME = re.compile(r"[a-z][a-z0-9_]{0,30}")
 
 
-def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> None:
-    """Build a workbook from a machine description."""
+def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> int:
+    """Build a workbook from a machine description; return the exit code."""
     source = machine or FOLDER / "cutting-machine.toml"
     target = output or Path(f"{source.stem}.xlsx")
     refuse_itself(target, source)
     refuse_suffix(target)
     with ERR.status(shown(f"Building {target} …")):
         described = making.read_description(source, motors, reducers)
-        failing = making.build(described, target, overwrite=force)
+        told = making.judge_book(described, making.write_book(described, target, overwrite=force))
+    return show_built(target, told)
+
+
+def show_built(target: Path, told: making.BookVerdict) -> int:
+    """Print that a book is built, its failing checks and notes; return the exit code."""
     say(OUT, f"Built {target.absolute()}")
-    show("FAIL ", failing, "yellow")
-    if not described.design.replaced:
-        show("Note:", TEMPLATES[described.template].rates(described))
+    show("FAIL ", told.failing, "yellow")
+    show("Note:", told.notes)
+    return FAILS if told.failing else AGREES
 
 
 def inputs(book: Path, output: Path | None, force: bool) -> None:
@@ -54,16 +59,14 @@ def inputs(book: Path, output: Path | None, force: bool) -> None:
     print_or_write(known["text"], output, force)
 
 
-def regenerate(book: Path, output: Path, force: bool) -> None:
-    """Build a workbook anew from what was entered into an old one, and what its engineer added."""
+def regenerate(book: Path, output: Path, force: bool) -> int:
+    """Build a workbook anew from what was entered into an old one and what its engineer added; return the exit code."""
     refuse_itself(output, book)
     refuse_suffix(output)
     refuse_existing(output, force)
     with ERR.status(shown(f"Regenerating {book} …")):
-        notes, failing = making.regenerate(book, output, force)
-    show("Note:", notes)
-    say(OUT, f"Built {output.absolute()}")
-    show("FAIL ", failing, "yellow")
+        told = making.regenerate(book, output, force)
+    return show_built(output, told)
 
 
 def templates(check: bool) -> int:

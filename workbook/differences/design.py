@@ -9,17 +9,18 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from workbook.book.declare import Block, Book
-from workbook.book.quantity import SAYS
+from workbook.book.quantity import FAIL, OK, SAYS
 from workbook.book.rows import as_rows, is_number
 from workbook.entries.machine import Machine
 from workbook.judging.carry_over import left_behind
 from workbook.judging.layout import layout_findings, match_layout
 from workbook.judging.repair import repair_book
-from workbook.judging.report import FAIL, OK, Report
+from workbook.judging.report import Report
 from workbook.judging.structure import check_structure
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
+from workbook.template_outputs import ExactJudgement
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreement import agreed_values, same_value
 
@@ -55,6 +56,11 @@ class Design:
         """The names of the axes, in the order of their numbers."""
         return [str(axis.name) for axis in getattr(self.machine, "axes", [])]
 
+    @cached_property
+    def exact(self) -> ExactJudgement:
+        """What the exact engine says of it."""
+        return TEMPLATES[self.machine.template].judge(self.machine)
+
     def entries(self) -> dict[Key, Figure]:
         """Return all that was entered."""
         return self._figures("input")
@@ -70,7 +76,7 @@ class Design:
         for sheet, q in self.book.checks:
             axis, rest = self._axis(q.name)
             says = str(self.book.blocks[f"{q.name}{SAYS}"].quantities[0].value or "")
-            found[axis, rest, "", ""] = Figure(sheet.title, q.label, "", q.value, says)
+            found[axis, rest, "", ""] = Figure(sheet.title, q.label, "", *self.exact.judge(q.name, q.value, says))
         return found
 
     def _figures(self, role: str) -> dict[Key, Figure]:

@@ -1,12 +1,14 @@
 """What ``verify`` found in one workbook: findings, notices, counts, and the book's own verdict."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from workbook.book.address import Address
+from workbook.book.quantity import OK
 from workbook.judging.matching import Pair
+from workbook.template_outputs import ExactJudgement
 
 LAYOUT = "layout"  # the kind of rows and columns that were put into tables, or are gone
 # the kinds of findings, causes before what follows from them
@@ -15,7 +17,6 @@ ORDER = (LAYOUT, "entry", "missing", "replaced", "formula", "changed", "name", "
 CAUSES = ORDER[:8]  # the kinds from which wrong values follow elsewhere
 FOLLOWS = "follows"  # the kind of what is wrong only because of other cells
 SHOWN, NOTICE = "shown", "notice"  # what may be read otherwise; what is reworded or gone and misleads nobody
-OK, FAIL = "OK", "FAIL"
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,12 @@ class Check:
     what: str
     found: str
     says: str = ""
+    name: str = ""  # its own, in the book's declaration
+
+    def judged(self, exact: ExactJudgement) -> "Check":
+        """Return it as the exact engine judges it too."""
+        found, says = exact.judge(self.name, self.found, self.says)
+        return replace(self, found=found, says=says)
 
     @property
     def holds(self) -> bool:

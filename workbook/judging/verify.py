@@ -8,7 +8,7 @@ from typing import Any
 from pydantic import BaseModel
 
 from workbook.book.address import Address
-from workbook.book.quantity import SAYS
+from workbook.book.quantity import FAIL, SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.comparison import Comparison, count_cells, is_error
@@ -19,7 +19,7 @@ from workbook.judging.display.visibility import check_links, check_visibility, s
 from workbook.judging.layout import layout_findings, match_layout, set_consequences_aside
 from workbook.judging.matching import Match, Pair
 from workbook.judging.repair import is_empty_row, put_back, repair_book, report_wrong_results
-from workbook.judging.report import FAIL, LAYOUT, NOTICE, ORDER, Check, Report, WitnessRun
+from workbook.judging.report import LAYOUT, NOTICE, ORDER, Check, Report, WitnessRun
 from workbook.judging.structure import audit, check_structure, check_validations, stale_functions
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
@@ -48,8 +48,9 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
         report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
     judge(file, entries.template, machine, report, names, given=entries.computed, named=witnesses)
     report.witnesses += [WitnessRun(name, None) for name in absent]
-    if not machine.design.replaced:
-        report.notes += entries.template.deviations(machine)
+    exact = entries.template.judge(machine)
+    report.checks = [one.judged(exact) for one in report.checks]
+    report.notes += exact.notes
     return report
 
 
@@ -143,7 +144,7 @@ def check_results(match: Match, computed: Cells) -> list[Check]:
         verdict = cell_text(pair, computed) or quantity.value
         says = cell_text(at.get(f"{quantity.name}{SAYS}"), computed) if verdict == FAIL else ""
         where = (pair.address.sheet, pair.address.a1) if pair else (sheet.title, quantity.name)
-        found.append(Check(*where, quantity.label, str(verdict or "unfinished"), says))
+        found.append(Check(*where, quantity.label, str(verdict or "unfinished"), says, quantity.name))
     return found
 
 

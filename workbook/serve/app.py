@@ -20,7 +20,7 @@ from workbook.controllers.registry import TARGETS
 from workbook.errors import InputError, WriteError
 from workbook.serve import fields, live, pages, study
 from workbook.serve.handler import LARGEST, REPORT, Action, Folder, Page, state
-from workbook.serve.work import Work, WorkError
+from workbook.serve.work import NOT_WRITTEN, Work, WorkError
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
@@ -126,9 +126,9 @@ async def save(page: Page) -> str | None:
         return None
     book = page.folder.free(f"{path.stem}.xlsx")
     done = await page.work.run("build", path, "-o", book)
-    if done.code:
+    if done.written == NOT_WRITTEN:
         return pages.editor(path.name, text, state(path), done.text)
-    return pages.printed(path.name, done.text, "", path, book)
+    return pages.printed(path.name, done.text, done.written, path, book)
 
 
 async def verify(page: Page) -> str:

@@ -157,7 +157,7 @@ class Page(RequestHandler):
             self.redirect(f"/edit/{target.name}")
             return None
         files = [one for one in (source, target) if isinstance(one, Path) and one.exists()]
-        return pages.printed(Path(source).name, done.text, "not written" if done.code else "", *files)
+        return pages.printed(Path(source).name, done.text, done.written, *files)
 
     async def told(self, *command: str | Path) -> tuple[Done, str]:
         """Return how a command ended whose last option writes a report, and that; empty where there is none."""

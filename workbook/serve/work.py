@@ -13,12 +13,13 @@ from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
-from workbook.errors import MotionbookError
+from workbook.errors import AGREES, FAILS, MotionbookError
 
 POSIX = os.name == "posix"
 MEMORY = 6 * 2**30  # bytes of address space of a command, where the system can limit it
 LONGEST = 600.0  # seconds of a command
 PATIENCE = 60.0  # seconds of what is worked out beside the server
+NOT_WRITTEN = "not written"
 T = TypeVar("T")
 
 
@@ -31,6 +32,11 @@ class Done(NamedTuple):
 
     code: int
     text: str
+
+    @property
+    def written(self) -> str:
+        """What became of the file that it was to write: nothing is said of one that is fine."""
+        return {AGREES: "", FAILS: "written; the design fails its checks"}.get(self.code, NOT_WRITTEN)
 
 
 class Job:

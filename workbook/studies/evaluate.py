@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from workbook.book.declare import Book, Quantity
+from workbook.book.quantity import OK
 from workbook.book.rows import as_rows
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
@@ -116,7 +117,9 @@ class Evaluator:
             if not self.swift:
                 book = self.plan.template.declare(machine)
                 results = {name: book_value(book, name) for name in self.asked}
-                checks = {q.name: q.value != "OK" for _, q in book.checks if not self.plan.study.is_off(q.name)}
+                exact = self.plan.template.judge(machine)
+                checks = {q.name: exact.judge(q.name, q.value, "")[0] != OK
+                          for _, q in book.checks if not self.plan.study.is_off(q.name)}  # fmt: skip
                 return GroupResults(results, checks | self._beyond(results))
             scaled = {one.key: column for one, column in zip(dimensions, columns, strict=True) if one.part}
             return self._scaled(machine, scaled, count)
@@ -143,15 +146,16 @@ class Evaluator:
         values = {name: asked.named[name]() for name in self.asked}
         fails = self._beyond(values)
         checks = [name for name in asked.checks if name not in fails and not self.plan.study.is_off(name)]
-        fails |= {name: asked.named[name]() != "OK" for name in checks if name not in asked.slow}
+        fails |= {name: asked.named[name]() != OK for name in checks if name not in asked.slow}
         broken = np.logical_or.reduce([spread(False, count), *(spread(one, count) for one in fails.values())])
         left = np.arange(count) if self.thorough else np.flatnonzero(~broken)
         if left.size:
             few = {key: Column(one.values, spread(one.places, count)[left]) for key, one in scaled.items()}
             some = asked if left.size == count else scaling.results(machine, few)
-            for name in (one for one in checks if one in asked.slow):
-                fails[name] = np.zeros(count, dtype=bool)
-                fails[name][left] = some.named[name]() != "OK"
+            slow = ((name, some.named[name]) for name in checks if name in asked.slow)
+            for name, judge in (*slow, *((name, some.exact[name]) for name in checks if name in some.exact)):
+                fails[name] = np.array(spread(fails.get(name, False), count))
+                fails[name][left] |= judge() != OK
         return GroupResults(values, fails)
 
 

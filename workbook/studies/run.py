@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from workbook.build import build
+from workbook.book.quantity import OK
+from workbook.build import write_book
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.comparison import TOLERANCE
 from workbook.judging.verify import verify
@@ -186,14 +187,14 @@ def machine_of(plan: Plan, design: Design) -> Any:
 
 def build_design(plan: Plan, design: Design, path: Path, overwrite: bool) -> BookCheck:
     """Build the book of a design, verify it, and compare it with the study's results."""
-    build(machine := machine_of(plan, design), path, overwrite)
-    book = plan.template.declare(machine)
+    book = write_book(machine := machine_of(plan, design), path, overwrite)
     # mass and cost of a motor stand in no book
     apart = {name: deviation(value, book_value(book, name)) for name, value in design.results.items()
              if name.partition(".")[0] in book.blocks}  # fmt: skip
     report = verify(path)
     differing = tuple(name for name, value in apart.items() if not value <= TOLERANCE)
-    failing = tuple(q.name for _, q in book.checks if q.value != "OK")
+    exact = plan.template.judge(machine)
+    failing = tuple(q.name for _, q in book.checks if exact.judge(q.name, q.value, "")[0] != OK)
     unasked = tuple(filter(plan.study.is_off, failing))
     return BookCheck(max(apart.values(), default=0.0), differing, failing, unasked, report.compared, report.agrees)
 

@@ -138,7 +138,7 @@ def test_the_stroke_of_a_saw_is_right_to_a_thousandth_with_every_law(law):
     given = TEMPLATE.model.model_validate(machine)
     exact = CutterView(given, laws(given.laws)).cut.stroke
     assert value("fly_stroke") == pytest.approx(1e3 * exact, rel=1e-3)
-    assert TEMPLATE.deviations(given) == []
+    assert TEMPLATE.judgement(given).deviations == ()
     assert (value("fly_limit"), value("fly_does")) == (0, "reverses")
 
 

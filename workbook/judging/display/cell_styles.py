@@ -12,12 +12,12 @@ from openpyxl.utils import get_column_letter
 from pydantic import BaseModel
 
 from workbook.book.address import Address
-from workbook.book.quantity import sample
+from workbook.book.quantity import FAIL, sample
 from workbook.judging.display import permitted
 from workbook.judging.display.formats import USUAL, Look, Palette, Remark, contrast, format_remark, is_green, sections
 from workbook.judging.display.labels import HEADINGS, LocatedLabel
 from workbook.judging.matching import Match, Pair
-from workbook.judging.report import FAIL, NOTICE, SHOWN, Report
+from workbook.judging.report import NOTICE, SHOWN, Report
 from workbook.writing.style import FormatRule, conditional_formats
 from workbook.writing.write import format_of
 

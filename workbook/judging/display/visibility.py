@@ -12,11 +12,12 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
 from workbook.book.declare import Sheet
+from workbook.book.quantity import OK
 from workbook.judging.display import permitted
 from workbook.judging.display.cell_styles import CellGroup, Remarks
 from workbook.judging.display.formats import Remark
 from workbook.judging.matching import Match
-from workbook.judging.report import NOTICE, OK, SHOWN, Report
+from workbook.judging.report import NOTICE, SHOWN, Report
 from workbook.reading.contents import Cells
 from workbook.reading.package import PIXEL, Anchor
 from workbook.reading.rows import LAST_ROW, tag

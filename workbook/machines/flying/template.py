@@ -24,7 +24,7 @@ from workbook.motion.requirements import smoothness_for
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import vary_selection
 from workbook.template import Template, finish
-from workbook.template_outputs import CamAxis
+from workbook.template_outputs import NOTHING_JUDGED, CamAxis, ExactJudgement
 
 STROKE = 1e-3  # by which share the sheet states that the stroke may be off
 
@@ -75,13 +75,14 @@ def axes(machine: FlyingCutter) -> list[CamAxis]:
     ]
 
 
-def deviations(given: FlyingCutter) -> list[str]:
+def judgement(given: FlyingCutter) -> ExactJudgement:
     """Return a line on the stroke, where its points are farther off than the sheet states."""
     view = CutterView(given, BookLaws(given.laws, given.sizes).laws)
     told, exact = ToolDrive(view, given.selection, given.sizes).stroke, view.cut.stroke
     if abs(told - exact) <= STROKE * exact:
-        return []
-    return [f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"]
+        return NOTHING_JUDGED
+    line = f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"
+    return ExactJudgement(deviations=[line])
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
@@ -123,4 +124,4 @@ SIZES = LAW_SIZES | {
     "reducers": ("reducers", 0),
 }  # fmt: skip
 VARIED = varying(FlyingCutter, varied, single_humped)
-TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, SIZES, check, axes=axes, deviations=deviations)
+TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, SIZES, check, axes=axes, judgement=judgement)

@@ -1,9 +1,10 @@
-"""Compare results by points with the exact engine, and report those that are farther off than a sheet states."""
+"""Judge limits by the exact engine too, and report results by points that are farther off than a sheet states."""
 
 import math
 from collections.abc import Iterator
 
-from engine.drive.limits import highest_rate
+from engine.drive.limits import BELOW, highest_rate
+from engine.drive.motor import LimitCheck
 from workbook.book.sentence import rounded
 from workbook.fields.units import PER_MINUTE, RPM, shown
 from workbook.law_sheets.book_laws import BookLaws
@@ -12,6 +13,7 @@ from workbook.machines.machine.drive.view import DriveView, drive_of, settled_hi
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.template_outputs import ExactJudgement, JudgedLimit
 
 RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 1e-3, 1e-3, 5e-4
 """by which share the sheets state that T_rms, peaks, energies, the highest rate, a least gap and the extremes of phases
@@ -54,12 +56,38 @@ def exact_highest(view: DriveView) -> tuple[float, str]:
     return shown(found.speed / math.tau, PER_MINUTE), found.limit
 
 
-def deviations(machine: AnyMachine) -> list[str]:
-    """Return a line for each result that is farther from the exact engine's than its sheet states, and on rates."""
+def judgement(machine: AnyMachine) -> ExactJudgement:
+    """Return the limits of all drives as sheets and the exact engine have them, and lines on results and on rates."""
     rows = axes_of(machine)
-    lines = [line for view in filter(None, map(drive_of, rows)) for line in (*results_of(view), *rate_of(view))]
+    views = list(filter(None, map(drive_of, rows)))
+    lines = [line for view in views for line in (*results_of(view), *rate_of(view))]
     gaps = (gap_of(ClearanceView(one, k, rows)) for k, one in enumerate(machine.clearances, 1))
-    return [*lines, *filter(None, gaps), *(line for one in rows for line in extremes_of(one.axis))]
+    lines += [*filter(None, gaps), *(line for one in rows for line in extremes_of(one.axis))]
+    return ExactJudgement([limit for view in views for limit in limits_of(view)], lines)
+
+
+LIMITS = {
+    "RMS torque": ("ok_rms", "Nm"), "peak torque": ("ok_peak", "Nm"), BELOW: ("ok_curve", "Nm"),
+    "motor speed": ("ok_speed", "rpm"), "reducer input speed": ("ok_reducer_speed", "rpm"),
+    "reducer peak torque": ("ok_reducer_peak", "Nm"), "reducer mean torque": ("ok_reducer_mean", "Nm"),
+}  # fmt: skip
+"""of each limit of a drive by its name in the engine: the sheet's check, and its unit"""
+
+
+def limits_of(view: DriveView) -> Iterator[JudgedLimit]:
+    """Yield the limits of a drive."""
+    driven, results = view.driven, view.driven.results
+    exact = {one.name: one for one in driven.limit_checks.checks}
+    exact["peak torque"] = LimitCheck("peak torque", results.torque.peak, driven.motor.peak_torque)
+    if not driven.motor.falling.fall:
+        del exact[BELOW]
+    for name, one in exact.items():
+        check, unit = LIMITS[name]
+        size = RPM if unit == "rpm" else 1.0
+        sheet, truth = (each._replace(value=shown(each.value, size), limit=shown(each.limit, size))
+                        for each in (view.limit_checks[name], one))  # fmt: skip
+        bound = (RMS * results.torque.peak if name == "RMS torque" else PEAK * one.value) / one.limit
+        yield JudgedLimit(f"drive{driven.number}_{check}", driven.called, name, unit, sheet, truth, bound)
 
 
 def extremes_of(axis: MovingAxis) -> Iterator[str]:

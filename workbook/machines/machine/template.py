@@ -23,7 +23,7 @@ from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import NONE_BINDS, DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.exact import deviations, rates
+from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.file_layout import fixed, laid_out
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
@@ -200,8 +200,7 @@ TEMPLATE = Template(
     fixed=fixed,
     axes=axes,
     scaling=SCALING,
-    deviations=deviations,
-    rates=rates,
+    judgement=judgement,
     switches=switches,
     others={"master.cycle": Alternative(TimedMachine, told_in_seconds)},
 )

@@ -9,6 +9,7 @@ import numpy as np
 
 from engine.drive.drive_points import DrivePoints
 from engine.drive.limit_use import limit_uses
+from engine.drive.limits import BELOW
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Interpolation, LoadPoints, QuadratureCycle
 from engine.drive.results import Energy
@@ -137,6 +138,16 @@ class DriveView:
                  ("input speed", self.speed, limits.input_speed))  # fmt: skip
         peak, mean, speed = (LimitCheck(name, value, limit) for name, value, limit in found)
         return peak, mean, speed
+
+    @property
+    def limit_checks(self) -> dict[str, LimitCheck]:
+        """The quantities at the points against each limit, by its name in the engine (Nm, rad/s)."""
+        left, torque = self.points.reserve(self.driven.motor).ravel(), np.abs(self.points.torque).ravel()
+        k = int(left.argmin())
+        below = LimitCheck(BELOW, float(torque[k]), float(torque[k] + left[k]))
+        named = ("RMS torque", "peak torque", "motor speed", "reducer peak torque", "reducer mean torque",
+                 "reducer input speed", BELOW)  # fmt: skip
+        return dict(zip(named, (*self.reserve, *self.reducer_checks, below), strict=True))
 
     @property
     def highest(self) -> Highest:

@@ -1,7 +1,7 @@
 """The drive of an axis with many motors and reducers at many rates: results and checks by the names of the book."""
 
 from collections.abc import Callable, Mapping
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from operator import attrgetter
 from typing import Any
 
@@ -20,6 +20,7 @@ from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reducer_load import load_of
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.exact import limits_of
 from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MovingAxis
@@ -187,8 +188,11 @@ class DriveStudy:
     @cached_property
     def views(self) -> dict[DesignPlaces, DriveView]:
         """The drive of each design at the points of its motion: those at one rate share their load."""
-        bases = ((one, self.bases[one[2]]) for one in dict.fromkeys(self.designs))
-        return {one: DriveView(base.tables, self.drive(*one), base) for one, base in bases}
+        return {one: self.view(*one) for one in dict.fromkeys(self.designs)}
+
+    def view(self, motor: int, reducer: int, rate: int) -> DriveView:
+        """Return the drive of a design at the points of its motion."""
+        return DriveView(self.bases[rate].tables, self.drive(motor, reducer, rate), self.bases[rate])
 
     @cached_property
     def highest(self) -> tuple[Array, Any]:
@@ -248,21 +252,49 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "binds": lambda one: one.highest[1],
     "reducer_held": lambda one: one.reducer_held,
 } | {f"pair_{name}": lambda one, name=name: one.motors_used[name] + one.reducers_used[name] for name in WEIGHED}
-CHECKS: dict[str, Callable[[DriveStudy], Any]] = {
-    "ok_rms": lambda one: one.rms <= one.continuous,
-    "ok_peak": lambda one: one.extremes.peak <= one.motors_used["peak_torque"],
-    "ok_speed": lambda one: one.speed <= one.motors_used["max_speed"],
-    "ok_curve": lambda one: (one.motors_used["fall"] == 0.0) | (one.products.knows_falling & (one.extremes.spare >= 0)),
-    "ok_reducer_peak": lambda one: within(one.reducer_held, one.behind(0)),
-    "ok_reducer_mean": lambda one: within(one.reducers_used["mean_torque"], one.behind(1)),
-    "ok_reducer_speed": lambda one: within(one.reducers_used["max_speed"], one.speed),
+LIMITED: dict[str, Callable[[DriveStudy], tuple[Any, Any]]] = {
+    "ok_rms": lambda one: (one.rms, one.continuous),
+    "ok_peak": lambda one: (one.extremes.peak, one.motors_used["peak_torque"]),
+    "ok_speed": lambda one: (one.speed, one.motors_used["max_speed"]),
+    "ok_reducer_peak": lambda one: (one.behind(0), one.reducer_held),
+    "ok_reducer_mean": lambda one: (one.behind(1), one.reducers_used["mean_torque"]),
+    "ok_reducer_speed": lambda one: (one.speed, one.reducers_used["max_speed"]),
 }
-"""of a curve that the book does not know torques do not stay below it"""
+"""of each check what is asked, and the limit, 0 for none"""
+ASKED = 0.9  # share of a limit from which the exact engine is asked too: of all bounds that sheets state the tenfold
 
 
-def within(limits: Array, value: Any) -> Any:
-    """Return whether what is asked of the reducer is within its limits, 0 for none."""
-    return (limits == 0.0) | (value <= limits)
+def within(limit: Callable[[DriveStudy], tuple[Any, Any]], study: DriveStudy) -> Any:
+    """Return whether what is asked is within its limit."""
+    value, most = limit(study)
+    return (most == 0.0) | (value <= most)
+
+
+def below_curve(study: DriveStudy) -> Any:
+    """Return whether torques stay below the motor's curve; below one that the book does not know they do not."""
+    return (study.motors_used["fall"] == 0.0) | (study.products.knows_falling & (study.extremes.spare >= 0.0))
+
+
+CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {"ok_curve": below_curve}
+
+
+def judged_exactly(study: DriveStudy) -> Computations:
+    """Return by check which designs keep to a limit by the exact engine, each worked out when it is called."""
+
+    @cache
+    def limits() -> list[dict[str, bool]]:
+        asked = [limit(study) for limit in LIMITED.values()]
+        uses = [value / np.where(most == 0.0, np.inf, most) for value, most in asked]
+        uses.append(1.0 - study.extremes.spare / study.motors_used["peak_torque"])
+        near = np.maximum.reduce(np.broadcast_arrays(*uses, study.rates.places)[:-1]) >= ASKED
+        some = {study.designs[k] for k in np.flatnonzero(near).tolist()}
+        found = {one: {limit.check: limit.ok for limit in limits_of(study.view(*one))} for one in some}
+        return [found.get(one, {}) for one in study.designs]
+
+    def judge(check: str) -> Any:
+        return ok_texts(np.array([one.get(check, True) for one in limits()]))
+
+    return {name: partial(judge, name) for name in (f"drive{study.axis.number}_{check}" for check in CHECKS)}
 
 
 def results(study: DriveStudy) -> Computations:

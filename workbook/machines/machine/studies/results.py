@@ -66,7 +66,8 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     slow = checks_of_drives(machine, drives) if drives else {}
     each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
     every = ("about_highest", "about_binds") if drives else ()
-    return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every})
+    exact = {name: judge for one in drives for name, judge in each_drive.judged_exactly(one).items()}
+    return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
 
 
 def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
