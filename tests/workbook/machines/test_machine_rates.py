@@ -18,7 +18,7 @@ from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import Master
-from workbook.machines.machine.exact import exact_highest, rates
+from workbook.machines.machine.exact import drives_of, exact_highest, rate_of
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView
 
@@ -172,7 +172,8 @@ def test_a_drive_is_sized_at_a_rate_of_its_own():
 
 @pytest.mark.parametrize(("rate", "lines"), [(200.0, 0), (0.05, 0), (0.01, 1)])
 def test_a_rate_is_told_where_the_sheet_has_none_for_it_is_beyond_rounding(rate, lines):
-    told = rates(small([driven(*RISE, load={"mass": 20.0, "friction": 0.1}) | {"rate": rate}]))
+    (view,) = drives_of(small([driven(*RISE, load={"mass": 20.0, "friction": 0.1}) | {"rate": rate}]))
+    told = list(rate_of(view))
     assert len(told) == lines
     assert all("is 420.9082 cycles/min exactly (RMS torque); its sheet says none" in line for line in told)
 

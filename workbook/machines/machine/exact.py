@@ -32,11 +32,6 @@ def drives_of(machine: AnyMachine) -> Iterator[DriveView]:
     yield from filter(None, map(drive_of, axes_of(machine)))
 
 
-def rates(machine: AnyMachine) -> list[str]:
-    """Return a line for each drive whose exact highest rate is more than 0.1 % from that of its sheet."""
-    return [line for view in drives_of(machine) for line in rate_of(view)]
-
-
 def rate_of(view: DriveView) -> Iterator[str]:
     """Yield the line on the highest rate of a drive: the exact one is only searched where entering it again tells."""
     told, most, says = view.highest.rate, math.inf, str(view.highest.rate)
