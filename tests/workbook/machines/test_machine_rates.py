@@ -18,7 +18,7 @@ from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView, settled_highest
 from workbook.machines.machine.entries import Master
-from workbook.machines.machine.exact import drives_of, exact_highest, rate_of
+from workbook.machines.machine.exact import exact_highest, rate_of
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView
 

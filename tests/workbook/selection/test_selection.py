@@ -315,7 +315,7 @@ def test_a_catalogue_with_figures_that_cannot_be_is_built_and_fails(lines, said,
     gap.write_text(TEMPLATE.description.read_text().replace("radius = 120.0", "radius = 0.0", 1))
     out, rest = tmp_path / "book.xlsx", ["--motors", str(csv(tmp_path, *lines)), "--force", "-o"]
     whole = CliRunner().invoke(app, ["build", str(TEMPLATE.description), *rest, str(out)])
-    assert (whole.exit_code, said in " ".join(whole.output.split())) == (0, True), whole.output
+    assert (whole.exit_code, said in " ".join(whole.output.split())) == (3, True), whole.output
     both = CliRunner().invoke(app, ["build", str(gap), *rest, str(out)])
     assert "0; expected a number greater than 0" in " ".join(both.output.split())
     assert CliRunner().invoke(app, ["verify", str(out)]).exit_code == 3
@@ -350,7 +350,7 @@ def test_build_takes_catalogues_and_inputs_gives_them_back(tmp_path):
     out = tmp_path / "book.xlsx"
     options = ["--motors", str(motors), "--reducers", str(reducers), "-o", str(out)]
     ran = CliRunner().invoke(app, ["build", str(TEMPLATE.description), *options])
-    assert ran.exit_code == 0, ran.output
+    assert ran.exit_code == 3, ran.output  # neither motor can do it
     given, notes = read_inputs(out)
     assert notes == []
     assert [row.model_dump(exclude_none=True) for row in given.selection.motors] == read_motors(motors)
