@@ -1,7 +1,7 @@
 """The drive of an axis with many motors and reducers at many rates: results and checks by the names of the book."""
 
 from collections.abc import Callable, Mapping
-from functools import cache, cached_property, partial
+from functools import cached_property, partial
 from operator import attrgetter
 from typing import Any
 
@@ -15,13 +15,10 @@ from engine.selection.point_load import DriveBatch, Extremes, MotorLimits, PairA
 from engine.timing import shaft_speed, turn_time
 from workbook.fields.units import KG_CM2, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive import in_use
-from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reducer_load import load_of
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine, Axis
-from workbook.machines.machine.exact import limits_of
-from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MovingAxis
 from workbook.selection.catalogue import FULL_CYCLES
@@ -223,11 +220,6 @@ def varied(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:
     return next(((key.removeprefix(begin), one) for key, one in columns.items() if key.startswith(begin)), ("", FIXED))
 
 
-def ok_texts(ok: Any) -> Any:
-    """Return in words which checks hold."""
-    return np.where(ok, "OK", "FAIL")
-
-
 RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "rate": lambda one: one.rates.each,
     "jtot": lambda one: shown(one.at_motor, KG_CM2),
@@ -252,49 +244,6 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "binds": lambda one: one.highest[1],
     "reducer_held": lambda one: one.reducer_held,
 } | {f"pair_{name}": lambda one, name=name: one.motors_used[name] + one.reducers_used[name] for name in WEIGHED}
-LIMITED: dict[str, Callable[[DriveStudy], tuple[Any, Any]]] = {
-    "ok_rms": lambda one: (one.rms, one.continuous),
-    "ok_peak": lambda one: (one.extremes.peak, one.motors_used["peak_torque"]),
-    "ok_speed": lambda one: (one.speed, one.motors_used["max_speed"]),
-    "ok_reducer_peak": lambda one: (one.behind(0), one.reducer_held),
-    "ok_reducer_mean": lambda one: (one.behind(1), one.reducers_used["mean_torque"]),
-    "ok_reducer_speed": lambda one: (one.speed, one.reducers_used["max_speed"]),
-}
-"""of each check what is asked, and the limit, 0 for none"""
-ASKED = 0.9  # share of a limit from which the exact engine is asked too: of all bounds that sheets state the tenfold
-
-
-def within(limit: Callable[[DriveStudy], tuple[Any, Any]], study: DriveStudy) -> Any:
-    """Return whether what is asked is within its limit."""
-    value, most = limit(study)
-    return (most == 0.0) | (value <= most)
-
-
-def below_curve(study: DriveStudy) -> Any:
-    """Return whether torques stay below the motor's curve; below one that the book does not know they do not."""
-    return (study.motors_used["fall"] == 0.0) | (study.products.knows_falling & (study.extremes.spare >= 0.0))
-
-
-CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {"ok_curve": below_curve}
-
-
-def judged_exactly(study: DriveStudy) -> Computations:
-    """Return by check which designs keep to a limit by the exact engine, each worked out when it is called."""
-
-    @cache
-    def limits() -> list[dict[str, bool]]:
-        asked = [limit(study) for limit in LIMITED.values()]
-        uses = [value / np.where(most == 0.0, np.inf, most) for value, most in asked]
-        uses.append(1.0 - study.extremes.spare / study.motors_used["peak_torque"])
-        near = np.maximum.reduce(np.broadcast_arrays(*uses, study.rates.places)[:-1]) >= ASKED
-        some = {study.designs[k] for k in np.flatnonzero(near).tolist()}
-        found = {one: {limit.check: limit.ok for limit in limits_of(study.view(*one))} for one in some}
-        return [found.get(one, {}) for one in study.designs]
-
-    def judge(check: str) -> Any:
-        return ok_texts(np.array([one.get(check, True) for one in limits()]))
-
-    return {name: partial(judge, name) for name in (f"drive{study.axis.number}_{check}" for check in CHECKS)}
 
 
 def results(study: DriveStudy) -> Computations:
@@ -307,12 +256,3 @@ def results(study: DriveStudy) -> Computations:
         used = attrgetter(f"{kind}s_used")
         asked |= {cell: lambda study, used=used, name=name: used(study)[name] for cell, name in cells.items()}
     return {f"drive{study.axis.number}_{name}": partial(figure, study) for name, figure in asked.items()}
-
-
-def checks(study: DriveStudy) -> Computations:
-    """Return the checks of its sheet that entries do not decide."""
-    driven = study.bases[0].driven
-    found = CHECKS | ({"ok_back": lambda study: study.axis.motion.closes} if driven.given.kind in LINKED else {})
-    found |= {"ok_brake": lambda study: study.brake_load <= driven.brake.torque} if study.bases[0].brakes else {}
-    found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
-    return {f"drive{study.axis.number}_{key}": partial(lambda ok: ok_texts(ok(study)), ok) for key, ok in found.items()}

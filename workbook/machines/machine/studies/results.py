@@ -19,7 +19,9 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studies import drives as each_drive
-from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles, ok_texts
+from workbook.machines.machine.studies import limits
+from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles
+from workbook.machines.machine.studies.limits import ok_texts
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.selection.pair_selection import PairSelection
 from workbook.template_outputs import Column, Computations, Results, Scaling
@@ -56,7 +58,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         if axis.given.mechanism and axis.given.motor:
             drives.append(DriveStudy(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
             found |= each_drive.results(drives[-1])
-            checks |= each_drive.checks(drives[-1])
+            checks |= limits.checks(drives[-1])
     for k, given in enumerate(machine.clearances, 1):
         apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
         found[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
@@ -66,7 +68,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     slow = checks_of_drives(machine, drives) if drives else {}
     each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
     every = ("about_highest", "about_binds") if drives else ()
-    exact = {name: judge for one in drives for name, judge in each_drive.judged_exactly(one).items()}
+    exact = {name: judge for one in drives for name, judge in limits.judged_exactly(one).items()}
     return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
 
 

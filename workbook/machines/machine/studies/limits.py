@@ -1,0 +1,71 @@
+"""The checks of the drive of an axis in many designs: by the points of its cycle, and by the exact engine."""
+
+from collections.abc import Callable
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+
+from workbook.machines.machine.drive.by_angle import ends_in_place
+from workbook.machines.machine.exact import limits_of
+from workbook.machines.machine.mechanism import LINKED
+from workbook.machines.machine.studies.drives import DriveStudy
+from workbook.template_outputs import Computations
+
+LIMITED: dict[str, Callable[[DriveStudy], tuple[Any, Any]]] = {
+    "ok_rms": lambda one: (one.rms, one.continuous),
+    "ok_peak": lambda one: (one.extremes.peak, one.motors_used["peak_torque"]),
+    "ok_speed": lambda one: (one.speed, one.motors_used["max_speed"]),
+    "ok_reducer_peak": lambda one: (one.behind(0), one.reducer_held),
+    "ok_reducer_mean": lambda one: (one.behind(1), one.reducers_used["mean_torque"]),
+    "ok_reducer_speed": lambda one: (one.speed, one.reducers_used["max_speed"]),
+}
+"""of each check what is asked, and the limit, 0 for none"""
+ASKED = 0.9  # share of a limit from which the exact engine is asked too: of all bounds that sheets state the tenfold
+
+
+def within(limit: Callable[[DriveStudy], tuple[Any, Any]], study: DriveStudy) -> Any:
+    """Return whether what is asked is within its limit."""
+    value, most = limit(study)
+    return (most == 0.0) | (value <= most)
+
+
+def below_curve(study: DriveStudy) -> Any:
+    """Return whether torques stay below the motor's curve; below one that the book does not know they do not."""
+    return (study.motors_used["fall"] == 0.0) | (study.products.knows_falling & (study.extremes.spare >= 0.0))
+
+
+CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {"ok_curve": below_curve}
+
+
+def judged_exactly(study: DriveStudy) -> Computations:
+    """Return by check which designs keep to a limit by the exact engine, each worked out when it is called."""
+
+    @cache
+    def limits() -> list[dict[str, bool]]:
+        asked = [limit(study) for limit in LIMITED.values()]
+        uses = [value / np.where(most == 0.0, np.inf, most) for value, most in asked]
+        uses.append(1.0 - study.extremes.spare / study.motors_used["peak_torque"])
+        near = np.maximum.reduce(np.broadcast_arrays(*uses, study.rates.places)[:-1]) >= ASKED
+        some = {study.designs[k] for k in np.flatnonzero(near).tolist()}
+        found = {one: {limit.check: limit.ok for limit in limits_of(study.view(*one))} for one in some}
+        return [found.get(one, {}) for one in study.designs]
+
+    def judge(check: str) -> Any:
+        return ok_texts(np.array([one.get(check, True) for one in limits()]))
+
+    return {name: partial(judge, name) for name in (f"drive{study.axis.number}_{check}" for check in CHECKS)}
+
+
+def ok_texts(ok: Any) -> Any:
+    """Return in words which checks hold."""
+    return np.where(ok, "OK", "FAIL")
+
+
+def checks(study: DriveStudy) -> Computations:
+    """Return the checks of its sheet that entries do not decide."""
+    driven = study.bases[0].driven
+    found = CHECKS | ({"ok_back": lambda study: study.axis.motion.closes} if driven.given.kind in LINKED else {})
+    found |= {"ok_brake": lambda study: study.brake_load <= driven.brake.torque} if study.bases[0].brakes else {}
+    found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
+    return {f"drive{study.axis.number}_{key}": partial(lambda ok: ok_texts(ok(study)), ok) for key, ok in found.items()}
