@@ -101,6 +101,8 @@ class DriveStudy:
         *limits, _, places = self._lined(*map(self.motors_used.get, names), self.gears.ratio, self.rates.places)
         for k, load in enumerate(self.loads):
             some = np.flatnonzero(places == k)
+            if not some.size:  # a rate of designs that are left out
+                continue
             many = DriveBatch(load, PairArrays(*(v[some] for v in self.gears)), MotorLimits(*(v[some] for v in limits)))
             each.append((some, made(self.bases[k].time, many)))
         order = np.argsort(np.concatenate([some for some, _ in each]), kind="stable")
