@@ -1,4 +1,4 @@
-"""Set motionbook up and run it, with nothing but Python 3.11 or newer; no arguments: what it can do."""
+"""Set motionbook up and run it, with nothing but Python, 3.11 to 3.15; no arguments: what it can do."""
 
 import hashlib
 import importlib.util
@@ -6,9 +6,13 @@ import os
 import re
 import subprocess
 import sys
+import sysconfig
 import time
 from pathlib import Path
 
+PYTHONS = tuple((3, minor) for minor in range(11, 16))  # for which the locked packages have wheels
+if sysconfig.get_platform() == "win-arm64":
+    PYTHONS = PYTHONS[1:]
 ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
 STAMP, LOG = VENV / "set-up.txt", VENV / "set-up.log"
@@ -33,11 +37,41 @@ USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook
 The first run sets motionbook up in the folder .venv beside start.py."""
 
 
-def require(version: "tuple[int, int]", modules: "tuple[str, ...]" = ("venv", "ensurepip")) -> None:
-    """Raise RuntimeError if this Python cannot set motionbook up: too old, or one of the modules missing."""
-    if version < (3, 11):  # so this file has to parse under old Pythons too
-        this = "{}.{} ({})".format(*version, sys.executable)
-        raise RuntimeError(f"it needs Python 3.11 or newer, this is {this}; see www.python.org/downloads")
+def words(version: "tuple[int, int]") -> str:
+    """Return a version as people write it."""
+    return "{}.{}".format(*version)
+
+
+def find_python(version: "tuple[int, int]") -> "str | None":
+    """Return the path of a Python of a version that can set motionbook up: from the path, Windows' launcher, pyenv."""
+    pyenv = Path(os.environ.get("PYENV_ROOT") or os.path.expanduser("~/.pyenv"), "versions")
+    starts = [["python" + words(version)], ["py", "-" + words(version)]]
+    starts += [[str(path)] for path in sorted(pyenv.glob(words(version) + ".*/bin/python"))]
+    probe = "import ensurepip, sys, venv; print('{}.{}'.format(*sys.version_info), sys.executable)"
+    for start in starts:
+        try:
+            said = subprocess.check_output([*start, "-c", probe], stderr=subprocess.DEVNULL, timeout=60)
+        except (OSError, subprocess.SubprocessError):
+            continue
+        found, _, path = os.fsdecode(said).strip().partition(" ")
+        if found == words(version):
+            return path
+    return None
+
+
+def other_python(this: "tuple[int, int]") -> str:
+    """Return the path of the newest Python that fits, and say that it is taken; RuntimeError if there is none."""
+    fitting = f"{words(PYTHONS[0])} to {words(PYTHONS[-1])}"
+    found = next(filter(None, map(find_python, reversed(PYTHONS))), None)
+    if found is None:
+        here = f"this is {words(this)} ({sys.executable}), and no other is found"
+        raise RuntimeError(f"it runs on Python {fitting}; {here}; see www.python.org/downloads")
+    print(f"This Python is {words(this)}, {fitting} will do: taking {found}", file=sys.stderr, flush=True)
+    return found
+
+
+def require(modules: "tuple[str, ...]" = ("venv", "ensurepip")) -> None:
+    """Raise RuntimeError if this Python cannot set motionbook up, as one of the modules is missing."""
     for name in modules:
         if importlib.util.find_spec(name) is None:
             raise RuntimeError(f"this Python has no {name} (Debian, Ubuntu: sudo apt install python3-venv)")
@@ -106,7 +140,9 @@ def main(arguments: "list[str]") -> int:
         print(USAGE.format("py" if os.name == "nt" else "python3"))
         return 0
     try:
-        require(sys.version_info[:2])
+        if sys.version_info[:2] not in PYTHONS:
+            return subprocess.call([other_python(sys.version_info[:2]), __file__, *arguments])
+        require()
         set_up("dev" if command in ("test", "check") else "run")
         if command == "test":
             return subprocess.call([program("pytest"), *OVER_CORES, *chosen(arguments[1:])], cwd=ROOT)

@@ -2,8 +2,10 @@
 
 import ast
 import importlib.util
+import os
 import re
 import sys
+import tomllib
 import venv
 from pathlib import Path
 from types import ModuleType
@@ -56,28 +58,79 @@ def test_start_parses_under_the_oldest_grammar_that_python_can_still_check() -> 
     ast.parse(SOURCE.read_text(encoding="utf-8"), feature_version=(3, 7))
 
 
-@pytest.mark.parametrize("version", [(3, 6), (3, 10)])
-def test_an_old_python_is_told_its_version_and_the_needed_one(start: ModuleType, version: tuple[int, int]) -> None:
-    with pytest.raises(RuntimeError, match=rf"needs Python 3\.11 or newer, this is {version[0]}\.{version[1]} \("):
-        start.require(version)
+def stand_in(program: Path, answer: str, asked_by: str = "-c") -> Path:
+    """A program that answers with its version and path if it is asked, and else notes how it is started."""
+    program.parent.mkdir(parents=True, exist_ok=True)
+    asked = f'[ "$1" = {asked_by} ] && echo "{answer}" && exit 0'
+    program.write_text(f'#!/bin/sh\n{asked}\necho "$@" >"{program}.started"\nexit 7\n', encoding="utf-8")
+    program.chmod(0o755)
+    return program
+
+
+@pytest.fixture
+def machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A machine without any Python: its folder ``bin`` is the path, its folder ``pyenv`` is where pyenv keeps them."""
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"))
+    monkeypatch.setenv("PYENV_ROOT", str(tmp_path / "pyenv"))
+    return tmp_path
+
+
+needs_a_shell = pytest.mark.skipif(os.name == "nt", reason="the stand-ins are scripts of a shell")
+TOO_OLD, TOO_NEW = (3, 10, 4, "final", 0), (3, 99, 0, "alpha", 0)
+
+
+@needs_a_shell
+@pytest.mark.parametrize("version", [TOO_OLD, TOO_NEW])
+def test_another_python_takes_over_from_one_that_does_not_fit(
+    start: ModuleType, machine: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    version: tuple[object, ...],
+) -> None:  # fmt: skip
+    fitting = stand_in(machine / "bin/python3.12", f"3.12 {machine}/bin/python3.12")
+    monkeypatch.setattr(sys, "version_info", version)
+    assert start.main(["build", "a b.toml"]) == 7
+    started = Path(f"{fitting}.started").read_text(encoding="utf-8")
+    assert started == f"{start.__file__} build a b.toml\n"
+    out, err = capsys.readouterr()
+    assert (out, err) == ("", f"This Python is 3.{version[1]}, 3.11 to 3.15 will do: taking {fitting}\n")
+    assert start.installed == []
+
+
+@needs_a_shell
+def test_pythons_are_found_on_the_path_by_the_launcher_and_in_pyenv(start: ModuleType, machine: Path) -> None:
+    stand_in(machine / "bin/python3.11", "3.11 /of the path")
+    stand_in(machine / "bin/py", "3.12 /launched", asked_by="-3.12")
+    stand_in(machine / "bin/python3.13", "", asked_by="nothing")  # fails, as pyenv's own stand-ins do
+    stand_in(machine / "pyenv/versions/3.13.0/bin/python", "3.13 /of pyenv")
+    stand_in(machine / "bin/python3.14", "3.9 /another than its name says")
+    found = [start.find_python(version) for version in start.PYTHONS]
+    assert found == ["/of the path", "/launched", "/of pyenv", None, None]
+
+
+@pytest.mark.parametrize("version", [TOO_OLD, TOO_NEW])
+def test_a_python_that_does_not_fit_and_is_alone_is_told_which_would_in_one_line(
+    start: ModuleType, machine: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    version: tuple[object, ...],
+) -> None:  # fmt: skip
+    monkeypatch.setattr(sys, "version_info", version)
+    assert start.main(["build"]) == 2
+    out, err = capsys.readouterr()
+    assert (out, err.count("\n"), start.installed) == ("", 1, [])
+    assert re.search(rf"it runs on Python 3\.11 to 3\.15; this is 3\.{version[1]} \(.*, and no other is found", err)
 
 
 def test_a_python_without_ensurepip_is_told_what_to_install(start: ModuleType) -> None:
     with pytest.raises(RuntimeError, match=r"has no no_such_module \(.*python3-venv\)"):
-        start.require((3, 11), ("venv", "no_such_module"))
+        start.require(("venv", "no_such_module"))
 
 
 def test_this_python_will_do(start: ModuleType) -> None:
-    start.require(sys.version_info[:2])
+    start.require()
+    assert sys.version_info[:2] in start.PYTHONS
 
 
-def test_an_old_python_gets_one_line_and_exit_code_2(
-    start: ModuleType, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(sys, "version_info", (3, 10, 4, "final", 0))
-    assert start.main(["build"]) == 2
-    out, err = capsys.readouterr()
-    assert (out, err.count("\n"), start.installed) == ("", 1, [])
+def test_start_takes_the_pythons_that_the_project_is_for(start: ModuleType) -> None:
+    project = tomllib.loads((SOURCE.parent / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["requires-python"] == f">={start.words(start.PYTHONS[0])}"
 
 
 @pytest.mark.parametrize("arguments", [[], ["--help"]])
