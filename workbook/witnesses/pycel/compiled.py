@@ -9,6 +9,7 @@ from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
+from pycel import excelformula
 from pycel.excelformula import ExcelFormula, FunctionNode, Token, Tokenizer
 from pycel.excelutil import EMPTY, list_like
 from pycel.lib.function_helpers import load_functions
@@ -18,7 +19,9 @@ from workbook.book.address import Address
 from workbook.book.formula import FormulaError
 from workbook.witnesses.pycel import limits, shortcuts
 from workbook.witnesses.pycel.shortcuts import Range
+from workbook.witnesses.pycel.trees import TREES
 
+excelformula.ast = TREES  # pycel's own name only
 MODULES = (limits, *(importlib.import_module(name) for name in ExcelFormula.default_modules))
 UNSUITED = frozenset({"OFFSET", "INDIRECT", "SUBTOTAL"})  # they need pycel's graph, or a number in the text
 DUMMY = re.compile(r"A[0-9]+(:B[0-9]+)?")
