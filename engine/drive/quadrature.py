@@ -1,9 +1,9 @@
 """A drive's load at points of its cycle: nine Gauss-Lobatto points of each interval of its motion. SI units.
 
-An interval is a piece of the motion, cut where a process force begins or ends. Peaks are those of the points, corrected
-by the parabola through the largest and its neighbours; means are weighted sums. Peaks are exact at a constant ratio
-without viscous friction, if the acceleration is monotone in each piece; else they are right to the bound that the
-sheets state. :class:`engine.drive.results.DriveResults` is exact.
+An interval is a piece of the motion, cut where a process force begins or ends and where the motion turns round. Peaks
+are those of the points, corrected by the parabola through the largest and its neighbours; means are weighted sums.
+Peaks are exact at a constant ratio without viscous friction, if the acceleration is monotone in each piece; else they
+are right to the bound that the sheets state. :class:`engine.drive.results.DriveResults` is exact.
 """
 
 import math
@@ -148,10 +148,11 @@ class QuadratureCycle:
     drive_cycle: DriveCycle
     pieces: Sequence[MotionPiece]  # of its motion
     near: float  # distance within which cuts count as one, in units of the abscissa
+    turns: Sequence[float] = ()  # abscissae at which the motion turns round inside a piece
 
     @cached_property
     def intervals(self) -> list[Interval]:
-        """The intervals between begins of pieces, edges of forces and even steps, in order."""
+        """The intervals between begins of pieces, edges of forces, even steps and turns, in order."""
         motion, shift = self.drive_cycle.unshifted, self.drive_cycle.shift
         train = self.drive_cycle.train
         edges = [edge for window in train.windows for edge in (window.begin, window.end)]
@@ -159,7 +160,7 @@ class QuadratureCycle:
         steps = train.by_angle.steps if train.by_angle else 1
         inner += [motion.begin + motion.total * k / steps for k in range(1, steps)]
         end, begins = motion.begin + motion.total, [piece.begin for piece in self.pieces]
-        cuts = [*begins, *inner]
+        cuts = [*begins, *inner, *self.turns]
         kept = [cut for k, cut in enumerate(cuts) if all(abs(cut - other) >= self.near for other in [*cuts[:k], end])]
         places = [*sorted(kept), end]
         middles = (np.array(places[:-1]) + np.array(places[1:])) / 2.0
@@ -199,8 +200,7 @@ class QuadratureCycle:
         number = np.arange(len(begin))[:, None] + np.zeros(POINTS, dtype=np.intp)
         share, place = (end - begin) / self.drive_cycle.unshifted.total * WEIGHTS, begin + (end - begin) * SHARES
         y, v, a = self._moved(number, place)
-        direction = np.where(np.abs(v) > self.still, np.sign(v), self.direction[number])
-        steady, friction = (level[number] for level in self.levels)
+        steady, friction, direction = (of_interval[number] for of_interval in (*self.levels, self.direction))
         first, second = self.drive_cycle.train.ratio(y)
         dwell = self.dwells[number]
         return LoadPoints(

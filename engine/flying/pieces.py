@@ -118,7 +118,7 @@ def cycle_of(cut: Cut, train: Drivetrain) -> CutCycle:
     """Return the drive cycle of a cut's shaft, at nine points of each piece of the tool's motion."""
     pieces = cut_pieces(cut)
     drive_cycle = DriveCycle(train, MotionPieces(tuple(pieces), 0.0, cut.cycle_time))
-    return CutCycle(drive_cycle, pieces, cut.time_tolerance, STANDSTILL * max(map(abs, cut.speed_range)))
+    return CutCycle(drive_cycle, pieces, cut.time_tolerance, still=STANDSTILL * max(map(abs, cut.speed_range)))
 
 
 def furthest(load: LoadPoints, still: float) -> tuple[Array, Array]:

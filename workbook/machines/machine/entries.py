@@ -134,6 +134,7 @@ class MachineSizes(SelectionSizes):
     positions: int = Field(
         default=12, ge=3, le=40, description="Rows for the points of a mechanism that is told by a table"
     )
+    turns: int = Field(default=4, ge=1, le=60, description="Rows for turns of a drive inside pieces of its motion")
 
 
 class AnyMachine(Exporting):

@@ -9,6 +9,7 @@ from workbook.book.rows import filled, spread
 from workbook.laws.sampling import HIGH, LOW, Pieces
 from workbook.machines.machine.boundary import curves
 from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
+from workbook.machines.machine.turning import AxisTurns, middles_table, moves_table
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.cells import Cells, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
@@ -32,6 +33,7 @@ class AxisTables:
         self.pieces = rows_of(self.at, axis.motion, stack, axis.places, self.steps)
         self.joints = Joints.of(self.pieces, axis.motion, self.required)
         self.ends = AxisHandover(self.pieces, axis, machine.over) if machine.hands_over else None
+        self.turning = AxisTurns(self.pieces, axis, self.ends, machine.room)
 
     @property
     def at(self) -> Cells:
@@ -69,7 +71,11 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
         title, size = f"Pieces of axis {one.axis.number}", one.axis.motion.size
         pieces_table(sheet, title, one.pieces, room, size, *columns, taken=halves)
         one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
+        if one.axis.given.motor:
+            moves_table(sheet, one.turning)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
+    if any(one.axis.given.motor for one in axes):
+        middles_table(book, sheet)
     if handing := [one.ends for one in axes if one.ends]:
         place_boundaries(sheet, handing)
     sheet.print_columns = 20

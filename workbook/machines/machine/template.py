@@ -193,7 +193,7 @@ TEMPLATE = Template(
     variants,
     LAW_SIZES
     | {"cycle": ("cycle1", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
-    | {"rotors": ("drive#_parts", 0), "positions": ("drive#_points", 0)}
+    | {"rotors": ("drive#_parts", 0), "positions": ("drive#_points", 0), "turns": ("drive#_turns", 0)}
     | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     require_mechanisms,
     laid_out=laid_out,

@@ -1,6 +1,6 @@
 """The table of a drive: at points of each interval, from the motion to the motor, a column a quantity.
 
-Intervals are pieces of its motion, cut where a process force begins or ends. The points are
+Intervals are pieces of its motion, cut where a process force begins or ends and where it turns round. The points are
 those of the rule of Gauss and Lobatto: both ends and seven between, each with what it counts in a mean.
 """
 
@@ -54,8 +54,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         *motion(view),
         *([calc("y", "position", "y", axis.base, f"={sampled(view.tables.pieces, 0)}", of(load.position),
                 scale=axis.motion.size(0))] if view.varies or view.driven.by_angle else []),
-        calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX(@up,[iv]))", of(load.direction),
-             format="0"),
+        calc("dir", "direction", "", "", "=INDEX(@up,[iv])", of(load.direction), "of its interval", format="0"),
         *(by_angle.slide(view.driven, load, of) if view.slides else []),
         calc("R", "resisting force", "F_r", unit, resists, of(load.resisting), without, scale=size.force),
         *linked,
@@ -136,13 +135,16 @@ LENGTH = "[len]<eps"  # the condition of a spare row: an interval of no length
 
 
 def cuts_table(sheet: Sheet, view: DriveView) -> None:
-    """Declare where an interval can begin: at the motion's pieces, and at edges of process forces."""
+    """Declare where an interval can begin: at the motion's pieces, at edges of process forces, and where it turns."""
     table = f"axis{view.driven.number}_pieces"
     pieces = filled([shown(one.begin, DEGREE) for one in view.cycle.pieces], view.room, TURN)
-    steps = range(1, view.steps)
-    edges = [*pieces, *view.edges, *(TURN * n / view.steps for n in steps)]
+    steps, turning = range(1, view.steps), range(1, view.turn_rows + 1)
+    turned = filled([shown(one.at, DEGREE) for one in view.turns[: view.turns_cut]], view.turn_rows, TURN)
+    edges = [*pieces, *view.edges, *(TURN * n / view.steps for n in steps), *turned]
     windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)] + [-n for n in steps]
     sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in steps]
+    rest = [0] * len(turning)
+    turns = [0] * len(windows) + list(turning)
     edge = f"IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
     near = view.tables.machine.near
     kept = [
@@ -153,10 +155,12 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     sheet.table(
         "@cuts", "Where an interval can begin", len(edges),
         constant("k", "number", "k", "", list(range(1, len(edges) + 1))),
-        constant("window", "process force", "", "", windows,
+        constant("window", "process force", "", "", windows + rest,
                  "below 0: the number of an even step" if view.steps > 1 else "", format="0;;"),
-        constant("side", "its begin (1) or end (2)", "", "", sides, format="0;;"),
-        calc("edge", "angle of its phases", "θ", "°", f"={edge}", edges, "of a piece, or of a force", **PLACE),
+        constant("side", "its begin (1) or end (2)", "", "", sides + rest, format="0;;"),
+        constant("turn", "turn", "", "", turns, format="0;;"),
+        calc("edge", "angle of its phases", "θ", "°", f"=IF([turn]>0,INDEX([@turns.at],MAX([turn],1)),{edge})", edges,
+             "of a piece, a force or a turn", **PLACE),
         calc("at", "cut", "θ", "°",
              "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<eps^2)*([@cuts.k]<[k]))+([edge]>360-eps)>0,360,[edge])", kept,
              "360: one before it is there", **PLACE),

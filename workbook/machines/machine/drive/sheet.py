@@ -13,6 +13,7 @@ from workbook.machines.machine.drive.entered import loads, parts_table, windows_
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
 from workbook.machines.machine.drive.points import charts, cuts_table, intervals_table, points_table, samples_table
 from workbook.machines.machine.drive.reach import linkage_checks, reach_table
+from workbook.machines.machine.drive.turns import turns_check, turns_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.workings import peaks_table, top, workings
 from workbook.machines.machine.file_layout import kind_name
@@ -65,6 +66,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         sheet.heading("Workings: the cycle in intervals and points")
+        turns_table(sheet, view)
         cuts_table(sheet, view)
         intervals_table(sheet, view)
         points_table(sheet, view)
@@ -202,7 +204,7 @@ def checks(view: DriveView) -> list[Quantity]:
             ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
             ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
         ),
-        *([brake.holds(view)] if view.brakes else []), *in_use.checks(driven.number, called),
+        turns_check(view), *([brake.holds(view)] if view.brakes else []), *in_use.checks(driven.number, called),
         below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.tables.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),

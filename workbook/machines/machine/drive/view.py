@@ -68,7 +68,10 @@ class DriveView:
         self.time = driven.drive_cycle.time  # of a cycle (s)
         self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour
         pieces, near = list(tables.pieces.pieces), tables.axis.motion.tolerance
-        self.cycle = QuadratureCycle(driven.drive_cycle, pieces, near)
+        self.turn_rows, found = machine.sizes.turns, tables.turning.turns
+        self.turns_cut = min(len(found), self.turn_rows, self.room - len(pieces) - 2 * len(driven.windows))
+        self.turns = found[: self.turn_rows]
+        self.cycle = QuadratureCycle(driven.drive_cycle, pieces, near, [one.at for one in found[: self.turns_cut]])
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
         self.points = DrivePoints(self.load)
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
