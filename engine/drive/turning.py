@@ -44,7 +44,8 @@ class Turn(NamedTuple):
     piece: int  # number of the piece, from 0
     again: bool  # whether it is the second of its piece
     after: float  # direction after it: 1 or −1
-    u: float  # the place near it, in units of the abscissa from the piece's begin
+    share: float  # the place near it, as a share of the piece
+    u: float  # the same in units of the abscissa, from the piece's begin
     velocity: float  # y' there
     acceleration: float  # y''
     jerk: float  # y'''
@@ -70,5 +71,5 @@ def turns_of(pieces: Sequence[MotionPiece], moves: Sequence[Directions]) -> list
             u = share * piece.duration
             v, a, j = (curve(u) for curve in piece.curves[1:])
             root = u - 2.0 * v / (a + after * math.sqrt(max(0.0, a**2 - 2.0 * j * v)))
-            found.append(Turn(number, bool(again), after, u, v, a, j, piece.begin + root))
+            found.append(Turn(number, bool(again), after, share, u, v, a, j, piece.begin + root))
     return found

@@ -3,8 +3,9 @@
 from functools import cached_property
 
 from engine.drive.turning import MIDDLES, Directions, Turn, directions, turns_of
+from engine.laws import Law
 from engine.laws.points import slowest
-from engine.motion import Phase
+from engine.motion.pieces import MotionPiece
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.machines.machine.boundary.handover import AxisHandover
@@ -28,13 +29,16 @@ class AxisTurns:
     @cached_property
     def may_turn(self) -> list[bool]:
         """Whether each piece may turn round."""
-        in_row = {place: k for k, place in enumerate(self.axis.places)}
 
-        def may(k: int, phase: Phase) -> bool:
-            return slowest(phase.named) < -BACKWARD or (self.ends is not None and self.ends.handed[k].mode > 0)
+        def may(piece: MotionPiece) -> bool:
+            takes = self.ends is not None and self.ends.step_of(piece).mode > 0
+            return takes or slowest(self.law_of(piece)) < -BACKWARD
 
-        phases = [may(k, phase) for k, phase in enumerate(self.axis.motion.phases)]
-        return [piece.duration > 0.0 and phases[in_row[piece.phase]] for piece in self.rows.pieces]
+        return [piece.duration > 0.0 and may(piece) for piece in self.rows.pieces]
+
+    def law_of(self, piece: MotionPiece) -> Law:
+        """Return the law of a piece's phase, as entered."""
+        return self.axis.motion.phases[self.axis.places.index(piece.phase)].named
 
     @cached_property
     def directions(self) -> list[Directions]:
@@ -51,9 +55,8 @@ class AxisTurns:
 def moves_table(sheet: Sheet, of: AxisTurns) -> None:
     """Declare where each piece moves which way, and how often the motion has turned round inside a piece."""
     at, rows, room = of.rows.at, of.rows, of.room
-    mode = f",INDEX([{at.ends}.mode],[p])>0" if at.ends else ""
-    way = f"IF([{at.pieces}.d.same]>0,IF(OR({LOW.format(at.phases)}<0-check_zero{mode}),1,0),0)"
-    v = velocity(rows)
+    p, v = f"[{at.pieces}.p.same]", velocity(rows)
+    taken = f"+(INDEX([{at.ends}.mode],{p})>0)" if at.ends else ""
     both, each = "MAX([ff],[fb])", zip(*of.directions, strict=True)
     ff, fb, lf, lb = (filled(values, room, spare) for values, spare in zip(each, Directions(), strict=True))
 
@@ -65,36 +68,37 @@ def moves_table(sheet: Sheet, of: AxisTurns) -> None:
         formula = f"=IF([may]=0,0,SUMPRODUCT(MAX({MIDDLE}*({v}{way}0))))"
         return calc(name, f"{WAYS[way]} until", "", "", formula, values, scale=1.0, source="0: never")
 
-    turned = [0, *(sum(turn.piece <= k for turn in of.turns) for k in range(len(rows.pieces)))]
+    turned = [sum(turn.piece <= k for turn in of.turns) for k in range(len(rows.pieces))]
+    lows = [slowest(of.law_of(piece)) for piece in rows.pieces]
     sheet.table(
         of.name, f"Which way each piece of axis {of.axis.number} moves, as shares of it", room,
         constant("r", "piece", "k", "", list(range(1, room + 1))),
-        calc("p", "step", "", "", f"=[{at.pieces}.p.same]",
-             filled([piece.phase + 1 for piece in rows.pieces], room, rows.pieces[-1].phase + 1), format="0"),
-        calc("may", "may turn round", "", "", f"={way}", filled([int(may) for may in of.may_turn], room), format="0",
-             source="its law moves back, or it takes velocity"),
+        calc("low", "lowest velocity of its law", "", "", f"=INDEX(law_v_low,INDEX([{at.phases}.no],{p}))",
+             filled(lows, room, lows[-1]), scale=1.0),
+        calc("may", "may turn round", "", "", f"=IF([{at.pieces}.d.same]*(([low]<0-check_zero){taken})>0,1,0)",
+             filled([int(may) for may in of.may_turn], room), "its law does, or it takes velocity", format="0"),
         first("ff", ">", ff), first("fb", "<", fb), last("lf", ">", lf), last("lb", "<", lb),
         calc("turns", "turns so far", "", "",
              f"=IF([r]=1,0,[turns-1])+IF({both}<1,IF(MIN([lf],[lb])>{both}-check_zero,2,1),0)",
-             filled(turned[1:], room, turned[-1]), "inside pieces", format="0"),
+             filled(turned, room, turned[-1]), "inside pieces", format="0"),
         blank=f"[r]>{at.count}",
     )  # fmt: skip
 
 
-LOW = "INDEX(law_v_low,INDEX([{}.no],[p]))"
 WAYS = {">": "forward", "<": "backward"}
 
 
 def velocity(rows: PieceRows) -> str:
-    """Return the formula of y' in the middles of the parts of the piece of the same row, but for a factor."""
+    """Return the formula of y' in the middles of the parts of the piece of the same row.
+
+    It has one sine: laws with a second one go forward throughout, between rests.
+    """
     t = rows.at.pieces
     u, text = f"[{t}.d.same]*{MIDDLE}", ""
     for n in range(rows.powers - 1, 0, -1):
         c = f"{n}*[{t}.c{n}.same]" if n > 1 else f"[{t}.c{n}.same]"
         text = f"{c}+{u}*({text})" if "+" in text else f"{c}+{u}*{text}" if text else c
-    for mark in rows.marks:
-        text += f"+[{t}.dA{mark}.same]*COS([{t}.om{mark}.same]*{u}+[{t}.ph{mark}.same])"
-    return text
+    return f"{text}+[{t}.dA.same]*COS([{t}.om.same]*{u}+[{t}.ph.same])"
 
 
 def middles_table(book: Book, sheet: Sheet) -> None:

@@ -52,9 +52,10 @@ def turns_table(sheet: Sheet, view: DriveView) -> None:
              filled([int(one.again) for one in found], room), "1 yes, 0 no", format="0"),
         calc("after", "direction after it", "", "", among(f"IF([again]=1,SIGN({lf}-{lb}),SIGN({ff}-{fb}))"),
              filled([one.after for one in found], room), format="0"),
-        calc("u", "beside it: within piece", "u", "rad",
-             f"={among(f'IF([again]=1,MIN({lf},{lb})+{half},MAX({ff},{fb})-{half})')[1:]}"
-             f"*INDEX([{rows.at.pieces}.d],[q]){NOT_ZERO}", u + LEAST, FROM_START),
+        calc("s", "beside it: share of the piece", "", "",
+             among(f"IF([again]=1,MIN({lf},{lb})+{half},MAX({ff},{fb})-{half})"),
+             filled([one.share for one in found], room), scale=1.0),
+        calc("u", "within piece", "u", "rad", f"=[s]*INDEX([{rows.at.pieces}.d],[q]){NOT_ZERO}", u + LEAST, FROM_START),
         *arguments(rows, "", "[q]", turned(pieces, u)),
         *(calc(name, what, symbol, rows.at.unit(order), f"={at_place(rows, order, '', '[q]')}", values,
                scale=size(order))
