@@ -27,9 +27,11 @@ class Stage:
     ratio: float  # input over output speed, above 0; rad/m if the output travels (screw: 2πP; roller: 1/R)
     efficiency: float = 1.0  # η where the motor drives, above 0, at most 1
     back_efficiency: float | None = None  # η' where the load drives, at most 1; None: η; 0 or less: self-locking
+    friction: float = 0.0  # on its output (Nm), against the motion, 0 at rest
 
     def __post_init__(self) -> None:
         require_positive(self.name, ratio=self.ratio)
+        require_not_negative(self.name, friction=self.friction)
         if not 0.0 < self.efficiency <= 1.0:
             raise ValueError(f"{self.name}: efficiency is {self.efficiency:g}; expected more than 0 and at most 1")
         back = self.back_efficiency
@@ -152,6 +154,10 @@ class Mechanism:
         parts = math.fsum(part.reflected for part in self.parts if part.shaft == shaft)
         return parts + self.load.inertia if shaft == self.last else parts
 
+    def friction_on(self, shaft: int) -> float:
+        """Return the friction on a shaft (Nm) of the stage that drives it; 0 on the motor's."""
+        return self.stages[shaft - 1].friction if shaft else 0.0
+
     def inertia_divisor(self, shaft: int, method: Method = "physical") -> float:
         """Return i², by which an inertia on a shaft is divided at the motor's; by the method "document" i² η.
 
@@ -169,7 +175,7 @@ class Mechanism:
         return force / self.ratio / self.efficiency
 
     def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:
-        """Return the torque that drives each shaft: T(n) = R + m a, T(k) = J_k ω̇_k + f T(k + 1)/i_k.
+        """Return the torque that drives each shaft: T(n) = R + m a, T(k) = J_k ω̇_k ± T_f,k + f T(k + 1)/i_k.
 
         Parameters
         ----------
@@ -186,11 +192,12 @@ class Mechanism:
             From the motor's shaft, without the motor's own inertia, to the load's.
         """
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
-        found = [self.load.resisting(sign) + self.torque_per_acceleration[self.last] * a]
+        own = [j * a + self.friction_on(k) * sign for k, j in enumerate(self.torque_per_acceleration)]
+        found = [self.load.resisting(sign) + own[self.last]]
         for k in reversed(range(self.last)):
             stage = self.stages[k]
             through = stage.factor(found[0], sign, method) * found[0] / stage.ratio
-            found.insert(0, through + self.torque_per_acceleration[k] * a)
+            found.insert(0, through + own[k])
         return found
 
     @cached_property

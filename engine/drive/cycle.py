@@ -70,11 +70,7 @@ class TorqueInterval:
         turning = self.train.shaft(load, self.within)
         weights = self.torque_coefficients[shaft]
         found = weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration
-        return np.asarray(found + self.no_load(shaft))
-
-    def no_load(self, shaft: int) -> float:
-        """Return the no-load torque (Nm) of the motor's shaft, with its sign; 0 of another shaft."""
-        return self.train.drive.no_load * self.direction if shaft == 0 else 0.0
+        return np.asarray(found + weights.friction * self.direction)
 
     def power(self, u: Array) -> Array:
         """Return the power (W) of the motor at u, with the losses of its winding: T ω + (P_N/T_N²) T²."""
@@ -95,8 +91,8 @@ class TorqueInterval:
         if self.train.linkage:
             return None
         ratio = self.train.drive.mechanism.stages[-1].ratio
-        weights = TorqueCoefficients(0.0, 0.0) if shaft == 0 and self.braked else self.torque_coefficients[shaft]
-        return self._force_curve(weights.force / ratio, weights.inertia * ratio, self.no_load(shaft))
+        weights = TorqueCoefficients(0.0, 0.0, 0.0) if shaft == 0 and self.braked else self.torque_coefficients[shaft]
+        return self._force_curve(weights.force / ratio, weights.inertia * ratio, weights.friction * self.direction)
 
     def _force_curve(self, share: float, inertia: float, more: float) -> Curve:
         """Return ``share`` · F + ``inertia`` · ÿ + ``more`` as a curve over u, F the force at the load."""

@@ -140,10 +140,14 @@ class Force(NamedTuple):
 
 
 class TorqueCoefficients(NamedTuple):
-    """Coefficients of a shaft's torque (Nm), ``force`` · F/φ' + ``inertia`` · φ̈, φ of the mechanism's own shaft."""
+    """Coefficients of a shaft's torque (Nm), ``force`` · F/φ' + ``inertia`` · φ̈ ± ``friction``.
+
+    φ is the angle of the mechanism's own shaft; the friction has the sign of the motion.
+    """
 
     force: float  # dimensionless
     inertia: float  # kg m²
+    friction: float  # Nm
 
 
 @dataclass(frozen=True)
@@ -209,13 +213,12 @@ class Drivetrain:
         """Return the coefficients of all shafts but the load's, from the motor's, by the factor of each stage."""
         m = self.drive.mechanism
         last = m.last - 1
-        found = [TorqueCoefficients(factors[last], m.on_shaft(last))]
+        found = [TorqueCoefficients(factors[last], m.on_shaft(last), m.friction_on(last))]
         for k in reversed(range(last)):
             stage, behind = m.stages[k], found[0]
             through = factors[k] / stage.ratio
             turns = math.prod(later.ratio for later in m.stages[k:last])
-            found.insert(
-                0, TorqueCoefficients(through * behind.force, through * behind.inertia + m.on_shaft(k) * turns)
-            )
-        own = self.drive.motor_inertia * self.gear
-        return [TorqueCoefficients(found[0].force, found[0].inertia + own), *found[1:]]
+            own = TorqueCoefficients(0.0, m.on_shaft(k) * turns, m.friction_on(k))
+            found.insert(0, TorqueCoefficients(*(through * a + b for a, b in zip(behind, own, strict=True))))
+        first = TorqueCoefficients(0.0, self.drive.motor_inertia * self.gear, self.drive.no_load)
+        return [TorqueCoefficients(*map(sum, zip(found[0], first, strict=True))), *found[1:]]

@@ -93,24 +93,41 @@ class LoadPoints:
         """Acceleration of the mechanism's shaft (rad/s²), φ'' v² + φ' a."""
         return self.second * self.velocity**2 + self.first * self.acceleration
 
+    @property
+    def output_ratio(self) -> float:
+        """Speed of the shaft behind the first stage, the reducer, over that of the mechanism's shaft."""
+        return math.prod(stage.ratio for stage in self.train.drive.mechanism.stages[1:-1])
+
     @cached_property
-    def output_torque(self) -> Array:
-        """Torque that drives the shaft behind the first stage, the reducer (Nm)."""
+    def shaft_torques(self) -> list[Array]:
+        """Torques that drive the shafts (Nm) from the first stage's output, the reducer's, to the mechanism's."""
         return self._driving(self.force, 1.0)
 
     @cached_property
-    def output_torque_at_rest(self) -> Array:
+    def shaft_torques_at_rest(self) -> list[Array]:
         """The same without inertia and viscous friction (Nm)."""
         return self._driving(self.resisting, 0.0)
 
-    def _driving(self, force: Array, moved: float) -> Array:
-        """Return the torque at the first stage's output (Nm) for a force at the load, f T/i + ``moved`` · J ω̇."""
-        m, torque = self.train.drive.mechanism, force
+    @property
+    def output_torque(self) -> Array:
+        """Torque that drives the shaft behind the first stage, the reducer (Nm)."""
+        return self.shaft_torques[0]
+
+    @property
+    def output_torque_at_rest(self) -> Array:
+        """The same without inertia and viscous friction (Nm)."""
+        return self.shaft_torques_at_rest[0]
+
+    def _driving(self, force: Array, moved: float) -> list[Array]:
+        """Return the torques on all shafts for a force at the load (Nm), f T/i + ``moved`` · J ω̇ ± T_f."""
+        m, torque, found = self.train.drive.mechanism, force, list[Array]()
         for k in range(m.last - 1, 0, -1):
             ratio = self.first if k == m.last - 1 else m.stages[k].ratio
             gear = math.prod(stage.ratio for stage in m.stages[k : m.last - 1])
             torque = self._through(k, torque) / ratio + moved * m.on_shaft(k) * gear * self.shaft_acceleration
-        return torque
+            torque = torque + m.friction_on(k) * self.direction
+            found.insert(0, torque)
+        return found or [force]
 
     def _through(self, stage: int, torque: Array) -> Array:
         """Return a torque at the output of a stage (a number from 0) times its factor of losses."""

@@ -76,9 +76,10 @@ class PointLoad:
         torque = np.where(load.braked, 0.0, load.output_torque)  # a brake holds it back from the motor
         back = (torque * load.direction < 0.0) & (load.train.drive.method == "physical")  # the load drives
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
-        each = load.shaft_acceleration, driving, driven, np.abs(load.speed), load.direction
+        self.turning = load.output_ratio * load.speed  # of the output (rad/s)
+        each = load.output_ratio * load.shaft_acceleration, driving, driven, np.abs(self.turning), load.direction
         self.points = ShaftPoints(*(values.ravel() for values in each))
-        weight = load.share * np.abs(load.speed)
+        weight = load.share * np.abs(self.turning)
         cubes = weight * np.abs(load.output_torque) ** 3
         # cubic mean torque ³√(mean |ω||S|³/mean |ω|) (Nm), by which reducers are rated; 0 without motion
         self.mean_torque = math.cbrt(float(cubes.sum() / weight.sum())) if weight.any() else 0.0
@@ -160,7 +161,7 @@ class DriveBatch:
 
     def _parts(self) -> Iterator[tuple[slice, Array, Array, Array]]:
         """Yield slices of the pairs with torques (Nm), speeds (rad/s) and powers (W): shape (pairs, points)."""
-        speed = self.load.load.speed.ravel()
+        speed = self.load.turning.ravel()
         for some, pairs in self.gears.parts(speed.size):
             torque, fast = self.load.torques(pairs), pairs.ratio[:, None] * speed
             yield some, torque, fast, torque * (fast + self.limits.copper[some, None] * torque)

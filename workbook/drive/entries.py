@@ -10,6 +10,7 @@ from workbook.fields.texts import Text
 from workbook.fields.types import DesignError, Model, NotNegative, Positive
 
 Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
+BackEfficiency = Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)]
 
 
 def in_unit(unit: str, description: str, default: Any = ..., title: str | None = None, example: Any = None) -> Any:

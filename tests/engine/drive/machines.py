@@ -64,6 +64,7 @@ def train_of(rng, kind, method="physical", lossless=False):
     """A drive of any kind, and a motion's lowest and highest position for it."""
     eta = (lambda: 1.0) if lossless else (lambda: rng.choice([1.0, rng.uniform(0.5, 1)]))
     gears = [Stage(f"gear {k}", rng.uniform(1, 8), eta()) for k in range(rng.randint(0, 2))]
+    gears = rubbing(gears) if len(gears) == 2 and not lossless else gears
     parts = [Part(f"part {k}", rng.uniform(0, 1e-3), k) for k in range(len(gears) + 1)]
     load = Slide(rng.uniform(0.5, 20), rng.uniform(0, 0.3), rng.uniform(-0.5, 0.5), rng.uniform(-50, 50)).load
     if kind in LINKAGES:
@@ -78,6 +79,13 @@ def train_of(rng, kind, method="physical", lossless=False):
     drive = Drive(mechanism, inertia, method, rng.choice(["motor", "brake"]), 200.0 * inertia if gears else 0.0,
                   500.0 * inertia if len(gears) == 1 else 0.0)  # fmt: skip
     return Drivetrain(drive, linkage, rng.choice([0.0, rng.uniform(0, 100)]), tuple(windows)), low, high
+
+
+def rubbing(gears):
+    """The same stages with friction on their outputs, the last with an efficiency backward of its own."""
+    drawn = random.Random(str(gears))
+    *gears, last = [replace(gear, friction=drawn.choice([0.0, drawn.uniform(0, 3)])) for gear in gears]
+    return [*gears, replace(last, back_efficiency=drawn.choice([None, -0.2, drawn.uniform(-1, last.efficiency)]))]
 
 
 def drive_cycle_of(number, lossless=False, from_rest=False, kinds=(*SIZES, *LINKAGES, *LINKAGES)):
@@ -142,7 +150,7 @@ def operated(drive_cycle, x):
         torque = np.where(back, backward, np.where((going == 0) & (backward <= 0), 0.0, 1 / eta)) * torque / ratio
         if k < m.last - 1:
             speed, acceleration = speed * m.stages[k].ratio, acceleration * m.stages[k].ratio
-        torque = torque + m.on_shaft(k) * acceleration
+        torque = torque + m.on_shaft(k) * acceleration + (m.stages[k - 1].friction * going if k else 0.0)
         ratio = m.stages[k - 1].ratio
     torque = torque + drive.motor_inertia * acceleration + drive.no_load * going
     return speed, np.where((going == 0) & (drive.holding == "brake"), 0.0, torque)

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.drive.entries import Efficiency, RotatingParts, in_unit, noted
+from workbook.drive.entries import BackEfficiency, Efficiency, RotatingParts, in_unit, noted
 from workbook.fields.texts import LOOKED_UP
 from workbook.fields.types import Angle, DesignError, EmptyCell, EntryError, Model, NotNegative, Number, Positive
 from workbook.machines.machine.entries_beside import Name
@@ -20,6 +20,7 @@ Product = Annotated[str, Field(max_length=60), LOOKED_UP]
 NEEDED = ("inertia", "rated_torque", "peak_torque", "max_speed")  # figures of a motor without a name
 TRAVELLING_LOAD, TURNING_LOAD = ("mass", "friction", "slope", "force"), ("inertia", "torque", "friction_torque")
 WINDOWS = 4  # process forces of an axis, at most
+STAGES = 2  # between reducer and mechanism, at most
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
@@ -119,6 +120,38 @@ class Reducer(Model):
     cycle_factor: Factor | None = None  # divides that torque beyond
     mean_torque: Positive | None = None  # Nm, behind it: the cubic mean, weighted by speed
     max_speed: Positive | None = None  # rpm, of the input
+
+
+STAGED = "neither a ratio nor teeth of both wheels, or both: one of the two"
+
+
+class StageEntry(Model):
+    """A stage between reducer and mechanism, such as a toothed belt: by its ratio, or by the teeth of both wheels."""
+
+    ratio: Positive | None = noted(None, "Speed of its driving shaft over that of the driven one; empty: by teeth")
+    teeth_driver: Positive | None = noted(None, "Teeth of the driving wheel, on the motor's side")
+    teeth_driven: Positive | None = noted(None, "Teeth of the driven wheel")
+    driver_inertia: NotNegative = in_unit("kg cm²", "Inertia on its driving shaft", 0.0)
+    driven_inertia: NotNegative = in_unit("kg cm²", "Inertia on its driven shaft", 0.0)
+    efficiency: Annotated[Efficiency, EmptyCell()] = noted(1.0, "Where the motor drives")
+    back_efficiency: BackEfficiency | None = noted(
+        None, "Where the load drives; 0 or less: self-locking; empty: as where the motor drives"
+    )
+    friction_torque: NotNegative = in_unit("Nm", "On its driven shaft, against the motion", 0.0)
+
+    @property
+    def reduction(self) -> float:
+        """The ratio, by teeth if these are given; 1 where nothing is."""
+        if self.teeth_driver is not None and self.teeth_driven is not None:
+            return self.teeth_driven / self.teeth_driver
+        return self.ratio or 1.0
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a stage with neither a ratio nor teeth, or with both."""
+        teeth = [self.teeth_driver, self.teeth_driven]
+        if (self.ratio is None and None in teeth) or (self.ratio is not None and any(teeth)):
+            settled = self.model_dump() | {"ratio": self.reduction, "teeth_driver": None, "teeth_driven": None}
+            yield DesignError("", STAGED, "staged", settled)
 
 
 class AxisPart(RotatingParts):

@@ -70,6 +70,7 @@ class Axis(Model):
     parts: list[drive_entries.AxisPart] = []  # noqa: RUF012 - frozen
     motor: drive_entries.AxisMotor | None = None
     reducer: drive_entries.Reducer = drive_entries.Reducer()
+    stages: Annotated[list[drive_entries.StageEntry], Field(max_length=drive_entries.STAGES)] = []  # noqa: RUF012
     _built: str | None = PrivateAttr(default=None)
 
     @property
@@ -88,13 +89,15 @@ class Axis(Model):
     def _driven(self) -> Self:
         if self.motor is not None and self.mechanism is None:
             raise EntryError("mechanism", "empty; expected the mechanism that the motor drives")
-        for name in ("rate", "printed", "load", "parts", "reducer") if self.motor is None else ():
+        for name in ("rate", "printed", "load", "parts", "reducer", "stages") if self.motor is None else ():
             if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
                 raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
         if self.mechanism and self.unit not in self.mechanism.UNITS:
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
         if self.printed and self.mechanism and self.mechanism.kind not in PRINTED:
             raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
+        if self.printed and self.stages:
+            raise EntryError("printed", f"{self.printed} has no stages behind its reducer; expected none")
         slides = self.mechanism is not None and self.mechanism.SLIDES
         moved = f"a {self.mechanism.kind}" if slides and self.mechanism else f"an axis in {self.unit}"
         load = drive_entries.TRAVELLING_LOAD

@@ -35,6 +35,11 @@ def kind_name(number: int, kind: str) -> str:
     return f"drive{number}_{kind.replace(' ', '_').replace('-', '_')}"
 
 
+def stage_name(number: int, stage: int) -> str:
+    """Return the name of the cell with the ratio of a stage, from 0, of an axis; a file tells so how many it has."""
+    return f"drive{number}_s{stage + 1}_ratio"
+
+
 def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyMachine:
     """Return a machine with the axes that a file has by its defined names: its book has the file's inputs."""
     numbers = range(1, entered.MOST_AXES + 1)
@@ -65,11 +70,12 @@ def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -
     kinds = [kind for kind in MECHANISMS if kind_name(number, kind) in names]
     viscous = 0.0 if f"drive{number}_viscous" in names else None
     arm = drive_entries.SwingingArm() if f"drive{number}_arm_mass" in names else None
+    told = (drive_entries.StageEntry(ratio=1.0) for n in range(drive_entries.STAGES) if stage_name(number, n) in names)
     brake = drive_entries.MotorBrake(torque=1.0) if f"drive{number}_brake_torque" in names else None
     motor = drive_entries.AxisMotor(brake=brake, inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
     return axis.model_copy(update={
         "unit": unit, "load": drive_entries.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}), "parts": [],
-        "rate": None, "printed": "S4" if f"drive{number}_printed" in names else None,
+        "stages": [*told], "rate": None, "printed": "S4" if f"drive{number}_printed" in names else None,
         "mechanism": some_mechanism(kinds[0]) if kinds else None, "motor": motor if kinds else None,
     })  # fmt: skip
 
@@ -83,6 +89,7 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
         found |= {f"axes.{i}.motor.brake": {}} if axis.motor and axis.motor.brake else {}
         found |= {f"axes.{i}.printed": axis.printed} if axis.printed else {}
+        found |= {f"axes.{i}.stages.{n}": {} for n in range(len(axis.stages))}
         found |= {f"axes.{i}.load.arm": {}} if axis.load.arm else {}
         found |= {f"axes.{i}.load.viscous": 0.0} if axis.load.viscous is not None else {}
     found |= {f"switches.{i}.on": [] for i in range(len(machine.switches))}

@@ -5,7 +5,7 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import Field
 
-from workbook.drive.entries import Efficiency, in_unit, noted
+from workbook.drive.entries import BackEfficiency, Efficiency, in_unit, noted
 from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 
 UNSIZED = "a size of the mechanism is empty"
@@ -29,7 +29,7 @@ class MechanismEntry(Model):
 
     kind: str
     efficiency: Efficiency = Field(description="Efficiency of the mechanism")
-    back_efficiency: Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)] | None = noted(
+    back_efficiency: BackEfficiency | None = noted(
         None,
         "Efficiency where the load drives it; 0 or less: it locks itself. If empty, 2 - 1/efficiency of a screw, "
         "and the efficiency of all else",

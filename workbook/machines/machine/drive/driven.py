@@ -53,12 +53,12 @@ def by_angle_of(given: kinds.MechanismEntry) -> ByAngle:
     return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
 
 
-def turning(part: AxisPart) -> Part:
-    """Return a rotating part: its inertia as it is entered, or that of a cylinder."""
+def turning(part: AxisPart, mechanism: int = 1) -> Part:
+    """Return a rotating part by the number of the mechanism's shaft: of the inertia entered, or of a cylinder's."""
     diameter, length, bore = (si(x or 0.0, MM) for x in (part.diameter, part.length, part.bore))
     own = cylinder(diameter, length, part.density or 0.0, bore) if part.inertia is None else si(part.inertia, KG_CM2)
     geared = part.teeth_driver / part.teeth_driven if part.teeth_driver and part.teeth_driven else 1.0
-    return Part(part.name, own, SHAFTS.index(part.shaft), part.count, geared)
+    return Part(part.name, own, mechanism * SHAFTS.index(part.shaft), part.count, geared)
 
 
 def of_kind(kind: type[T], what: object) -> T:
@@ -97,7 +97,10 @@ class Driven:
         self.travels = entered.unit == "mm" or self.given.SLIDES  # the load: with its axis, or as a slide
         slide = Slide(load.mass, load.friction, radians(load.slope), load.force, machine.gravity).load
         turns = Load(si(load.inertia, KG_CM2), load.torque, load.friction_torque)
-        self.load, self.parts = slide if self.travels else turns, [turning(part) for part in entered.parts]
+        self.load, self.parts = (
+            slide if self.travels else turns,
+            [turning(part, 1 + len(entered.stages)) for part in entered.parts],
+        )
         self.windows = tuple(Window(si(w.start, DEGREE), si(w.stop, DEGREE), w.force, w.resists) for w in load.windows)
 
         self.mechanism = self._mechanism()
@@ -121,15 +124,20 @@ class Driven:
         return 2.0 - 1.0 / forward if self.given.kind in kinds.SCREWS else forward
 
     def _mechanism(self) -> Mechanism:
-        """Return reducer and mechanism, their parts and the load; a screw by its turns a metre, all else by a size."""
-        reducer = [Stage("reducer", self.reducer.ratio, self.reducer.efficiency)]
+        """Return reducer, stages, mechanism, parts and load; a screw by its turns a metre, all else by a size."""
+        gears = [Stage("reducer", self.reducer.ratio, self.reducer.efficiency)]
         kind, size = self.given.kind, si(self.given.size, MM)
         turned = [Part("reducer", self.reducer.inertia, 0), *self.parts]
+        for k, stage in enumerate(self.entered.stages, 1):
+            both = stage.driver_inertia, stage.driven_inertia
+            turned += [Part(f"stage {k}", si(inertia, KG_CM2), shaft) for shaft, inertia in enumerate(both, k)]
+            losses = stage.efficiency, stage.back_efficiency, stage.friction_torque
+            gears.append(Stage(f"stage {k}", stage.reduction, *losses))
         size = shown(1.0, size) if kind in kinds.SCREWS else size
         belt = self.given.belt_mass or 0.0 if isinstance(self.given, kinds.Belted) else 0.0
-        made = KINDS[kind].of(self.load, size, self.given.efficiency, reducer, turned, belt)
-        *gears, last = made.stages
-        return replace(made, stages=(*gears, replace(last, back_efficiency=self.back_efficiency)))
+        made = KINDS[kind].of(self.load, size, self.given.efficiency, gears, turned, belt)
+        *before, last = made.stages
+        return replace(made, stages=(*before, replace(last, back_efficiency=self.back_efficiency)))
 
     @cached_property
     def drive_cycle(self) -> DriveCycle:

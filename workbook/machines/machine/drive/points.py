@@ -15,7 +15,7 @@ from workbook.book.rows import LEAST, NOT_ZERO, SHARES, WEIGHTS, filled
 from workbook.drive.motor import plane
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, RPM, shown
-from workbook.machines.machine.drive import brake, by_angle
+from workbook.machines.machine.drive import brake, by_angle, stages
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
@@ -34,11 +34,13 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     rows = range(1, view.rows + 1)
     load, points, size = view.load, view.points, view.scales
     (resists, without), (drives, equation) = by_angle.forces(view)
+    between = stages.between(view.driven)
     behind, inertia, motor_ratio, motor_inertia = (
-        (f"{LOSS2}/[g]", "@j1*[al]", "@i1*[g]", "@j0*@i1*[al]")
+        (f"{LOSS2}/[g]", "@j1*[al]", f"@i1{between}*[g]", f"@j0*@i1{between}*[al]")
         if view.varies
         else (CONSTANT, "@j1i2*[a]", "@i", "@j0i*[a]")
     )
+    before, output = stages.output(view, behind, inertia)
     of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
     linked = [] if not view.varies else [
         *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
@@ -59,7 +61,8 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         calc("R", "resisting force", "F_r", unit, resists, of(load.resisting), without, scale=size.force),
         *linked,
         calc("F", "force at the load", "F", unit, drives, of(load.force), equation, scale=size.force),
-        calc("S", "output torque of the reducer", "T_1", "Nm", f"={behind.format('[F]')}+{inertia}",
+        *before,
+        calc("S", "output torque of the reducer", "T_1", "Nm", output,
              of(load.output_torque), "F/(η_2 φ') + J_p φ̈", scale=size.behind),
         *(brake.of_points(view) if view.brakes else ()),
         result("T", "torque of the motor", "T", "Nm",
@@ -102,8 +105,10 @@ def motion(view: DriveView) -> list[Quantity]:
 def standing(view: DriveView, behind: str) -> list[Quantity]:
     """Return the columns for the highest rate: torques without motion, what of the curve grows with the rate."""
     points, load, size, of, driven = view.points, view.load, view.scales, view.by_point, view.driven
+    before, output = stages.output(view, behind, "", "0")
     columns = [
-        calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", f"={behind.format('[R]')}",
+        *before,
+        calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", output,
              of(load.output_torque_at_rest), "F_r/(η_2 φ')", scale=size.behind),
         calc("T0", "torque of the motor, without inertia", "T_s", "Nm",
              f"=IF({brake.held(view)},0,{LOSS1.format('[S0]')}+@no_load*[dir])", of(points.standing),

@@ -7,6 +7,7 @@ Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 
 from engine.selection.point_load import PointLoad
 from workbook.book.declare import Sheet, calc
+from workbook.machines.machine.drive import stages
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
 from workbook.selection.pair_selection import Shaft, load_figures, shaft_figures
@@ -24,13 +25,14 @@ def load_of(view: DriveView) -> PointLoad:
 
 def turns_of(view: DriveView) -> float:
     """Return the acceleration of the shaft behind the reducer over the one that the points have, φ̈ or ÿ."""
-    return 1.0 if view.varies else view.driven.mechanism.ratio_from(1)
+    return view.load.output_ratio if view.varies else view.driven.mechanism.ratio_from(1)
 
 
 def means(sheet: Sheet, view: DriveView) -> None:
     """Declare the means over the cycle, and all else that depends on neither motor nor reducer."""
     free = "[@pt.free]" if view.brakes else '(1-([@pt.dir]=0)*(@holding="brake"))'
-    column, by = ("[@pt.al]", "") if view.varies else ("[@pt.a]", "@i2*")
+    between = "@is*" if view.driven.entered.stages else ""
+    column, by = ("[@pt.al]", between) if view.varies else ("[@pt.a]", f"{between}@i2*")
 
     def mean(where: str, one: str, by: str = "") -> str:
         return f"{by}SUMPRODUCT([@pt.share]*{where}*{free},{one},[@pt.S])"
@@ -38,7 +40,7 @@ def means(sheet: Sheet, view: DriveView) -> None:
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
     )
-    found = load_figures(load_of(view), view.scales.turning, view.scales.behind)
+    found = load_figures(load_of(view), view.scales.turning * view.load.output_ratio, view.scales.behind)
     sheet.rows(
         *(calc(f"@ask_{name}", label, symbol, unit, f"={formula}", found[name][0], source, scale=found[name][1])
           for name, label, symbol, unit, formula, source in (
@@ -54,8 +56,8 @@ def means(sheet: Sheet, view: DriveView) -> None:
               ("way_back", "… where the load drives it", "", "Nm", mean(BACK, "[@pt.dir]"), ""),
               ("speed", "Largest speed", "ω", "rad/s", "@speed*PI()/30/@i1", ""))),
         calc("@ask_turns", "Acceleration of that shaft over the one that the points have", "", "",
-             "=1" if view.varies else "=@i2+0", turns_of(view), "the load's, of a constant ratio"),
-        calc("@ask_inertia", "Inertia", "J", "kg m²", "=@j_shaft+0", found["inertia"][0]),
+             f"={by}1" if view.varies or between else "=@i2+0", turns_of(view), "the load's, of a constant ratio"),
+        calc("@ask_inertia", "Inertia", "J", "kg m²", f"={stages.inertia(view.driven)}+0", found["inertia"][0]),
         calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", f"={on_shaft('motor')}",
              view.driven.beside_motor, scale=view.driven.at_motor),
     )  # fmt: skip
@@ -66,7 +68,7 @@ def shaft_of(view: DriveView) -> Shaft:
     d, motor, reducer, rms = view.driven, view.driven.motor_used, view.driven.reducer, view.reserve.rms_torque
     top, torque = view.reserve.peak_torque.value, view.scales.torque
     spare = ("@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top)
-    load, turning, behind = load_of(view), view.scales.turning, view.scales.behind
+    load, turning, behind = load_of(view), view.scales.turning * view.load.output_ratio, view.scales.behind
     demand = load_figures(load, turning, behind)
     rows = shaft_figures(f"drive{d.number}_", demand, {name: f"@ask_{name}" for name in demand} | {
         "mean": "@mean*PI()/30/@i1", "smax": "@smax", "smean": "@smean", "cycles": ("@cycles", view.cycles),

@@ -7,7 +7,7 @@ from workbook.book.sentence import CheckSentence
 from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
-from workbook.machines.machine.drive import brake, by_angle, in_use, max_rate, reducer_load
+from workbook.machines.machine.drive import brake, by_angle, in_use, max_rate, reducer_load, stages
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
@@ -96,6 +96,9 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
         *loads(driven, key),
     )  # fmt: skip
     sheet.rows(*in_use.entries(driven.entered, key))
+    if driven.entered.stages:
+        sheet.heading("Enter: stages between reducer and mechanism", stages.ABOUT)
+        sheet.rows(*stages.entries(driven, key))
 
 
 def outcome(sheet: Sheet, view: DriveView) -> None:
@@ -109,7 +112,8 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
              OWN if own else MACHINES, align="right"),
         calc("@rate", "the rate", "N", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)', view.rate),
-        result("@jtot", "External inertia at the motor's shaft", "J_ext", "kg cm²", "=(@j0-@jm+@j_shaft/@i1^2)*10000",
+        result("@jtot", "External inertia at the motor's shaft", "J_ext", "kg cm²",
+               f"=(@j0-@jm+{stages.inertia(driven)}/@i1^2)*10000",
                shown(view.inertia, KG_CM2),
                "the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "", "=IF(@jm>0,@jtot/10000/@jm,0)",
@@ -204,7 +208,8 @@ def checks(view: DriveView) -> list[Quantity]:
             ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
             ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
         ),
-        turns_check(view), *([brake.holds(view)] if view.brakes else []), *in_use.checks(driven.number, called),
+        turns_check(view), *([brake.holds(view)] if view.brakes else []),
+        *in_use.checks(driven.number, called), *stages.checks(driven),
         below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.tables.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),

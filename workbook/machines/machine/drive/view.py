@@ -119,7 +119,7 @@ class DriveView:
             return self.driven.mechanism.inertia()
         m = self.driven.mechanism
         fixed = sum(m.on_shaft(k) / m.inertia_divisor(k) for k in range(m.last))
-        return float(fixed + m.on_shaft(m.last) * (self.travel / m.stages[0].ratio) ** 2)
+        return float(fixed + m.on_shaft(m.last) * (self.travel / self.driven.train.gear) ** 2)
 
     @property
     def travel(self) -> float:

@@ -12,7 +12,7 @@ from engine.drive.quadrature import STANDSTILL
 from engine.laws.points import POINTS
 from workbook.book.declare import Quantity, Sheet, calc, constant
 from workbook.fields.units import DEGREE, KW, RPM, shown
-from workbook.machines.machine.drive import brake
+from workbook.machines.machine.drive import brake, stages
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.mechanism import BELTED, SCREWS
@@ -21,7 +21,7 @@ from workbook.machines.machine.mechanism import BELTED, SCREWS
 def losses(view: DriveView) -> list[Quantity]:
     """Return the rows of the factors of losses: where the load drives, and at rest; of a constant ratio by force."""
     driven = view.driven
-    reducer, mechanism = driven.mechanism.stages
+    reducer, *_, mechanism = driven.mechanism.stages
     document = driven.given.method == "document"
     back = 1.0 / mechanism.efficiency if document else driven.back_efficiency
     held = 1.0 / mechanism.efficiency if document else held_factor(mechanism.efficiency, driven.back_efficiency)
@@ -34,7 +34,7 @@ def losses(view: DriveView) -> list[Quantity]:
         calc("@in2", "the same, load driving", "", unit, "=@back2/@i2", back / i2, scale=1.0 / i2),
         calc("@held2", "the same, at rest", "", unit, "=@hold2/@i2", held / i2),
         calc("@j1i2", f"Output torque of the reducer for 1 {base}/s², of parts", "", f"Nm s²/{base}", "=@j1*@i2",
-             driven.mechanism.on_shaft(1) * i2, "J_p i_2"),
+             driven.mechanism.on_shaft(driven.mechanism.last - 1) * i2, "J_p i_2"),
         calc("@j0i", f"Motor torque for 1 {base}/s², of its own inertia", "", f"Nm s²/{base}", "=@j0*@i",
              driven.at_motor * driven.mechanism.ratio, "J_0 i"),
     ]  # fmt: skip
@@ -66,6 +66,7 @@ def by_travel(view: DriveView) -> str:
 def inertias(view: DriveView, sizes: list[Quantity]) -> list[Quantity]:
     """Return the rows of the moved mass or inertia, the sizes of the mechanism, and the inertias on both shafts."""
     driven, m, travels = view.driven, view.driven.mechanism, view.driven.travels
+    own = m.on_shaft(m.last - 1)
     moved = "=@mass+0" if travels else "=@inertia/10000"
     if driven.given.kind in BELTED:
         moved = "=@mass+@belt_mass"
@@ -78,10 +79,10 @@ def inertias(view: DriveView, sizes: list[Quantity]) -> list[Quantity]:
              "mechanism over motor"),
         calc("@j0", "Inertia on the motor's shaft, motor included", "J_0", "kg m²",
              f"=@jm+@j_reducer+{on_shaft('motor')}", driven.at_motor, "motor, reducer, parts"),
-        calc("@j1", "Inertia of parts on the mechanism's shaft", "J_p", "kg m²", f"={on_shaft('mechanism')}",
-             m.on_shaft(1)),
+        calc("@j1", "Inertia of parts on the mechanism's shaft", "J_p", "kg m²",
+             f"={on_shaft('mechanism')}{stages.own(driven)}", own),
         calc("@j_shaft", "Inertia at the mechanism's shaft", "J_tot", "kg m²", f"=@j1+@m{by_travel(view)}^2",
-             m.on_shaft(1) + m.on_shaft(m.last) * view.travel**2,
+             own + m.on_shaft(m.last) * view.travel**2,
              f"J_p + {'m (dx/dψ)²' if view.slides else square}{largest}"),
     ]  # fmt: skip
 
@@ -115,7 +116,8 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
         calc("@faster", "Rate of the drive over the machine's", "", "", "=@rate/timing_rate",
              shown(axis.speed, one.axis.speed)),
         calc("@omega", f"{one.machine.over.speed} at its rate", "ω", "rad/s", "=omega*@faster", axis.speed),
-        *inertias(view, sizes), *losses(view), *resisting(view),
+        *inertias(view, sizes), *losses(view), *(stages.workings(view) if driven.entered.stages else ()),
+        *resisting(view),
         calc("@vmax", "Greatest geometric velocity", "y'max", "", f"=MAX([axis{driven.number}.y1])",
              driven.max_geometric_velocity),
         calc("@amax", "Greatest acceleration", "ÿ", f"{axis.base}/s²", f"=[axes.a.{driven.number}]*@faster^2",

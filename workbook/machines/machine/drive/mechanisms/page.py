@@ -58,9 +58,10 @@ def constant_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios."""
     unit, m = "rad/m" if driven.axis.base == "m" else "", driven.mechanism
     _, ratio, equation = ratio_of(driven.given.SIZE)
+    between, said = ("*@is", "i_s ") if driven.entered.stages else ("", "")
     return [
-        calc("@i2", "Ratio of the mechanism", "i_2", unit, ratio, m.ratio_from(1), equation),
-        calc("@i", "Ratio from motor to load", "i_tot", unit, "=@i1*@i2", m.ratio, "i_1 i_2"),
+        calc("@i2", "Ratio of the mechanism", "i_2", unit, ratio, m.ratio_from(m.last - 1), equation),
+        calc("@i", "Ratio from motor to load", "i_tot", unit, f"=@i1{between}*@i2", m.ratio, f"i_1 {said}i_2"),
     ]
 
 
