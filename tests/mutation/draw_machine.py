@@ -113,6 +113,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     axis["reducer"] = {"ratio": drawn.uniform(0.5, 40), "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1))),
                        "no_load_torque": drawn.choice((0.0, 10 ** drawn.uniform(-3, 3)))}  # fmt: skip
     axis["reducer"] |= strength(random.Random(str(axis["reducer"])))
+    axis["stages"] = [stage(drawn) for _ in axis["stages"]]
     brake = axis["motor"]["brake"] and {
         "torque": 10 ** drawn.uniform(-3, 3), "closing": drawn.choice((0.0, drawn.uniform(0, 400))),
         "opening": drawn.uniform(0, 400),
@@ -126,6 +127,17 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         "copper_losses": drawn.choice((None, 10 ** drawn.uniform(-4, 1))),
         "stall_torque": drawn.choice((None, 10 ** drawn.uniform(-3, 6))),
         "rated_speed": drawn.choice((None, 10 ** drawn.uniform(-2, 7))),
+    }  # fmt: skip
+
+
+def stage(drawn: random.Random) -> dict[str, Any]:
+    """Return a stage by its ratio, or by teeth."""
+    by_teeth = {"teeth_driver": float(drawn.randint(12, 99)), "teeth_driven": float(drawn.randint(12, 99))}
+    return drawn.choice((by_teeth, {"ratio": drawn.uniform(0.2, 8)})) | {
+        "driver_inertia": drawn.choice((0.0, drawn.uniform(0, 300))), "driven_inertia": drawn.uniform(0, 300),
+        "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1))),
+        "back_efficiency": drawn.choice((None, drawn.uniform(-0.5, 1))),
+        "friction_torque": drawn.choice((0.0, drawn.uniform(0, 9))),
     }  # fmt: skip
 
 

@@ -254,7 +254,9 @@ def test_losses_are_what_the_motor_gives_more(request, number):
             if one.train.drive.method == "document":
                 loss = through * (1 / stage.efficiency - 1)
             else:
-                loss = np.where(through > 0, through * (1 / stage.efficiency - 1), through * (stage.efficiency - 1))
+                back = stage.efficiency if stage.back_efficiency is None else stage.back_efficiency
+                loss = np.where(through > 0, through * (1 / stage.efficiency - 1), through * (back - 1))
+            loss = loss + stage.friction * np.abs(ratio)
             if stretch.direction:
                 lost += simpson(loss, behind) / one.speed
     found = DriveResults(one).energy

@@ -6,12 +6,11 @@ from functools import partial
 import numpy as np
 
 from engine.drive.results import MeanBusPower, peak_bus_power, total_bus_power
-from engine.laws.base import Array
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, constant, entries_of, result
-from workbook.book.rows import filled, total
-from workbook.entries.phase import TURN
-from workbook.fields.units import DEGREE, KW, shown
+from workbook.book.rows import total
+from workbook.fields.units import KW, shown
+from workbook.machines.machine.bus_cuts import BusCuts, cuts_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive_entries import PowerEntry
 
@@ -19,13 +18,8 @@ KWH = 3.6e6  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
 TOGETHER = "Drives use what others give back; what is left goes into one resistor. They take no more than each alone."
 APART = "A drive at a rate of its own has no place in the {}: it is alone."
-CUTS = (
-    "Between two cuts of any drive each takes at most what it takes in the interval it is in: the sums bound the bus, "
-    "whatever its samples miss."
-)
 CHART_COLUMN = 10
 YEAR = '0.0;-0.0;"–"'  # format of the energy of a year: a dash where no hours of running are entered
-SMALL = 1e-9  # share of a drive's larger peak up to which the other is none; the cells' check_zero
 kw = partial(shown, unit=KW)
 
 
@@ -51,7 +45,7 @@ class Mains:
         self.sum, self.apart = self.drawn.sum(axis=0), np.maximum(self.drawn, 0.0).sum(axis=0)
         self.weights = np.full(self.sum.size, 1.0 / (self.sum.size - 1))  # in a mean, by the trapezoidal rule
         self.weights[[0, -1]] /= 2.0
-        self.cuts = BusCuts(self)
+        self.cuts = BusCuts(drives, bus, np.array([self.mains, self.resistor]))
         mains, resistor = bus * self.mains, bus * self.resistor
         self.proves = bus * (mains - (resistor.sum() - resistor))  # what the bus takes at least, by a drive's peak
         self.burns = bus * (resistor - (mains.sum() - mains))  # what it burns at least
@@ -61,60 +55,6 @@ class Mains:
         self.saved_most = min(*self.without, self.cuts.saved) if bus.sum() > 1.0 else 0.0
         self.saved = min(self.saved_most, float(self.weights @ (self.apart - np.maximum(self.sum, 0.0))))
         self.common = MeanBusPower(*(one - self.saved for one in self.without))
-
-
-def interval_powers(view: DriveView) -> Array:
-    """Return begin and length (°) of the intervals of a drive, and its largest power each way in them (W): four rows.
-
-    Spare rows are at the end of the cycle, without length.
-    """
-    begin, end = shown(np.array([(part.begin, part.end) for part in view.cycle.intervals]).T, DEGREE)
-    power = view.points.power
-    ways = [filled(np.maximum(way.max(axis=1), 0.0), view.rows, max(way[-1, -1], 0.0)) for way in (power, -power)]
-    return np.array([filled(begin, view.rows, TURN), filled(end - begin, view.rows), *ways])
-
-
-class BusCuts:
-    """Bounds of the power on the bus between the ``cuts`` of all its drives, the begins of their intervals.
-
-    ``begin`` and ``end`` of the intervals of all drives in degrees of the master shaft, what its drive ``draws`` and
-    ``returns`` in each at most (W); from each cut to the next what all have ``drawn`` and ``returned`` at most.
-    ``shares`` are the peaks on the mains of each drive over the largest powers at its points, 0 beside the bus.
-    """
-
-    def __init__(self, bus: Mains) -> None:
-        near, peaks = bus.drives[0].tables.machine.near, np.array([bus.mains, bus.resistor])
-        tables = [interval_powers(view) for view in bus.drives]
-        tops, counts = np.array([table[2:].max(axis=1) for table in tables]).T, [table.shape[1] for table in tables]
-        counted = peaks > SMALL * peaks[::-1]
-        self.shares = bus.on_bus * np.divide(peaks, tops, out=np.zeros(peaks.shape), where=counted)
-        begin, length, *powers = np.concatenate(tables, axis=1)
-        late = np.array([view.driven.axis.given.shift for view in bus.drives])
-        at = begin + np.repeat(late, counts)
-        self.begin = at - TURN * np.floor((at + near) / TURN)
-        self.end = self.begin + length
-        self.draws, self.returns = np.repeat(self.shares, counts, axis=1) * np.array(powers)
-        self.cuts = np.sort(self.begin)
-        behind = self.cuts[:, None] + near / 2.0
-        acts = ((self.begin < behind) & (behind < self.end)) | (behind + TURN < self.end)
-        self.drawn, self.returned = acts @ self.draws, acts @ self.returns
-        self.both = np.minimum(self.drawn, self.returned)
-        self.span = np.diff(self.cuts, append=self.cuts[0] + TURN)
-
-    @property
-    def most(self) -> float:
-        """The most that the bus takes from the mains (W)."""
-        return float(self.drawn.max())
-
-    @property
-    def most_back(self) -> float:
-        """The most that goes into its resistor (W)."""
-        return float(self.returned.max())
-
-    @property
-    def saved(self) -> float:
-        """The most that drives take of what others return, in the mean (W)."""
-        return float(self.span @ self.both / TURN)
 
 
 def supply(bus: Mains) -> list[Quantity]:
@@ -172,7 +112,7 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.not_printed_below()
     sheet.print_columns = 18
     bus_table(sheet, bus)
-    cuts_table(sheet, bus)
+    cuts_table(sheet, bus.cuts)
 
 
 def common(bus: Mains) -> list[Quantity]:
@@ -199,7 +139,8 @@ def common(bus: Mains) -> list[Quantity]:
         result("bus_saved", "Mean power that the bus saves", "", "kW", f"=MIN(bus_saved_most,{sampled})", kw(bus.saved),
                "what drives take of what others return, at the samples"),
         result("bus_saved_most", "… at most", "", "kW",
-               "=IF(SUM([power.bus])>1,MIN(bus_apart,bus_apart-bus_net,SUMPRODUCT([bus_cuts.span],[bus_cuts.both])/360),0)",
+               "=IF(SUM([power.bus])>1,MIN(bus_apart,bus_apart-bus_net,"
+               "SUMPRODUCT([bus_cuts.span],[bus_cuts.both])/360),0)",
                kw(bus.saved_most), "between all cuts the smaller of both sums"),
         result("bus_mains", "Mean power from the mains", "P", "kW", "=bus_apart-bus_saved", kw(found.mains)),
         result("bus_resistor", "Mean power in the brake resistor", "", "kW", "=bus_mains-bus_net", kw(found.resistor)),
@@ -249,38 +190,6 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
              bus.cuts.shares[1], scale=1.0),
         result("year", "alone, a year", "E", "kWh", "=[mains]*power_hours",
                [shown(one.energy_a_year(bus.entered.hours), KWH) for one in each], format=YEAR),
-    )  # fmt: skip
-
-
-def cuts_table(sheet: Sheet, bus: Mains) -> None:
-    """Declare what each drive takes and returns at most in each of its intervals, and all between two cuts."""
-    cuts, each = bus.cuts, [(row, one) for row, one in enumerate(bus.drives, 1) for _ in range(one.rows)]
-    numbers = [one.driven.number for _, one in each]
-    acts = "(([bus_cuts.from]<[at]+eps/2)*([at]+eps/2<[bus_cuts.to])+([at]+360+eps/2<[bus_cuts.to]))"
-    at = "INDEX(drive{0}_begin,[k])+[axes_taken.late.{0}]"
-    within = "SUMPRODUCT(MAX((drive{}_in=[k])*"
-    sheet.heading("Bounds of the power of the bus", CUTS)
-    sheet.table(
-        "bus_cuts", "Intervals of all drives, and what they add up to between all cuts", len(each),
-        constant("row", "number", "", "", list(range(1, len(each) + 1))),
-        constant("axis", "axis", "", "", numbers),
-        constant("k", "interval", "", "", [k for one in bus.drives for k in range(1, one.rows + 1)]),
-        calc("from", "from", "", "°", [f"={at.format(n)}-360*INT(({at.format(n)}+eps)/360)" for n in numbers],
-             cuts.begin, "of the master shaft", scale=TURN),
-        calc("to", "to", "", "°", [f"=[from]+INDEX(drive{n}_len,[k])" for n in numbers], cuts.end, scale=TURN),
-        calc("draws", "its drive takes at most", "", "kW",
-             [f"=[power.up.{row}]*{within.format(n)}drive{n}_P))" for (row, _), n in zip(each, numbers, strict=True)],
-             kw(cuts.draws)),
-        calc("returns", "returns at most", "", "kW",
-             [f"=[power.down.{row}]*{within.format(n)}(0-drive{n}_P)))"
-              for (row, _), n in zip(each, numbers, strict=True)], kw(cuts.returns)),
-        calc("at", "cut", "", "°", "=SMALL([bus_cuts.from],[row])", cuts.cuts, "of any drive", scale=TURN),
-        calc("span", "to the next", "", "°",
-             f"=IF([row]={len(each)},[bus_cuts.at.first]+360,SMALL([bus_cuts.from],MIN([row]+1,{len(each)})))-[at]",
-             cuts.span, scale=TURN),
-        calc("most", "all take at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.draws])", kw(cuts.drawn)),
-        calc("back", "all return at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.returns])", kw(cuts.returned)),
-        calc("both", "the smaller", "", "kW", "=MIN([most],[back])", kw(cuts.both), "what some can take of others"),
     )  # fmt: skip
 
 

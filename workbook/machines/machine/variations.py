@@ -135,6 +135,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         "peak_torque": (None, 1e-3, 1e6)[k % 3], "mean_torque": (1e-3, 1e6, None)[k % 3],
         "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
     }  # fmt: skip
+    axis["stages"] = [stage(n + k + i) for n in range(len(axis["stages"]))]
     motor(axis["motor"], i, k)
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 
@@ -161,6 +162,15 @@ def parts(k: int, room: int) -> list[dict[str, Any]]:
         geared = {"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}
         made.append(part | (cylinder if (j + k) % 3 == 1 else {"inertia": 20.0 * (j + k)}) | geared)
     return made
+
+
+def stage(k: int) -> dict[str, Any]:
+    """Return another stage, by its ratio or by teeth, which locks itself or not."""
+    ratio = {"ratio": 0.6 + 0.7 * k} if k % 2 else {"teeth_driver": 18.0 + k, "teeth_driven": 31.0 + 3 * k}
+    return ratio | {
+        "driver_inertia": 1.5 * k, "driven_inertia": 4.0 * (k % 3), "friction_torque": 0.3 * (k % 4),
+        "efficiency": 1.0 - 0.04 * k, "back_efficiency": (None, 0.7, -0.1, 0.0)[k % 4],
+    }  # fmt: skip
 
 
 def motor(entries: dict[str, Any], i: int, k: int) -> None:

@@ -1,0 +1,107 @@
+"""Bounds of the power on the common DC bus: between two cuts of any drive each takes at most what its interval does."""
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+
+from engine.laws.base import Array
+from workbook.book.declare import Sheet, calc, constant
+from workbook.book.rows import filled
+from workbook.entries.phase import TURN
+from workbook.fields.units import DEGREE, KW, shown
+from workbook.machines.machine.drive.view import DriveView
+
+CUTS = (
+    "Between two cuts of any drive each takes at most what it takes in the interval it is in: the sums bound the bus, "
+    "whatever its samples miss."
+)
+SMALL = 1e-9  # share of a drive's larger peak up to which the other is none; the cells' check_zero
+kw = partial(shown, unit=KW)
+
+
+def interval_powers(view: DriveView) -> Array:
+    """Return begin and length (°) of the intervals of a drive, and its largest power each way in them (W): four rows.
+
+    Spare rows are at the end of the cycle, without length.
+    """
+    begin, end = shown(np.array([(part.begin, part.end) for part in view.cycle.intervals]).T, DEGREE)
+    power = view.points.power
+    ways = [filled(np.maximum(way.max(axis=1), 0.0), view.rows, max(way[-1, -1], 0.0)) for way in (power, -power)]
+    return np.array([filled(begin, view.rows, TURN), filled(end - begin, view.rows), *ways])
+
+
+class BusCuts:
+    """Bounds of the power on the bus between the ``cuts`` of all its drives, the begins of their intervals.
+
+    ``begin`` and ``end`` of the intervals of all drives in degrees of the master shaft, what its drive ``draws`` and
+    ``returns`` in each at most (W); from each cut to the next what all have ``drawn`` and ``returned`` at most.
+    ``shares`` are the ``peaks`` of each drive, on the mains and in its resistor (W), over the largest powers at its
+    points: 0 of one that is not ``on_bus``.
+    """
+
+    def __init__(self, drives: Sequence[DriveView], on_bus: Array, peaks: Array) -> None:
+        self.drives, near = drives, drives[0].tables.machine.near
+        tables = [interval_powers(view) for view in drives]
+        tops, counts = np.array([table[2:].max(axis=1) for table in tables]).T, [table.shape[1] for table in tables]
+        counted = peaks > SMALL * peaks[::-1]
+        self.shares = on_bus * np.divide(peaks, tops, out=np.zeros(peaks.shape), where=counted)
+        begin, length, *powers = np.concatenate(tables, axis=1)
+        late = np.array([view.driven.axis.given.shift for view in drives])
+        at = begin + np.repeat(late, counts)
+        self.begin = at - TURN * np.floor((at + near) / TURN)
+        self.end = self.begin + length
+        self.draws, self.returns = np.repeat(self.shares, counts, axis=1) * np.array(powers)
+        self.cuts = np.sort(self.begin)
+        behind = self.cuts[:, None] + near / 2.0
+        acts = ((self.begin < behind) & (behind < self.end)) | (behind + TURN < self.end)
+        self.drawn, self.returned = acts @ self.draws, acts @ self.returns
+        self.both = np.minimum(self.drawn, self.returned)
+        self.span = np.diff(self.cuts, append=self.cuts[0] + TURN)
+
+    @property
+    def most(self) -> float:
+        """The most that the bus takes from the mains (W)."""
+        return float(self.drawn.max())
+
+    @property
+    def most_back(self) -> float:
+        """The most that goes into its resistor (W)."""
+        return float(self.returned.max())
+
+    @property
+    def saved(self) -> float:
+        """The most that drives take of what others return, in the mean (W)."""
+        return float(self.span @ self.both / TURN)
+
+
+def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
+    """Declare what each drive takes and returns at most in each of its intervals, and all between two cuts."""
+    each = [(row, one) for row, one in enumerate(cuts.drives, 1) for _ in range(one.rows)]
+    numbers = [one.driven.number for _, one in each]
+    acts = "(([bus_cuts.from]<[at]+eps/2)*([at]+eps/2<[bus_cuts.to])+([at]+360+eps/2<[bus_cuts.to]))"
+    at = "INDEX(drive{0}_begin,[k])+[axes_taken.late.{0}]"
+    within = "SUMPRODUCT(MAX((drive{}_in=[k])*"
+    sheet.heading("Bounds of the power of the bus", CUTS)
+    sheet.table(
+        "bus_cuts", "Intervals of all drives, and what they add up to between all cuts", len(each),
+        constant("row", "number", "", "", list(range(1, len(each) + 1))),
+        constant("axis", "axis", "", "", numbers),
+        constant("k", "interval", "", "", [k for one in cuts.drives for k in range(1, one.rows + 1)]),
+        calc("from", "from", "", "°", [f"={at.format(n)}-360*INT(({at.format(n)}+eps)/360)" for n in numbers],
+             cuts.begin, "of the master shaft", scale=TURN),
+        calc("to", "to", "", "°", [f"=[from]+INDEX(drive{n}_len,[k])" for n in numbers], cuts.end, scale=TURN),
+        calc("draws", "its drive takes at most", "", "kW",
+             [f"=[power.up.{row}]*{within.format(n)}drive{n}_P))" for (row, _), n in zip(each, numbers, strict=True)],
+             kw(cuts.draws)),
+        calc("returns", "returns at most", "", "kW",
+             [f"=[power.down.{row}]*{within.format(n)}(0-drive{n}_P)))"
+              for (row, _), n in zip(each, numbers, strict=True)], kw(cuts.returns)),
+        calc("at", "cut", "", "°", "=SMALL([bus_cuts.from],[row])", cuts.cuts, "of any drive", scale=TURN),
+        calc("span", "to the next", "", "°",
+             f"=IF([row]={len(each)},[bus_cuts.at.first]+360,SMALL([bus_cuts.from],MIN([row]+1,{len(each)})))-[at]",
+             cuts.span, scale=TURN),
+        calc("most", "all take at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.draws])", kw(cuts.drawn)),
+        calc("back", "all return at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.returns])", kw(cuts.returned)),
+        calc("both", "the smaller", "", "kW", "=MIN([most],[back])", kw(cuts.both), "what some can take of others"),
+    )  # fmt: skip
