@@ -128,14 +128,16 @@ STAGED = "neither a ratio nor teeth of both wheels, or both: one of the two"
 class StageEntry(Model):
     """A stage between reducer and mechanism, such as a toothed belt: by its ratio, or by the teeth of both wheels."""
 
-    ratio: Positive | None = noted(None, "Speed of its driving shaft over that of the driven one; empty: by teeth")
-    teeth_driver: Positive | None = noted(None, "Teeth of the driving wheel, on the motor's side")
-    teeth_driven: Positive | None = noted(None, "Teeth of the driven wheel")
+    ratio: Positive | None = in_unit(
+        "", "Speed of its driving shaft over that of the driven one; empty: by teeth", None, example=2.0
+    )
+    teeth_driver: Positive | None = in_unit("", "Teeth of the driving wheel, on the motor's side", None, example=20.0)
+    teeth_driven: Positive | None = in_unit("", "Teeth of the driven wheel", None, example=40.0)
     driver_inertia: NotNegative = in_unit("kg cm²", "Inertia on its driving shaft", 0.0)
     driven_inertia: NotNegative = in_unit("kg cm²", "Inertia on its driven shaft", 0.0)
-    efficiency: Annotated[Efficiency, EmptyCell()] = noted(1.0, "Where the motor drives")
-    back_efficiency: BackEfficiency | None = noted(
-        None, "Where the load drives; 0 or less: self-locking; empty: as where the motor drives"
+    efficiency: Annotated[Efficiency, EmptyCell()] = noted(1.0, "Its efficiency where the motor drives")
+    back_efficiency: BackEfficiency | None = in_unit(
+        "", "Where the load drives; 0 or less: self-locking; empty: as where the motor drives", None, example=0.9
     )
     friction_torque: NotNegative = in_unit("Nm", "On its driven shaft, against the motion", 0.0)
 
@@ -152,6 +154,9 @@ class StageEntry(Model):
         if (self.ratio is None and None in teeth) or (self.ratio is not None and any(teeth)):
             settled = self.model_dump() | {"ratio": self.reduction, "teeth_driver": None, "teeth_driven": None}
             yield DesignError("", STAGED, "staged", settled)
+
+
+BELT = {"teeth_driver": 20.0, "teeth_driven": 40.0, "driver_inertia": 1.3, "driven_inertia": 6.5, "efficiency": 0.95}
 
 
 class AxisPart(RotatingParts):

@@ -70,7 +70,10 @@ class Axis(Model):
     parts: list[drive_entries.AxisPart] = []  # noqa: RUF012 - frozen
     motor: drive_entries.AxisMotor | None = None
     reducer: drive_entries.Reducer = drive_entries.Reducer()
-    stages: Annotated[list[drive_entries.StageEntry], Field(max_length=drive_entries.STAGES)] = []  # noqa: RUF012
+    stages: list[drive_entries.StageEntry] = Field(
+        default=[], max_length=drive_entries.STAGES, examples=[[drive_entries.BELT]],
+        description="Stages between reducer and mechanism, such as a toothed belt, from the motor on",
+    )  # fmt: skip
     _built: str | None = PrivateAttr(default=None)
 
     @property
