@@ -165,11 +165,11 @@ class QuadratureCycle:
     drive_cycle: DriveCycle
     pieces: Sequence[MotionPiece]  # of its motion
     near: float  # distance within which cuts count as one, in units of the abscissa
-    turns: Sequence[float] = ()  # abscissae at which the motion turns round inside a piece
+    inside: Sequence[float] = ()  # further cuts: where the motion turns round, or its acceleration, inside a piece
 
     @cached_property
     def intervals(self) -> list[Interval]:
-        """The intervals between begins of pieces, edges of forces, even steps and turns, in order."""
+        """The intervals between begins of pieces, edges of forces, even steps, and cuts inside pieces, in order."""
         motion, shift = self.drive_cycle.unshifted, self.drive_cycle.shift
         train = self.drive_cycle.train
         edges = [edge for window in train.windows for edge in (window.begin, window.end)]
@@ -177,7 +177,7 @@ class QuadratureCycle:
         steps = train.by_angle.steps if train.by_angle else 1
         inner += [motion.begin + motion.total * k / steps for k in range(1, steps)]
         end, begins = motion.begin + motion.total, [piece.begin for piece in self.pieces]
-        cuts = [*begins, *inner, *self.turns]
+        cuts = [*begins, *inner, *self.inside]
         kept = [cut for k, cut in enumerate(cuts) if all(abs(cut - other) >= self.near for other in [*cuts[:k], end])]
         places = [*sorted(kept), end]
         middles = (np.array(places[:-1]) + np.array(places[1:])) / 2.0

@@ -1,5 +1,6 @@
 """Phases that take over velocity from their neighbours: as two halves of their law, as a polynomial, or as a line."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -103,6 +104,30 @@ class Handover:
         c = (*law.polynomial, *(0.0,) * POWERS)[:POWERS]
         higher = [value / perm(n, 2) for n, value in enumerate(c, 2)]
         return (0.0, law.ends.v0, *higher)
+
+    @property
+    def jerk_powers(self) -> tuple[float, float, float]:
+        """A, B, C of A + B ξ + C ξ², with which the jerk of a polynomial changes its sign between its ends; else 0.
+
+        Of degree 5 it is the jerk; of degree 7 the jerk over ξ (1 − ξ), for it is 0 at both ends.
+        """
+        e = self.powers
+        if self.mode == 5:
+            return 6.0 * e[3], 24.0 * e[4], 60.0 * e[5]
+        return (24.0 * e[4], 60.0 * e[5] + 24.0 * e[4], -210.0 * e[7]) if self.mode == 7 else (0.0, 0.0, 0.0)
+
+    @property
+    def jerk_root(self) -> float:
+        """W = −(B ± √(B² − 4 A C))/2, by which both zeros are W/C and A/W; 0 where there are none."""
+        a, b, c = self.jerk_powers
+        square = b**2 - 4.0 * a * c
+        return -0.5 * (b + math.copysign(math.sqrt(square), b)) if square >= 0.0 else 0.0
+
+    @property
+    def bends(self) -> tuple[float, float]:
+        """Shares ξ at which the acceleration of a polynomial is largest or lowest; 0, or beyond 0 to 1, for none."""
+        (a, _, c), w = self.jerk_powers, self.jerk_root
+        return w / c if c else 0.0, a / w if w else 0.0
 
     @property
     def hermite(self) -> BoundaryValues:

@@ -121,13 +121,12 @@ def test_random_drives_come_to_what_the_engine_says(seed):
 
 @pytest.mark.parametrize("seed", [*range(4), *nights(100)])
 def test_of_random_drives_points_are_near_to_what_the_course_asks(seed):
-    """Phases turn back and hand over between prescribed rates: direction changes inside an interval, and friction and
-    losses jump there. RMS torque to 1 %, peaks to 5 %, energy to 5 %."""
+    """Phases turn back and hand over between prescribed rates: the drive is cut where they turn."""
     (view,) = drives_of(drawn(seed))
     exact, points = view.driven.results, view.points
-    assert points.rms_torque == pytest.approx(exact.rms_torque, rel=0.01)
-    assert points.size(points.torque) == pytest.approx(exact.torque.peak, rel=0.05)
-    assert view.energy[0] == pytest.approx(exact.energy.driving, rel=0.05)
+    assert points.rms_torque == pytest.approx(exact.rms_torque, abs=1e-3 * exact.torque.peak)
+    assert points.size(points.torque) == pytest.approx(exact.torque.peak, rel=5e-3)
+    assert view.energy[0] == pytest.approx(exact.energy.driving, rel=0.03)
 
 
 BACK_AND_FORTH = {"OWN": {"pieces": [{"duration": 1.0, "c0": -12.0, "c1": 60.0, "c2": -48.0}]}}

@@ -8,6 +8,7 @@ from workbook.book.declare import Book, Quantity, Sheet, calc, constant
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import HIGH, LOW, Pieces
 from workbook.machines.machine.boundary import curves
+from workbook.machines.machine.boundary.bends import bends_table
 from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
 from workbook.machines.machine.turning import AxisTurns, middles_table, moves_table
 from workbook.machines.machine.view import MachineView, MovingAxis
@@ -73,6 +74,8 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
         one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
         if one.axis.given.motor:
             moves_table(sheet, one.turning)
+            if ends:
+                bends_table(sheet, ends)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
     if any(one.axis.given.motor for one in axes):
         middles_table(book, sheet)

@@ -15,6 +15,7 @@ from workbook.book.rows import LEAST, NOT_ZERO, SHARES, WEIGHTS, filled
 from workbook.drive.motor import plane
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, RPM, shown
+from workbook.machines.machine.boundary.bends import bends_name
 from workbook.machines.machine.drive import brake, by_angle, stages
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
@@ -143,12 +144,11 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     """Declare where an interval can begin: at the motion's pieces, at edges of process forces, and where it turns."""
     table = f"axis{view.driven.number}_pieces"
     pieces = filled([shown(one.begin, DEGREE) for one in view.cycle.pieces], view.room, TURN)
-    steps, turning = range(1, view.steps), range(1, view.turn_rows + 1)
+    steps, turning, bent = range(1, view.steps), range(1, view.turn_rows + 1), range(1, len(view.bends) // 2 + 1)
     turned = filled([shown(one.at, DEGREE) for one in view.turns[: view.turns_cut]], view.turn_rows, TURN)
-    edges = [*pieces, *view.edges, *(TURN * n / view.steps for n in steps), *turned]
+    edges = [*pieces, *view.edges, *(TURN * n / view.steps for n in steps), *turned, *view.bends]
     windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)] + [-n for n in steps]
-    sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in steps]
-    rest = [0] * len(turning)
+    sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in (*steps, *turning)]
     turns = [0] * len(windows) + list(turning)
     edge = f"IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
     near = view.tables.machine.near
@@ -157,15 +157,21 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     ]
     if view.steps > 1:
         edge = f"IF([window]<0,0-[window]*360/{view.steps},{edge})"
+    edge = f"IF([turn]>0,INDEX([@turns.at],MAX([turn],1)),{edge})"
+    bends = []
+    if ends := view.tables.ends:
+        edge = f"IF([bend]>0,INDEX([{bends_name(ends)}.at0:at1],MAX([bend],1),[side]),{edge})"
+        phases = [0] * len(turns) + [*bent, *bent]
+        bends = [constant("bend", "phase whose acceleration bends", "", "", phases, format="0;;")]
     sheet.table(
         "@cuts", "Where an interval can begin", len(edges),
         constant("k", "number", "k", "", list(range(1, len(edges) + 1))),
-        constant("window", "process force", "", "", windows + rest,
+        constant("window", "process force", "", "", filled(windows, len(edges), 0),
                  "below 0: the number of an even step" if view.steps > 1 else "", format="0;;"),
-        constant("side", "its begin (1) or end (2)", "", "", sides + rest, format="0;;"),
-        constant("turn", "turn", "", "", turns, format="0;;"),
-        calc("edge", "angle of its phases", "θ", "°", f"=IF([turn]>0,INDEX([@turns.at],MAX([turn],1)),{edge})", edges,
-             "of a piece, a force or a turn", **PLACE),
+        constant("side", "its begin or first (1), end or second (2)", "", "",
+                 [*sides, *(1 for _ in bent), *(2 for _ in bent)], format="0;;"),
+        constant("turn", "turn", "", "", filled(turns, len(edges), 0), format="0;;"), *bends,
+        calc("edge", "angle of its phases", "θ", "°", f"={edge}", edges, "of a piece, a force or a turn", **PLACE),
         calc("at", "cut", "θ", "°",
              "=IF(SUMPRODUCT((([@cuts.edge]-[edge])^2<eps^2)*([@cuts.k]<[k]))+([edge]>360-eps)>0,360,[edge])", kept,
              "360: one before it is there", **PLACE),

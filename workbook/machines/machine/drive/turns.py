@@ -8,6 +8,7 @@ from workbook.book.rows import LEAST, NOT_ZERO, filled
 from workbook.book.sentence import CheckSentence, spelled
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown
+from workbook.machines.machine.boundary.bends import BENT_FROM, bends_name
 from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.pieces import FROM_START, arguments, at_place, turned
 
@@ -71,7 +72,9 @@ def turns_table(sheet: Sheet, view: DriveView) -> None:
 def left(view: DriveView) -> str:
     """Return the formula, without its =, of the intervals that are left for turns."""
     at = view.tables.pieces.at
-    return f"[{at.pieces}.r.last]-{at.count}-2*COUNT([@windows.start])"
+    ends = view.tables.ends
+    bends = f'-2*COUNTIF([{bends_name(ends)}.mode],">={BENT_FROM}")' if ends else ""
+    return f"[{at.pieces}.r.last]-{at.count}-2*COUNT([@windows.start]){bends}"
 
 
 def turns_check(view: DriveView) -> Quantity:

@@ -18,6 +18,7 @@ from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
+from workbook.machines.machine.boundary.bends import bend_angles, polynomials
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.machines.machine.motion_tables import AxisTables
@@ -69,9 +70,12 @@ class DriveView:
         self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour
         pieces, near = list(tables.pieces.pieces), tables.axis.motion.tolerance
         self.turn_rows, found = machine.sizes.turns, tables.turning.turns
-        self.turns_cut = min(len(found), self.turn_rows, self.room - len(pieces) - 2 * len(driven.windows))
+        self.bends = bend_angles(tables.ends) if tables.ends else []  # where accelerations are cut (°); 360: nowhere
+        taken = 2 * len(driven.windows) + 2 * (polynomials(tables.ends) if tables.ends else 0)
+        self.turns_cut = min(len(found), self.turn_rows, self.room - len(pieces) - taken)
         self.turns = found[: self.turn_rows]
-        self.cycle = QuadratureCycle(driven.drive_cycle, pieces, near, [one.at for one in found[: self.turns_cut]])
+        inside = [*(one.at for one in found[: self.turns_cut]), *(si(at, DEGREE) for at in self.bends if at < TURN)]
+        self.cycle = QuadratureCycle(driven.drive_cycle, pieces, near, inside)
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
         self.points = DrivePoints(self.load)
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
