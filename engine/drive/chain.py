@@ -233,18 +233,19 @@ class Slide:
     slope: float = 0.0  # θ (rad), above 0 if the guide rises with positive travel; within ±π/2
     force: float = 0.0  # constant force against positive travel (N)
     gravity: float = GRAVITY  # g (m/s²), 0 or more
+    bed: float = 0.0  # mass that slides on the guide beside (kg), 0 or more: of a closed belt, whose weight balances
 
     def __post_init__(self) -> None:
-        require_not_negative("load", mass=self.mass, friction=self.friction, gravity=self.gravity)
+        require_not_negative("load", mass=self.mass, friction=self.friction, gravity=self.gravity, bed=self.bed)
         require_finite(slope=self.slope, force=self.force)
         if abs(self.slope) > math.pi / 2 + 1e-12:
             raise ValueError(f"slope is {math.degrees(self.slope):g} degrees; expected −90 to 90")
 
     @property
     def load(self) -> Load:
-        """The load at the end of a chain: F + m g sin θ against positive travel, μ m g cos θ against the motion (N)."""
+        """The load at a chain's end (N): F + m g sin θ against positive travel, μ (m + m_b) g cos θ against motion."""
         weight = self.mass * self.gravity
-        rubbing = self.friction * self.mass * self.gravity * abs(math.cos(self.slope))
+        rubbing = self.friction * (self.mass + self.bed) * self.gravity * abs(math.cos(self.slope))
         return Load(self.mass, self.force + weight * math.sin(self.slope), rubbing)
 
 

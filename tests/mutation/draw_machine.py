@@ -88,6 +88,8 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     }  # fmt: skip
     if kind in BELTED:
         axis["mechanism"]["belt_mass"] = drawn.choice((None, drawn.uniform(0, 30)))
+        if axis["mechanism"]["belt_on_bed"] is not None:
+            axis["mechanism"]["belt_on_bed"] = drawn.uniform(0, 1) * (axis["mechanism"]["belt_mass"] or 0.0)
     if kind in LINKED:
         linked(axis, drawn, kind, positions)
     if kind in SLIDING:

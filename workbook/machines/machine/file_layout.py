@@ -68,6 +68,9 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
 def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -> entered.Axis:
     """Return an axis with the unit, the drive and the load that a file has of one by its defined names."""
     kinds = [kind for kind in MECHANISMS if kind_name(number, kind) in names]
+    mechanism = some_mechanism(kinds[0]) if kinds else None
+    if mechanism and f"drive{number}_belt_on_bed" in names:
+        mechanism = mechanism.model_copy(update={"belt_on_bed": 0.0})
     viscous = 0.0 if f"drive{number}_viscous" in names else None
     arm = drive_entries.SwingingArm() if f"drive{number}_arm_mass" in names else None
     told = (drive_entries.StageEntry(ratio=1.0) for n in range(drive_entries.STAGES) if stage_name(number, n) in names)
@@ -76,7 +79,7 @@ def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -
     return axis.model_copy(update={
         "unit": unit, "load": drive_entries.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}), "parts": [],
         "stages": [*told], "rate": None, "printed": "S4" if f"drive{number}_printed" in names else None,
-        "mechanism": some_mechanism(kinds[0]) if kinds else None, "motor": motor if kinds else None,
+        "mechanism": mechanism, "motor": motor if kinds else None,
     })  # fmt: skip
 
 
@@ -91,6 +94,8 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
         found |= {f"axes.{i}.printed": axis.printed} if axis.printed else {}
         found |= {f"axes.{i}.stages.{n}": {} for n in range(len(axis.stages))}
         found |= {f"axes.{i}.load.arm": {}} if axis.load.arm else {}
+        on_bed = getattr(axis.mechanism, "belt_on_bed", None)
+        found |= {f"axes.{i}.mechanism.belt_on_bed": 0.0} if on_bed is not None else {}
         found |= {f"axes.{i}.load.viscous": 0.0} if axis.load.viscous is not None else {}
     found |= {f"switches.{i}.on": [] for i in range(len(machine.switches))}
     for i, one in enumerate(machine.clearances):

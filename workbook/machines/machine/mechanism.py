@@ -8,6 +8,7 @@ from pydantic import Field
 from workbook.drive.entries import BackEfficiency, Efficiency, in_unit, noted
 from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 
+ON_BED = "more of the belt lies on the bed than the whole belt"
 UNSIZED = "a size of the mechanism is empty"
 LEAST_POINTS = 2
 
@@ -53,6 +54,18 @@ class Belted(MechanismEntry):
     """A mechanism of which a belt moves with the load."""
 
     belt_mass: NotNegative | None = in_unit("kg", "Mass of the belt; it moves with the load", None)
+    belt_on_bed: NotNegative | None = in_unit(
+        "kg",
+        "Mass of the belt that slides over a bed, with the load on it; with it the axis' sheet has an entry for it",
+        None,
+        example=3.0,
+    )
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield more of the belt on the bed than there is of it."""
+        yield from super().design_faults()
+        if (self.belt_on_bed or 0.0) > (self.belt_mass or 0.0):
+            yield DesignError("belt_on_bed", ON_BED, "on_bed", self.belt_mass or 0.0)
 
 
 class LeadScrew(MechanismEntry):

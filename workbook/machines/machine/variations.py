@@ -115,6 +115,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     }
     if kind in BELTED:
         axis["mechanism"]["belt_mass"] = 4.0 * k or None
+        axis["mechanism"]["belt_on_bed"] = None if axis["mechanism"]["belt_on_bed"] is None else 1.5 * k
     if kind in LINKAGES:
         other, low, high = LINKAGES[kind].varied(i, k, sizes["positions"])
         axis["mechanism"] |= other

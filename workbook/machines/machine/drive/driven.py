@@ -95,7 +95,8 @@ class Driven:
             weight = load.arm.mass * machine.gravity * si(load.arm.radius, MM)
             self.by_angle = Arm(weight, si(load.arm.angle, DEGREE))
         self.travels = entered.unit == "mm" or self.given.SLIDES  # the load: with its axis, or as a slide
-        slide = Slide(load.mass, load.friction, radians(load.slope), load.force, machine.gravity).load
+        bed = (self.given.belt_on_bed or 0.0) if isinstance(self.given, kinds.Belted) else 0.0
+        slide = Slide(load.mass, load.friction, radians(load.slope), load.force, machine.gravity, bed).load
         turns = Load(si(load.inertia, KG_CM2), load.torque, load.friction_torque)
         self.load, self.parts = (
             slide if self.travels else turns,

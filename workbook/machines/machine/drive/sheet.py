@@ -209,7 +209,7 @@ def checks(view: DriveView) -> list[Quantity]:
             ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
         ),
         turns_check(view), *([brake.holds(view)] if view.brakes else []),
-        *in_use.checks(driven.number, called), *stages.checks(driven),
+        *in_use.checks(driven.number, called), *stages.checks(driven), *page.on_bed(driven),
         below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.tables.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),

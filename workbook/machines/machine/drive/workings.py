@@ -92,13 +92,16 @@ def resisting(view: DriveView) -> list[Quantity]:
     load, size, travels = view.driven.load, view.scales, view.driven.travels
     force = "N" if travels else "Nm"
     steady = "=@force+@mass*gravity*SIN(RADIANS(@slope))" if travels else "=@torque+0"
-    rubbing = "=@friction*@mass*gravity*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
+    on_bed = getattr(view.driven.given, "belt_on_bed", None) is not None
+    pressing, words = ("(@mass+@belt_on_bed)", "(m + m_bed)") if on_bed else ("@mass", "m")
+    equation = f"μ {words} g cos γ" if travels else ""
+    rubbing = f"=@friction*{pressing}*gravity*ABS(COS(RADIANS(@slope)))" if travels else "=@friction_torque+0"
     return [
         calc("@steady", "Constant load force", "", force, steady, load.torque, "F + m g sin γ" if travels else "",
              scale=size.force),
         calc("@cr", "Constant torque at the mechanism's shaft", "C_r", "Nm", f"=@steady{by_travel(view)}",
              load.torque * view.travel, "F_r/φ', F_r R of rollers", scale=size.behind),
-        calc("@rub", "Friction", "", force, rubbing, load.friction, "μ m g cos γ" if travels else "", scale=size.force),
+        calc("@rub", "Friction", "", force, rubbing, load.friction, equation, scale=size.force),
     ]  # fmt: skip
 
 

@@ -4,9 +4,10 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from engine.laws.base import Array
-from workbook.book.declare import Quantity, Sheet, calc, given
+from workbook.book.declare import Quantity, Sheet, calc, check, given
+from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.mechanism import Belted
+from workbook.machines.machine.mechanism import ON_BED, Belted
 
 Column = Callable[[Array], list[float]]  # makes a column of a table of an array of values at its places
 Table = Callable[[Sheet, Driven, int], None]  # declares a table of as many rows as the book has for positions
@@ -51,7 +52,23 @@ def constant_entries(driven: Driven, key: str) -> list[Quantity]:
     if isinstance(m, Belted):
         rows.append(given("@belt_mass", "Mass of the belt", "m_b", "kg", m.belt_mass, f"{key}.belt_mass",
                           format="0.0##", source="moves with the load; its own weight balances itself"))  # fmt: skip
+        rows += [] if m.belt_on_bed is None else [
+            given("@belt_on_bed", "Mass of the belt on the bed", "m_bed", "kg", m.belt_on_bed, f"{key}.belt_on_bed",
+                  format="0.0##", source="slides over it with the load; of the whole belt"),
+        ]  # fmt: skip
     return rows
+
+
+def on_bed(driven: Driven) -> list[Quantity]:
+    """Return the check that no more of a belt lies on its bed than there is of it."""
+    m = driven.given
+    if not isinstance(m, Belted) or m.belt_on_bed is None:
+        return []
+    label, rule = (
+        f"{driven.called}: the belt on the bed is part of the belt",
+        f"axes.{driven.number - 1}.mechanism:on_bed",
+    )
+    return [check("@ok_bed", label, "@belt_on_bed<=@belt_mass+0", True, rule=rule, says=quoted(ON_BED))]
 
 
 def constant_sizes(driven: Driven) -> list[Quantity]:
