@@ -41,8 +41,9 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
         rows += [
             given(stage_name(driven.number, n - 1), f"{called}ratio", f"i_s{n}", "", stage.ratio, f"{at}.ratio",
                   source="driving over driven speed; or by teeth"),
-            cell(f"@s{n}_driver", f"{called}teeth of the driving wheel", "", "", "teeth_driver", "motor's side"),
-            cell(f"@s{n}_driven", f"{called}teeth of the driven wheel", "", "", "teeth_driven"),
+            cell(f"@s{n}_driver", f"{called}teeth of the driving wheel", "", "", "teeth_driver", "motor's side",
+                 format="0"),
+            cell(f"@s{n}_driven", f"{called}teeth of the driven wheel", "", "", "teeth_driven", format="0"),
             cell(f"@s{n}_j_driver", f"{called}inertia on its driving shaft", "", "kg cm²", "driver_inertia",
                  "the wheel's, and all that turns with it", format="General"),
             cell(f"@s{n}_j_driven", f"{called}inertia on its driven shaft", "", "kg cm²", "driven_inertia",
