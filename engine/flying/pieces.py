@@ -84,6 +84,10 @@ class CutCycle(QuadratureCycle):
 
     still: float = 0.0  # speed up to which the tool counts as at rest (m/s)
 
+    def at_points(self, direction: Array, velocity: Array) -> Array:
+        """Return the direction at points: pieces are not cut where the tool turns round."""
+        return np.where(np.abs(velocity) > self.still, np.sign(velocity), direction)
+
     @cached_property
     def intervals(self) -> list[Interval]:
         """The pieces, in order."""
