@@ -167,4 +167,4 @@ def peak_bus_power(powers: tuple[float, float], efficiency: float) -> PeakBusPow
 
 def total_bus_power(found: Sequence[MeanBusPower]) -> MeanBusPower:
     """Return the sum of mean powers over drives."""
-    return MeanBusPower(sum(drive.mains for drive in found), sum(drive.resistor for drive in found))
+    return MeanBusPower(math.fsum(drive.mains for drive in found), math.fsum(drive.resistor for drive in found))

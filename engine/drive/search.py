@@ -1,5 +1,6 @@
 """Extremes, zeros and integrals of smooth functions between two points, and of curves: powers and sines."""
 
+import math
 from collections.abc import Callable, Sequence
 from functools import cache
 from itertools import pairwise
@@ -125,7 +126,7 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
         last = found
     if not halvings:
         return last
-    return sum(integral(function, a, b, scale, halvings - 1) for a, b in ((low, middle), (middle, high)))
+    return math.fsum(integral(function, a, b, scale, halvings - 1) for a, b in ((low, middle), (middle, high)))
 
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -14,6 +15,7 @@ from engine.laws.base import Array, Coefficients
 from engine.laws.piece import Piece, Sine, cut, gains, placed_pieces
 
 STEPS = 100  # of Newton's method, or of halving if a step leaves the bracket: to the last digit
+ROUNDING = 64 * sys.float_info.epsilon  # of a sum, as a share of its terms' sizes; those of a shifted polynomial cancel
 CELLS = 64  # parts of a half turn in which the sum of two sines is searched, as no derivative of it is simpler
 
 
@@ -29,7 +31,9 @@ class Curve:
         value = 0.0
         for c in reversed(self.c):
             value = value * u + c
-        return value + sum(p * math.sin(w * u + phi) for p, w, phi in self.sines)
+        for p, w, phi in self.sines:
+            value += p * math.sin(w * u + phi)
+        return value
 
     def at(self, u: Array) -> Array:
         """Return f at an array of u."""
@@ -74,7 +78,8 @@ def zeros(f: Curve, d: float) -> list[float]:
 
     Between two neighbouring zeros of f' the function is monotone and has at most one zero, so no zero is missed. A
     polynomial of degree n plus a sine takes n + 1 derivatives down to the sine alone, whose zeros are (kπ − φ)/ω.
-    The sum of two sines is searched in cells.
+    The sum of two sines is searched in cells. A value within rounding has no sign: where f only touches zero, inside
+    or at an end, its last digit would decide whether there are zeros beside that place.
     """
     f = trimmed(f)
     if not f.c and len(f.sines) < 2:
@@ -84,9 +89,9 @@ def zeros(f: Curve, d: float) -> list[float]:
     else:
         cells = CELLS * (1 + int(max(abs(w) for _, w, _ in f.sines) * d / math.pi))
         points = [d * k / cells for k in range(cells + 1)]
-    values = map(f, points)
-    between = zip(itertools.pairwise(points), itertools.pairwise(values), strict=True)
-    return [f.root(*cell) for cell, ends in between if min(ends) < 0.0 < max(ends)]
+    rounding = ROUNDING * (Curve(tuple(map(abs, f.c)))(d) + math.fsum(abs(p) for p, _, _ in f.sines))
+    signed = [(u, value > 0.0) for u in points if abs(value := f(u)) > rounding]
+    return [f.root(low, high) for (low, before), (high, after) in itertools.pairwise(signed) if before != after]
 
 
 def _of_sine(sine: Sine, d: float) -> list[float]:
@@ -142,7 +147,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)  # of Gauss and Legendre, o
 
 def acceleration(piece: Piece) -> Curve:
     """Return a(u) of a piece as a curve of the least degree; a sine of ω = 0 becomes part of the constant."""
-    still = sum(p * math.sin(phi) for p, w, phi in piece.sines if w == 0.0)
+    still = math.fsum(p * math.sin(phi) for p, w, phi in piece.sines if w == 0.0)
     return trimmed(Curve((piece.c[0] + still, *piece.c[1:]), tuple(sine for sine in piece.sines if sine[1])))
 
 
@@ -184,7 +189,7 @@ def at_peaks(piece: Piece) -> list[Piece]:
 def turning_points(piece: Piece, v0: float) -> list[float]:
     """Return every u at which the velocity of a piece changes its sign, ``v0`` being that at its begin."""
     a = acceleration(piece)
-    still = v0 + sum(p / w * math.cos(phi) for p, w, phi in a.sines)
+    still = v0 + math.fsum(p / w * math.cos(phi) for p, w, phi in a.sines)
     turned = tuple((-p / w, w, phi + math.pi / 2.0) for p, w, phi in a.sines)
     return zeros(Curve((still, *(c / (i + 1) for i, c in enumerate(a.c))), turned), piece.duration)
 
@@ -227,7 +232,7 @@ def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0,
     jumps = np.abs(before - after).max() > JUMP * np.abs(a).max()
     return Coefficients(
         cv=float(np.abs(v).max()), ca_max=float(a.max()), ca_min=float(a.min()),
-        ca_rms=math.sqrt(sum(square_integral(piece) for piece in pieces if piece.duration > 0.0)),
+        ca_rms=math.sqrt(math.fsum(square_integral(piece) for piece in pieces if piece.duration > 0.0)),
         cj=math.inf if jumps else float(np.abs(j).max()), va_max=float((v * a).max()), va_min=float((v * a).min()),
     )  # fmt: skip
 

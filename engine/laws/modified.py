@@ -152,8 +152,9 @@ class SineConstantCosine(PulseLaw):
     def __post_init__(self) -> None:
         parts = {"sine": self.sine, "constant": self.constant, "cosine": self.cosine, "straight": self.straight}
         require_shares(ends=True, **parts)
-        if abs(sum(parts.values()) - 1.0) > SUM_TOLERANCE:
-            raise ValueError(f"the shares {', '.join(parts)} sum to {sum(parts.values()):.12g}; expected 1")
+        total = math.fsum(parts.values())
+        if abs(total - 1.0) > SUM_TOLERANCE:
+            raise ValueError(f"the shares {', '.join(parts)} sum to {total:.12g}; expected 1")
         if not self._bent > 0.0:
             raise ValueError("straight is 1; expected time to speed up and slow down")
         require_shares(share=self.share)

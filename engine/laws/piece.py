@@ -152,8 +152,8 @@ class PlacedPiece(NamedTuple):
         """S0 = s_k + Σ P/ω² sin φ and S1 = v_k + Σ P/ω cos φ over both sines."""
         sines = [(s, v, phi) for (s, v, _), (_, _, phi) in zip(self.amplitudes, self.piece.both, strict=True)]
         return (
-            self.s + sum(s * math.sin(phi) for s, _, phi in sines),
-            self.v + sum(v * math.cos(phi) for _, v, phi in sines),
+            self.s + math.fsum(s * math.sin(phi) for s, _, phi in sines),
+            self.v + math.fsum(v * math.cos(phi) for _, v, phi in sines),
         )
 
 
@@ -239,7 +239,8 @@ def backwards(piece: Piece) -> Piece:
 
 def shifted(c: Sequence[float], d: float) -> tuple[float, ...]:
     """Return the coefficients Σ_{k ≥ i} c_k C(k, i) dᵏ⁻ⁱ of the polynomial Σ c_k xᵏ in powers of x − d."""
-    return tuple(sum(c[k] * math.comb(k, i) * d ** (k - i) for k in range(i, len(c))) for i in range(len(c)))
+    n = len(c)
+    return tuple(math.fsum(c[k] * math.comb(k, i) * d ** (k - i) for k in range(i, n)) for i in range(n))
 
 
 def reversed_pieces(pieces: Sequence[Piece]) -> tuple[Piece, ...]:

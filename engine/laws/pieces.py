@@ -33,7 +33,7 @@ class PieceLaw(Law):
 
     def __init__(self, pieces: Sequence[Piece] = POLYNOMIAL_345) -> None:
         object.__setattr__(self, "pieces", tuple(pieces))
-        total = sum(p.duration for p in self.pieces)
+        total = math.fsum(p.duration for p in self.pieces)
         if abs(total - 1.0) > SUM_TOLERANCE:
             raise ValueError(f"the durations of the {len(self.pieces)} pieces sum to {total:.12g}; expected 1")
 
@@ -132,5 +132,5 @@ def normalized(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
 
 def _size(piece: Piece) -> float:
     """Return an upper bound of max |a| · duration of a piece."""
-    powers = sum(abs(c) * piece.duration**i for i, c in enumerate(piece.c))
+    powers = math.fsum(abs(c) * piece.duration**i for i, c in enumerate(piece.c))
     return piece.duration * (powers + abs(piece.amplitude) + abs(piece.amplitude2))

@@ -44,7 +44,7 @@ def edged(*shares: float, sine: bool = True) -> Pulse:
     edges are a ramp of velocity with limited jerk. Source: S1, 'Modified trapezoidal … curve'.
     """
     rise, flat, fall = shares
-    if not (min(shares) >= 0.0 and abs(sum(shares) - 1.0) <= SUM_TOLERANCE):
+    if not (min(shares) >= 0.0 and abs(math.fsum(shares) - 1.0) <= SUM_TOLERANCE):
         raise ValueError(f"the shares of a pulse are {shares}; expected three, none negative, of sum 1")
     return Pulse(_stages(rise, flat, fall, sine), _stages(fall, flat, rise, sine))
 
@@ -88,10 +88,11 @@ def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
     if len(durations) != 7:
         raise ValueError(f"{len(durations)} durations are given; expected seven")
     require_shares(ends=True, **{f"the duration of stage {i}": d for i, d in enumerate(durations, 1)})
-    if abs(sum(durations) - 1.0) > SUM_TOLERANCE:
-        raise ValueError(f"the seven durations sum to {sum(durations):.12g}; expected 1")
+    total = math.fsum(durations)
+    if abs(total - 1.0) > SUM_TOLERANCE:
+        raise ValueError(f"the seven durations sum to {total:.12g}; expected 1")
     for stages, part in (("1 to 3", durations[:3]), ("5 to 7", durations[4:])):
-        if not sum(part) > 0.0:
+        if not max(part) > 0.0:
             raise ValueError(f"the durations of stages {stages} are all zero; expected one that lasts")
     return durations
 

@@ -131,7 +131,7 @@ class SCurve(PulseLaw):
             return _ramp(v, limits.acceleration, limits.jerk_up), _ramp(v, limits.deceleration, limits.jerk_down)
 
         def travel(v: float) -> float:
-            return sum(v * (edge + flat / 2.0) for edge, flat in ramps(v))
+            return math.fsum(v * (edge + flat / 2.0) for edge, flat in ramps(v))
 
         top = limits.velocity
         if travel(top) > stroke:
@@ -142,7 +142,8 @@ class SCurve(PulseLaw):
         (up, flat_up), (down, flat_down) = ramps(top)
         cruise = max(stroke - travel(top), 0.0) / top
         times = (up, flat_up, up, cruise, down, flat_down, down)
-        return cls(tuple(t / sum(times) for t in times)), sum(times)
+        time = math.fsum(times)
+        return cls(tuple(t / time for t in times)), time
 
 
 def _ramp(velocity: float, acceleration: float, jerk: float) -> tuple[float, float]:

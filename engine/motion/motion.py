@@ -94,7 +94,7 @@ class Motion:
     @cached_property
     def lifts_sum(self) -> float:
         """Sum of the lifts, the travel of a cycle."""
-        return float(sum(p.lift for p in self.phases))
+        return math.fsum(p.lift for p in self.phases)
 
     @cached_property
     def _begins(self) -> Array:

@@ -1,5 +1,6 @@
 """A controller's table as the description of a machine of one axis: rests, laws, and laws of its own for the rest."""
 
+import math
 import re
 from collections.abc import Sequence
 from typing import Any
@@ -109,7 +110,7 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
         places = {"start": rounded(start - begin), "stop": rounded(reached - begin)}
         phases.append({"law": name, "lift": one.lift, **places, **boundary_rates(found, k, near, units)})
     phases = phases or [{"law": "DWL", "lift": 0.0, "start": 0.0, "stop": rounded(end - begin)}]
-    travel = sum(one.lift for one in found)
+    travel = math.fsum(one.lift for one in found)
     closes = abs(travel) <= NEXT * max((abs(one.lift) for one in found), default=1.0)
     if found and end - reached <= near:
         require_end(found, closes, near + begin)

@@ -55,7 +55,7 @@ def declare(hoist: Hoist) -> Book:
     ramp, speed = hoist.ramp * hoist.time, hoist.height / (hoist.time * (1 - hoist.ramp))
     torques = [torque(hoist, sign * speed / ramp) for sign in SIGNS]
     shares = [(1 - 2 * hoist.ramp if level else hoist.ramp) / 2 for level in ON_LEVEL]
-    peak, rms = max(map(abs, torques)), math.sqrt(sum(t**2 * s for t, s in zip(torques, shares, strict=True)))
+    peak, rms = max(map(abs, torques)), math.sqrt(math.fsum(t**2 * s for t, s in zip(torques, shares, strict=True)))
     book = Book("hoist", hoist.title, limit=limits(Hoist))
     about = result("about_peak", "Peak torque of the motor", "T_max", "Nm", "=peak+0", peak)
     summary_sheet(book, hoist, "A hoist, and what its motor has to give.", [about])

@@ -4,6 +4,7 @@ A text runs over empty cells beside it, as spreadsheet programs show it; where i
 A page ends between tables, charts and sections, not within them.
 """
 
+import math
 import re
 from bisect import bisect_left
 from collections import defaultdict
@@ -72,7 +73,7 @@ class PossibleTexts:
 @lru_cache(maxsize=10_000)
 def text_width(text: str, points: float, bold: bool = False) -> float:
     """Return how wide a text is at most, in digits of a column's width."""
-    ems = sum(EMS.get(letter, CAPITAL if letter.isupper() else LETTER) for letter in text)
+    ems = math.fsum(EMS.get(letter, CAPITAL if letter.isupper() else LETTER) for letter in text)
     return ems * points / FULL / DIGIT * (BOLD if bold else 1.0)
 
 
@@ -155,7 +156,7 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
     """Return the rows after which a page ends, by the cheapest cuts; widths are in digits, heights in points."""
     tall = {1: TALL["title"]} | {text.row: TALL[text.style] for text in sheet.texts if text.style in TALL}
     ends = list(accumulate((high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)), initial=0.0))
-    scale = min(1.0, WIDTH / sum(WIDE * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))
+    scale = min(1.0, WIDTH / math.fsum(WIDE * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))
     room = SPARE * HEIGHT / scale - ends[sheet.head]
     costs = [0] * (last + 1)  # of a page that ends with a row
     for first, end, cost in unbroken_spans(sheet, last, ends):

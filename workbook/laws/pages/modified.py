@@ -1,5 +1,6 @@
 """Pages of laws of pulses with edges of a sine."""
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
@@ -85,12 +86,12 @@ class Parts(family.Staged):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield shares that do not fill the rise, and a law that cannot start or stop."""
         *curved, straight = (getattr(self, part) for part in PARTS)
-        total, fits = sum(curved) + straight, self.model_dump() | {part: self.usual[part] for part in PARTS}
+        total, fits = math.fsum([*curved, straight]), self.model_dump() | {part: self.usual[part] for part in PARTS}
         if abs(total - 1) > SUM_TOLERANCE:
             yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
-        if not sum(curved):
+        if not max(curved):
             yield DesignError("", "all of the time is straight", "lasts", fits)
-        if abs(total - 1) <= SUM_TOLERANCE and sum(curved):
+        if abs(total - 1) <= SUM_TOLERANCE and max(curved):
             yield from super().design_faults()
 
 

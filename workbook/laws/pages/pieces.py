@@ -65,7 +65,7 @@ class OwnLaw(LawSheet):
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield pieces that do not fill the rise."""
-        total = sum(piece.duration for piece in self.pieces)
+        total = math.fsum(piece.duration for piece in self.pieces)
         if abs(total - 1) > SUM_TOLERANCE:
             yield DesignError("pieces", f"they sum to {figure(total)}; expected 1", "sum", [POLYNOMIAL_345])
 

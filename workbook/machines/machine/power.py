@@ -1,5 +1,6 @@
 """The sheet Power: what the drives take from the mains and burn in their resistors, each alone and on a common bus."""
 
+import math
 from collections.abc import Sequence
 from functools import partial
 
@@ -36,7 +37,7 @@ class Mains:
         self.alone = total_bus_power(self.each)
         most = [(one.points.top(one.points.power), -one.points.top(-one.points.power)) for one in drives]
         tops = [peak_bus_power(powers, eta) for powers in most]
-        self.size = max(1e-3, sum(max(one) for one in tops))  # how large all together grow
+        self.size = max(1e-3, math.fsum(max(one) for one in tops))  # how large all together grow
         self.mains, self.resistor = np.array(tops).T  # the peaks of each without a bus
 
         bus = self.on_bus = np.array([float(one.driven.entered.rate is None) for one in drives])

@@ -1,5 +1,6 @@
 """The engine's view of a transfer and its tools, and what only the engine can say of their entries."""
 
+import math
 from collections.abc import Container
 from dataclasses import replace
 from functools import cached_property
@@ -118,7 +119,7 @@ def check(machine: IndexingOverlap) -> None:
             said = f"the law {name} ends at s = {law.end.s:g}; expected a law that ends at 1"
             raise DesignError(f"overlap.{entry}", said, "reaches", RISING[0])
     for station in OverlapView(machine, library).stations:
-        taken = sum(station.angles_set) + station.given.dwell
+        taken = math.fsum(station.angles_set) + station.given.dwell
         if taken > TURN + ANGLE_TOLERANCE:
             name = "angle_in" if station.given.angle_in is not None else "angle_out"
             said = f"way in, dwell and way out take {figure(taken)}°; expected at most 360°"

@@ -6,7 +6,7 @@ heights of its pulses, its jerk by its pieces' ends.
 
 from collections.abc import Callable
 from functools import partial
-from math import isfinite, perm
+from math import fsum, isfinite, perm
 from typing import Any
 
 import numpy as np
@@ -78,7 +78,7 @@ def curves_between_ends(one: AxisHandover) -> list[Quantity]:
           for n in range(2, powers)),
         own("b0", "its acceleration at its begin", "", "=2*[e2]", lambda step: 2.0 * step.powers[2], AT_ENDS),
         own("b1", "its acceleration at its end", "", "=" + "+".join(f"{perm(n, 2)}*[e{n}]" for n in range(2, powers)),
-            lambda step: sum(perm(n, 2) * e for n, e in enumerate(step.powers)), AT_ENDS),
+            lambda step: fsum(perm(n, 2) * e for n, e in enumerate(step.powers)), AT_ENDS),
     ]  # fmt: skip
 
 

@@ -122,8 +122,8 @@ class DriveView:
         if not self.driven.train.inertia_varies:
             return self.driven.mechanism.inertia()
         m = self.driven.mechanism
-        fixed = sum(m.on_shaft(k) / m.inertia_divisor(k) for k in range(m.last))
-        return float(fixed + m.on_shaft(m.last) * (self.travel / self.driven.train.gear) ** 2)
+        fixed = math.fsum(m.on_shaft(k) / m.inertia_divisor(k) for k in range(m.last))
+        return fixed + m.on_shaft(m.last) * (self.travel / self.driven.train.gear) ** 2
 
     @property
     def travel(self) -> float:
