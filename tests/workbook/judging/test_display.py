@@ -693,18 +693,18 @@ def test_hidden_rows_that_a_chart_leaves_out_are_found(only, book):
 
 @pytest.mark.parametrize(("size", "kind"), [(b"1000", "shown"), (b"1200000", "notice"), (b"20000000", "")])
 def test_a_chart_shrunk_to_nothing_is_found(size, kind, book):
-    report = book.with_parts({PICTURE: sub(rb'<ext cx="\d+"', b'<ext cx="' + size + b'"')})
+    report = book.with_parts({PICTURE: sub(rb'<xdr:ext cx="\d+"', b'<xdr:ext cx="' + size + b'"')})
     told = {one.kind for one in report.findings + report.notices if "size" in one.what}
     assert told == ({kind} if kind else set())
 
 
 def over(data, what):
     """The second chart, or a shape with a text, over the first chart."""
-    first, second = re.findall(rb"<oneCellAnchor>.*?</oneCellAnchor>", data, re.DOTALL)
-    place = re.search(rb"<from>.*?<ext [^>]*>", first, re.DOTALL)[0]
-    moved = re.sub(rb"<from>.*?<ext [^>]*>", place, second, flags=re.DOTALL)
-    text = b"<sp><spPr><noFill/></spPr><txBody><t>Both</t></txBody></sp>"
-    shape = re.sub(rb"<graphicFrame>.*</graphicFrame>", text, first, flags=re.DOTALL)
+    first, second = re.findall(rb"<xdr:oneCellAnchor>.*?</xdr:oneCellAnchor>", data, re.DOTALL)
+    place = re.search(rb"<xdr:from>.*?<xdr:ext [^>]*>", first, re.DOTALL)[0]
+    moved = re.sub(rb"<xdr:from>.*?<xdr:ext [^>]*>", place, second, flags=re.DOTALL)
+    text = b"<xdr:sp><xdr:spPr><noFill/></xdr:spPr><xdr:txBody><xdr:t>Both</xdr:t></xdr:txBody></xdr:sp>"
+    shape = re.sub(rb"<xdr:graphicFrame>.*</xdr:graphicFrame>", text, first, flags=re.DOTALL)
     return data.replace(second, moved if what == "chart" else second + shape)
 
 
@@ -721,12 +721,16 @@ def test_a_chart_behind_another_drawing_with_its_title_is_found(what, book):
 def test_a_verdict_behind_a_shape_with_a_text_and_behind_a_note_always_shown_is_found(failing):
     row, column = failing.at("within")
     place = (
-        b"<oneCellAnchor><from><col>%d</col><colOff>0</colOff><row>%d</row><rowOff>0</rowOff></from>"
-        b'<ext cx="2000000" cy="300000"/><sp><spPr><noFill/></spPr><txBody><t>%s</t></txBody></sp></oneCellAnchor>'
+        b"<xdr:oneCellAnchor><xdr:from><xdr:col>%d</xdr:col><xdr:colOff>0</xdr:colOff>"
+        b"<xdr:row>%d</xdr:row><xdr:rowOff>0</xdr:rowOff></xdr:from>"
+        b'<xdr:ext cx="2000000" cy="300000"/><xdr:sp>'
+        b"<xdr:spPr><noFill/></xdr:spPr><xdr:txBody><xdr:t>%s</xdr:t></xdr:txBody></xdr:sp></xdr:oneCellAnchor>"
     )
 
     def shape(text):
-        return {PICTURE: lambda data: data.replace(b"</wsDr>", place % (column - 1, row - 1, text) + b"</wsDr>")}
+        return {
+            PICTURE: lambda data: data.replace(b"</xdr:wsDr>", place % (column - 1, row - 1, text) + b"</xdr:wsDr>")
+        }
 
     assert spots(failing.with_parts(shape(b"OK")).findings) == {"Drive!D18"}
     silent(failing.with_parts(shape(b"")))
@@ -744,8 +748,8 @@ def test_a_verdict_behind_a_shape_with_a_text_and_behind_a_note_always_shown_is_
 
 
 def test_charts_that_are_gone_hidden_or_moved(book):
-    gone = {PICTURE: sub(rb"<oneCellAnchor>.*?</oneCellAnchor>", b"")}
-    hidden = {PICTURE: sub(rb'<cNvPr id="1"', b'<cNvPr hidden="1" id="1"')}
+    gone = {PICTURE: sub(rb"<xdr:oneCellAnchor>.*?</xdr:oneCellAnchor>", b"")}
+    hidden = {PICTURE: sub(rb'<xdr:cNvPr id="1"', b'<xdr:cNvPr hidden="1" id="1"')}
     for change in (gone, hidden):
         report = book.with_parts(change)
         assert (report.findings, [one.expected for one in report.notices]) == ([], ["Both"])

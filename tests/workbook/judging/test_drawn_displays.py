@@ -255,7 +255,7 @@ def fine_charts(drawn):
         (CHART, rb">Both<", b">Beide<"), (CHART, rb"<legend>.*?</legend>", b""), (CHART, rb'"b"', b'"r"'),
         (CHART, rb'sz="1300"', b'sz="%d"' % drawn.randint(800, 2000)),
         (CHART, rb'majorUnit val="60"', b'majorUnit val="90"'),
-        ("xl/drawings/drawing1.xml", rb"<row>\d+</row>", b"<row>%d</row>" % drawn.randint(60, 90)),
+        ("xl/drawings/drawing1.xml", rb"<xdr:row>\d+</xdr:row>", b"<xdr:row>%d</xdr:row>" % drawn.randint(60, 90)),
         ("xl/drawings/drawing1.xml", rb'cy="\d+"', b'cy="%d"' % drawn.randint(2_000_000, 9_000_000)),
         (SHEET, rb"<sheetView ", b'<sheetView view="pageLayout" showRuler="0" '),
     ))  # fmt: skip

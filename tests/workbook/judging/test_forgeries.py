@@ -91,10 +91,12 @@ def test_a_font_that_the_theme_exchanges_is_found(face, bad, book):
 def test_a_shape_over_a_unit_a_symbol_or_a_label_is_told(column, book):
     row, first = book.at("peak")
     place = (
-        b"<oneCellAnchor><from><col>%d</col><colOff>0</colOff><row>%d</row><rowOff>0</rowOff></from>"
-        b'<ext cx="4000000" cy="300000"/><sp><txBody><t>kNm</t></txBody></sp></oneCellAnchor></wsDr>'
+        b"<xdr:oneCellAnchor><xdr:from><xdr:col>%d</xdr:col><xdr:colOff>0</xdr:colOff>"
+        b"<xdr:row>%d</xdr:row><xdr:rowOff>0</xdr:rowOff></xdr:from>"
+        b'<xdr:ext cx="4000000" cy="300000"/><xdr:sp>'
+        b"<xdr:txBody><xdr:t>kNm</xdr:t></xdr:txBody></xdr:sp></xdr:oneCellAnchor></xdr:wsDr>"
     ) % (first + column - 1, row - 1)
-    report = book.with_parts({PICTURE: lambda data: data.replace(b"</wsDr>", place)})
+    report = book.with_parts({PICTURE: lambda data: data.replace(b"</xdr:wsDr>", place)})
     assert any("drawing" in str(one.computed) for one in told(report))
 
 

@@ -194,7 +194,7 @@ def test_every_formula_has_a_saved_value(book):
 def test_every_chart_has_a_title_and_alternative_text(book):
     with zipfile.ZipFile(book) as parts:
         drawings = "".join(parts.read(n).decode() for n in parts.namelist() if re.match(r"xl/drawings/d", n))
-    frames = re.findall(r"<cNvPr [^>]*>", drawings)
+    frames = re.findall(r"<xdr:cNvPr [^>]*>", drawings)
     assert len(frames) > 10
     assert all(re.search(r'name="(?!Chart \d)[^"]+" descr="[^"]{20,}"', frame) for frame in frames)
 
