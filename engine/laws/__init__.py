@@ -4,6 +4,8 @@
 variations, tests) iterates over the catalogue.
 """
 
+from collections.abc import Iterable
+from difflib import get_close_matches
 from typing import Any
 
 from engine.laws.base import Coefficients, Kinematics
@@ -23,7 +25,10 @@ from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, Dwell, SimpleHarmonic, StraightLine
 from engine.laws.spline import Spline
 
-__all__ = ["CATALOGUE", "Coefficients", "Dwell", "Kinematics", "Law", "Piece", "PieceLaw", "UnknownLawError", "law"]
+__all__ = [
+    "CATALOGUE", "Coefficients", "Dwell", "Kinematics", "Law", "Piece", "PieceLaw", "UnknownLawError", "family_named",
+    "law", "nearest_names",
+]  # fmt: skip
 CATALOGUE: tuple[type[Law], ...] = (
     Dwell, ConstantAcceleration, TrapezoidalVelocity, Cycloidal, Cubic, ModifiedTrapezoidal, PieceLaw, StraightLine,
     SimpleHarmonic, DoubleHarmonic, Polynomial345, Polynomial4567, ModifiedSine, TrapezoidByShare, SineConstantCosine,
@@ -36,10 +41,22 @@ class UnknownLawError(ValueError):
 
 
 def _key(name: str) -> str:
-    return " ".join(name.casefold().split())
+    return "".join(letter for letter in name.casefold() if letter.isalnum())
 
 
 _KNOWN = {_key(name): family for family in CATALOGUE for name in (family.code, family.name, *family.aliases)}
+"""the families by their names, of which letters and digits count"""
+
+
+def family_named(name: str) -> type[Law] | None:
+    """Return the class of the catalogue's law with this code, name or alias; None where it has none."""
+    return _KNOWN.get(_key(name))
+
+
+def nearest_names(name: str, names: Iterable[str], most: int = 3) -> list[str]:
+    """Return those of the names that are most like the one given, the likest first."""
+    known = {each.casefold(): each for each in names}
+    return [known[each] for each in get_close_matches(name.casefold(), known, n=most, cutoff=0.0)]
 
 
 def law(name: str, **parameters: Any) -> Law:
@@ -48,7 +65,7 @@ def law(name: str, **parameters: Any) -> Law:
     Parameters
     ----------
     name : str
-        Code, name or alias of the law; upper and lower case are the same.
+        Code, name or alias of the law; case, blanks and dashes do not matter.
     **parameters
         Fields of the law's class, dimensionless.
 
@@ -60,12 +77,12 @@ def law(name: str, **parameters: Any) -> Law:
     Raises
     ------
     UnknownLawError
-        If the catalogue has no law of this name; the message lists the known laws.
+        If the catalogue has no law of this name; the message lists the three whose names are most like it.
     ValueError
         If the law's class rejects a parameter.
     """
-    found = _KNOWN.get(_key(name))
+    found = family_named(name)
     if found is None:
-        known = ", ".join(f"{family.code} ({family.name})" for family in CATALOGUE)
-        raise UnknownLawError(f"no law is named {name!r}; expected one of {known}")
+        names = (each for family in CATALOGUE for each in (family.code, family.name, *family.aliases))
+        raise UnknownLawError(f"no law is named {name!r}; expected one of {', '.join(nearest_names(name, names))}")
     return found(**parameters)

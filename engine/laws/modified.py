@@ -32,7 +32,7 @@ class ModifiedTrapezoidal(PulseLaw):
 
     code = "MTP"
     name = "Modified trapezoidal"
-    aliases = ("ModTVP", "modified trapezoidal acceleration", "modified trapezoid")
+    aliases = ("ModTVP", "modified trapezoidal acceleration", "modified trapezoid", "mod trap", "MT")
     source = "S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'"
     vendors = Vendors(siemens="D_D_MOD_ACCEL_TRAPEZOID (11)", twincat="BESCHLTRAPEZ (13)")
 
@@ -94,7 +94,7 @@ class ModifiedSine(PulseLaw):
 
     code = "MSN"
     name = "Modified sine"
-    aliases = ("modified sinusoid", "modifizierte Sinuslinie")
+    aliases = ("modified sinusoid", "mod sine", "MS", "modifizierte Sinuslinie")
     source = "LCamHdl, ProfileTypes, D_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'"
     vendors = Vendors(
         siemens="D_D_MOD_SINE (12)", twincat="MODSINUSLINIE (11)", codesys="ModifiedSine", sew="MODIFIED_SINE"

@@ -117,7 +117,7 @@ class Cubic(HalvedPolynomial):
 
     code = "CUB"
     name = "Cubic"
-    aliases = ("cubic curve",)
+    aliases = ("cubic curve", "poly 3", "polynomial of degree 3", "Polynom 3. Grades")
     source = "S1, 'Cubic curve'; S3, 'CUB'"
     vendors = Vendors(siemens="POLY_3 (4)", twincat="POLYNOM3 (3)", sew="POLYNOM_3")
     HALF = LINE_DOWN
@@ -130,7 +130,7 @@ class Polynomial345(HalvedPolynomial):
 
     code = "PO5"
     name = "Polynomial 3-4-5"
-    aliases = ("3-4-5", "quintic", "polynomial of degree 5", "Polynom 5. Grades")
+    aliases = ("3-4-5", "poly 3-4-5", "poly 5", "quintic", "polynomial of degree 5", "Polynom 5. Grades")
     source = "LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'"
     vendors = Vendors(siemens="POLY_5 (5)", twincat="POLYNOM5 (5)", codesys="Poly5", sew="POLYNOM_5")
     HALF = HALF_345
@@ -143,7 +143,7 @@ class Polynomial4567(HalvedPolynomial):
 
     code = "PO7"
     name = "Polynomial 4-5-6-7"
-    aliases = ("4-5-6-7", "septic", "polynomial of degree 7", "Polynom 7. Grades")
+    aliases = ("4-5-6-7", "poly 4-5-6-7", "poly 7", "septic", "polynomial of degree 7", "Polynom 7. Grades")
     source = "LCamHdl, ProfileTypes, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'"
     vendors = Vendors(siemens="POLY_7 (6), of two sextics", twincat="POLYNOM7 (7)", codesys="Poly7", sew="POLYNOM_7")
     HALF = HALF_4567

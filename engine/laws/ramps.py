@@ -48,7 +48,13 @@ class TrapezoidalVelocity(RampedLaw):
 
     code = "TVP"
     name = "Trapezoidal velocity"
-    aliases = ("trapezoidal speed", "asymmetric trapezoidal", "asymmetric trapezoidal speed profile", "s-shape")
+    aliases = (
+        "trapezoidal speed",
+        "trapezoidal velocity profile",
+        "asymmetric trapezoidal",
+        "asymmetric trapezoidal speed profile",
+        "s-shape",
+    )
     source = "S1, 'Asymmetric trapezoidal speed profile'; S3, function TVP"
     HALF = CONSTANT
 
@@ -97,7 +103,7 @@ class SCurve(PulseLaw):
 
     code = "SCV"
     name = "Jerk-limited S-curve"
-    aliases = ("S-curve", "jerk-limited", "seven-segment profile", "ruckbegrenztes Profil")
+    aliases = ("S-curve", "S-curve profile", "jerk-limited", "seven-segment profile", "ruckbegrenztes Profil")
     source = "TwinCAT NC, set-point generator with seven phases"
 
     durations: tuple[float, ...] = (1 / 12, 1 / 6, 1 / 12, 1 / 3, 1 / 12, 1 / 6, 1 / 12)

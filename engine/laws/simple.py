@@ -30,7 +30,7 @@ class StraightLine(Law):
 
     code = "LIN"
     name = "Straight line"
-    aliases = ("constant velocity", "Gerade")
+    aliases = ("constant velocity", "linear", "Gerade")
     source = "LCamHdl, ProfileTypes, CONST_VELO"
     vendors = Vendors(siemens="CONST_VELO (3)", twincat="POLYNOM1 (1)", codesys="Line", sew="LINEAR")
 
@@ -66,7 +66,7 @@ class ConstantAcceleration(HalvedLaw):
 
     code = "ACS"
     name = "Constant acceleration"
-    aliases = ("constant acceleration symmetric", "symmetric constant acceleration", "parabolic")
+    aliases = ("constant acceleration symmetric", "symmetric constant acceleration", "parabolic", "parabola")
     source = "S3, figure 1 and 'ACS'; S1, 'Timing diagram for a cutting machine' (C_a = 4)"
     vendors = Vendors(siemens="D_D_PARABOLA (7)")
     HALF = CONSTANT
@@ -81,7 +81,7 @@ class Cycloidal(HalvedLaw):
 
     code = "CIC"
     name = "Cycloidal"
-    aliases = ("cycloid",)
+    aliases = ("cycloid", "cyc", "Sinoide", "geneigte Sinuslinie")
     source = "S1, 'Cycloidal curve'; S3, 'CIC'"
     vendors = Vendors(
         siemens="D_D_INCLINED_SINE (10)", twincat="BESTEHORN (12)", codesys="InclinedSine", sew="INCLINED_SINE"
@@ -95,7 +95,7 @@ class SimpleHarmonic(HalvedLaw):
 
     code = "SHM"
     name = "Simple harmonic"
-    aliases = ("harmonic", "basic sine", "einfache Sinuslinie")
+    aliases = ("harmonic", "simple harmonic motion", "basic sine", "einfache Sinuslinie")
     source = "LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE"
     vendors = Vendors(siemens="D_D_BASIC_SINE (9)", twincat="SINUSLINIE (10)", sew="SINE")
     STAGES = (2, 4)
@@ -116,6 +116,7 @@ class DoubleHarmonic(Law):
 
     code = "DHM"
     name = "Double harmonic"
+    aliases = ("double harmonic motion", "doppelt harmonisch")
     source = "LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC; saltire.com, cam functions"
     vendors = Vendors(siemens="D_R_DOUBLE_HARMONIC (60)")
 

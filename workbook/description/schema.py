@@ -108,7 +108,8 @@ LAWS = """\
 
 Every template takes these. The basic laws are there without being named; a law of another family, or a second one of
 the same, has a name of its own and says its family: `[laws."soft MTP"]` with `family = "MTP"`. Phases take it by that
-name.
+name. Any law of the catalogue is there too, with its defaults, where it is named as people write it: `law = "modified
+sine"`, `"3-4-5"`, `"cycloidal"`. No law of your own can take such a name of another family.
 """
 TITLES = ("key", "meaning", "unit", "what it takes", "default", "example")
 LONGEST = 60

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field, PrivateAttr, RootModel, create_mode
 from workbook.errors import quoted
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
 from workbook.fields.types import EntryError, Model
-from workbook.laws.registry import CODES, FAMILY
+from workbook.laws.registry import CODES, FAMILY, code_named, nearest_laws
 
 LONGEST = 40  # characters of a law's name
 NUMBERED = re.compile(r"([A-Z][A-Z0-9]{2})(\d*)")
@@ -154,7 +154,7 @@ def in_family(name: str, entry: Any) -> Any:
         if entry.get("family", name) != name:
             raise EntryError(f"{name}.family", f"the law {name} is of its own family; expected another name")
         return {**entry, "family": name}
-    given = entry.get("family")
+    given = entry.get("family", code_named(name))
     if (family := listed(given, [*ENTRIES])) is None:
         said = "empty" if given is None else f"no family is named {quoted(given)}"
         raise EntryError(f"{key_of(name)}.family", f"{said}; expected {nearest(given, [*ENTRIES])}")
@@ -203,8 +203,10 @@ def resolve(entries: Model, laws: Laws) -> None:
         name = listed(one.name, laws.names)
         if name is None or (one.moves and name == "DWL"):
             known = [known for known in laws.names if not one.moves or known != "DWL"]
-            said = "a dwell does not move" if name else f"no law is named {quoted(one.name)}"
-            code = one.name.strip().upper()
-            takes = f'add [laws.{code}] with family = "{code}", or take' if code in ENTRIES and not name else "expected"
-            raise EntryError(one.key, f"{said}; {takes} {nearest(one.name, known)}")
+            if name:
+                raise EntryError(one.key, f"a dwell does not move; expected {nearest(one.name, known)}")
+            code = code_named(one.name)
+            takes = f"add [laws.{code}], or take" if code else "expected"
+            alike = ", ".join(nearest_laws(one.name, laws.names))
+            raise EntryError(one.key, f"no law is named {quoted(one.name)}; {takes} one of {alike}")
         object.__setattr__(one.entries, one.field, name)  # entries are frozen once they are whole

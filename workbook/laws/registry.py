@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from engine.laws import CATALOGUE, Law
+from engine.laws import CATALOGUE, Law, family_named, nearest_names
 from workbook.laws.family import Page
 from workbook.laws.pages import modified, pieces, ramps, simple, spline
 
@@ -28,3 +28,15 @@ FAMILY: dict[str, Page] = {law.code: page_of(law, PAGES) for law in CATALOGUE}
 CODES: tuple[str, ...] = ("DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 """the basic laws, which every book has, in the order of their numbers: each named by the code of its family"""
 RISING: tuple[str, ...] = CODES[1:]  # those of them that move
+NAMES = tuple(name for law in CATALOGUE for name in (law.code, law.name, *law.aliases))  # of all families
+
+
+def code_named(name: str) -> str | None:
+    """Return the code of the family that people call so; None where the catalogue has none."""
+    family = family_named(name)
+    return family.code if family else None
+
+
+def nearest_laws(name: str, own: Sequence[str]) -> list[str]:
+    """Return the three names, of a book's own laws and of the catalogue's, that are most like the one given."""
+    return nearest_names(name, [*own, *NAMES])

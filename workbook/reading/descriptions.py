@@ -12,6 +12,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, quoted
 from workbook.fields.types import EntryError
 from workbook.laws.entries import key_of
+from workbook.laws.named import with_laws_by_code
 from workbook.selection.entries import referred
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
@@ -34,7 +35,7 @@ def read_machine(path: Path) -> Machine:
     """Read the description in a TOML file; raise ReadError or InputError, with a line for each fault."""
     data = parse_toml(read_text(path, "a machine description, a .toml file"), path)
     template = template_named(data.get("template"), f"{path}: template")
-    return validated(template, data, lambda key: f"{path}: {counted_from_1(key)}")
+    return described(template, data, lambda key: f"{path}: {counted_from_1(key)}")
 
 
 def parse_toml(text: str, path: Path) -> dict[str, Any]:
@@ -69,6 +70,15 @@ def counted_from_1(key: str) -> str:
 def write_machine(machine: Machine) -> str:
     """Return the TOML of a machine description; catalogues that come with the templates are referred to."""
     return tomli_w.dumps(referred(as_entered(machine)))
+
+
+def described(template: Template[M], data: dict[str, Any], where: Where) -> M:
+    """Validate a description, which may name laws as the catalogue does; raise InputError as :func:`validated` does."""
+    try:
+        named = with_laws_by_code(data)
+    except EntryError as error:
+        raise InputError([f"{where(error.field)}: {error}"]) from None
+    return validated(template, named, where)
 
 
 def validated(template: Template[M], data: dict[str, Any], where: Where) -> M:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from workbook.description.keys import PRODUCTS, Key, default_of, toml
 from workbook.errors import InputError, MotionbookError
 from workbook.laws.entries import ENTRIES
-from workbook.reading.descriptions import parse_toml, template_named, validated
+from workbook.reading.descriptions import described, parse_toml, template_named
 from workbook.reports.html import paragraphs, rendered
 from workbook.selection.entries import COMMITTED
 from workbook.serve.live import design
@@ -80,7 +80,8 @@ def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:
     except MotionbookError:
         pass
     try:
-        validated(template_named(data.get("template"), "template"), data, lambda key: key)
+        template = template_named(data.get("template"), "template")
+        described(template, data, lambda key: key)
     except InputError as error:
         return {key: said for key, _, said in (line.partition(": ") for line in error.lines)}
     return {}

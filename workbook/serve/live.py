@@ -16,7 +16,7 @@ from workbook.book.summary import TITLE
 from workbook.differences.design import Change, Design, Figure, Key
 from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError
-from workbook.reading.descriptions import counted_from_1, parse_toml, template_named, validated
+from workbook.reading.descriptions import counted_from_1, described, parse_toml, template_named
 from workbook.reports.differences import figure
 from workbook.reports.html import ACROSS, Handle, Line, document, paragraphs, plot, rendered
 from workbook.template import FOLDER
@@ -134,7 +134,7 @@ def design(name: str, text: str) -> ShownDesign:
     path = Path(name)
     data = parse_toml(text, path)
     template = template_named(data.get("template"), "template")
-    machine = validated(template, data, counted_from_1)
+    machine = described(template, data, counted_from_1)
     return ShownDesign(path, machine, template.declare(machine))
 
 

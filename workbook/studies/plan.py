@@ -20,6 +20,7 @@ from workbook.errors import InputError, quoted
 from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import ENTRIES, references
+from workbook.laws.named import with_laws_by_code
 from workbook.reading.descriptions import counted_from_1, parse_toml, write_machine
 from workbook.studies.links import Link, followed, make_links
 from workbook.studies.paths import as_dict, children, entry_at, nearest, path_of, with_entry, written
@@ -84,8 +85,6 @@ class Plan:
                 now, begun = (found.get(place, entry_at(self.data, place)) for place in (path, own))
                 found[path] = now + way * (value - begun)
             found |= dict.fromkeys(one.paths, value)
-            if own[-1] == "law" and value in ENTRIES and value not in self.data["laws"]:  # of a new family
-                found["laws", value] = {"family": value}
         return followed(self.links, self.data, found)
 
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
@@ -94,7 +93,7 @@ class Plan:
         for path, value in self.changes(chosen).items():
             data = dict(with_entry(data, path, value))
         try:
-            machine, faults = validated(type(self.base), self.template.check, data)
+            machine, faults = validated(type(self.base), self.template.check, with_laws_by_code(data))
         except EntryError as error:
             return Impossible(f"{error.field}: {error}")
         except RefusedError as error:

@@ -7,13 +7,16 @@ from pathlib import Path
 import openpyxl
 import pytest
 
+from engine.laws import CATALOGUE
 from tests import cutting
 from tests.workbook.cells import disagreeing, entered
 from workbook.errors import InputError
 from workbook.judging.report import Report
 from workbook.judging.verify import judge
 from workbook.law_sheets.book_laws import BookLaws
-from workbook.laws.entries import LONGEST
+from workbook.laws.entries import ENTRIES, LONGEST
+from workbook.laws.named import with_laws_by_code
+from workbook.reading import descriptions
 from workbook.reading.descriptions import counted_from_1, validated, write_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
@@ -116,8 +119,39 @@ def test_a_law_that_cannot_be_is_refused_in_one_line(what):
 def test_a_phase_with_an_unknown_law_is_told_what_there_is():
     said = refused({"MTP soft": SOFT}, "MTP sofd")
     assert said.startswith("axes[1].phases[1].law")
-    assert "no law is named 'MTP sofd'; expected MTP soft" in said
-    assert "expected one of DWL, ACS, TVP, CIC, CUB, MTP, OWN, MTP soft" in refused({"MTP soft": SOFT}, "Zorro")
+    assert "no law is named 'MTP sofd'; expected one of MTP soft, " in said
+    assert "expected one of modified sine, " in refused({}, "modified sini").casefold()
+
+
+def test_a_description_names_a_law_as_the_catalogue_does_and_its_book_has_it():
+    """By any name of any law of the catalogue, with what that law has unless told otherwise."""
+    for law in CATALOGUE[1:]:
+        data, names = described({}), (law.code, law.name, *law.aliases)
+        for name in names:
+            data["axes"][0]["phases"][0]["law"] = name
+            named = with_laws_by_code(data)
+            assert named["axes"][0]["phases"][0]["law"].upper() == law.code
+        made = validated(MACHINE, named, counted_from_1)
+        assert made.laws[law.code] == ENTRIES[law.code](family=law.code)
+
+
+def test_a_law_of_the_description_goes_before_the_catalogues_of_like_name():
+    own = {"PO5": {"share": 0.4}, "Modified sine": {"rise_edge": 0.2}}
+    data = with_laws_by_code(described(own, "3-4-5", "modified sine"))
+    made = validated(MACHINE, data, counted_from_1)
+    assert [axis.phases[k].law for axis, k in zip(made.axes, (0, 1), strict=False)] == ["PO5", "Modified sine"]
+    assert (made.laws["PO5"].share, made.laws["Modified sine"].family) == (0.4, "MSN")
+
+
+@pytest.mark.parametrize("name", ["PO5", "quintic", "modified sine", "MT"])
+def test_a_law_of_the_description_hides_none_of_the_catalogue(name):
+    with pytest.raises(InputError, match=r"laws\..*of the catalogue; expected its family, or another name"):
+        descriptions.described(MACHINE, described({name: {"family": "SCC"}}), counted_from_1)
+
+
+def test_in_a_book_only_its_own_laws_have_names():
+    """A cell is looked up in the list of the book: what is typed there means nothing else."""
+    assert "no law is named 'modified sine'; add [laws.MSN], or take one of" in refused({}, "modified sine")
 
 
 def test_laws_whose_titles_would_be_the_same_have_two():
