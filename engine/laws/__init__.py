@@ -53,10 +53,10 @@ def family_named(name: str) -> type[Law] | None:
     return _KNOWN.get(_key(name))
 
 
-def nearest_names(name: str, names: Iterable[str], most: int = 3) -> list[str]:
-    """Return those of the names that are most like the one given, the likest first."""
+def nearest_names(name: str, names: Iterable[str]) -> list[str]:
+    """Return the three of the names that are most like the one given, the likest first."""
     known = {each.casefold(): each for each in names}
-    return [known[each] for each in get_close_matches(name.casefold(), known, n=most, cutoff=0.0)]
+    return [known[each] for each in get_close_matches(name.casefold(), known, n=3, cutoff=0.0)]
 
 
 def law(name: str, **parameters: Any) -> Law:

@@ -1,7 +1,8 @@
 """Texts as entered: in one line that every program shows, names that every program finds again by MATCH, titles."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
 from typing import Annotated
 from unicodedata import category, normalize
 
@@ -55,6 +56,12 @@ Text = Annotated[str, Field(min_length=1, max_length=80, pattern=NO_FORMULA), ON
 def place_of(name: str, names: Iterable[str]) -> int:
     """Return the place of the first of ``names`` that MATCH finds, whatever the case of letters; −1 where none is."""
     return next((i for i, each in enumerate(names) if each.lower() == name.lower()), -1)
+
+
+def nearest_names(name: str, names: Sequence[str]) -> list[str]:
+    """Return the three of the names that are most like the one given, the likest first."""
+    known = {each.casefold(): each for each in names}
+    return [known[each] for each in get_close_matches(name.casefold(), known, n=3, cutoff=0.0)]
 
 
 def lookup_key(name: str) -> str:

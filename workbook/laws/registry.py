@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 
-from engine.laws import CATALOGUE, Law, family_named, nearest_names
+from engine.laws import CATALOGUE, Law, family_named
+from workbook.fields.texts import nearest_names
 from workbook.laws.family import Page
 from workbook.laws.pages import modified, pieces, ramps, simple, spline
 

@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 from engine.selection.pair_matrix import Rank
 from workbook.drive.entries import noted
 from workbook.entries.machine import Sizes
-from workbook.fields.texts import place_of, require_distinct
+from workbook.fields.texts import nearest_names, place_of, require_distinct
 from workbook.fields.types import EntryError, Model, Positive
 from workbook.selection.catalogue import Efficiency, MotorRow, Name, ReducerRow
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
@@ -26,6 +26,13 @@ def referred(data: dict[str, Any]) -> dict[str, Any]:
     whole = {entry: [row.model_dump(exclude_none=True) for row in rows()] for entry, rows in COMMITTED.items()}
     named = {entry: REFERENCE for entry, rows in whole.items() if chosen.get(entry) == rows}
     return data | {"selection": chosen | named} if named else data
+
+
+def require_known(kind: str, name: str, names: Sequence[str], key: str) -> None:
+    """Raise EntryError, at ``key``, for a motor or reducer that no row of its catalogue has, with the three nearest."""
+    if place_of(name, names) < 0:
+        alike = ", ".join(nearest_names(name, names))
+        raise EntryError(key, f"no {kind} of the catalogue is named {name!r}; expected one of {alike}")
 
 
 class Products(Model):
@@ -72,8 +79,8 @@ class Selection(Ranked):
     @model_validator(mode="after")
     def _named(self) -> Self:
         for entry, name, rows in (("motor", self.motor, self.motors), ("reducer", self.reducer, self.reducers)):
-            if name is not None and place_of(name, [row.name for row in rows]) < 0:
-                raise EntryError(entry, f"no {entry} is named {name!r}; expected a name of its table")
+            if name is not None:
+                require_known(entry, name, [row.name for row in rows], entry)
         return self
 
 

@@ -244,7 +244,7 @@ def test_a_reducer_without_an_inertia_counts_as_none():
 @pytest.mark.parametrize(
     ("change", "line"),
     [
-        ({"motor": "nobody"}, "selection.motor: no motor is named 'nobody'; expected a name of its table"),
+        ({"motor": "nobody"}, "selection.motor: no motor of the catalogue is named 'nobody'; expected one of "),
         (
             {"motors": [STRONG[0], STRONG[0]]},
             "selection.motors[2].name (counted from 1): a second motor is named 'small'; expected",
@@ -439,7 +439,7 @@ def test_a_product_typed_into_an_empty_row_is_ranked_and_carried_over(tmp_path, 
     ("change", "line"),
     [
         (("Catalogue", "large", 0, 2, "small"), "(motor): a second motor is named 'small'; expected a name of"),
-        (("Drive", "Motor of the catalogue", 0, 4, "x"), "no motor is named 'x'; expected a name of its table"),
+        (("Drive", "Motor of the catalogue", 0, 4, "x"), "no motor of the catalogue is named 'x'; expected one of "),
     ],
 )
 def test_what_cannot_be_in_a_workbook_is_named_by_its_cell(change, line, tmp_path, build_book):

@@ -24,7 +24,7 @@ from workbook.machines.machine import drive_entries
 from workbook.machines.machine import entries_beside as beside
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, piece_counts, settle_room
-from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_room
+from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_known, require_room
 
 MOST_AXES = 24
 PRINTED = ("lead screw", "conveyor")  # the mechanisms of S4
@@ -180,8 +180,8 @@ class AnyMachine(Exporting):
         for i, axis in enumerate(self.axes):
             for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):
                 name = getattr(getattr(axis, entry), "name", "")
-                if name and place_of(name, [row.name for row in rows]) < 0:
-                    raise EntryError(f"axes.{i}.{entry}.name", f"no {entry} of the catalogue is named {name!r}")
+                if name:
+                    require_known(entry, name, [row.name for row in rows], f"axes.{i}.{entry}.name")
             points = axis.mechanism.points if isinstance(axis.mechanism, Table) else []
             for entry, told, room in (("parts", axis.parts, "rotors"), ("mechanism.points", points, "positions"),
                                       ("phases", axis.phases, "phases")):  # fmt: skip
