@@ -753,7 +753,7 @@ def test_charts_that_are_gone_hidden_or_moved(book):
     for change in (gone, hidden):
         report = book.with_parts(change)
         assert (report.findings, [one.expected for one in report.notices]) == ([], ["Both"])
-    moved = {PICTURE: sub(rb"<row>\d+</row>", b"<row>90</row>", count=2)}
+    moved = {PICTURE: sub(rb"<xdr:row>\d+</xdr:row>", b"<xdr:row>90</xdr:row>", count=2)}
     silent(book.with_parts(moved))
 
 
