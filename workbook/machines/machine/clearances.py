@@ -1,6 +1,5 @@
 """Axes that must stay apart: their gap over the cycle, where it is least, and the sheet Clearances."""
 
-import math
 from functools import cached_property
 from typing import NamedTuple
 
@@ -73,7 +72,7 @@ class ClearanceView:
     @property
     def change(self) -> float:
         """By how much both axes together can change the gap."""
-        return math.fsum(abs(scale) * float(np.ptp(one.motion.reach)) for scale, one in self.terms)
+        return float(np.sum([abs(scale) * np.ptp(one.motion.reach) for scale, one in self.terms]))
 
     def cuts(self, end: int) -> tuple[list[float], list[float]]:
         """Return where each piece of an axis begins and has its middle; spare pieces as the end of the turn."""
