@@ -152,6 +152,7 @@ def _local_powers(of: CamProfile, middle: Array, half: Array) -> Array:
 
 
 STEPS = 60  # of halving
+LINEAR = 2  # order of straight lines
 CUBIC = 4  # order of a rule by polynomials of degree 3
 JUMP = 1e-9  # share of the largest y' or y'': a smaller jump is rounding
 
@@ -171,7 +172,8 @@ def spread(of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: N
     """Return points of a profile: the breaks, and between them equal steps by the error of a rule of interpolation.
 
     A rule by polynomials of degree ``order`` − 1 between points h apart has an error of y'' in proportion to
-    h^(order − 2) max|y^(order)|; the steps of each piece are the longest that keep it below a common level.
+    h^(order − 2) max|y^(order)|, and lines one of y to h² max|y''|; the steps of each piece are the longest that keep
+    it below a common level.
 
     Parameters
     ----------
@@ -222,7 +224,7 @@ def weights(of: CamProfile, order: int) -> Array:
     np.maximum.at(found, of.index(middle), value)
     found[found < found.max(initial=0.0) * 1e-9] = 0.0
     spans = np.diff(of.edges)
-    sizes: Array = spans * (found / factorial(order)) ** (1.0 / max(order - 2, 1))
+    sizes: Array = spans * (found / factorial(order)) ** (1.0 / (order if order == LINEAR else order - 2))
     sizes = sizes / sizes.max() if sizes.max() > 0.0 else sizes
     if order != CUBIC:
         return sizes

@@ -226,11 +226,17 @@ def show_certificates(found: Sequence[AxisFile], turned: SwitchFile | None, aske
     """Print the certificates, what is untested, what misses a tolerance; return whether all keeps to what was asked."""
     target = asked.target
     if as_json:
-        told: list[Any] = [cams.certificate_data(one.axis, one.made, target, str(one.path)) for one in found]
+        told: list[Any] = [
+            cams.certificate_data(one.axis, one.made, target, str(one.path))
+            | {"position": cams.placing(one.axis, one.made, target)}
+            for one in found
+        ]
         say_json([*told, *([turned.told(target)] if turned else [])])
     else:
         for one in found:
             cams.show(one.axis, one.made, target)
+            if line := cams.placing_line(one.axis, one.made, target):
+                say(OUT, line)
         if turned:
             turned.show(target)
     for claim in (*(target.untested if found else ()), *(turned.tappets.untested if turned else ())):

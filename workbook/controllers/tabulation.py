@@ -81,6 +81,17 @@ def tabulate(target: Target, axis: CamAxis, n: int) -> Table:
     return table_at(target, of, np.union1d(x, before), units)
 
 
+def placed_otherwise(target: Target, axis: CamAxis, made: CertifiedTable) -> CertifiedTable | None:
+    """Return the table of as many points at equal steps, or of a table at equal steps as many on the breaks.
+
+    There is none of segments, and of too few points for the breaks.
+    """
+    other = replace(target, spacing="free" if target.spacing == "equal" else "equal", counts=())
+    if target.spacing == "breaks" or made.points < fewest_points(other, axis.profile):
+        return None
+    return certify_table(other, tabulate(other, axis, made.points), axis.profile)
+
+
 def require_count(target: Target, n: int) -> None:
     """Raise TargetError for a number of points that a target cannot have."""
     least, most = target.points

@@ -48,6 +48,7 @@ def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> No
         return
     number, n = given.export.axis, given.sizes.export
     axis = axes[number - 1]
+    table = columns(axis, n)
     sheet = book.sheet(
         TITLE, "One axis as a table, to copy and paste; motionbook export writes files and certifies them."
     )
@@ -56,11 +57,21 @@ def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> No
         sheet.rows(
             calc("export_axis", "Axis", "", "", axis.called, axis.name, align="left"),
             constant(named(number), "Number of the axis", "", "", number, source="as the description says"),
+            straight_loss(axis, table),
         )
         sheet.row += 1
         sheet.not_printed_below()
-        sheet.table("export", f"At {n} equal steps, both ends among them", n + 1, *columns(axis, n))
+        sheet.table("export", f"At {n} equal steps, both ends among them", n + 1, *table)
     sheet.print_columns = 8
+
+
+def straight_loss(axis: Exportable, table: Sequence[Quantity]) -> Quantity:
+    """Return by how much straight lines between the points miss the motion, about."""
+    x, accelerations = np.asarray(table[0].value), np.asarray(table[3].value)
+    step, most = float(x[1] - x[0]), float(np.abs(accelerations).max())
+    formula = "=([export.at.2]-[export.at.first])^2/8*MAX(MAX([export.y2]),0-MIN([export.y2]))"
+    return result("export_loss", "Straight lines between the points are off by, about", "", axis.units[1], formula,
+                  step**2 / 8.0 * most, source="Δx²/8 · max|y''|; motionbook export places points")  # fmt: skip
 
 
 def columns(axis: Exportable, n: int) -> list[Quantity]:

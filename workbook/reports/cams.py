@@ -8,7 +8,7 @@ import numpy as np
 
 import workbook
 from engine.cams.certificate import Certificate
-from workbook.controllers.tabulation import ORDERS, CertifiedTable, automatic, curve, rules_of
+from workbook.controllers.tabulation import ORDERS, CertifiedTable, automatic, curve, placed_otherwise, rules_of
 from workbook.controllers.target import Target
 from workbook.reports.html import Line, document, plot, rendered
 from workbook.reports.terminal import OUT, show_table, shown
@@ -41,6 +41,22 @@ def show(axis: CamAxis, made: CertifiedTable, target: Target) -> None:
         title = shown(f"{axis.name} to {target.name}: {made.points} points, {name}{bound}")
         headings = [*HEADINGS[:4], f"at x ({axis.x_unit})", HEADINGS[5]]
         show_table(OUT, headings, rows(axis, certificate), (1, 3, 4, 5), title)
+
+
+def placing(axis: CamAxis, made: CertifiedTable, target: Target) -> dict[str, Any]:
+    """Return the position's error, and that of as many points in the other placing, by what each is called."""
+    other = placed_otherwise(target, axis, made)
+    names = ("at equal steps", "placed by the motion")
+    tables = (made, other) if target.spacing == "equal" else (other, made)
+    errors = [max(of.deviations[0].largest for of in table.certificates.values()) for table in tables if table]
+    return dict(zip(names, errors, strict=True)) if other else {}
+
+
+def placing_line(axis: CamAxis, made: CertifiedTable, target: Target) -> str:
+    """Return in a line what equal steps cost, or what the places of the points gain; nothing of segments."""
+    errors = placing(axis, made, target)
+    parts = [f"{name} by {error:.3g} {axis.units[0]}" for name, error in errors.items()]
+    return f"Position of {made.points} points is off {', '.join(parts)}" if parts else ""
 
 
 def rows(axis: CamAxis, of: Certificate) -> list[list[str]]:
@@ -84,7 +100,7 @@ def page(
     return document(title, rendered(
         "reports/cams.html", title=title, version=workbook.__version__, target=target,
         claims=claims, found=found, advice=advice,
-        headings=HEADINGS, rows=rows, pictures=pictures, switched=SWITCHED, switches=switches,
+        headings=HEADINGS, rows=rows, placing=placing_line, pictures=pictures, switched=SWITCHED, switches=switches,
     ))  # fmt: skip
 
 
