@@ -26,7 +26,7 @@ between points needs them. The file is then read by an independent reader, the m
 the target's numbers, and compared with the engine over the whole cycle: between two breaks both are polynomials and
 sines, and their difference is enclosed by Bernstein coefficients until the largest error is known to 1e-9 of itself.
 Where several rules are named, each is tried, and the worst is a bound. Jumps of acceleration have a point on either
-side. `--equidistant` puts the points at equal steps instead.
+side. `--equidistant` puts the points at equal steps instead; what that costs is stated.
 
 `--switches`, and `--all`, write the switches of a machine where a document says how: tracks that are on from one angle
 to another. That file is read back too, and each edge compared.

@@ -93,7 +93,7 @@ def test_a_design_that_fails_is_exported_with_a_warning_and_an_unfinished_one_is
     for name, found, meant in (("fails", "lift = -20.0", "lift = -19.0"), ("open", "stop = 135.0", "stop = 85.0")):
         assert found in TEXT
         (tmp_path / f"{name}.toml").write_text(TEXT.replace(found, meant, 1), encoding="utf-8")
-        assert run("build", f"{name}.toml")[0] == 0
+        assert run("build", f"{name}.toml")[0] == 3
     code, _, err = run("export", "fails.xlsx", "--axis", "Press", "--to", "csv")
     assert code == 0
     assert "FAILS" in err
