@@ -7,6 +7,7 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.motion.shifted import gap_size, least_gap, place_in_cycle
+from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, amount
@@ -154,6 +155,9 @@ def clearances_sheet(book: Book, apart: list[ClearanceView]) -> None:
     sheet.heading("Enter", "gap = offset + factor · position + factor · position, in the unit of the first axis.")
     table(sheet, apart)
     sheet.checks(*map(clearance_check, apart))
+    sheet.heading("The gap over the cycle")
+    for k in range(0, len(apart), 2):
+        sheet.chart_row(*map(gap_chart, apart[k : k + 2]), width=PRINTED // 2)
     sheet.not_printed_below()
     for one in apart:
         sheet.heading(f"Workings: clearance {one.number}", ABOUT)
@@ -204,6 +208,16 @@ def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
     )  # fmt: skip
     sheet.rows(*(calc(one.name, f"Clearance {one.number}", "", "", f"=[clearances.name.{one.number}]",
                       one.given.name, align="left") for one in apart))  # fmt: skip
+
+
+def gap_chart(gap: ClearanceView) -> Chart:
+    """Return the chart of a gap at its points over the turn, with the gap to be left."""
+    at, least = f"clear{gap.number}_points", f"clear{gap.number}_least"
+    over = Series(f"={gap.name}", f"[{at}.theta]", f"[{at}.gap]")
+    lines = over, Series("least gap", f"[{least}.theta]", f"[{least}.gap]", points=True, marker="circle")
+    title = f"Clearance {gap.number}"
+    about = f"{title} at the points of the sheet over the turn, and where it is least"
+    return Chart(title, f"{gap.over.angle} θ [°]", f"gap [{gap.unit}]", lines, about, (0, TURN, 60))
 
 
 def clearance_check(gap: ClearanceView) -> Quantity:

@@ -4,7 +4,7 @@ from typing import Any
 
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
-from workbook.entries.abscissa import TAKEN, unit_cell_name
+from workbook.entries.abscissa import TAKEN, Abscissa, unit_cell_name
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.file_layout import switch_name, unit_name
@@ -168,7 +168,7 @@ def curve(axis: MovingAxis, x: str, column: str) -> Series:
 
 
 def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
-    """Place the charts of position, velocity and acceleration: a row for travelling axes, one for turning axes."""
+    """Place charts of position, velocity and acceleration: a row for travelling axes, one for turning; and of jerk."""
     sheet.heading("Position, velocity and acceleration over the cycle")
     over, moving = machine.over, dict.fromkeys(axis.given.unit for axis in machine.axes)
     for unit in moving:
@@ -180,6 +180,18 @@ def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
             about = f"{title} over the {over.name}, a line for each axis"
             charts.append(Chart(title, over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60)))
         sheet.chart_row(*charts[:3], width=(columns + 2) // 3, height=18)
+    sheet.heading("Jerk of each axis over the cycle, between its jumps")
+    jerks = [jerk_chart(axis, over) for axis in machine.axes]
+    for k in range(0, len(jerks), 3):
+        sheet.chart_row(*jerks[k : k + 3], width=(columns + 2) // 3, height=18)
+
+
+def jerk_chart(axis: MovingAxis, over: Abscissa) -> Chart:
+    """Return the chart of an axis' jerk."""
+    title = f"Jerk of axis {axis.number}"
+    y = f"{over.symbols[-1]} [{over.rates(axis.given.unit)[-1]}]"
+    about = f"{title} over the {over.name}"
+    return Chart(title, over.title, y, (curve(axis, over.column, "j"),), about, over.axis(60))
 
 
 def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int) -> None:
