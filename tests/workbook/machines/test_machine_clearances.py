@@ -12,7 +12,7 @@ from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine import exact
-from workbook.machines.machine.clearances import ClearanceView
+from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView
 

@@ -8,9 +8,9 @@ from engine.drive.motor import LimitCheck
 from workbook.book.sentence import rounded
 from workbook.fields.units import PER_MINUTE, RPM, shown
 from workbook.law_sheets.book_laws import BookLaws
-from workbook.machines.machine.clearances import ClearanceView
 from workbook.machines.machine.drive.view import DriveView, drive_of, settled_highest
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.template_outputs import ExactJudgement, JudgedLimit

@@ -16,7 +16,7 @@ from workbook.fields.units import DEGREE, PER_MINUTE, shown, si
 from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
-from workbook.machines.machine.clearances import ClearanceView, clearances_sheet
+from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reach import require_mechanisms
 from workbook.machines.machine.drive.reducer_load import shaft_of
@@ -25,6 +25,7 @@ from workbook.machines.machine.drive.view import NONE_BINDS, DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.file_layout import fixed, laid_out
+from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet

@@ -13,10 +13,10 @@ from workbook.fields.texts import place_of
 from workbook.fields.units import KW, shown
 from workbook.law_sheets.library import laws, named_laws
 from workbook.laws.family import COEFFICIENTS
-from workbook.machines.machine.clearances import ClearanceView
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
+from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studies import drives as each_drive
 from workbook.machines.machine.studies import limits

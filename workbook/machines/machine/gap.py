@@ -1,0 +1,127 @@
+"""The gap of two axes that must stay apart, over the cycle, and where it is least."""
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws.base import Array
+from engine.motion.shifted import gap_size, least_gap, place_in_cycle
+from workbook.book.rows import filled
+from workbook.book.summary import ZERO
+from workbook.entries.phase import TURN
+from workbook.fields.texts import place_of
+from workbook.fields.units import DEGREE, shown, si
+from workbook.machines.machine.entries_beside import ClearanceEntry
+from workbook.machines.machine.file_layout import clearance_name
+from workbook.machines.machine.motion_tables import AxisTables
+
+
+class Lowest(NamedTuple):
+    """Per point, of the parabola from the point before: how far it falls by its slope and rises; its lowest point."""
+
+    fall: Array
+    rise: Array
+    share: Array
+    gap: Array
+    angle: Array
+
+
+class ClearanceView:
+    """A clearance: its gap over the cycle, in the unit of the first axis; angles in degrees of the master shaft.
+
+    ``name`` is that of the cell that tells what it is called, and of which axes it is; ``scales`` are what a position
+    of each axis in m or rad is multiplied by, ``terms`` these with the motions, ``size`` how large the gap grows.
+    """
+
+    def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisTables]) -> None:
+        self.given, self.number = given, number
+        names = [one.axis.given.name for one in rows]
+        places = [(place_of(name, names), name) for name in (given.first, given.second)]
+        self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]  # a file's layout tells numbers
+        self.over, self.unit = self.rows[0].machine.over, self.rows[0].axis.given.unit
+        self.name = clearance_name(number, *(one.axis.number for one in self.rows))
+        self.factors = (given.first_factor, given.second_factor)
+        self.scales = [shown(factor, one.axis.unit) for factor, one in zip(self.factors, self.rows, strict=True)]
+        self.terms = [(scale, one.axis.shifted) for scale, one in zip(self.scales, self.rows, strict=True)]
+        self.size = gap_size(self.terms, given.offset)
+
+    @property
+    def exact(self) -> float:
+        """The least gap by closed forms."""
+        return least_gap(self.terms, self.given.offset).least
+
+    @property
+    def change(self) -> float:
+        """By how much both axes together can change the gap."""
+        return float(np.sum([abs(scale) * np.ptp(one.motion.reach) for scale, one in self.terms]))
+
+    def cuts(self, end: int) -> tuple[list[float], list[float]]:
+        """Return where each piece of an axis begins and has its middle; spare pieces as the end of the turn."""
+        one = self.rows[end]
+        room, near, pieces = one.machine.room, one.machine.near, one.pieces.pieces
+        begins = filled([shown(piece.begin, DEGREE) for piece in pieces], room, TURN)
+        halves = filled([shown(piece.duration, DEGREE) / 2.0 for piece in pieces], room)
+        found = [place_in_cycle(begin + one.axis.given.shift, TURN, near) for begin in begins]
+        return found, [place_in_cycle(at + half, TURN, near) for at, half in zip(found, halves, strict=True)]
+
+    @cached_property
+    def angles(self) -> Array:
+        """The points: begin and end of the turn, and between them all cuts in their order."""
+        cuts = sorted(at for end in range(len(self.rows)) for column in self.cuts(end) for at in column)
+        return np.array([0.0, *np.maximum(cuts, 0.0), TURN])
+
+    def positions(self, angles: Array) -> list[Array]:
+        """Return the position of each axis at angles, in its own unit."""
+        return [shown(one.axis.at(si(angles, DEGREE)).y, one.axis.unit) for one in self.rows]
+
+    def gaps(self, angles: Array) -> Array:
+        """Return the gap at angles."""
+        first, second = (factor * y for factor, y in zip(self.factors, self.positions(angles), strict=True))
+        return np.asarray(self.given.offset + first + second)
+
+    @cached_property
+    def velocities(self) -> list[Array]:
+        """The geometric velocity of each axis at each point (m or rad per rad)."""
+        return [one.axis.at(si(self.angles, DEGREE)).y1 for one in self.rows]
+
+    @property
+    def slopes(self) -> Array:
+        """The slope of the gap at each point (per rad)."""
+        return self.scales[0] * self.velocities[0] + self.scales[1] * self.velocities[1]
+
+    @cached_property
+    def lowest(self) -> Lowest:
+        """The parabola through each point and the one before, with the slope there."""
+        angles, gaps, slopes = self.angles, self.gaps(self.angles), self.slopes
+        steps, rise = np.diff(angles, prepend=angles[0]), np.diff(gaps, prepend=gaps[0])
+        fall = np.concatenate([[0.0], slopes[:-1] * si(steps[1:], DEGREE)])
+        inside = (fall < -ZERO * self.size) & (fall < 2.0 * rise)
+        share = np.where(inside, fall / np.where(inside, 2.0 * (fall - rise), 1.0), 1.0)
+        low = np.where(inside, gaps - rise + 0.5 * fall * share, gaps)
+        return Lowest(fall, rise, share, low, angles - (1.0 - share) * steps)
+
+    def near(self, gaps: Array) -> list[int]:
+        """Return whether each gap is as low as any, but for rounding."""
+        return [int(gaps.min() >= one - ZERO * self.size) for one in gaps.tolist()]
+
+    @cached_property
+    def lowest_at(self) -> Array:
+        """The first of the lowest points, and the first of the lowest points of parabolas."""
+        each = ((self.angles, self.gaps(self.angles)), (self.lowest.angle, self.lowest.gap))
+        return np.array([angles[self.near(gaps).index(1)] for angles, gaps in each])
+
+    @property
+    def place(self) -> float:
+        """The angle of the least gap: of two alike that of the points."""
+        return float(self.lowest_at[self.near(self.gaps(self.lowest_at)).index(1)])
+
+    @cached_property
+    def least(self) -> float:
+        """The least gap."""
+        return float(self.gaps(self.lowest_at).min())
+
+    @property
+    def is_left(self) -> bool:
+        """Whether the gap that is asked for is left, but for rounding."""
+        return self.least >= self.given.least - ZERO * self.size
