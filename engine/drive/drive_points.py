@@ -74,6 +74,11 @@ class DrivePoints:
         return float(np.abs(np.where(self.load.braked, self.load.at_motor(self.load.output_torque), 0.0)).max())
 
     @property
+    def holding_torque(self) -> float:
+        """The largest torque that the motor gives at rest (Nm)."""
+        return float(np.abs(np.where(self.load.direction == 0.0, self.torque, 0.0)).max())
+
+    @property
     def no_load(self) -> Array:
         """No-load torque, with the sign of the motion (Nm)."""
         return self.load.train.drive.no_load * self.load.direction

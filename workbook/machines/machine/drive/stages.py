@@ -78,7 +78,7 @@ def workings(view: DriveView) -> list[Quantity]:
             calc(f"@s{n}_in", "the same, load driving", "", "",
                  f'=IF(@method="document",@s{n}_out,IF(@s{n}_back="",1/@s{n}_out/@is{n},@s{n}_back)/@is{n})',
                  out if document else back / stage.ratio, "η'/i", scale=1.0 / stage.ratio),
-            calc(f"@s{n}_held", "the same, at rest", "", "", f"=IF(@s{n}_in<=0,0,@s{n}_out)",
+            calc(f"@s{n}_held", "the same, at standstill", "", "", f"=IF(@s{n}_in<=0,0,@s{n}_out)",
                  out if document else held_factor(stage.efficiency, back) / stage.ratio, "0: self-locking"),
             calc(f"@s{n}_js", f"Inertia on the shaft {shaft}", "", "kg m²", f"=({before})/10000", m.on_shaft(n)),
         ]  # fmt: skip

@@ -32,7 +32,7 @@ def losses(view: DriveView) -> list[Quantity]:
         calc("@out2", f"Output torque of the reducer for 1 {force} at the load", "", unit, "=1/@eta2/@i2",
              1.0 / mechanism.efficiency / i2, "1/(η_2 i_2)"),
         calc("@in2", "the same, load driving", "", unit, "=@back2/@i2", back / i2, scale=1.0 / i2),
-        calc("@held2", "the same, at rest", "", unit, "=@hold2/@i2", held / i2),
+        calc("@held2", "the same, at standstill", "", unit, "=@hold2/@i2", held / i2),
         calc("@j1i2", f"Output torque of the reducer for 1 {base}/s², of parts", "", f"Nm s²/{base}", "=@j1*@i2",
              driven.mechanism.on_shaft(driven.mechanism.last - 1) * i2, "J_p i_2"),
         calc("@j0i", f"Motor torque for 1 {base}/s², of its own inertia", "", f"Nm s²/{base}", "=@j0*@i",
@@ -50,8 +50,8 @@ def losses(view: DriveView) -> list[Quantity]:
         calc("@back2", "Loss factor of the mechanism, load driving", "f_2", "",
              f'=IF(@method="document",1/@eta2,IF(@eta2_back="",{entered},@eta2_back))', back,
              "0 or less: self-locking, driven down by the motor", scale=1.0),
-        calc("@hold2", "Loss factor of the mechanism at rest", "", "", "=IF(@back2<=0,0,1/@eta2)", held,
-             "0: self-locking"),
+        calc("@hold2", "Loss factor of the mechanism at standstill", "f_2", "", "=IF(@back2<=0,0,1/@eta2)", held,
+             "1/η_2 as if the motor drove; 0: self-locking"),
         *by_force,
     ]  # fmt: skip
 
