@@ -23,7 +23,11 @@ from tests.printed import test_s4 as s4
 
 @dataclass(frozen=True)
 class Figure:
-    """One printed figure: its section in the document, its digits as printed, and ours."""
+    """One printed figure: its section in the document, its digits as printed, the engine's, and its cell.
+
+    ``cell`` names the cell of a template's book, or a column and a row of it, as ``actuator-sizing drive1_tmax``; its
+    value times ``factor`` is in the unit of the figure. It is empty where no book has the quantity.
+    """
 
     section: str
     quantity: str
@@ -31,6 +35,8 @@ class Figure:
     printed: str
     ours: float
     reason: str = ""
+    cell: str = ""
+    factor: float = 1.0
 
     @property
     def half_digit(self) -> float:
@@ -49,21 +55,53 @@ def cutting_machine() -> Iterator[Figure]:
     """S1, Motion curve planning 02."""
     rise = s1.movements(ConstantAcceleration(), 200 / 60)[0]
     section = "Timing diagram for a cutting machine"
-    yield Figure(section, "speed of the master shaft at 200 pieces/min", "rad/s", "20.944", shaft_speed(200 / 60))
-    yield Figure(section, "MC01, geometric velocity, peak", "m/rad", "0.43", rise.of.y1_max)
     yield Figure(
-        section, "MC01, geometric acceleration, peak", "m/rad²", "0.61", rise.of.y2_max, "cut off, not rounded"
+        section,
+        "speed of the master shaft at 200 pieces/min",
+        "rad/s",
+        "20.944",
+        shaft_speed(200 / 60),
+        cell="cutting-machine omega",
     )
-    yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max)
-    yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max)
+    yield Figure(
+        section, "MC01, geometric velocity, peak", "m/rad", "0.43", rise.of.y1_max, cell="cutting-machine axis1.y1.1"
+    )
+    yield Figure(
+        section,
+        "MC01, geometric acceleration, peak",
+        "m/rad²",
+        "0.61",
+        rise.of.y2_max,
+        "cut off, not rounded",
+        cell="cutting-machine axis1.y2.1",
+    )
+    yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max, cell="cutting-machine axis1.v.1")
+    yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max, cell="cutting-machine axis1.a.1")
     load, feed = reduced(s1.feeding_group().mechanism), s1.results(s1.MTP)
-    yield Figure("Feeding group", "total inertia J_tot", "kg m²", "1.164", load.inertia)
-    yield Figure("Feeding group", "resisting torque C_r", "Nm", "67", load.torque)
+    yield Figure(
+        "Feeding group", "total inertia J_tot", "kg m²", "1.164", load.inertia, cell="cutting-machine drive1_j1"
+    )
+    yield Figure("Feeding group", "resisting torque C_r", "Nm", "67", load.torque, cell="cutting-machine drive1_cr")
     rounded = "computed from the rounded acceleration"
     yield Figure("Feeding group", "torque at the rollers, peak", "Nm", "783.5297", feed.torque.highest.value, rounded)
     yield Figure("Feeding group", "torque at the rollers, least", "Nm", "-649.5297", feed.torque.lowest.value, rounded)
-    yield Figure("Feeding group", "speed of the rollers, peak", "rad/s", "33.582", feed.speed.peak)
-    yield Figure("Feeding group", "speed of the rollers, peak", "rpm", "320.685", feed.speed.peak * 30 / pi)
+    yield Figure(
+        "Feeding group",
+        "speed of the rollers, peak",
+        "rad/s",
+        "33.582",
+        feed.speed.peak,
+        cell="cutting-machine drive1_ask_speed",
+    )
+    yield Figure(
+        "Feeding group",
+        "speed of the rollers, peak",
+        "rpm",
+        "320.685",
+        feed.speed.peak * 30 / pi,
+        cell="cutting-machine drive1_ask_speed",
+        factor=30 / pi,
+    )
 
 
 def overlapped_motions() -> Iterator[Figure]:
@@ -71,11 +109,48 @@ def overlapped_motions() -> Iterator[Figure]:
     before, after = s2.STATION.one_after_the_other(), s2.STATION.overlapping()
     whole = s2.rounded(after, 125)
     slower = before.peak_acceleration(s2.RATE) / whole.peak_acceleration(s2.RATE)
-    yield Figure("Mill", "displacement of a cycloid after a tenth of the time", "%", "0.65", 100 * Cycloidal().s(0.1))
-    yield Figure("Die", "angle of the stroke without overlap", "°", "55", degrees(before.angle_in))
-    yield Figure("Die", "peak acceleration without overlap", "m/s²", "4.154", before.peak_acceleration(s2.RATE))
-    yield Figure("Die", "time after which 19 of 50 mm are reached", "%", "44", 100 * inverse(Cycloidal(), 0.38))
-    yield Figure("Die", "angle of the stroke with overlap", "°", "125", degrees(after.angle_in))
+    yield Figure(
+        "Mill",
+        "displacement of a cycloid after a tenth of the time",
+        "%",
+        "0.65",
+        100 * Cycloidal().s(0.1),
+        cell="indexing-overlap inverse_transfer.wanted.1",
+        factor=100,
+    )
+    yield Figure(
+        "Die",
+        "angle of the stroke without overlap",
+        "°",
+        "55",
+        degrees(before.angle_in),
+        cell="indexing-overlap tool1_schedules.in.1",
+    )
+    yield Figure(
+        "Die",
+        "peak acceleration without overlap",
+        "m/s²",
+        "4.154",
+        before.peak_acceleration(s2.RATE),
+        cell="indexing-overlap tool1_a0",
+    )
+    yield Figure(
+        "Die",
+        "time after which 19 of 50 mm are reached",
+        "%",
+        "44",
+        100 * inverse(Cycloidal(), 0.38),
+        cell="indexing-overlap tool1_inverse_in.xi.1",
+        factor=100,
+    )
+    yield Figure(
+        "Die",
+        "angle of the stroke with overlap",
+        "°",
+        "125",
+        degrees(after.angle_in),
+        cell="indexing-overlap tool1_schedules.in.2",
+    )
     yield Figure("Die", "time of the stroke at 125°", "s", "0.625", movement_time(whole.angle_in, s2.RATE))
     yield Figure("Die", "peak acceleration at 125°", "m/s²", "0.804", whole.peak_acceleration(s2.RATE))
     yield Figure("Die", "reduction of the peak acceleration", "", "5.17", slower)
@@ -84,34 +159,76 @@ def overlapped_motions() -> Iterator[Figure]:
 def composed_motion() -> Iterator[Figure]:
     """S3, Functional Mechanical Design, Exercise 1."""
     tvp = s3.law("TVP")
-    yield Figure("Function TVP", "coefficient of velocity c_v", "", "1.5", tvp.coefficients.cv)
-    yield Figure("Function TVP", "coefficient of acceleration c_a", "", "4.5", tvp.coefficients.ca)
+    yield Figure(
+        "Function TVP", "coefficient of velocity c_v", "", "1.5", tvp.coefficients.cv, cell="motion-composer TVP_cv"
+    )
+    yield Figure(
+        "Function TVP",
+        "coefficient of acceleration c_a",
+        "",
+        "4.5",
+        tvp.coefficients.ca,
+        cell="motion-composer TVP_ca_max",
+    )
 
 
 def actuators() -> Iterator[Figure]:
     """S4, Actuator Sizing."""
-    screw, belt, sizing, drawn = s4.lead_screw(), s4.conveyor(), s4.sized_screw(), s4.sized_conveyor()
-    parts, rollers, g = s4.reflected(screw), s4.reflected(belt), s4.PRINTED_G
-    rounded = "from a rounded acceleration (8 mm in 0.033 s)"
-    yield Figure("Lead screw", "inertia of the screw", "kg m²", "1.47e-5", parts["screw"])
-    yield Figure("Lead screw", "inertia of the load at the motor", "kg m²", "1.35e-6", parts["load"])
-    yield Figure(
-        "Lead screw", "torque of friction, g = 9.8", "Nm", "4.096e-3", screw.driving_torque(screw.load.friction) * g
-    )
-    yield Figure(
-        "Lead screw", "torque of the weight, g = 9.8", "Nm", "7.22e-3", screw.driving_torque(screw.load.torque) * g
-    )
-    yield Figure("Lead screw", "torque, accelerating", "Nm", "0.103", s4.torques(sizing)["accelerating"], rounded)
-    yield Figure("Lead screw", "torque, decelerating", "Nm", "-0.0805", s4.torques(sizing)["decelerating"], rounded)
-    yield Figure("Lead screw", "RMS torque", "Nm", "0.044", sizing.rms_torque)
-    yield Figure("Conveyor", "inertia of the rollers at the motor", "kg m²", "4.96e-3", rollers["rollers"])
-    yield Figure("Conveyor", "total inertia", "kg m²", "0.0128", drawn.drive.total_inertia)
-    yield Figure("Conveyor", "speed of the motor, peak", "rad/s", "6.173", drawn.max_speed)
-    yield Figure("Conveyor", "acceleration of the motor, peak", "rad/s²", "2.058", drawn.max_acceleration)
-    yield Figure("Conveyor", "uniform torque, g = 9.8", "Nm", "1.508", s4.torques(drawn)["uniform"] * g)
-    misprint = "misprint: the torques that it prints give 1.44"
-    yield Figure("Conveyor", "RMS torque", "Nm", "0.147", drawn.rms_torque, misprint)
-    yield Figure("Conveyor", "RMS torque at 35 °C over that at 25 °C (0.142 : 0.147)", "", "0.966", derating(35))
+    yield from lead_screw()
+    yield from conveyor()
+
+
+def lead_screw() -> Iterator[Figure]:
+    """S4, the lead screw."""
+    screw, sizing, g = s4.lead_screw(), s4.sized_screw(), s4.PRINTED_G
+    parts, found = s4.reflected(screw), s4.torques(sizing)
+    friction, weight = (screw.driving_torque(one) * g for one in (screw.load.friction, screw.load.torque))
+    rounded, fast = "from a rounded acceleration (8 mm in 0.033 s)", "divided by 0.033 s, which is rounded"
+    for quantity, unit, printed, ours, row, factor, reason in (
+        ("inertia of the screw", "kg m²", "1.47e-5", parts["screw"], 0, 1.0, ""),
+        ("inertia of the load at the motor", "kg m²", "1.35e-6", parts["load"], 1, 1.0, ""),
+        ("inertia of the machine", "kg m²", "1.65e-5", screw.inertia("document"), 2, 1.0, "misprint for 1.605e-5"),
+        ("total inertia", "kg m²", "2e-5", sizing.drive.total_inertia, 3, 1.0, ""),
+        ("torque of friction, g = 9.8", "Nm", "4.096e-3", friction, 4, g, ""),
+        ("torque of the weight, g = 9.8", "Nm", "7.22e-3", weight, 5, g, ""),
+        ("resisting torque", "Nm", "0.0113", found["uniform"], 6, 1.0, ""),
+        ("speed of the load, peak", "m/s", "0.048", sizing.max_speed / screw.ratio, 7, 1.0, ""),
+        ("speed of the motor, peak, over π", "rad/s", "48", sizing.max_speed / pi, 8, 1 / pi, ""),
+        ("acceleration of the motor over π", "rad/s²", "1460.4", sizing.max_acceleration / pi, 9, 1 / pi, fast),
+        ("torque, accelerating", "Nm", "0.103", found["accelerating"], 10, 1.0, rounded),
+        ("torque, uniform", "Nm", "0.0113", found["uniform"], 11, 1.0, ""),
+        ("torque, decelerating", "Nm", "-0.0805", found["decelerating"], 12, 1.0, rounded),
+        ("RMS torque", "Nm", "0.044", sizing.rms_torque, 13, 1.0, ""),
+    ):
+        cell = f"actuator-sizing drive1_printed.here.{row}" if row else "actuator-sizing drive1_ask_beside"
+        yield Figure("Lead screw", quantity, unit, printed, ours, reason, cell, factor)
+
+
+def conveyor() -> Iterator[Figure]:
+    """S4, the conveyor."""
+    belt, sizing, g = s4.conveyor(), s4.sized_conveyor(), s4.PRINTED_G
+    parts, found = s4.reflected(belt), s4.torques(sizing)
+    lighter = found["uniform"] * (1.0 - g)
+    added, misprint = "added up from rounded figures", "misprint: the torques that it prints give 1.44"
+    ratio = "RMS torque at 35 °C over that at 25 °C (0.142 : 0.147)"
+    for quantity, unit, printed, ours, row, factor, reason in (
+        ("inertia of the rollers at the motor", "kg m²", "4.96e-3", parts["rollers"], 0, 1.0, ""),
+        ("inertia of the belt at the motor", "kg m²", "9e-5", parts["belt"], 0, 1.0, ""),
+        ("inertia of the load at the motor", "kg m²", "1.35e-3", parts["load"], 1, 1.0, ""),
+        ("inertia of the machine", "kg m²", "6.4e-3", belt.inertia(), 2, 1.0, ""),
+        ("total inertia", "kg m²", "0.0128", sizing.drive.total_inertia, 3, 1.0, ""),
+        ("uniform torque, g = 9.8", "Nm", "1.508", found["uniform"] * g, 6, g, ""),
+        ("speed of the load, peak", "m/s", "0.0185", sizing.max_speed / belt.ratio, 7, 1.0, ""),
+        ("speed of the rollers, peak", "rad/s", "0.123", sizing.max_speed / 50, 8, 1 / 50, ""),
+        ("speed of the motor, peak", "rad/s", "6.173", sizing.max_speed, 8, 1.0, ""),
+        ("acceleration of the motor, peak", "rad/s²", "2.058", sizing.max_acceleration, 9, 1.0, ""),
+        ("torque, accelerating, g = 9.8", "Nm", "1.5343", found["accelerating"] - lighter, 0, 1.0, added),
+        ("torque, decelerating, g = 9.8", "Nm", "1.4816", found["decelerating"] - lighter, 0, 1.0, added),
+        ("RMS torque", "Nm", "0.147", sizing.rms_torque, 13, 1.0, misprint),
+        (ratio, "", "0.966", derating(35), 14, 1.0, ""),
+    ):
+        cell = f"actuator-sizing-conveyor drive1_printed.here.{row}" if row else ""
+        yield Figure("Conveyor", quantity, unit, printed, ours, reason, cell, factor)
 
 
 DOCUMENTS = {
