@@ -24,8 +24,8 @@ Made by `python -m docs.validation` from [tests/printed](../tests/printed/figure
 a source document prints stands beside the engine's and beside that of the cell which has it, as pycel works out the
 templates' workbooks, with the engine's deviation from the printed digits. A figure agrees where the engine's rounds to
 those digits; where it does not, the reason is given. Where no workbook has a quantity by itself, there is no cell. S5
-prints equations and no figures: its tests write the equations out. Every formula cell of a workbook is compared with the
-engine ([verification.md](verification.md)).
+prints equations and no figures: its tests write the equations out. Every formula cell of a workbook is compared with
+the engine ([verification.md](verification.md)).
 """
 COLUMNS = "| section | quantity | unit | printed | engine | cell | deviation | |\n|---|---|---|---|---|---|---|---|"
 
