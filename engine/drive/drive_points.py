@@ -22,6 +22,7 @@ class Peak(NamedTuple):
     before: float  # distance of the point before it; 0 at an end of an interval
     after: float  # distance of the point after it; likewise
     top: float  # maximum of the parabola through the three values
+    offset: float = 0.0  # how far behind the point that is; 0 where the point itself is the largest
 
 
 def peak(values: Array, place: Array) -> Peak:
@@ -42,7 +43,8 @@ def peak(values: Array, place: Array) -> Peak:
     bend, lean = rise + fall, rise * after - fall * before
     if not (bend > 0.0 and -2.0 * before * bend <= lean <= 2.0 * after * bend):
         return Peak(k, three, before, after, float(y.max()))
-    return Peak(k, three, before, after, three[1] + lean**2 / (4.0 * bend * (before + after)))
+    top = three[1] + lean**2 / (4.0 * bend * (before + after))
+    return Peak(k, three, before, after, top, lean / (2.0 * bend))
 
 
 @dataclass(frozen=True)

@@ -216,6 +216,29 @@ class QuadratureCycle:
         end = np.array([interval.end for interval in self.intervals])[:, None]
         number = np.arange(len(begin))[:, None] + np.zeros(POINTS, dtype=np.intp)
         share, place = (end - begin) / self.drive_cycle.unshifted.total * WEIGHTS, begin + (end - begin) * SHARES
+        return self.points_at(number, place, share)
+
+    def points_at(self, number: NDArray[np.intp], place: Array, share: Array) -> LoadPoints:
+        """Return the load at places.
+
+        Parameters
+        ----------
+        number : array of int
+            The interval of each place, from 0.
+        place : array, of the shape of ``number``
+            Abscissae of the unshifted motion.
+        share : array, of the same shape
+            What each counts in a mean over the cycle.
+
+        Returns
+        -------
+        LoadPoints
+
+        Raises
+        ------
+        OutOfReachError
+            If the mechanism cannot reach a position.
+        """
         y, v, a = self._moved(number, place)
         steady, friction = (level[number] for level in self.levels)
         direction = self.at_points(self.direction[number], v)

@@ -104,13 +104,13 @@ def gap_of(one: ClearanceView) -> str:
 
 def results_of(view: DriveView) -> Iterator[str]:
     """Yield a line for each result of a drive that is farther off than stated."""
-    exact, points, behind, (driving, _) = view.driven.results, view.points, view.load.output_torque, view.energy
+    exact, points, (driving, _) = view.driven.results, view.points, view.energy
     peak, fastest, turning = exact.torque.peak, shown(exact.speed.peak, RPM), exact.shaft_torque(1).peak
     found = (
         ("RMS torque", "Nm", points.rms_torque, exact.rms_torque, RMS * peak),
-        ("peak torque", "Nm", points.size(points.torque), peak, PEAK * peak),
+        ("peak torque", "Nm", view.size("T"), peak, PEAK * peak),
         ("speed", "rpm", shown(view.speed, RPM), fastest, PEAK * fastest),
-        ("peak torque behind the reducer", "Nm", points.size(behind), turning, PEAK * turning),
+        ("peak torque behind the reducer", "Nm", view.size("S"), turning, PEAK * turning),
         ("energy driven", "J", driving, exact.energy.driving, ENERGY * exact.energy.driving),
     )
     for what, unit, told, true, bound in found:

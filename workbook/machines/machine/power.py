@@ -35,7 +35,7 @@ class Mains:
         self.drives, self.entered, self.over, eta = drives, entered, drives[0].tables.machine.over, entered.efficiency
         self.each = [one.energy.mean_bus_power(one.driven.drive_cycle.time, eta) for one in drives]
         self.alone = total_bus_power(self.each)
-        most = [(one.points.top(one.points.power), -one.points.top(-one.points.power)) for one in drives]
+        most = [(one.top("P"), -one.top("P", -1)) for one in drives]
         tops = [peak_bus_power(powers, eta) for powers in most]
         self.size = max(1e-3, math.fsum(max(one) for one in tops))  # how large all together grow
         self.mains, self.resistor = np.array(tops).T  # the peaks of each without a bus

@@ -19,7 +19,7 @@ from workbook.machines.machine.boundary.bends import bends_name
 from workbook.machines.machine.drive import brake, by_angle, stages
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive.view import PEAK_UNITS, DriveView
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.motion.pieces import FROM_START, arguments, sampled
 
@@ -33,28 +33,53 @@ CONSTANT = "IF([dir]=0,@held2,IF({0}*[dir]<0,@in2,@out2))*{0}"
 def points_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive at the points of each interval."""
     rows = range(1, view.rows + 1)
-    load, points, size = view.load, view.points, view.scales
-    (resists, without), (drives, equation) = by_angle.forces(view)
-    between = stages.between(view.driven)
-    behind, inertia, motor_ratio, motor_inertia = (
-        (f"{LOSS2}/[g]", "@j1*[al]", f"@i1{between}*[g]", f"@j0*@i1{between}*[al]")
-        if view.varies
-        else (CONSTANT, "@j1i2*[a]", "@i", "@j0i*[a]")
-    )
-    before, output = stages.output(view, behind, inertia)
-    of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
-    linked = [] if not view.varies else [
-        *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
-        calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
-             "φ'' ẏ² + φ' ÿ", scale=size.turning),
-    ]  # fmt: skip
     sheet.table(
         "@pt", "The drive at nine points of each interval", view.rows * POINTS,
         constant("k", "point", "k", "", list(range(1, view.rows * POINTS + 1))),
         constant("iv", "interval", "", "", [k for k in rows for _ in SHARES]),
         constant("s", "share of it", "", "", list(SHARES) * view.rows),
         constant("w", "counts", "", "", list(WEIGHTS) * view.rows),
-        *motion(view),
+        *chain(view, "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])"),
+        calc("share", "share of the cycle", "", "", "=[w]*INDEX([@iv.len],[iv])/360",
+             view.by_point(view.load.share, 0.0), "what it counts in a mean", scale=1.0),
+        *standing(view),
+        blank="[share]=0",
+    )  # fmt: skip
+
+
+def tops_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the drive once more where its quantities have their peaks, and these."""
+    there, each = view.at_peaks, list(view.peaks)
+    values = [shown(way * view.top(name, way), PEAK_UNITS[name]) for name, way in each]
+    formulas = [f"={'MAX' if way > 0 else 'MIN'}([@peaks.y.same],[{name}])" for name, way in each]
+    size = max(view.scales.torque, view.scales.behind, view.scales.power, view.scales.rpm if view.varies else 0.0)
+    sheet.table(
+        "@tops", "The drive at its peaks", len(each),
+        constant("k", "peak", "k", "", list(range(1, len(each) + 1))),
+        calc("iv", "interval", "", "", "=INDEX([@pt.iv],[@peaks.at.same])", (there.numbers.ravel() + 1).tolist(),
+             format="0"),
+        *chain(there, "=[@peaks.place.same]+0"),
+        calc("top", "peak", "", "", formulas, values, "the larger of here and at the point", scale=size),
+    )  # fmt: skip
+
+
+def chain(view: DriveView, place: str) -> list[Quantity]:
+    """Return the columns from the motion to the motor's power, at a ``place`` of an interval ``iv``."""
+    load, points, size = view.load, view.points, view.scales
+    (resists, without), (drives, equation) = by_angle.forces(view)
+    between = stages.between(view.driven)
+    inertia, motor_ratio, motor_inertia = (
+        ("@j1*[al]", f"@i1{between}*[g]", f"@j0*@i1{between}*[al]") if view.varies else ("@j1i2*[a]", "@i", "@j0i*[a]")
+    )
+    before, output = stages.output(view, behind(view), inertia)
+    of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
+    linked = [] if not view.varies else [
+        *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
+        calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
+             "φ'' ẏ² + φ' ÿ", scale=size.turning),
+    ]  # fmt: skip
+    return [
+        *motion(view, place),
         *([calc("y", "position", "y", axis.base, f"={sampled(view.tables.pieces, 0)}", of(load.position),
                 scale=axis.motion.size(0))] if view.varies or view.driven.by_angle else []),
         calc("dir", "direction", "", "", "=INDEX(@up,[iv])", of(load.direction), "of its interval", format="0"),
@@ -73,25 +98,25 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
                "i_1 φ' ẏ", scale=size.rpm),
         result("P", "power of the motor", "P", "kW", "=[T]*([n]*PI()/30000+@copper*[T])", of(shown(points.power, KW)),
                "T ω + P_Cu (T/T_N)²", scale=size.power),
-        calc("share", "share of the cycle", "", "", "=[w]*INDEX([@iv.len],[iv])/360", of(load.share, 0.0),
-             "what it counts in a mean", scale=1.0),
-        *standing(view, behind),
-        blank="[share]=0",
-    )  # fmt: skip
+    ]  # fmt: skip
 
 
-def motion(view: DriveView) -> list[Quantity]:
+def behind(view: DriveView) -> str:
+    """Return the formula of the output torque of the reducer by a force, without inertia."""
+    return f"{LOSS2}/[g]" if view.varies else CONSTANT
+
+
+def motion(view: DriveView, place: str) -> list[Quantity]:
     """Return the columns of the motion: place, powers of u, velocity and acceleration of the load."""
     rows, load, axis = view.tables.pieces, view.load, view.driven.axis
     of = view.by_point
-    numbers = np.array([one.piece for one in view.cycle.intervals])[:, None]
+    numbers = np.array([one.piece for one in view.cycle.intervals])[view.numbers]
     pieces, base = view.cycle.pieces, axis.base
-    local = load.x - np.array([pieces[one.piece].begin for one in view.cycle.intervals])[:, None]
+    local = load.x - np.array([one.begin for one in pieces])[numbers]
     sines = np.array([one.sines for one in pieces])[numbers[:, 0]]
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.marks))]
     return [
-        calc("theta", "angle of its phases", "θ", "°", "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])",
-             of(shown(load.x, DEGREE)), **PLACE),
+        calc("theta", "angle of its phases", "θ", "°", place, of(shown(load.x, DEGREE)), **PLACE),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])", of(numbers + 1.0), format="0"),
         calc("u", "within piece", "u", "rad", f"=RADIANS([theta]-INDEX({rows.at.named('at')},[q])){NOT_ZERO}",
              of(local + LEAST), FROM_START),
@@ -103,10 +128,10 @@ def motion(view: DriveView) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def standing(view: DriveView, behind: str) -> list[Quantity]:
+def standing(view: DriveView) -> list[Quantity]:
     """Return the columns for the highest rate: torques without motion, what of the curve grows with the rate."""
     points, load, size, of, driven = view.points, view.load, view.scales, view.by_point, view.driven
-    before, output = stages.output(view, behind, "", "0")
+    before, output = stages.output(view, behind(view), "", "0")
     columns = [
         *before,
         calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", output,

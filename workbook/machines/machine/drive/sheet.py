@@ -11,7 +11,14 @@ from workbook.machines.machine.drive import brake, by_angle, in_use, max_rate, r
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
-from workbook.machines.machine.drive.points import charts, cuts_table, intervals_table, points_table, samples_table
+from workbook.machines.machine.drive.points import (
+    charts,
+    cuts_table,
+    intervals_table,
+    points_table,
+    samples_table,
+    tops_table,
+)
 from workbook.machines.machine.drive.reach import linkage_checks, reach_table
 from workbook.machines.machine.drive.turns import turns_check, turns_table
 from workbook.machines.machine.drive.view import DriveView
@@ -70,6 +77,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         cuts_table(sheet, view)
         intervals_table(sheet, view)
         points_table(sheet, view)
+        tops_table(sheet, view)
         samples_table(sheet, view)
     sheet.print_columns = 18
 
@@ -105,7 +113,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
     """Declare what the cycle asks of the motor, and the highest rate."""
     driven, points, size = view.driven, view.points, view.scales
     motor, reducer, own = view.reserve, view.reducer_checks, driven.entered.rate
-    torque, own_inertia = points.torque, driven.motor_used.inertia
+    own_inertia = driven.motor_used.inertia
     fastest = f"=MAX({top('n')},0-{top('n', 'low')})" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
     sheet.heading("Results")
     sheet.rows(
@@ -118,9 +126,9 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
                "the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "", "=IF(@jm>0,@jtot/10000/@jm,0)",
                view.inertia / own_inertia if own_inertia else 0.0, "load at the motor's shaft / motor"),
-        result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", points.top(torque),
+        result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", view.top("T"),
                "to 1 %" if driven.by_angle else PEAKS, scale=size.torque),
-        result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -points.top(-torque),
+        result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -view.top("T", -1),
                scale=size.torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
                points.rms_torque, "√(Σ share T²), to 0.1 %", scale=size.torque),
@@ -150,7 +158,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
 
 def energies(view: DriveView) -> list[Quantity]:
     """Return the results of the motor's energy and power over the cycle."""
-    points, size, (driving, returned) = view.points, view.scales, view.energy
+    size, (driving, returned) = view.scales, view.energy
     return [
         result("@energy", "Energy of the motor, driving", "E", "J",
                "=SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]>0)*1)*60/@rate*1000", driving,
@@ -160,9 +168,9 @@ def energies(view: DriveView) -> list[Quantity]:
         result("@power", "Mean power of the motor", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
                shown((driving - returned) / view.driven.drive_cycle.time, KW), scale=size.power),
         result("@pmax", "Motor power, highest", "P_max", "kW", f"=MAX(0,{top('P')})",
-               shown(max(0.0, points.top(points.power)), KW), scale=size.power),
+               shown(max(0.0, view.top("P")), KW), scale=size.power),
         result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
-               shown(min(0.0, -points.top(-points.power)), KW), "regenerated", scale=size.power),
+               shown(min(0.0, -view.top("P", -1)), KW), "regenerated", scale=size.power),
         *([brake.torque(view)] if view.brakes else []),
     ]  # fmt: skip
 

@@ -1,13 +1,15 @@
 """The engine's view of a drive at the points of its cycle, in the order of its sheet."""
 
 import math
+from collections.abc import Callable
+from copy import copy
 from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.drive_points import DrivePoints
+from engine.drive.drive_points import DrivePoints, Peak, peak
 from engine.drive.limit_use import limit_uses
 from engine.drive.limits import BELOW
 from engine.drive.motor import LimitCheck, Reserve, reserve
@@ -26,6 +28,12 @@ from workbook.machines.machine.motion_tables import AxisTables
 NONE_BINDS = "none"
 SETTLING, NEAR = 8, 1e-6
 """how often a highest rate is entered and read again, and by how little it changes where it has settled"""
+PEAKED: dict[str, Callable[[DrivePoints], Array]] = {
+    "T": lambda points: points.torque, "S": lambda points: points.load.output_torque,
+    "P": lambda points: points.power, "n": lambda points: points.speed,
+}  # fmt: skip
+"""the quantities whose peaks are sought, by their columns"""
+PEAK_UNITS = {"T": 1.0, "S": 1.0, "P": KW, "n": RPM}  # of these on the sheet
 LEAST = 1e-3  # of torques and powers: what is smaller is next to nothing
 
 
@@ -77,11 +85,41 @@ class DriveView:
         inside = [*(one.at for one in found[: self.turns_cut]), *(si(at, DEGREE) for at in self.bends if at < TURN)]
         self.cycle = QuadratureCycle(driven.drive_cycle, pieces, near, inside)
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
-        self.points = DrivePoints(self.load)
+        self.points, self.numbers = DrivePoints(self.load), np.arange(len(self.cycle.intervals))[:, None]
+        self.point_rows = self.rows * POINTS
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
-        self.speed = self.points.size(self.points.speed) if self.varies else turns  # the largest of the motor (rad/s)
+        self.speed = self.size("n") if self.varies else turns  # the largest of the motor (rad/s)
         limits = driven.motor, driven.reducer.limits, 1.0 / self.time
         self.shares = limit_uses(self.points, self.speed, *limits)  # of each limit, by its name
+
+    @cached_property
+    def peaks(self) -> dict[tuple[str, int], Peak]:
+        """The largest points of each quantity, by its column and 1 for the highest or −1 for the lowest."""
+        columns = [name for name in PEAKED if name != "n" or self.varies]
+        return {(name, way): peak(way * PEAKED[name](self.points), self.load.x) for name in columns for way in (1, -1)}
+
+    @cached_property
+    def at_peaks(self) -> "DriveView":
+        """The same where each of :attr:`peaks` has the top of its parabola."""
+        at = np.array([one.at for one in self.peaks.values()])[:, None]
+        offset = np.array([one.offset for one in self.peaks.values()])[:, None]
+        other = copy(self)
+        other.numbers, other.point_rows = at // POINTS, len(at)
+        places = self.load.x.ravel()[at] + offset
+        load = self.cycle.points_at(other.numbers, places, np.zeros(at.shape))
+        other.load = replace(load, train=self.driven.train)
+        other.points = DrivePoints(other.load)
+        return other
+
+    def top(self, name: str, way: int = 1) -> float:
+        """Return the highest value of a column, or −1 times the lowest: at a point, or there."""
+        row = list(self.peaks).index((name, way))
+        there = way * float(PEAKED[name](self.at_peaks.points)[row, 0])
+        return max(self.peaks[name, way].values[1], there)
+
+    def size(self, name: str) -> float:
+        """Return the largest absolute value of a column."""
+        return max(self.top(name), self.top(name, -1))
 
     @cached_property
     def between(self) -> Interpolation:
@@ -106,7 +144,7 @@ class DriveView:
     def by_point(self, values: Array, spare: float | None = None) -> list[float]:
         """Return values of the points, interval by interval; spare rows have that of the last point, or another."""
         flat = np.broadcast_to(values, self.load.x.shape).ravel()
-        return filled(flat, self.rows * POINTS, float(flat[-1]) if spare is None else spare)
+        return filled(flat, self.point_rows, float(flat[-1]) if spare is None else spare)
 
     @property
     def edges(self) -> list[float]:
@@ -134,13 +172,13 @@ class DriveView:
     def reserve(self) -> Reserve:
         """What a cycle asks of the motor against its limits."""
         points = self.points
-        return reserve(self.driven.motor, points.rms_torque, points.size(points.torque), self.speed, points.mean_speed)
+        return reserve(self.driven.motor, points.rms_torque, self.size("T"), self.speed, points.mean_speed)
 
     @property
     def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
         """The peak and the mean torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
         limits, points, behind = self.driven.reducer.limits, self.points, self.load.output_torque
-        found = (("peak torque", points.size(behind), limits.peak_at(1.0 / self.time)),
+        found = (("peak torque", self.size("S"), limits.peak_at(1.0 / self.time)),
                  ("mean torque", points.cubic_mean(behind), limits.mean_torque),
                  ("input speed", self.speed, limits.input_speed))  # fmt: skip
         peak, mean, speed = (LimitCheck(name, value, limit) for name, value, limit in found)

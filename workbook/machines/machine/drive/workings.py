@@ -1,20 +1,19 @@
 """The workings of a drive's sheet: the chain in S1's terms, and peaks over the cycle.
 
-A peak is the largest at a point, or the top of the parabola through that and its neighbours. Where a piece's
-acceleration only rises or only falls, torques of a constant ratio are largest at a point itself. Else a peak may lie
-between points, and the parabola finds it to 0.5 %.
+A peak is the largest at a point, or where the parabola through that and its neighbours has its top: there the drive is
+worked out once more. Where a piece's acceleration only rises or only falls, torques of a constant ratio are largest at
+a point itself.
 """
 
 from engine.drive.chain import held_factor
-from engine.drive.drive_points import peak
 from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import STANDSTILL
 from engine.laws.points import POINTS
 from workbook.book.declare import Quantity, Sheet, calc, constant
-from workbook.fields.units import DEGREE, KW, RPM, shown
+from workbook.fields.units import DEGREE, shown
 from workbook.machines.machine.drive import brake, stages
 from workbook.machines.machine.drive.entered import on_shaft
-from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive.view import PEAK_UNITS, PEAKED, DriveView
 from workbook.machines.machine.mechanism import BELTED, SCREWS
 
 
@@ -135,34 +134,34 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
 BEYOND = "[sign]*([s0]-[s1])<=0,[sign]*([s0]*(2*[a]+[b])-[s1]*[a])<0,[sign]*([s1]*([a]+2*[b])-[s0]*[b])>0"
 """where the parabola's top is not between the neighbours: points on a line that tie with the largest"""
 ABOUT = (
-    "y at the largest point, y_0 and y_1 at its neighbours, a and b degrees away: the parabola's top is "
-    "w + m² (Δ_0 + Δ_1)/4(s_0 − s_1), s_0 and s_1 the slopes on both sides, m = (s_0 b + s_1 a)/(a + b)."
+    "w at the largest point, w_0 and w_1 at its neighbours, Δ_0 and Δ_1 degrees away: the top of the parabola is "
+    "(s_0 Δ_1 + s_1 Δ_0)/2(s_0 − s_1) degrees behind the point, s_0 and s_1 the slopes on both sides."
 )
 
 
 def top(name: str, end: str = "high") -> str:
     """Return the reference to a peak: of the column T, S, P or n, its ``high`` or its ``low``."""
     row = 2 * "TSPn".index(name) + (1 if end == "high" else 2)
-    return f"[@peaks.top.{row}]"
+    return f"[@tops.top.{row}]"
 
 
 def peaks_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the peaks, a row for the highest and one for the lowest of each quantity."""
     points, sizes, last = view.points, view.scales, view.rows * POINTS
-    figures = [("T", "torque of the motor", points.torque, sizes.torque),
-               ("S", "output torque of the reducer", view.load.output_torque, sizes.behind),
-               ("P", "power of the motor", shown(points.power, KW), sizes.power)]  # fmt: skip
-    figures += [("n", "speed of the motor", shown(points.speed, RPM), sizes.rpm)] if view.varies else []
-    size = max(scale for *_, scale in figures)
-    each = [(column, words, values, sign) for column, words, values, _ in figures for sign in (1, -1)]
-    found = [peak(sign * values, shown(view.load.x, DEGREE)) for _, _, values, sign in each]
-    signs = [sign for *_, sign in each]
+    words = {"T": ("torque of the motor", sizes.torque), "S": ("output torque of the reducer", sizes.behind),
+             "P": ("power of the motor", sizes.power), "n": ("speed of the motor", sizes.rpm)}  # fmt: skip
+    each, found = list(view.peaks), list(view.peaks.values())
+    size = max(words[name][1] for name, _ in each)
+    signs = [sign for _, sign in each]
 
     def of(formula: str) -> list[str]:
-        return [formula.replace("{y}", f"[@pt.{column}]") for column, *_ in each]
+        return [formula.replace("{y}", f"[@pt.{column}]") for column, _ in each]
 
-    neighbours = [[sign * value for value in one.values] for sign, one in zip(signs, found, strict=True)]
-    gaps = [[one.before for one in found], [one.after for one in found]]
+    neighbours = [
+        [shown(sign * value, PEAK_UNITS[name]) for value in one.values]
+        for (name, sign), one in zip(each, found, strict=True)
+    ]
+    gaps = [[shown(one.before, DEGREE) for one in found], [shown(one.after, DEGREE) for one in found]]
     slopes = [
         [(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)] for k in (0, 1)
     ]
@@ -172,10 +171,10 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     sheet.table(
         "@peaks", "Peaks over the cycle", len(each),
         constant("what", "quantity", "", "",
-                 [f"{words}, {'highest' if sign > 0 else 'lowest'}" for _, words, _, sign in each], align="left"),
+                 [f"{words[name][0]}, {'highest' if sign > 0 else 'lowest'}" for name, sign in each], align="left"),
         constant("sign", "highest (1), lowest (−1)", "", "", signs, format="0"),
         calc("most", "largest at a point", "", "", of("=IF([sign]=1,MAX({y}),0-MIN({y}))"),
-             [float((sign * values).max()) for _, _, values, sign in each], scale=size),
+             [shown(float((sign * PEAKED[name](points)).max()), PEAK_UNITS[name]) for name, sign in each], scale=size),
         calc("at", "the first such point", "", "",
              of(f"={last + 1}-SUMPRODUCT(MAX(([sign]*{{y}}>=[most]-check_zero*{size_of})*({last + 1}-[@pt.k])))"),
              [one.at + 1 for one in found], "to a rounding", format="0"),
@@ -189,8 +188,7 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
              gaps[1], scale=360.0),
         calc("s0", "slope before", "s_0", "", "=IF([a]>0,([y]-[y0])/[a],0)", slopes[0], scale=size),
         calc("s1", "slope after", "s_1", "", "=IF([b]>0,([y1]-[y])/[b],0)", slopes[1], scale=size),
-        calc("top", "peak", "", "",
-             f"=IF([a]=0,[y],IF(OR({BEYOND}),[sign]*[most],[y]+([s0]*[b]+[s1]*[a])^2/([a]+[b])/4/([s0]-[s1])))",
-             [sign * one.top for sign, one in zip(signs, found, strict=True)], "w + m² (Δ_0 + Δ_1)/4(s_0 − s_1)",
-             scale=size),
+        calc("place", "top of the parabola at", "θ", "°",
+             f"=INDEX([@pt.theta],[at])+IF([a]=0,0,IF(OR({BEYOND}),0,([s0]*[b]+[s1]*[a])/2/([s0]-[s1])))",
+             shown(view.at_peaks.load.x.ravel(), DEGREE).tolist(), scale=360.0, format="0.0##"),
     )  # fmt: skip
