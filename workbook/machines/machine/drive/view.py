@@ -94,28 +94,32 @@ class DriveView:
 
     @cached_property
     def peaks(self) -> dict[tuple[str, int], Peak]:
-        """The largest points of each quantity, by its column and 1 for the highest or −1 for the lowest."""
+        """The largest point of each quantity, by its column and 1 for the highest or −1 for the lowest."""
         columns = [name for name in PEAKED if name != "n" or self.varies]
         return {(name, way): peak(way * PEAKED[name](self.points), self.load.x) for name in columns for way in (1, -1)}
 
     @cached_property
+    def peak_points(self) -> DrivePoints:
+        """The drive where each of :attr:`peaks` has the top of its parabola, a row each."""
+        at = np.array([[one.at] for one in self.peaks.values()])
+        places = self.load.x.ravel()[at] + [[one.offset] for one in self.peaks.values()]
+        load = self.cycle.points_at(at // POINTS, places, np.zeros(at.shape))
+        return DrivePoints(replace(load, train=self.driven.train))
+
+    @property
     def at_peaks(self) -> "DriveView":
-        """The same where each of :attr:`peaks` has the top of its parabola."""
-        at = np.array([one.at for one in self.peaks.values()])[:, None]
-        offset = np.array([one.offset for one in self.peaks.values()])[:, None]
+        """The view of :attr:`peak_points`, measured by the same scales."""
+        _ = self.scales
         other = copy(self)
-        other.numbers, other.point_rows = at // POINTS, len(at)
-        places = self.load.x.ravel()[at] + offset
-        load = self.cycle.points_at(other.numbers, places, np.zeros(at.shape))
-        other.load = replace(load, train=self.driven.train)
-        other.points = DrivePoints(other.load)
+        other.points, other.load, other.point_rows = self.peak_points, self.peak_points.load, len(self.peaks)
+        other.numbers = np.array([[one.at // POINTS] for one in self.peaks.values()])
         return other
 
     def top(self, name: str, way: int = 1) -> float:
-        """Return the highest value of a column, or −1 times the lowest: at a point, or there."""
+        """Return the highest value of a column, or −1 times the lowest: at a point, or beside it."""
         row = list(self.peaks).index((name, way))
-        there = way * float(PEAKED[name](self.at_peaks.points)[row, 0])
-        return max(self.peaks[name, way].values[1], there)
+        beside = way * float(PEAKED[name](self.peak_points)[row, 0])
+        return max(self.peaks[name, way].values[1], beside)
 
     def size(self, name: str) -> float:
         """Return the largest absolute value of a column."""
