@@ -97,10 +97,50 @@ def least_gap(axes: Sequence[tuple[float, Shifted]], offset: float) -> Gap:
     cycles = [(float(axis.motion.edges[0]), axis.motion.total) for _, axis in axes]
     if not np.allclose(cycles, cycles[0], rtol=1e-9, atol=0.0):
         raise ValueError("cycles that differ are given; expected one cycle")
-    begin, total = cycles[0]
-    breaks = np.unique(np.concatenate([[begin, begin + total], *(axis.breaks() for _, axis in axes)]))
-    kept = [float(breaks[0]), *(float(b) for a, b in pairwise(breaks) if b - a > SAME * total)]
-    return min(_least(axes, offset, low, high) for low, high in pairwise(kept))
+    return min(_least(axes, offset, low, high) for low, high in pairwise(_breaks([axis for _, axis in axes])))
+
+
+class GapLine(NamedTuple):
+    """The gap as offset + factor · y of a first axis, from a position of it on, the part of a second one apart."""
+
+    begin: float  # y, in units of the motion
+    offset: float  # in the unit of the gap
+    factor: float
+
+
+def least_gap_by_lines(first: Shifted, second: tuple[float, Shifted], lines: Sequence[GapLine]) -> float:
+    """Return the least gap of two axes over a cycle that depends on the first one by straight lines; it is exact.
+
+    Parameters
+    ----------
+    first : Shifted
+    second : (float, Shifted)
+        The factor and the motion of the second axis, over the same cycle.
+    lines : sequence of GapLine
+        In rising order; the first and the last one go on beyond their ends.
+
+    Returns
+    -------
+    float
+        In the unit of the gap: at a break, where the first axis passes from line to line, or where the slope is 0.
+    """
+    gaps = []
+    for low, high in pairwise(_breaks([first, second[1]])):
+        curve = first.curve(low, high)
+        passed = [zeros(Curve((curve.c[0] - line.begin, *curve.c[1:]), curve.sines), high - low) for line in lines[1:]]
+        places = np.unique([0.0, high - low, *(u for row in passed for u in row)]).tolist()
+        for begin, end in pairwise(places):
+            y = curve(0.5 * (begin + end))
+            line = [line for line in lines if line.begin <= y or line is lines[0]][-1]
+            gaps.append(_least([(line.factor, first), second], line.offset, low + begin, low + end).least)
+    return min(gaps)
+
+
+def _breaks(axes: Sequence[Shifted]) -> list[float]:
+    """Return the abscissae between which no piece of any axis begins, those of begin and end among them."""
+    begin, total = float(axes[0].motion.edges[0]), axes[0].motion.total
+    breaks = np.unique(np.concatenate([[begin, begin + total], *(axis.breaks() for axis in axes)]))
+    return [float(breaks[0]), *(float(b) for a, b in pairwise(breaks) if b - a > SAME * total)]
 
 
 def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, high: float) -> Gap:

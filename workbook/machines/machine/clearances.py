@@ -4,17 +4,30 @@ import numpy as np
 
 from engine.laws.base import Array
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, check, columns_of, constant, given, result
+from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, amount
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
-from workbook.machines.machine.gap import ClearanceView
+from workbook.machines.machine.entries_beside import PAIRS
+from workbook.machines.machine.file_layout import pairs_name
+from workbook.machines.machine.gap import PARTS, PARTS_BY_PAIRS, ClearanceView, FreePositions
 from workbook.motion.pieces import finding, sampled
 
 ABOUT = (
-    "The gap is worked out where a piece of either axis begins or has its middle; between two of these places it is "
-    "taken as a parabola, by the slope at the first, and worked out at the lowest point of all parabolas."
+    "The gap is worked out where a piece of either axis begins or has its middle, with pairs also at its quarters; "
+    "between two of these places it is taken as a parabola, by the slope at the first, and worked out at the lowest "
+    "point of all parabolas."
 )
+BY_TABLE = (
+    "With pairs below, the free position of the second axis takes the place of the first one's position, on straight "
+    "lines between the pairs; the gap is in the unit of the second axis."
+)
+BEGIN, MIDDLE = ("begin", "a piece begins"), ("middle", "its middle")
+PARTS_OF = {
+    PARTS: (BEGIN, MIDDLE),
+    PARTS_BY_PAIRS: (BEGIN, ("first", "its first quarter"), MIDDLE, ("last", "its last")),
+}
 AT = 3  # decimals of a place in a sentence
 MARKS, OF = "ab", ("first axis: ", "second axis: ")
 """what the names of both axes' columns end with, and their labels begin with"""
@@ -23,6 +36,10 @@ PLACE = (
     "[clear{n}_least.theta.first],[clear{n}_least.theta.last])"
 )
 HIGH = "MAX(ABS([axes.low.{0}]),ABS([axes.high.{0}]))"
+SIZE_BY_TABLE = (
+    f"ABS([offset])+ABS([factor1])*MAX(MAX([clear{{n}}_pairs.free]),0-MIN([clear{{n}}_pairs.free]))"
+    f"+ABS([factor2])*{HIGH.format('{j}')}"
+)
 SIZE = f"ABS([offset])+ABS([factor1])*{HIGH.format('{i}')}+ABS([factor2])*{HIGH.format('{j}')}"
 PRINTED = 12  # columns: what is entered, and the least gaps
 
@@ -34,8 +51,13 @@ def clearances_sheet(book: Book, apart: list[ClearanceView]) -> None:
     period = apart[0].over.period
     sheet = book.sheet("Clearances", f"Axes that must stay apart: the least gap over a {period}, and where it is.")
     sheet.heading("Enter", "gap = offset + factor · position + factor · position, in the unit of the first axis.")
+    if any(one.table for one in apart):
+        sheet.note(BY_TABLE)
     table(sheet, apart)
-    sheet.checks(*map(clearance_check, apart))
+    for one in apart:
+        if one.table:
+            pairs(sheet, one, one.table)
+    sheet.checks(*map(clearance_check, apart), *(covered_check(one, one.table) for one in apart if one.table))
     sheet.heading("The gap over the cycle")
     for k in range(0, len(apart), 2):
         sheet.chart_row(*map(gap_chart, apart[k : k + 2]), width=PRINTED // 2)
@@ -66,9 +88,10 @@ def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
         formulas = [f"={factor}*1000" if both[end].given.unit == "mm" else f"=DEGREES({factor})" for both in axes]
         return calc(at, label, "", "", formulas, [one.scales[end] for one in apart], source=f"times the {which} factor")
 
-    def each(formula: str) -> list[str]:
+    def each(formula: str, by_table: str = "") -> list[str]:
         numbers = zip(apart, axes, strict=True)
-        return [f"={formula.format(n=one.number, i=i.number, j=j.number)}" for one, (i, j) in numbers]
+        return [f"={((one.table and by_table) or formula).format(n=one.number, i=i.number, j=j.number)}"
+                for one, (i, j) in numbers]  # fmt: skip
 
     entered = sheet.table(
         "clearances", "Clearances", len(apart),
@@ -84,7 +107,7 @@ def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
     )  # fmt: skip
     sheet.workings(
         entered, "gaps", "Workings", PRINTED + 2,
-        calc("size", "size of the gap, at most", "", unit, each(SIZE), [one.size for one in apart]),
+        calc("size", "size of the gap, at most", "", unit, each(SIZE, SIZE_BY_TABLE), [one.size for one in apart]),
         scale(0, "its own unit in 1 m or rad", "first"), scale(1, "likewise of the other axis", "second"),
     )  # fmt: skip
     sheet.rows(*(calc(one.name, f"Clearance {one.number}", "", "", f"=[clearances.name.{one.number}]",
@@ -101,6 +124,43 @@ def gap_chart(gap: ClearanceView) -> Chart:
     return Chart(title, f"{gap.over.angle} θ [°]", f"gap [{gap.unit}]", lines, about, (0, TURN, 60))
 
 
+def pairs(sheet: Sheet, gap: ClearanceView, table: FreePositions) -> None:
+    """Declare the pairs of a clearance: what is entered, and the lines between them."""
+    n, units = gap.number, [rows.axis.given.unit for rows in gap.rows]
+    column = columns_of(gap.given.pairs, f"clearances.{n - 1}.pairs", PAIRS)
+    after = [(f"[clear{n}_pairs.at.{k}]", f"[clear{n}_pairs.free.{k}]") for k in range(2, PAIRS + 1)]
+    slopes = [f"=IF(COUNT({at})=1,({free}-[free])/({at}-[at]),0)" for at, free in after]
+    sheet.row += 1
+    sheet.table(
+        f"clear{n}_pairs", f"Clearance {n}: how far the second axis is free; leave spare rows empty", PAIRS,
+        constant("k", "pair", "k", "", list(range(1, PAIRS + 1))),
+        column("at", "position of the first axis", "", units[0], "at", "rises strictly", format="0.0##"),
+        column("free", "free position of the second", "", units[1], "free", format="0.0##"),
+        calc("begin", "a line begins at", "", units[0], f"=IF(COUNT([at])=1,[at],MAX([clear{n}_pairs.at]))",
+             filled(table.at.tolist(), PAIRS, float(table.at[-1])), scale=float(np.ptp(table.at))),
+        calc("slope", "slope to the next", "", f"{units[1]}/{units[0]}", [*slopes, "=0*[k]"],
+             filled(table.slopes.tolist(), PAIRS, 0.0), scale=float(np.abs(table.slopes).max())),
+    )  # fmt: skip
+    sheet.rows(
+        calc(pairs_name(n), f"Pairs of clearance {n}", "", "", f"=COUNT([clear{n}_pairs.at])", len(table.at),
+             format="0"),
+        calc(f"clear{n}_near", "So near below a pair counts as at it", "", units[0],
+             f"=check_zero*(MAX([clear{n}_pairs.at])-MIN([clear{n}_pairs.at]))", table.near, format="0E+00",
+             scale=table.near),
+    )  # fmt: skip
+
+
+def covered_check(gap: ClearanceView, table: FreePositions) -> Quantity:
+    """Return the check that the table covers the travel of the first axis."""
+    n, axis = gap.number, gap.rows[0].axis
+    near, at = f"clear{n}_near", f"[clear{n}_pairs.at]"
+    ends = [f"[axes.{end}.{axis.number}]" for end in ("low", "high")]
+    low, high = shown(np.array(axis.motion.reach), axis.unit).tolist()
+    is_covered = bool(low >= table.at[0] - table.near and high <= table.at[-1] + table.near)
+    return check(f"clear{n}_covered", f"Clearance {n}: the pairs cover the travel of the first axis",
+                 f"AND({ends[0]}>=MIN({at})-{near},{ends[1]}<=MAX({at})+{near})", is_covered)  # fmt: skip
+
+
 def clearance_check(gap: ClearanceView) -> Quantity:
     """Return the check of a clearance."""
     n, after, unit = gap.number, gap.over.after, gap.unit
@@ -110,6 +170,11 @@ def clearance_check(gap: ClearanceView) -> Quantity:
     said = f"{round(gap.over.shown(gap.place), AT):.15g}{after}; expected at least {gap.given.least:.15g} {unit}"
     return check(f"clear{n}_kept", f"Clearance {n}: the gap is left", f"{least}>={entered}-check_zero*[gaps.size.{n}]",
                  gap.is_left, says=CheckSentence(says, f"{gap.given.name}{place.said}{said}"))  # fmt: skip
+
+
+def gap_slope(n: int) -> str:
+    """Return the formula of the slope of the line on which the first axis of a clearance with pairs is."""
+    return f"INDEX([clear{n}_pairs.slope],[line])"
 
 
 def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
@@ -128,7 +193,18 @@ def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
             calc(f"y{mark}", f"{of}position", "y", axis.given.unit, f"={own}+[n{mark}]*[axes.travel.{axis.number}]",
                  y, scale=gap.size),
         ]  # fmt: skip
-    entered = f"[clearances.offset.{n}]+[clearances.factor1.{n}]*[ya]+[clearances.factor2.{n}]*[yb]"
+    first = "[ya]"
+    if gap.table:
+        y, first = gap.positions(angles)[0], "[free]"
+        line, at = f"MATCH([ya]+clear{n}_near,[clear{n}_pairs.begin],1)", f"[clear{n}_pairs.at.first]"
+        found += [
+            calc("line", "line of the table", "", "", f"=IF([ya]<{at},1,MIN({pairs_name(n)}-1,{line}))",
+                 gap.table.row(y) + 1.0, format="0"),
+            calc("free", "free position of the second", "", gap.unit,
+                 f"=INDEX([clear{n}_pairs.free],[line])+{gap_slope(n)}*([ya]-INDEX([clear{n}_pairs.at],[line]))",
+                 gap.table.position(y), scale=gap.size),
+        ]  # fmt: skip
+    entered = f"[clearances.offset.{n}]+[clearances.factor1.{n}]*{first}+[clearances.factor2.{n}]*[yb]"
     return [*found, calc("gap", "gap", "", gap.unit, f"={entered}", gap.gaps(angles), scale=gap.size,
                          source="offset + factor · position + factor · position")]  # fmt: skip
 
@@ -148,7 +224,8 @@ def least(sheet: Sheet, gap: ClearanceView) -> None:
 def points(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare the gap and its slope at points of the cycle, and the lowest point of the parabola before each."""
     n, angles, low = gap.number, gap.angles, gap.lowest
-    at, size, first = f"[clear{n}_cuts.begina:middleb]", gap.size, "=IF([k]=1,0,{})"
+    at, size, first = f"[clear{n}_cuts.begina:{PARTS_OF[gap.parts][-1][0]}b]", gap.size, "=IF([k]=1,0,{})"
+    by = f"*{gap_slope(n)}" if gap.table else ""
     lost, last, end = f"check_zero*[gaps.size.{n}]", len(angles), f"MAX([clear{n}_points.k])"
     sheet.table(
         f"clear{n}_points", "The gap over the turn", last,
@@ -159,8 +236,8 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
         *(calc(f"v{mark}", f"{of}geometric velocity", "y'", rows.at.unit(1), f"={sampled(rows.pieces, 1, mark)}",
                values, scale=rows.axis.motion.size(1))
           for mark, of, rows, values in zip(MARKS, OF, gap.rows, gap.velocities, strict=True)),
-        calc("slope", "slope of the gap", "", f"{gap.unit}/rad", f"=[gaps.k1.{n}]*[va]+[gaps.k2.{n}]*[vb]", gap.slopes,
-             scale=float(np.abs(gap.slopes).max()), source="factor · y' + factor · y'"),
+        calc("slope", "slope of the gap", "", f"{gap.unit}/rad", f"=[gaps.k1.{n}]*[va]{by}+[gaps.k2.{n}]*[vb]",
+             gap.slopes, scale=float(np.abs(gap.slopes).max()), source="factor · y' + factor · y'"),
         calc("fall", "by the slope before, it rises", "g_0", gap.unit,
              first.format("[slope-1]*RADIANS([theta]-[theta-1])"), low.fall, scale=size),
         calc("rise", "it rises", "g_1", gap.unit, first.format("[gap]-[gap-1]"), low.rise, scale=size),
@@ -179,17 +256,18 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
 
 
 def cuts(sheet: Sheet, gap: ClearanceView) -> None:
-    """Declare where the pieces of both axes begin and have their middle, from 0 to 360°."""
+    """Declare where the pieces of both axes begin, and further parts of them, from 0 to 360°."""
     columns, room = [], gap.rows[0].machine.room
+    names = PARTS_OF[gap.parts]
     for end, (rows, mark, of) in enumerate(zip(gap.rows, MARKS, OF, strict=True)):
-        i, (begin, middle) = rows.axis.number, gap.cuts(end)
-        late = f"INDEX([axis{i}_pieces.begin],[r])+[axes_taken.late.{i}]"
-        half = f"[begin{mark}]+DEGREES(INDEX([axis{i}_pieces.d],[r])/2)"
+        i = rows.axis.number
+        places = [f"INDEX([axis{i}_pieces.begin],[r])+[axes_taken.late.{i}]"]
+        span = f"DEGREES(INDEX([axis{i}_pieces.d],[r])"
+        places += [f"[begin{mark}]+{span}*{k}/{gap.parts})" for k in range(1, gap.parts)]
         columns += [
             calc(f"{name}{mark}", f"{of}{words}", "θ", "°", f"={place}-360*INT(({place}+eps)/360)", values, scale=TURN,
                  format="0.0##")
-            for name, words, place, values in (("begin", "a piece begins", late, begin),
-                                               ("middle", "its middle", half, middle))
+            for (name, words), place, values in zip(names, places, gap.cuts(end), strict=True)
         ]  # fmt: skip
     sheet.table(f"clear{gap.number}_cuts", "The pieces of both axes over the turn", room,
                 constant("r", "piece", "k", "", list(range(1, room + 1))), *columns)  # fmt: skip

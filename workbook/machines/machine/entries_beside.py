@@ -1,12 +1,14 @@
 """Entries of a machine beside its axes: switches, and clearances between axes."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import Annotated, Any, ClassVar
 
 from pydantic import Field, GetJsonSchemaHandler, field_validator
 from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
+from workbook.book.sentence import figure
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
@@ -14,11 +16,22 @@ from workbook.fields.types import ANGLE_TOLERANCE, Angle, DesignError, EntryErro
 
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 TIMES, MOST_SWITCHES, MOST_CLEARANCES = 6, 24, 12  # of being on, that a switch has room for
-KEYS, ENDS = ("start", "stop"), ("first", "second")
+PAIRS = 12  # of a clearance's table
+KEYS, ENDS, PAIR = ("start", "stop"), ("first", "second"), ("at", "free")
 PAIRED = ",".join(f"COUNT([start{t}],[stop{t}])<>1" for t in range(1, TIMES + 1))
 HALF = RowRule("paired", f"AND({PAIRED})", "", "a time on without its begin, or without its end")
 """a row of switches of which a time has but one of its ends"""
 UNUSED = dict.fromkeys(KEYS)
+
+
+TWO_NUMBERS = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
+
+
+def without_empty_end(rows: Any) -> Any:
+    """Return rows without the last ones that are empty, as empty cells are read."""
+    while isinstance(rows, list) and rows and rows[-1] == {}:
+        rows = rows[:-1]
+    return rows
 
 
 class TimeOn(Model):
@@ -30,8 +43,7 @@ class TimeOn(Model):
     @classmethod
     def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """Take [from, to] too, as editors see it."""
-        pair = {"type": "array", "items": {"type": "number"}, "minItems": len(KEYS), "maxItems": len(KEYS)}
-        return {"anyOf": [pair, handler(core)]}
+        return {"anyOf": [TWO_NUMBERS, handler(core)]}
 
     @property
     def ends(self) -> tuple[float, float] | None:
@@ -52,9 +64,7 @@ class SwitchEntry(Model):
     @field_validator("on", mode="before")
     @classmethod
     def _used(cls, on: Any) -> Any:
-        while isinstance(on, list) and on and on[-1] == {}:  # as empty cells are read
-            on = on[:-1]
-        return on
+        return without_empty_end(on)
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a time with one end, and the first that does not last or is not over where another begins."""
@@ -76,8 +86,24 @@ def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError
         yield DesignError("on", f"{turned.name} {said[0]}", "apart", [UNUSED for _ in turned.on])
 
 
+class FreePosition(Model):
+    """How far the second axis of a clearance is free where the first one is at a position, each in its axis' unit."""
+
+    at: Number = Field(description="Position of the first axis, in its unit")
+    free: Number = Field(description="Position up to which the second axis is free then, in its unit")
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Take [at, free] too, as editors see it."""
+        return {"anyOf": [TWO_NUMBERS, handler(core)]}
+
+
 class ClearanceEntry(Model):
-    """A gap of two axes, offset + factor · position + factor · position, in the unit of the first axis."""
+    """A gap of two axes, offset + factor · position + factor · position, in the unit of the first axis.
+
+    With a table of pairs the free position of the second axis takes the place of the first one's position, all in the
+    second one's unit: by default the gap is what the second axis is short of its free position.
+    """
 
     name: Name
     first: Name = Field(description="Name of an axis")
@@ -86,6 +112,26 @@ class ClearanceEntry(Model):
     second_factor: Number = Field(default=-1.0, description="By what its position is multiplied, into the first's unit")
     offset: Number = Field(default=0.0, description="The gap where both are at 0, in the unit of the first axis")
     least: Number = Field(default=0.0, description="The gap that must be left, in the unit of the first axis")
+    pairs: Annotated[list[FreePosition], Field(max_length=PAIRS)] = Field(
+        default=[], description="[position of the first axis, free position of the second] each, rising; lines between"
+    )
+
+    @field_validator("pairs", mode="before")
+    @classmethod
+    def _used(cls, pairs: Any) -> Any:
+        return without_empty_end(pairs)
+
+    @field_validator("pairs")
+    @classmethod
+    def _rises(cls, pairs: list[FreePosition]) -> list[FreePosition]:
+        if len(pairs) == 1:
+            raise EntryError("", "one pair; expected two or more, or none")
+        for k, (before, pair) in enumerate(pairwise(pairs), 1):
+            if not before.at < pair.at:
+                raise EntryError(
+                    f"{k}.at", f"{figure(pair.at)} after {figure(before.at)}; expected positions that rise"
+                )
+        return pairs
 
 
 def require_axes(clearances: Sequence[ClearanceEntry], names: Sequence[str]) -> None:
@@ -110,14 +156,17 @@ def spelled(told: Any) -> Any:
     names = {i: axis.get("name") for i, axis in enumerate(axes if isinstance(axes, list) else (), 1)
              if isinstance(axis, Mapping)}  # fmt: skip
 
-    def keyed(time: Any) -> Any:
-        return dict(zip(KEYS, time, strict=True)) if isinstance(time, list) and len(time) == len(KEYS) else time
+    def keyed(pair: Any, keys: Sequence[str] = KEYS) -> Any:
+        return dict(zip(keys, pair, strict=True)) if isinstance(pair, list) and len(pair) == len(keys) else pair
 
     def switch(one: Mapping[str, Any]) -> Any:
         return {**one, "on": [*map(keyed, one["on"])]} if isinstance(one.get("on"), list) else one
 
     def clearance(one: Mapping[str, Any]) -> Any:
-        return {**one, **{end: names[one[end]] for end in ENDS if type(one.get(end)) is int and one[end] in names}}
+        pairs = one.get("pairs")
+        told = {"pairs": [keyed(pair, PAIR) for pair in pairs]} if isinstance(pairs, list) else {}
+        ends = {end: names[one[end]] for end in ENDS if type(one.get(end)) is int and one[end] in names}
+        return {**one, **ends, **told}
 
     found = dict(told)
     for key, spell in (("switches", switch), ("clearances", clearance)):

@@ -18,6 +18,7 @@ from workbook.template_outputs import ExactJudgement, JudgedLimit
 RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 1e-3, 1e-3, 5e-4
 """by which share the sheets state that T_rms, peaks, energies, the highest rate, a least gap and the extremes of phases
 that meet at speed may be off"""
+PAIRS_GAP = 0.05  # the same of a least gap by pairs, whose lines may turn between the points
 
 
 def axes_of(machine: AnyMachine) -> list[AxisTables]:
@@ -97,7 +98,7 @@ def extremes_of(axis: MovingAxis) -> Iterator[str]:
 def gap_of(one: ClearanceView) -> str:
     """Return the line on a least gap, empty where it is as exact as its sheet states."""
     exact, unit = one.exact, one.unit
-    if abs(one.least - exact) <= GAP * one.change + 1e-9 * one.size:
+    if abs(one.least - exact) <= (PAIRS_GAP if one.table else GAP) * one.change + 1e-9 * one.size:
         return ""
     return f"{one.given.name}: the least gap is {rounded(exact)} {unit} exactly; its sheet says {rounded(one.least)}"
 

@@ -9,7 +9,14 @@ from workbook.entries.abscissa import unit_cell_name
 from workbook.entries.phase import TURN
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine import entries as entered
-from workbook.machines.machine.entries_beside import ENDS, MOST_CLEARANCES, MOST_SWITCHES, ClearanceEntry, SwitchEntry
+from workbook.machines.machine.entries_beside import (
+    ENDS,
+    MOST_CLEARANCES,
+    MOST_SWITCHES,
+    ClearanceEntry,
+    FreePosition,
+    SwitchEntry,
+)
 from workbook.machines.machine.mechanism import MECHANISMS, some_mechanism
 from workbook.machines.machine.time_based import Cycle, TimedMachine
 from workbook.machines.machine.view import UNITS
@@ -21,6 +28,9 @@ CHOSEN = "sel_axis"
 
 clearance_name = "clear{}_{}_{}".format
 """names the cell of a clearance by its number and those of its axes, which a file so tells"""
+pairs_name = "clear{}_pairs_used".format
+"""names the cell that counts the pairs of a clearance's table: by it a file tells that there is one"""
+SOME_PAIRS = [FreePosition(at=0.0, free=0.0), FreePosition(at=1.0, free=0.0)]
 switch_name = "switch{}_name".format
 """names the cell that tells what a switch is called: by it a file tells how many there are"""
 
@@ -49,7 +59,12 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
         "axes": [axis_of(machine.axes[0], i, unit, names) for i, unit in known] or machine.axes,
         "switches": [SwitchEntry(name=name, on=[]) for name in switches],
         "clearances": [
-            ClearanceEntry.model_construct(name=f"Clearance {k}", first=str(one), second=str(other))
+            ClearanceEntry.model_construct(
+                name=f"Clearance {k}",
+                first=str(one),
+                second=str(other),
+                pairs=SOME_PAIRS if pairs_name(k) in names else [],
+            )
             for k in range(1, MOST_CLEARANCES + 1)
             for one, other in permutations(numbers, 2)
             if clearance_name(k, one, other) in names

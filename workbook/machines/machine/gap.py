@@ -4,9 +4,10 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from engine.laws.base import Array
-from engine.motion.shifted import gap_size, least_gap, place_in_cycle
+from engine.motion.shifted import GapLine, gap_size, least_gap, least_gap_by_lines, place_in_cycle
 from workbook.book.rows import filled
 from workbook.book.summary import ZERO
 from workbook.entries.phase import TURN
@@ -27,8 +28,44 @@ class Lowest(NamedTuple):
     angle: Array
 
 
+PARTS, PARTS_BY_PAIRS = 2, 4  # of each piece, at whose begins the gap is worked out
+
+
+class FreePositions(NamedTuple):
+    """The table of a clearance: how far the second axis is free, on straight lines over the first one's position.
+
+    Beyond its ends it goes on as its first and its last line do.
+    """
+
+    at: Array
+    free: Array
+
+    @property
+    def slopes(self) -> Array:
+        """The slope from each pair to the next."""
+        return np.diff(self.free) / np.diff(self.at)
+
+    @property
+    def near(self) -> float:
+        """So near below a pair a position counts as at it."""
+        return ZERO * float(np.ptp(self.at))
+
+    def row(self, y: Array) -> NDArray[np.intp]:
+        """Return the number of the line, from 0, on which each position of the first axis lies."""
+        return np.clip(np.searchsorted(self.at, y + self.near, side="right") - 1, 0, len(self.at) - 2)
+
+    def slope(self, y: Array) -> Array:
+        """Return the slope at positions of the first axis."""
+        return self.slopes[self.row(y)]
+
+    def position(self, y: Array) -> Array:
+        """Return the free position of the second axis at positions of the first."""
+        row = self.row(y)
+        return np.asarray(self.free[row] + self.slopes[row] * (y - self.at[row]))
+
+
 class ClearanceView:
-    """A clearance: its gap over the cycle, in the unit of the first axis; angles in degrees of the master shaft.
+    """A clearance: its gap over the cycle, in the unit of its axis; angles in degrees of the master shaft.
 
     ``name`` is that of the cell that tells what it is called, and of which axes it is; ``scales`` are what a position
     of each axis in m or rad is multiplied by, ``terms`` these with the motions, ``size`` how large the gap grows.
@@ -39,31 +76,54 @@ class ClearanceView:
         names = [one.axis.given.name for one in rows]
         places = [(place_of(name, names), name) for name in (given.first, given.second)]
         self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]  # a file's layout tells numbers
-        self.over, self.unit = self.rows[0].machine.over, self.rows[0].axis.given.unit
+        at, free = (np.array([getattr(pair, name) for pair in given.pairs]) for name in ("at", "free"))
+        self.table = FreePositions(at, free) if given.pairs else None
+        self.over, self.unit = self.rows[0].machine.over, self.rows[1 if self.table else 0].axis.given.unit
         self.name = clearance_name(number, *(one.axis.number for one in self.rows))
         self.factors = (given.first_factor, given.second_factor)
         self.scales = [shown(factor, one.axis.unit) for factor, one in zip(self.factors, self.rows, strict=True)]
         self.terms = [(scale, one.axis.shifted) for scale, one in zip(self.scales, self.rows, strict=True)]
-        self.size = gap_size(self.terms, given.offset)
+        self.size = gap_size(self.terms[1:] if self.table else self.terms, given.offset)
+        if self.table:
+            self.size += abs(given.first_factor) * float(np.abs(self.table.free).max())
 
     @property
     def exact(self) -> float:
         """The least gap by closed forms."""
+        if self.table:
+            (scale, first), second = self.terms
+            rows = zip(self.table.at.tolist(), self.table.free.tolist(), self.table.slopes.tolist(), strict=False)
+            lines = [GapLine(si(at, self.rows[0].axis.unit), self.given.offset + self.factors[0] * (free - slope * at),
+                             scale * slope) for at, free, slope in rows]  # fmt: skip
+            return least_gap_by_lines(first, second, lines)
         return least_gap(self.terms, self.given.offset).least
 
     @property
     def change(self) -> float:
         """By how much both axes together can change the gap."""
-        return float(np.sum([abs(scale) * np.ptp(one.motion.reach) for scale, one in self.terms]))
+        moved = [abs(scale) * np.ptp(one.motion.reach) for scale, one in self.terms]
+        if self.table:
+            reach = shown(np.array(self.rows[0].axis.motion.reach), self.rows[0].axis.unit)
+            inner = self.table.at[(self.table.at > reach.min()) & (self.table.at < reach.max())]
+            free = self.table.position(np.concatenate([reach, inner]))
+            moved[0] = abs(self.given.first_factor) * np.ptp(free)
+        return float(np.sum(moved))
 
-    def cuts(self, end: int) -> tuple[list[float], list[float]]:
-        """Return where each piece of an axis begins and has its middle; spare pieces as the end of the turn."""
-        one = self.rows[end]
-        room, near, pieces = one.machine.room, one.machine.near, one.pieces.pieces
+    @property
+    def parts(self) -> int:
+        """Into how many parts the points divide each piece."""
+        return PARTS_BY_PAIRS if self.table else PARTS
+
+    def cuts(self, end: int) -> list[list[float]]:
+        """Return where each piece of an axis begins, and each further part; spare pieces as the end of the turn."""
+        axis = self.rows[end]
+        room, near, pieces = axis.machine.room, axis.machine.near, axis.pieces.pieces
         begins = filled([shown(piece.begin, DEGREE) for piece in pieces], room, TURN)
-        halves = filled([shown(piece.duration, DEGREE) / 2.0 for piece in pieces], room)
-        found = [place_in_cycle(begin + one.axis.given.shift, TURN, near) for begin in begins]
-        return found, [place_in_cycle(at + half, TURN, near) for at, half in zip(found, halves, strict=True)]
+        first = [place_in_cycle(begin + axis.axis.given.shift, TURN, near) for begin in begins]
+        spans = filled([shown(piece.duration, DEGREE) for piece in pieces], room)
+        later = ([place_in_cycle(at + span * k / self.parts, TURN, near) for at, span in zip(first, spans, strict=True)]
+                 for k in range(1, self.parts))  # fmt: skip
+        return [first, *later]
 
     @cached_property
     def angles(self) -> Array:
@@ -77,8 +137,9 @@ class ClearanceView:
 
     def gaps(self, angles: Array) -> Array:
         """Return the gap at angles."""
-        first, second = (factor * y for factor, y in zip(self.factors, self.positions(angles), strict=True))
-        return np.asarray(self.given.offset + first + second)
+        first, second = self.positions(angles)
+        first = self.table.position(first) if self.table else first
+        return np.asarray(self.given.offset + self.factors[0] * first + self.factors[1] * second)
 
     @cached_property
     def velocities(self) -> list[Array]:
@@ -88,7 +149,8 @@ class ClearanceView:
     @property
     def slopes(self) -> Array:
         """The slope of the gap at each point (per rad)."""
-        return self.scales[0] * self.velocities[0] + self.scales[1] * self.velocities[1]
+        by = self.table.slope(self.positions(self.angles)[0]) if self.table else 1.0
+        return self.scales[0] * by * self.velocities[0] + self.scales[1] * self.velocities[1]
 
     @cached_property
     def lowest(self) -> Lowest:

@@ -66,6 +66,8 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     for i, one in enumerate(data["clearances"]):
         one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
                 "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
+        one["pairs"] = [{"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
+                        for n, pair in enumerate(one["pairs"])]  # fmt: skip
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     if pace == "cycle":
