@@ -211,3 +211,15 @@ def test_least_gaps_by_pairs_are_as_exact_as_their_sheet_states(number):
     assert one.exact <= gaps.min() + 1e-9 * one.size
     if all(rows.axis.missing_lift < 1e-9 for rows in one.rows):
         assert -1e-9 * one.size <= one.least - one.exact <= exact.PAIRS_GAP * one.change + 1e-9 * one.size
+
+
+def test_the_exact_gap_decides_where_the_sheet_sees_less():
+    """Its points miss a turn of the lines: the sheet has more room than there is."""
+    made = drawn_pairs(116)
+    (one,) = views(made)
+    asked = 0.5 * (one.least + one.exact)
+    data = made.model_dump()
+    data["clearances"][0]["least"] = asked
+    judged = exact.judgement(type(made).model_validate(data)).limits[-1]
+    assert (judged.check, judged.sheet.ok, judged.exact.ok, judged.ok) == ("clear1_kept", True, False, False)
+    assert judged.line.startswith("least gap is ")

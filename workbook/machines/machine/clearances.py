@@ -28,6 +28,9 @@ PARTS_OF = {
     PARTS: (BEGIN, MIDDLE),
     PARTS_BY_PAIRS: (BEGIN, ("first", "its first quarter"), MIDDLE, ("last", "its last")),
 }
+STATED = (
+    "at most 0.1 % of what both axes move above the exact one, by pairs a quarter; build and verify judge the exact one"
+)
 AT = 3  # decimals of a place in a sentence
 MARKS, OF = "ab", ("first axis: ", "second axis: ")
 """what the names of both axes' columns end with, and their labels begin with"""
@@ -101,7 +104,7 @@ def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
         named(1, "second", "and axis"), entry("factor2", "factor", "", "second_factor"),
         entry("offset", "offset", unit, "offset"), entry("least", "gap to be left", unit, "least"),
         result("gap", "least gap", "", unit, each("MIN([clear{n}_least.gap])"), [one.least for one in apart],
-               scale=max(one.size for one in apart), source="at most 0.1 % of what both axes move above the exact one"),
+               scale=max(one.size for one in apart), source=STATED),
         result("at", "at", over.symbol, over.unit, each(over.shown_formula(PLACE)),
                [over.shown(one.place) for one in apart], scale=over.length, format=over.format),
     )  # fmt: skip

@@ -89,8 +89,8 @@ def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError
 class FreePosition(Model):
     """How far the second axis of a clearance is free where the first one is at a position, each in its axis' unit."""
 
-    at: Number = Field(description="Position of the first axis, in its unit")
-    free: Number = Field(description="Position up to which the second axis is free then, in its unit")
+    at: Number = Field(description="Position of the first axis, in its unit", examples=[20.0])
+    free: Number = Field(description="Position up to which the second axis is free, in its unit", examples=[45.0])
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from engine.drive.limits import BELOW, highest_rate
 from engine.drive.motor import LimitCheck
 from workbook.book.sentence import rounded
+from workbook.book.summary import ZERO
 from workbook.fields.units import PER_MINUTE, RPM, shown
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.view import DriveView, drive_of, settled_highest
@@ -18,7 +19,7 @@ from workbook.template_outputs import ExactJudgement, JudgedLimit
 RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 1e-3, 1e-3, 5e-4
 """by which share the sheets state that T_rms, peaks, energies, the highest rate, a least gap and the extremes of phases
 that meet at speed may be off"""
-PAIRS_GAP = 0.05  # the same of a least gap by pairs, whose lines may turn between the points
+PAIRS_GAP = 0.25  # the same of a least gap by pairs, whose lines may turn between the points
 
 
 def axes_of(machine: AnyMachine) -> list[AxisTables]:
@@ -57,9 +58,29 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     rows = axes_of(machine)
     views = list(filter(None, map(drive_of, rows)))
     lines = [line for view in views for line in (*results_of(view), *rate_of(view))]
-    gaps = (gap_of(ClearanceView(one, k, rows)) for k, one in enumerate(machine.clearances, 1))
-    lines += [*filter(None, gaps), *(line for one in rows for line in extremes_of(one.axis))]
-    return ExactJudgement([limit for view in views for limit in limits_of(view)], lines)
+    gaps = [ClearanceView(one, k, rows) for k, one in enumerate(machine.clearances, 1)]
+    lines += [*filter(None, map(gap_of, gaps)), *(line for one in rows for line in extremes_of(one.axis))]
+    return ExactJudgement([*(limit for view in views for limit in limits_of(view)), *map(limit_of_gap, gaps)], lines)
+
+
+class GapCheck(LimitCheck):
+    """A gap against the least that must be left."""
+
+    @property
+    def ok(self) -> bool:
+        """Whether it is left."""
+        return self.value >= self.limit
+
+    @property
+    def use(self) -> float:
+        """No share: a gap may be 0, or what must be left."""
+        return math.inf
+
+
+def limit_of_gap(gap: ClearanceView) -> JudgedLimit:
+    """Return the least gap of a clearance as its sheet and as the exact engine have it; rounding breaks none."""
+    sheet, truth = (GapCheck("least gap", value + ZERO * gap.size, gap.given.least) for value in (gap.least, gap.exact))
+    return JudgedLimit(f"clear{gap.number}_kept", gap.given.name, "least gap", gap.unit, sheet, truth, 0.0)
 
 
 LIMITS = {

@@ -15,7 +15,7 @@ from workbook.law_sheets.library import laws, named_laws
 from workbook.laws.family import COEFFICIENTS
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.exact import axes_of
+from workbook.machines.machine.exact import axes_of, limit_of_gap
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studies import drives as each_drive
@@ -63,7 +63,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
         found[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
         found[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
-        checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(apart().is_left), apart)
+        checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(limit_of_gap(apart()).ok), apart)
     found |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
     each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
