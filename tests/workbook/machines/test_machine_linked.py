@@ -127,7 +127,7 @@ def test_a_rocker_out_of_reach_fails_by_row_and_amount():
     ("changed", "check", "said"),
     [
         ({"start": 0.0}, "reach", "A1 row 1 reaches 0 mm, 0 mm beyond the inner dead centre"),
-        ({"start": 45.0}, "reach", "A1 row 1 reaches 60 mm, 4.866 mm beyond the outer dead centre"),
+        ({"start": 45.0}, "reach", "A1 row 1 reaches 60 mm, 4.8664 mm beyond the outer dead centre"),
         ({"rod_length": 40.0}, "linked", "the rod is not longer than crank and offset: the crank cannot turn round"),
         ({"rod_length": None}, "sized", "a size of the mechanism is empty"),
     ],
@@ -139,7 +139,8 @@ def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, sai
     assert machine.design.faults[0].said.startswith(said)
     value = computed(TEMPLATE, machine)
     assert value(f"drive1_ok_{check}") == "FAIL"
-    assert all(isinstance(one, float | int) for one in [*value("drive1_pt", "T"), *value("drive1_cycle", "phi")])
+    if check != "sized":  # where too little is entered, cells have nothing to compute from
+        assert all(isinstance(one, float | int) for one in [*value("drive1_pt", "T"), *value("drive1_cycle", "phi")])
 
 
 def test_an_axis_that_does_not_come_back_fails():

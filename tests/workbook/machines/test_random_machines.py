@@ -92,6 +92,9 @@ def test_cells_mirrored_motion_and_other_units(request, number):
     peak = max(value("drive1_tmax"), -value("drive1_tmin"), 1e-9)
     for name in SAME:
         first, second, third = (value(f"drive{k}_{name}") for k in (1, 2, 3))
+        if isinstance(first, str):  # the highest rate, where nothing limits it
+            assert (second, third) == (first, first), name
+            continue
         size = max(peak * value("drive1_speed") if name in ("pmax", "pmin", "power") else 0.0, abs(first))
         assert second == pytest.approx(first, rel=1e-8, abs=1e-9 * size), name
         assert third == pytest.approx(first, rel=1e-8, abs=1e-9 * size), name
