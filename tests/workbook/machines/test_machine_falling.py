@@ -42,7 +42,7 @@ def machine(name, rate=60.0, **motor):
 
 
 @pytest.mark.parametrize("name", [*AXES])
-@pytest.mark.parametrize("number", [*range(1), *nights(60)])
+@pytest.mark.parametrize("number", [*range(1), *nights(12)])
 @pytest.mark.sample(2)
 def test_the_rate_below_a_curve_is_that_of_an_exact_search(request, number, name):
     """Where the sheet names it, entered and read again: of a constant ratio to 0.2 %. Behind a ratio that changes a

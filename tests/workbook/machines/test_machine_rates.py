@@ -140,7 +140,7 @@ def drives_of(given):
     return [DriveView(AxisTables(whole, axis, book_laws.stack), Driven(axis, given)) for axis in whole.axes]
 
 
-@pytest.mark.parametrize("number", [*range(4), *nights(200)])
+@pytest.mark.parametrize("number", [*range(4), *nights(60)])
 def test_entered_and_read_again_the_rate_is_that_of_an_exact_search(request, number):
     told = f"pace {number}"
     drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
